@@ -1,0 +1,236 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+
+namespace RayTracer.Numerics;
+
+/// <summary>
+/// One register of floats, one lane a light path. Arithmetic is IEEE 754 single precision, lane by lane, so a picture
+/// has the same bits at every register width.
+/// </summary>
+public readonly unsafe struct FloatW
+{
+    /// <summary>The register.</summary>
+    public readonly Vector<float> V;
+
+    /// <summary>Wraps a register.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public FloatW(Vector<float> v) => V = v;
+
+    /// <summary>Number of lanes: 4, 8 or 16, by the machine.</summary>
+    public static int Count
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Vector<float>.Count;
+    }
+
+    /// <summary>0, 1, 2 … along the lanes.</summary>
+    public static FloatW Iota
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector.CreateSequence(0f, 1f));
+    }
+
+    /// <summary>The value of one lane: for tests and for the rare scalar step.</summary>
+    public float this[int lane]
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => V[lane];
+    }
+
+    /// <summary>The same number in every lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static implicit operator FloatW(float f) => new(new Vector<float>(f));
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW operator +(FloatW a, FloatW b) => new(a.V + b.V);
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW operator -(FloatW a, FloatW b) => new(a.V - b.V);
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW operator *(FloatW a, FloatW b) => new(a.V * b.V);
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW operator /(FloatW a, FloatW b) => new(a.V / b.V);
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW operator -(FloatW a) => new(-a.V);
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static MaskW operator <(FloatW a, FloatW b) => new(Vector.LessThan(a.V, b.V));
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static MaskW operator >(FloatW a, FloatW b) => new(Vector.GreaterThan(a.V, b.V));
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static MaskW operator <=(FloatW a, FloatW b) => new(Vector.LessThanOrEqual(a.V, b.V));
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static MaskW operator >=(FloatW a, FloatW b) => new(Vector.GreaterThanOrEqual(a.V, b.V));
+
+    /// <summary>a·b + c with one rounding.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW MultiplyAdd(FloatW a, FloatW b, FloatW c) => new(Vector.FusedMultiplyAdd(a.V, b.V, c.V));
+
+    /// <summary>c − a·b with one rounding.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW NegatedMultiplyAdd(FloatW a, FloatW b, FloatW c) => new(Vector.FusedMultiplyAdd(-a.V, b.V, c.V));
+
+    /// <summary>The square root; NaN below zero.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Sqrt(FloatW a) => new(Vector.SquareRoot(a.V));
+
+    /// <summary>Exactly a &lt; b ? a : b, so b where either is NaN or both are zeros.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Min(FloatW a, FloatW b)
+    {
+        // Vector.Min handles NaN in several instructions; the machine's own minimum is a < b ? a : b by definition.
+        if (Vector<float>.Count == 8 && Avx.IsSupported)
+        {
+            return new(Avx.Min(a.V.AsVector256(), b.V.AsVector256()).AsVector());
+        }
+
+        if (Vector<float>.Count == 16 && Avx512F.IsSupported)
+        {
+            return new(Avx512F.Min(a.V.AsVector512(), b.V.AsVector512()).AsVector());
+        }
+
+        return new(Vector.ConditionalSelect(Vector.LessThan(a.V, b.V), a.V, b.V));
+    }
+
+    /// <summary>Exactly a &gt; b ? a : b, so b where either is NaN or both are zeros.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Max(FloatW a, FloatW b)
+    {
+        if (Vector<float>.Count == 8 && Avx.IsSupported)
+        {
+            return new(Avx.Max(a.V.AsVector256(), b.V.AsVector256()).AsVector());
+        }
+
+        if (Vector<float>.Count == 16 && Avx512F.IsSupported)
+        {
+            return new(Avx512F.Max(a.V.AsVector512(), b.V.AsVector512()).AsVector());
+        }
+
+        return new(Vector.ConditionalSelect(Vector.GreaterThan(a.V, b.V), a.V, b.V));
+    }
+
+    /// <summary>The magnitude.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Abs(FloatW a) => new(Vector.Abs(a.V));
+
+    /// <summary>The largest integer not above the number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Floor(FloatW a) => new(Vector.Floor(a.V));
+
+    /// <summary>The nearest integer, ties to even.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Round(FloatW a) => new(Vector.Round(a.V));
+
+    /// <summary>The magnitude of <paramref name="a"/> with the sign of <paramref name="sign"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW CopySign(FloatW a, FloatW sign) => new(Vector.CopySign(a.V, sign.V));
+
+    /// <summary>The same bits read as unsigned integers.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public UIntW AsUInt() => new(Vector.AsVectorUInt32(V));
+
+    /// <summary>
+    /// The integer part as a signed integer in two's complement, towards zero; NaN gives 0 and what does not fit gives the
+    /// nearest integer that does.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public UIntW ToInt() => new(Vector.AsVectorUInt32(Vector.ConvertToInt32(V)));
+
+    /// <summary>Loads as many floats as there are lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Load(float* from) => new(Vector.Load(from));
+
+    /// <summary>Stores all lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Store(float* to) => V.Store(to);
+
+    /// <summary>table[index[0]], table[index[1]] … for indices that lie in memory.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Pick(float* table, uint* index)
+    {
+        if (Vector<float>.Count == 8)
+        {
+            return new(Pick8(table, index).AsVector());
+        }
+
+        if (Vector<float>.Count == 16)
+        {
+            return new(Vector512.Create(Pick8(table, index), Pick8(table, index + 8)).AsVector());
+        }
+
+        return new(Vector128.Create(table[index[0]], table[index[1]], table[index[2]], table[index[3]]).AsVector());
+    }
+
+    /// <summary>table[index] for indices in a register, each below 2³¹.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Gather(float* table, UIntW index)
+    {
+        if (Vector<float>.Count == 8 && Avx2.IsSupported)
+        {
+            return new(Avx2.GatherVector256(table, index.V.AsVector256().AsInt32(), 4).AsVector());
+        }
+
+        if (Vector<float>.Count == 16 && Avx2.IsSupported)
+        {
+            Vector512<int> i = index.V.AsVector512().AsInt32();
+            return new(Vector512.Create(
+                Avx2.GatherVector256(table, i.GetLower(), 4),
+                Avx2.GatherVector256(table, i.GetUpper(), 4)).AsVector());
+        }
+
+        uint* lanes = stackalloc uint[Vector<uint>.Count];
+        index.V.Store(lanes);
+        return Pick(table, lanes);
+    }
+
+    /// <summary>
+    /// Stores the lanes whose bit is set, next to one another. Whole registers may be written: what lies up to
+    /// <see cref="Count"/> floats behind <paramref name="to"/> must be free to overwrite.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Compress(float* to, uint bits)
+    {
+        if (Vector<float>.Count == 16 && Avx2.IsSupported)
+        {
+            Vector512<float> v = V.AsVector512();
+            uint low = bits & 0xff;
+            Avx2.PermuteVar8x32(v.GetLower(), CompressTable.Permutation(low)).Store(to);
+            Avx2.PermuteVar8x32(v.GetUpper(), CompressTable.Permutation(bits >> 8)).Store(to + BitOperations.PopCount(low));
+        }
+        else if (Vector<float>.Count == 8 && Avx2.IsSupported)
+        {
+            Avx2.PermuteVar8x32(V.AsVector256(), CompressTable.Permutation(bits)).Store(to);
+        }
+        else
+        {
+            for (int lane = 0; lane < Count; lane++)
+            {
+                if ((bits >> lane & 1) != 0)
+                {
+                    *to++ = V[lane];
+                }
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<float> Pick8(float* table, uint* i) => Vector256.Create(
+        table[i[0]], table[i[1]], table[i[2]], table[i[3]], table[i[4]], table[i[5]], table[i[6]], table[i[7]]);
+}

@@ -1,0 +1,45 @@
+using System.Runtime.CompilerServices;
+
+namespace RayTracer.Numerics;
+
+/// <summary>A colour in each lane: linear red, green and blue (Rec. 709 primaries).</summary>
+public readonly struct RgbW
+{
+    /// <summary>The channels.</summary>
+    public readonly FloatW R, G, B;
+
+    /// <summary>From channels.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public RgbW(FloatW r, FloatW g, FloatW b)
+    {
+        R = r;
+        G = g;
+        B = b;
+    }
+
+    /// <summary>The same colour in every lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static implicit operator RgbW(Rgb c) => new(c.R, c.G, c.B);
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static RgbW operator +(RgbW a, RgbW b) => new(a.R + b.R, a.G + b.G, a.B + b.B);
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static RgbW operator *(RgbW a, RgbW b) => new(a.R * b.R, a.G * b.G, a.B * b.B);
+
+    /// <summary>Lane by lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static RgbW operator *(RgbW a, FloatW s) => new(a.R * s, a.G * s, a.B * s);
+
+    /// <summary>a·b + c, each channel with one rounding.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static RgbW MultiplyAdd(RgbW a, RgbW b, RgbW c) => new(
+        FloatW.MultiplyAdd(a.R, b.R, c.R), FloatW.MultiplyAdd(a.G, b.G, c.G), FloatW.MultiplyAdd(a.B, b.B, c.B));
+
+    /// <summary>a·s + c, each channel with one rounding.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static RgbW MultiplyAdd(RgbW a, FloatW s, RgbW c) => new(
+        FloatW.MultiplyAdd(a.R, s, c.R), FloatW.MultiplyAdd(a.G, s, c.G), FloatW.MultiplyAdd(a.B, s, c.B));
+}
