@@ -1,0 +1,47 @@
+using System.Numerics;
+
+namespace RayTracer.Description;
+
+/// <summary>Which extent of the picture the field of view measures.</summary>
+public enum FieldOfViewAxis
+{
+    /// <summary>The height of the picture.</summary>
+    Vertical,
+
+    /// <summary>The width of the picture.</summary>
+    Horizontal,
+
+    /// <summary>The smaller of width and height.</summary>
+    Smaller,
+
+    /// <summary>The larger of width and height.</summary>
+    Larger,
+}
+
+/// <summary>Describes the camera.</summary>
+public sealed record CameraDescription
+{
+    /// <summary>Where the eye is.</summary>
+    [Parameter("Where the eye is.", Unit = "scene units")]
+    public Vector3 Position { get; init; } = new(0, 1, 5);
+
+    /// <summary>The point in the middle of the picture.</summary>
+    [Parameter("The point that the middle of the picture shows.", Unit = "scene units")]
+    public Vector3 LookAt { get; init; }
+
+    /// <summary>The direction that is up in the picture.</summary>
+    [Parameter("The direction that is up in the picture; it need not be perpendicular to the viewing direction.")]
+    public Vector3 Up { get; init; } = new(0, 1, 0);
+
+    /// <summary>Full angle of the field of view over <see cref="FieldOfViewAxis"/>.</summary>
+    [Parameter("Full angle that the picture shows, over the height unless fieldOfViewAxis says otherwise.", Unit = "degrees", Minimum = 0.001, Maximum = 179)]
+    public float FieldOfView { get; init; } = 40;
+
+    /// <summary>Which extent of the picture <see cref="FieldOfView"/> measures.</summary>
+    [Parameter("Which extent of the picture the field of view measures.")]
+    public FieldOfViewAxis FieldOfViewAxis { get; init; } = FieldOfViewAxis.Vertical;
+
+    /// <summary>The lens.</summary>
+    [Parameter("The lens, for depth of field. Without it the camera is a pinhole.")]
+    public LensDescription Lens { get; init; } = new();
+}

@@ -1,0 +1,36 @@
+using System.Numerics;
+
+namespace RayTracer.Description;
+
+/// <summary>How the points of a lens are spread.</summary>
+public enum LensShape
+{
+    /// <summary>A uniform disk of the aperture radius.</summary>
+    Disk,
+
+    /// <summary>A uniform square whose half side is the aperture radius.</summary>
+    Square,
+
+    /// <summary>The report's depth of field (listing 6.1): the eye itself is moved within a box, while the plane in focus stays.</summary>
+    EyeJitter,
+}
+
+/// <summary>Describes a thin lens (report, section 6.2.3, "depth of field").</summary>
+public sealed record LensDescription
+{
+    /// <summary>How the points of the lens are spread.</summary>
+    [Parameter("How the points of the lens are spread: over a disk, over a square, or the report's jitter of the eye within a box.")]
+    public LensShape Shape { get; init; } = LensShape.Disk;
+
+    /// <summary>Radius of the aperture; zero is a pinhole.</summary>
+    [Parameter("Radius of the aperture (half the side of a square one). Zero is a pinhole: everything is sharp.", Unit = "scene units", Minimum = 0)]
+    public float ApertureRadius { get; init; }
+
+    /// <summary>Distance of the plane in focus along the optical axis; zero means the distance to the point looked at.</summary>
+    [Parameter("Distance from the eye to the plane in focus, along the viewing direction. Zero means: the distance to the point looked at.", Unit = "scene units", Minimum = 0)]
+    public float FocusDistance { get; init; }
+
+    /// <summary>Sides of the box within which <see cref="LensShape.EyeJitter"/> moves the eye, centred on the camera's position.</summary>
+    [Parameter("Only for eyeJitter: the sides of the box, parallel to the axes and centred on the eye, within which the eye is moved. The report used 1/20 on each side.", Unit = "scene units", Minimum = 0)]
+    public Vector3 Jitter { get; init; } = new(0.05f, 0.05f, 0.05f);
+}

@@ -1,0 +1,31 @@
+namespace RayTracer.Description;
+
+/// <summary>
+/// Documents one parameter of a description record. The scene reader, the JSON Schema, the reference page and every
+/// editor are made from it. The parameter's default is the value that a new record has.
+/// </summary>
+/// <param name="summary">What the parameter means, in one or two sentences.</param>
+[AttributeUsage(AttributeTargets.Property)]
+public sealed class ParameterAttribute(string summary) : Attribute
+{
+    /// <summary>What the parameter means.</summary>
+    public string Summary { get; } = summary;
+
+    /// <summary>The unit of the number, as a reader would write it ("degrees", "scene units"); empty where there is none.</summary>
+    public string Unit { get; init; } = "";
+
+    /// <summary>The smallest allowed value of each number.</summary>
+    public double Minimum { get; init; } = double.NegativeInfinity;
+
+    /// <summary>The largest allowed value of each number.</summary>
+    public double Maximum { get; init; } = double.PositiveInfinity;
+
+    /// <summary>Whether <see cref="Minimum"/> itself is refused.</summary>
+    public bool MinimumIsExclusive { get; init; }
+
+    /// <summary>Whether a scene file must give the parameter.</summary>
+    public bool Required { get; init; }
+
+    /// <summary>Whether the text is the path of a file, relative to the scene file's folder.</summary>
+    public bool IsFile { get; init; }
+}

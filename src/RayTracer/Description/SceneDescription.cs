@@ -1,0 +1,42 @@
+using RayTracer.Numerics;
+
+namespace RayTracer.Description;
+
+/// <summary>
+/// Describes a whole scene in plain records: what a scene file says, with every name resolved. Turn it into a
+/// renderable <see cref="Rendering.Scene"/> with <see cref="SceneBuilder"/>.
+/// </summary>
+public sealed record SceneDescription
+{
+    /// <summary>The camera.</summary>
+    [Parameter("Where the picture is taken from.")]
+    public CameraDescription Camera { get; init; } = new();
+
+    /// <summary>Size, samples and depths.</summary>
+    [Parameter("Size of the picture, samples, and depth limits.")]
+    public RenderDescription Render { get; init; } = new();
+
+    /// <summary>Radiance of every direction in which nothing is hit.</summary>
+    [Parameter("The colour seen wherever a ray hits nothing; it also lights the scene.", Minimum = 0)]
+    public Rgb Background { get; init; }
+
+    /// <summary>Ambient radiance (report, section 4.2): every surface that answers it adds this times its colour.</summary>
+    [Parameter("Ambient light: at every hit, this times the surface's colour is added (a crude stand-in for light not simulated).", Minimum = 0)]
+    public Rgb Ambient { get; init; }
+
+    /// <summary>Named textures.</summary>
+    [Parameter("Textures, by the names under which materials refer to them.")]
+    public IReadOnlyDictionary<string, TextureDescription> Textures { get; init; } = new Dictionary<string, TextureDescription>();
+
+    /// <summary>Named materials.</summary>
+    [Parameter("Materials, by the names under which shapes refer to them.")]
+    public IReadOnlyDictionary<string, MaterialDescription> Materials { get; init; } = new Dictionary<string, MaterialDescription>();
+
+    /// <summary>The shapes; those with a luminaire material shine and are sampled as lights.</summary>
+    [Parameter("The things in the scene. Those whose material is a luminaire shine.")]
+    public IReadOnlyList<ShapeDescription> Shapes { get; init; } = [];
+
+    /// <summary>Shapes that must shine: the report's list of lights. They are part of the scene like all shapes.</summary>
+    [Parameter("Shapes that shine: as under shapes, but each must have a luminaire material.")]
+    public IReadOnlyList<ShapeDescription> Lights { get; init; } = [];
+}

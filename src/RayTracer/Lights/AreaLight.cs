@@ -1,0 +1,46 @@
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Lights;
+
+/// <summary>A shape that shines, as a source to be sampled.</summary>
+/// <param name="shape">The shape, of finite area.</param>
+/// <param name="primitive">Its number among the scene's primitives, so that it does not shadow itself.</param>
+public sealed class AreaLight(Shape shape, int primitive)
+{
+    private readonly LuminaireMaterial _luminaire = (LuminaireMaterial)shape.Material;
+    private readonly Sphere? _sphere = ((LuminaireMaterial)shape.Material).EmissionUsesUv ? null : shape as Sphere;
+
+    /// <summary>The shape.</summary>
+    public Shape Shape => shape;
+
+    /// <summary>The shape's number among the scene's primitives.</summary>
+    public int Primitive => primitive;
+
+    /// <summary>Chooses a point of the light for each lit point.</summary>
+    /// <param name="from">The lit points.</param>
+    /// <param name="u">First random number.</param>
+    /// <param name="v">Second random number.</param>
+    /// <param name="sample">Direction and distance; an inverse pdf of zero where the light cannot be seen.</param>
+    /// <param name="radiance">Radiance from the chosen point, not yet divided by the pdf.</param>
+    public void Sample(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample, out RgbW radiance)
+    {
+        // A sphere of one colour is the common light: its uv would cost more than all the rest.
+        if (_sphere is null)
+        {
+            shape.SamplePoint(from, u, v, out sample);
+        }
+        else if (_sphere.LightSampling == SphereLightSampling.Cone)
+        {
+            _sphere.SampleCone(from, u, v, out sample);
+        }
+        else
+        {
+            _sphere.SampleSurface(from, u, v, out sample);
+        }
+
+        _luminaire.Emission(sample.Cosine, sample.U, sample.V, out radiance);
+    }
+}

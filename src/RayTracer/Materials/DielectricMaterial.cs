@@ -1,0 +1,91 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Materials;
+
+/// <summary>How a dielectric's reflectance is computed.</summary>
+public enum FresnelModel
+{
+    /// <summary>Fresnel's equations for unpolarised light.</summary>
+    Exact,
+
+    /// <summary>Schlick's approximation, as in the report.</summary>
+    Schlick,
+}
+
+/// <summary>Describes a <see cref="DielectricMaterial"/>.</summary>
+[SceneType("dielectric", "Clear glass, water or gems: reflects or refracts, and may tint the light on its way through. Put it on closed shapes.")]
+public sealed record DielectricMaterialDescription : MaterialDescription
+{
+    /// <summary>Refractive index of the inside, relative to the outside.</summary>
+    [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5, diamond 2.417 (the report's table 4.1).", Minimum = 1e-3, Maximum = 100)]
+    public float RefractiveIndex { get; init; } = 1.5f;
+
+    /// <summary>Extinction coefficient of the inside.</summary>
+    [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law).", Unit = "1/scene unit", Minimum = 0)]
+    public Rgb Extinction { get; init; }
+
+    /// <summary>How the reflectance is computed.</summary>
+    [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did.")]
+    public FresnelModel Fresnel { get; init; } = FresnelModel.Exact;
+
+    /// <inheritdoc/>
+    public override Material Build(SceneBuilder builder) => new DielectricMaterial(RefractiveIndex, Extinction, Fresnel);
+}
+
+/// <summary>
+/// A smooth boundary between the outside and a clear inside: reflects with the probability of the Fresnel reflectance,
+/// else refracts by Snell's law (report, section 4.2.3); light that arrives from inside has been absorbed by Beer's law.
+/// Radiance grows by the square of the index on entering the denser medium (Veach 1997, section 5.2).
+/// </summary>
+/// <param name="refractiveIndex">Index of the inside over that of the outside, above 0.</param>
+/// <param name="extinction">Extinction coefficient of the inside, per scene unit.</param>
+/// <param name="model">How the reflectance is computed.</param>
+public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, FresnelModel model) : Material
+{
+    /// <inheritdoc/>
+    public override bool UsesDistance => !extinction.IsBlack;
+
+    /// <inheritdoc/>
+    public override void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter)
+    {
+        FloatW eta = surface.Inside.Select(refractiveIndex, 1f / refractiveIndex);
+        FloatW cosIncident = surface.Cosine;
+        FloatW sin2Transmitted = eta * eta * FloatW.Max(FloatW.NegatedMultiplyAdd(cosIncident, cosIncident, 1f), 0f);
+        MaskW total = sin2Transmitted >= 1f;
+        FloatW cosTransmitted = FloatW.Sqrt(FloatW.Max(1f - sin2Transmitted, 0f));
+        FloatW reflectance = total.Select(1f, Reflectance(cosIncident, cosTransmitted, eta));
+
+        samples.Direction(out FloatW u, out _);
+        MaskW reflected = u < reflectance;
+        Vec3W refraction = Vec3W.MultiplyAdd(surface.Facing, FloatW.MultiplyAdd(eta, cosIncident, -cosTransmitted), surface.Incoming * eta);
+        Vec3W reflection = Vec3W.MultiplyAdd(surface.Facing, cosIncident * 2f, surface.Incoming);
+        scatter.Direction = Vec3W.Normalize(reflected.Select(reflection, refraction));
+        FloatW weight = reflected.Select(1f, eta * eta);
+        scatter.Weight = new(weight, weight, weight);
+        if (UsesDistance && surface.Inside.Any)
+        {
+            scatter.Weight = surface.Inside.Select(scatter.Weight * Transmittance(surface.Distance), scatter.Weight);
+        }
+
+        scatter.Specular = MaskW.All;
+        scatter.Absorbed = MaskW.None;
+    }
+
+    private FloatW Reflectance(FloatW cosIncident, FloatW cosTransmitted, FloatW eta)
+    {
+        if (model == FresnelModel.Exact)
+        {
+            return Fresnel.Dielectric(cosIncident, cosTransmitted, eta);
+        }
+
+        float r = (refractiveIndex - 1) / (refractiveIndex + 1);
+        MaskW fromDenser = eta > 1f;
+        return Fresnel.Schlick(fromDenser.Select(cosTransmitted, cosIncident), r * r);
+    }
+
+    // Beer 1852; report, section 6.2.6: the fraction of light that is left after a distance.
+    private RgbW Transmittance(FloatW distance) => new(
+        LaneMath.Exp(distance * -extinction.R), LaneMath.Exp(distance * -extinction.G), LaneMath.Exp(distance * -extinction.B));
+}

@@ -1,0 +1,50 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+using RayTracer.Textures;
+
+namespace RayTracer.Materials;
+
+/// <summary>Describes a <see cref="DiffuseMaterial"/>.</summary>
+[SceneType("diffuse", "A matt surface that looks equally bright from everywhere (Lambert's law).")]
+public sealed record DiffuseMaterialDescription : MaterialDescription
+{
+    /// <summary>Fraction of the light that is reflected.</summary>
+    [Parameter("Fraction of the light that is reflected, per channel.", Minimum = 0, Maximum = 1)]
+    public TextureDescription Color { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
+
+    /// <inheritdoc/>
+    public override Material Build(SceneBuilder builder) => new DiffuseMaterial(builder.Texture(Color));
+}
+
+/// <summary>Lambertian reflection: BRDF = colour/π on the ray's side (report, section 4.2.2).</summary>
+/// <param name="texture">Fraction of the light that is reflected.</param>
+public sealed class DiffuseMaterial(Texture texture) : Material
+{
+    /// <inheritdoc/>
+    public override bool IsLit => true;
+
+    /// <inheritdoc/>
+    public override bool UsesUv => texture.Constant is null;
+
+    /// <inheritdoc/>
+    public override void AmbientResponse(in SurfaceW surface, out RgbW response) => texture.Evaluate(surface.U, surface.V, out response);
+
+    /// <inheritdoc/>
+    public override void Brdf(in SurfaceW surface, out RgbW brdf)
+    {
+        texture.Evaluate(surface.U, surface.V, out RgbW color);
+        brdf = color * (1f / float.Pi);
+    }
+
+    /// <inheritdoc/>
+    public override void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter)
+    {
+        samples.Direction(out FloatW u, out FloatW v);
+        Onb.FromNormal(surface.Facing, out Onb frame);
+        scatter.Direction = frame.ToWorld(Warp.CosineHemisphere(u, v));
+        texture.Evaluate(surface.U, surface.V, out scatter.Weight);
+        scatter.Specular = MaskW.None;
+        scatter.Absorbed = MaskW.None;
+    }
+}

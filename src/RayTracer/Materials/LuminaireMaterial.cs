@@ -1,0 +1,105 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+using RayTracer.Textures;
+
+namespace RayTracer.Materials;
+
+/// <summary>Describes a <see cref="LuminaireMaterial"/>.</summary>
+[SceneType("luminaire", "A surface that shines: spheres outwards, planes and triangles on the side of their normal.")]
+public sealed record LuminaireMaterialDescription : MaterialDescription
+{
+    /// <summary>Colour of the light.</summary>
+    [Parameter("Colour of the light; a picture makes a lantern.", Minimum = 0)]
+    public TextureDescription Color { get; init; } = new SolidTextureDescription { Color = Rgb.White };
+
+    /// <summary>Factor on the colour.</summary>
+    [Parameter("Factor on the colour: radiance along the normal is colour times this.", Minimum = 0)]
+    public float Multiplier { get; init; } = 1;
+
+    /// <summary>Exponent of the cosine by which radiance falls off with the angle.</summary>
+    [Parameter("How the light is gathered around the normal: radiance is multiplied by the cosine of the angle to the power of this. 0 shines alike in all directions, 1 is the report's spot light.", Minimum = 0, Maximum = 1e6)]
+    public float Exponent { get; init; }
+
+    /// <summary>What answers for reflection.</summary>
+    [Parameter("What answers for reflection: a material of another type. Without it, the surface is black where it does not shine.")]
+    public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription { Color = new SolidTextureDescription() };
+
+    /// <inheritdoc/>
+    public override Material Build(SceneBuilder builder)
+    {
+        if (Material is LuminaireMaterialDescription)
+        {
+            builder.Error(this, nameof(Material), "the material inside a luminaire must not be a luminaire itself");
+            return new DiffuseMaterial(new SolidTexture(Rgb.Black));
+        }
+
+        bool isBlack = Material is DiffuseMaterialDescription { Color: SolidTextureDescription { Color.IsBlack: true } };
+        return new LuminaireMaterial(builder.Texture(Color), Multiplier, Exponent, isBlack ? null : builder.Material(Material));
+    }
+}
+
+/// <summary>
+/// Emits colour · multiplier · cos^exponent on the side of the outward normal (report, section 6.2.6); an inner material answers for reflection.
+/// </summary>
+/// <param name="texture">Colour of the light.</param>
+/// <param name="multiplier">Factor on the colour.</param>
+/// <param name="exponent">Exponent of the cosine.</param>
+/// <param name="inner">What answers for reflection; null is black.</param>
+public sealed class LuminaireMaterial(Texture texture, float multiplier, float exponent, Material? inner) : Material
+{
+    /// <inheritdoc/>
+    public override bool Emits => true;
+
+    /// <inheritdoc/>
+    public override bool IsLit => inner is { IsLit: true };
+
+    /// <inheritdoc/>
+    public override bool UsesUv => EmissionUsesUv || inner is { UsesUv: true };
+
+    /// <summary>Whether the emitted light depends on uv.</summary>
+    public bool EmissionUsesUv => texture.Constant is null;
+
+    /// <inheritdoc/>
+    public override bool UsesDistance => inner is { UsesDistance: true };
+
+    /// <inheritdoc/>
+    public override void Emission(in FloatW cosine, in FloatW u, in FloatW v, out RgbW radiance)
+    {
+        FloatW falloff = exponent switch
+        {
+            0 => 1f,
+            1 => cosine,
+            _ => LaneMath.Pow(FloatW.Max(cosine, 0f), exponent),
+        };
+        texture.Evaluate(u, v, out RgbW color);
+        radiance = color * (cosine > 0f).Select(falloff * multiplier, 0f);
+    }
+
+    /// <inheritdoc/>
+    public override void AmbientResponse(in SurfaceW surface, out RgbW response)
+    {
+        response = default;
+        inner?.AmbientResponse(surface, out response);
+    }
+
+    /// <inheritdoc/>
+    public override void Brdf(in SurfaceW surface, out RgbW brdf)
+    {
+        brdf = default;
+        inner?.Brdf(surface, out brdf);
+    }
+
+    /// <inheritdoc/>
+    public override void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter)
+    {
+        if (inner is not null)
+        {
+            inner.Scatter(surface, samples, out scatter);
+            return;
+        }
+
+        scatter = default;
+        scatter.Absorbed = MaskW.All;
+    }
+}

@@ -1,0 +1,97 @@
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Materials;
+
+/// <summary>
+/// How a surface emits and scatters light. The contract, for all methods:
+/// directions are in world space and of unit length; <see cref="SurfaceW.Incoming"/> points along the ray, towards the
+/// surface; <see cref="SurfaceW.Facing"/> is the unit normal on the side that the ray comes from, <see cref="SurfaceW.Normal"/>
+/// the shape's own (outward) one. BRDFs are in 1/sr without the cosine; pdfs are per solid angle. Lanes that are not in use hold numbers too, and their results are ignored.
+/// </summary>
+public abstract class Material
+{
+    /// <summary>Whether light sources are sampled at hits on it: whether <see cref="Brdf"/> may be other than zero.</summary>
+    public virtual bool IsLit => false;
+
+    /// <summary>Whether <see cref="Emission"/> may be other than zero.</summary>
+    public virtual bool Emits => false;
+
+    /// <summary>Whether any result depends on uv; where not, uv need not be computed.</summary>
+    public virtual bool UsesUv => false;
+
+    /// <summary>Whether scattering depends on <see cref="SurfaceW.Distance"/>, the length of the ray.</summary>
+    public virtual bool UsesDistance => false;
+
+    /// <summary>Radiance emitted against the ray (report: EmittedRadiance).</summary>
+    /// <param name="cosine">Cosine between the shape's outward normal and the direction of emission; no light where it is not positive.</param>
+    /// <param name="u">First surface coordinate.</param>
+    /// <param name="v">Second surface coordinate.</param>
+    /// <param name="radiance">The radiance.</param>
+    public virtual void Emission(in FloatW cosine, in FloatW u, in FloatW v, out RgbW radiance) => radiance = default;
+
+    /// <summary>What ambient light is multiplied by (report: AmbientResponse).</summary>
+    public virtual void AmbientResponse(in SurfaceW surface, out RgbW response) => response = default;
+
+    /// <summary>
+    /// The part of the BRDF that light sources are sampled for (report: ExplicitBRDF), the same for all directions of
+    /// light on the ray's side of the surface. Light that arrives through any other part is met by scattered rays only.
+    /// </summary>
+    public virtual void Brdf(in SurfaceW surface, out RgbW brdf) => brdf = default;
+
+    /// <summary>Chooses how a path goes on (report: DiffuseDirection).</summary>
+    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="samples">The random numbers of this vertex.</param>
+    /// <param name="scatter">The new direction and its weight: BRDF · cosine / pdf.</param>
+    public abstract void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter);
+}
+
+/// <summary>Where paths meet a surface.</summary>
+public struct SurfaceW
+{
+    /// <summary>The point.</summary>
+    public Vec3W Point;
+
+    /// <summary>The shape's own unit normal, outward.</summary>
+    public Vec3W Normal;
+
+    /// <summary>The unit normal on the side that the ray comes from.</summary>
+    public Vec3W Facing;
+
+    /// <summary>Unit direction of the ray, towards the surface.</summary>
+    public Vec3W Incoming;
+
+    /// <summary>Length of the ray; set only where <see cref="Material.UsesDistance"/>.</summary>
+    public FloatW Distance;
+
+    /// <summary>Surface coordinates; set only where <see cref="Material.UsesUv"/>.</summary>
+    public FloatW U, V;
+
+    /// <summary>Cosine between <see cref="Facing"/> and the direction back along the ray; never negative.</summary>
+    public FloatW Cosine;
+
+    /// <summary>Whether the ray comes from inside, against the shape's own normal.</summary>
+    public MaskW Inside;
+
+    /// <summary>How far a new ray must start from the point, along the normal, so as not to meet the same surface again.</summary>
+    public FloatW Offset;
+}
+
+/// <summary>How paths go on from a surface.</summary>
+public struct ScatterW
+{
+    /// <summary>Unit direction of the new ray.</summary>
+    public Vec3W Direction;
+
+    /// <summary>Factor on the light that arrives along the new ray.</summary>
+    public RgbW Weight;
+
+    /// <summary>
+    /// Whether the choice was a mirror-like lobe that light sources are not sampled for: it counts against the specular
+    /// depth, and emission met by the new ray counts (report: cel).
+    /// </summary>
+    public MaskW Specular;
+
+    /// <summary>Whether the path ends here.</summary>
+    public MaskW Absorbed;
+}

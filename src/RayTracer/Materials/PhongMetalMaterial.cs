@@ -1,0 +1,49 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+using RayTracer.Textures;
+
+namespace RayTracer.Materials;
+
+/// <summary>Describes a <see cref="PhongMetalMaterial"/>.</summary>
+[SceneType("phongMetal", "A metal: reflects around the mirror direction, in a lobe that narrows as the exponent grows.")]
+public sealed record PhongMetalMaterialDescription : MaterialDescription
+{
+    /// <summary>Fraction of the light that is reflected.</summary>
+    [Parameter("Fraction of the light that is reflected, per channel.", Minimum = 0, Maximum = 1)]
+    public TextureDescription Color { get; init; } = new SolidTextureDescription { Color = new(0.9f, 0.9f, 0.9f) };
+
+    /// <summary>Exponent of the lobe.</summary>
+    [Parameter("Sharpness of the reflection: about 10 is brushed metal, 1,000 polished, 100,000 all but a mirror.", Minimum = 0, Maximum = 1e6)]
+    public float Exponent { get; init; } = 10000;
+
+    /// <inheritdoc/>
+    public override Material Build(SceneBuilder builder) => new PhongMetalMaterial(builder.Texture(Color), Exponent);
+}
+
+/// <summary>
+/// A cosine-power lobe around the mirror direction (report, section 6.2.6; Shirley &amp; Morley, Realistic Ray Tracing, 2003).
+/// The weight of every direction is the colour; directions below the surface end the path.
+/// </summary>
+/// <param name="texture">Fraction of the light that is reflected.</param>
+/// <param name="exponent">Exponent of the lobe, at least 0.</param>
+public sealed class PhongMetalMaterial(Texture texture, float exponent) : Material
+{
+    /// <inheritdoc/>
+    public override bool UsesUv => texture.Constant is null;
+
+    /// <inheritdoc/>
+    public override void AmbientResponse(in SurfaceW surface, out RgbW response) => texture.Evaluate(surface.U, surface.V, out response);
+
+    /// <inheritdoc/>
+    public override void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter)
+    {
+        samples.Direction(out FloatW u, out FloatW v);
+        Vec3W mirror = Vec3W.Reflect(surface.Incoming, surface.Facing);
+        Onb.FromNormal(mirror, out Onb frame);
+        scatter.Direction = frame.ToWorld(Warp.CosinePowerLobe(u, v, exponent));
+        texture.Evaluate(surface.U, surface.V, out scatter.Weight);
+        scatter.Specular = MaskW.All;
+        scatter.Absorbed = Vec3W.Dot(scatter.Direction, surface.Facing) <= 0f;
+    }
+}

@@ -1,0 +1,77 @@
+using RayTracer.Acceleration;
+using RayTracer.Cameras;
+using RayTracer.Description;
+using RayTracer.Lights;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+using RayTracer.Shapes;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// A scene that is ready to be rendered: never changed any more, so any number of threads may read it. Made by <see cref="SceneBuilder"/>.
+/// </summary>
+public sealed class Scene
+{
+    private Scene(RenderDescription render, Camera camera, IReadOnlyList<Shape> shapes, Rgb background, Rgb ambient)
+    {
+        Render = render;
+        Camera = camera;
+        Background = background;
+        Ambient = ambient;
+        Sampler = Sampler.Create(render);
+        Batches = [.. shapes.GroupBy(s => s.GetType()).Select(kind => kind.First().CreateBatch([.. kind]))];
+        Shapes = [.. shapes.GroupBy(s => s.GetType()).SelectMany(kind => kind)];
+        int first = 0;
+        foreach (ShapeBatch batch in Batches)
+        {
+            batch.FirstPrimitive = first;
+            first += batch.Count;
+        }
+
+        Lights = [.. Shapes.Select((shape, i) => (shape, i)).Where(s => s.shape.Material.Emits).Select(s => new AreaLight(s.shape, s.i))];
+    }
+
+    /// <summary>Size, samples, depths and sampler.</summary>
+    public RenderDescription Render { get; }
+
+    /// <summary>The camera.</summary>
+    public Camera Camera { get; }
+
+    /// <summary>Where random numbers come from.</summary>
+    public Sampler Sampler { get; }
+
+    /// <summary>Radiance where nothing is hit.</summary>
+    public Rgb Background { get; }
+
+    /// <summary>Ambient radiance.</summary>
+    public Rgb Ambient { get; }
+
+    /// <summary>All shapes by primitive number.</summary>
+    public IReadOnlyList<Shape> Shapes { get; }
+
+    /// <summary>The shapes that shine.</summary>
+    public IReadOnlyList<AreaLight> Lights { get; }
+
+    /// <summary>The shapes packed by kind.</summary>
+    public IReadOnlyList<ShapeBatch> Batches { get; }
+
+    /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
+    internal static Scene? Create(SceneDescription description, IReadOnlyList<Shape> shapes, SceneBuilder builder)
+    {
+        RenderDescription render = description.Render;
+        if (Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint)
+        {
+            builder.Error(render, nameof(RenderDescription.SamplesPerPixel), complaint);
+        }
+
+        if (description.Camera.Lens is { Shape: not LensShape.EyeJitter, ApertureRadius: 0, FocusDistance: > 0 })
+        {
+            builder.Warn(description.Camera.Lens, nameof(LensDescription.FocusDistance), "without an \"apertureRadius\" the lens is a pinhole, and \"focusDistance\" has no effect");
+        }
+
+        Camera? camera = Camera.Create(description.Camera, render.Width, render.Height, builder);
+        return camera is null || builder.HasErrors ? null : new Scene(render, camera, shapes, description.Background, description.Ambient);
+    }
+}

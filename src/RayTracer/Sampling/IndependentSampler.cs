@@ -1,0 +1,22 @@
+using System.Runtime.CompilerServices;
+using RayTracer.Numerics;
+
+namespace RayTracer.Sampling;
+
+/// <summary>Independent random numbers: the yardstick for the others. The variance of a mean falls as 1/N.</summary>
+/// <param name="samplesPerPixel">How many samples a pixel will have.</param>
+public sealed class IndependentSampler(int samplesPerPixel) : Sampler(samplesPerPixel)
+{
+    /// <inheritdoc/>
+    public override void Pair(in UIntW pixelKey, in UIntW sample, in UIntW pair, out FloatW u, out FloatW v) =>
+        Draw(Hash.PairKey(pixelKey, pair), sample, out u, out v);
+
+    /// <summary>Two random numbers from a key and a counter.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void Draw(UIntW key, UIntW counter, out FloatW u, out FloatW v)
+    {
+        UIntW first = Hash.Mix(key + (counter * 0xC2B2AE3Du));
+        u = first.ToUnit();
+        v = Hash.Mix(first ^ 0x27D4EB2Fu).ToUnit();
+    }
+}

@@ -1,0 +1,91 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using RayTracer.Numerics;
+
+namespace RayTracer.Sampling;
+
+/// <summary>
+/// The report's jittered sampling (section 3.4): n×n cells, one random point in each. Every pair of dimensions visits its
+/// cells in an order of its own, a hashed permutation of the pixel, so that the pairs are independent of one another and any
+/// first part of the samples is an unbiased picture.
+/// </summary>
+public class JitteredSampler : Sampler
+{
+    private readonly uint _count;
+    private readonly uint _bits;
+    private readonly int _root;
+
+    /// <summary>Makes a sampler of n×n cells.</summary>
+    /// <param name="samplesPerPixel">How many samples a pixel will have: a square.</param>
+    /// <exception cref="ArgumentException">The number is not a square.</exception>
+    public JitteredSampler(int samplesPerPixel)
+        : base(samplesPerPixel)
+    {
+        _root = Root(samplesPerPixel)
+            ?? throw new ArgumentException(Complaint(Description.SamplerKind.Jittered, samplesPerPixel), nameof(samplesPerPixel));
+        _count = (uint)samplesPerPixel;
+        _bits = Math.Max(1u, BitOperations.RoundUpToPowerOf2(_count)) - 1;
+    }
+
+    /// <summary>The square root of a square; null of any other number.</summary>
+    public static int? Root(int n)
+    {
+        int root = (int)double.Round(double.Sqrt(n));
+        return root * root == n ? root : null;
+    }
+
+    /// <inheritdoc/>
+    public override void Pair(in UIntW pixelKey, in UIntW sample, in UIntW pair, out FloatW u, out FloatW v)
+    {
+        UIntW key = Hash.PairKey(pixelKey, pair);
+        Cell(Permute(sample, key), out FloatW column, out FloatW row);
+        IndependentSampler.Draw(key, sample, out FloatW x, out FloatW y);
+        float scale = 1f / _root;
+
+        // Rounding may carry the last cell's largest number up to 1.
+        u = FloatW.Min((column + x) * scale, FloatBits.OneMinusEpsilon);
+        v = FloatW.Min((row + y) * scale, FloatBits.OneMinusEpsilon);
+    }
+
+    /// <summary>Column and row of a cell, as whole numbers.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private protected void Cell(UIntW cell, out FloatW column, out FloatW row)
+    {
+        // Cells number at most 2²⁴, so the quotient's half is never rounded across a whole number.
+        FloatW index = cell.ToFloat();
+        row = FloatW.Floor((index + 0.5f) * (1f / _root));
+        column = FloatW.NegatedMultiplyAdd(row, _root, index);
+    }
+
+    /// <summary>Number of cells along a side.</summary>
+    private protected int Side => _root;
+
+    /// <summary>
+    /// A permutation of the cells, chosen by the key: a bijection of the next power of two, applied until the result is a cell
+    /// (Kensler, Correlated multi-jittered sampling, Pixar technical memo 13-01, 2013, describes such cycle walking).
+    /// </summary>
+    private UIntW Permute(UIntW i, UIntW key)
+    {
+        MaskW outside = MaskW.All;
+        do
+        {
+            UIntW x = i;
+            x = (x ^ key) & _bits;
+            x = (x * (key >> 8 | 1u)) & _bits;
+            x ^= (x & _bits) >> 3;
+            x = (x ^ (key >> 17)) & _bits;
+            x = (x * 0x6935fa69u) & _bits;
+            x ^= x >> 2;
+            x = (x + (key * 0x9f3bd6bdu >> 5)) & _bits;
+            x = (x * 0x74dcb303u) & _bits;
+            x ^= x >> 4;
+            x = (x * (key >> 21 | 1u)) & _bits;
+            x ^= x >> 1;
+            x = (x + key) & _bits;
+            i = outside.Select(x, i);
+            outside &= i > (_count - 1);
+        }
+        while (outside.Any);
+        return i;
+    }
+}

@@ -1,0 +1,88 @@
+using System.Runtime.CompilerServices;
+using RayTracer.Numerics;
+
+namespace RayTracer.Sampling;
+
+/// <summary>
+/// Maps from the unit square to distributions of points and directions, each beside its pdf. Directions are unit vectors
+/// around +z; neighbouring points of the square stay neighbours, so that stratification survives.
+/// </summary>
+public static class Warp
+{
+    /// <summary>A direction in the upper hemisphere, denser around z: pdf = cos/π (Malley's method).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vec3W CosineHemisphere(FloatW u, FloatW v)
+    {
+        LaneMath.SinCosTurn(v, out FloatW sin, out FloatW cos);
+        FloatW r = FloatW.Sqrt(u);
+        return new(r * cos, r * sin, FloatW.Sqrt(1f - u));
+    }
+
+    /// <summary>Pdf of <see cref="CosineHemisphere"/> at the given cosine with z, per steradian.</summary>
+    public static float CosineHemispherePdf(float cosine) => cosine > 0 ? cosine / float.Pi : 0;
+
+    /// <summary>A direction in the cosine-power lobe around z: pdf = (n+1)/2π · cosⁿ (Lafortune &amp; Willems 1994).</summary>
+    /// <param name="u">First random number.</param>
+    /// <param name="v">Second random number.</param>
+    /// <param name="exponent">The power n, at least 0.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vec3W CosinePowerLobe(FloatW u, FloatW v, float exponent)
+    {
+        // sin² = 1 − (1−u)^(2/(n+1)) = −expm1(−x); a series for small x keeps sharp lobes from rounding to steps.
+        FloatW x = LaneMath.Log(1f - u) * (-2f / (exponent + 1f));
+        FloatW series = x * FloatW.MultiplyAdd(x, FloatW.MultiplyAdd(x, FloatW.MultiplyAdd(x, -1f / 24f, 1f / 6f), -0.5f), 1f);
+        FloatW sin2 = (x < 0.03f).Select(series, 1f - LaneMath.Exp(-x));
+        FloatW r = FloatW.Sqrt(FloatW.Max(sin2, 0f));
+        LaneMath.SinCosTurn(v, out FloatW sin, out FloatW cos);
+        return new(r * cos, r * sin, FloatW.Sqrt(FloatW.Max(1f - sin2, 0f)));
+    }
+
+    /// <summary>Pdf of <see cref="CosinePowerLobe"/> at the given cosine with z, per steradian.</summary>
+    public static float CosinePowerLobePdf(float cosine, float exponent) =>
+        cosine > 0 ? (exponent + 1) / (2 * float.Pi) * LaneMath.Pow(cosine, exponent) : 0;
+
+    /// <summary>A point of the unit sphere: pdf = 1/4π.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vec3W UniformSphere(FloatW u, FloatW v)
+    {
+        FloatW z = FloatW.NegatedMultiplyAdd(2f, u, 1f);
+        FloatW r = FloatW.Sqrt(FloatW.Max(FloatW.NegatedMultiplyAdd(z, z, 1f), 0f));
+        LaneMath.SinCosTurn(v, out FloatW sin, out FloatW cos);
+        return new(r * cos, r * sin, z);
+    }
+
+    /// <summary>A direction in the cone around z whose rim has 1 − cosine = <paramref name="height"/>: pdf = 1/(2π·height).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vec3W UniformCone(FloatW u, FloatW v, FloatW height)
+    {
+        FloatW below = u * height;
+        FloatW r = FloatW.Sqrt(FloatW.Max(below * (2f - below), 0f));
+        LaneMath.SinCosTurn(v, out FloatW sin, out FloatW cos);
+        return new(r * cos, r * sin, 1f - below);
+    }
+
+    /// <summary>A point of the unit disk: pdf = 1/π, by the concentric map (Shirley &amp; Chiu 1997).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void ConcentricDisk(FloatW u, FloatW v, out FloatW x, out FloatW y)
+    {
+        FloatW a = FloatW.MultiplyAdd(u, 2f, -1f);
+        FloatW b = FloatW.MultiplyAdd(v, 2f, -1f);
+        MaskW wide = FloatW.Abs(a) > FloatW.Abs(b);
+        FloatW r = wide.Select(a, b);
+        FloatW other = wide.Select(b, a);
+        FloatW ratio = (FloatW.Abs(r) > 0f).Select(other / r, 0f);
+        LaneMath.SinCosTurn(FloatW.Abs(ratio) * 0.125f, out FloatW sin, out FloatW cos);
+        sin = FloatW.CopySign(sin, ratio);
+        x = r * wide.Select(cos, sin);
+        y = r * wide.Select(sin, cos);
+    }
+
+    /// <summary>Barycentric coordinates of a uniform point of a triangle: pdf = 1/area (Shirley &amp; Chiu 1997's square root map).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void UniformTriangle(FloatW u, FloatW v, out FloatW b1, out FloatW b2)
+    {
+        FloatW root = FloatW.Sqrt(u);
+        b1 = 1f - root;
+        b2 = root * v;
+    }
+}

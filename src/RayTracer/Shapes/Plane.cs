@@ -1,0 +1,128 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Shapes;
+
+/// <summary>Describes a <see cref="Plane"/>.</summary>
+[SceneType("plane", "A plane without end, or with a size a rectangle. uv is in scene units from the point; with a size it goes from 0 to 1 across the rectangle.")]
+public sealed record PlaneDescription : ShapeDescription
+{
+    /// <summary>A point of the plane; the centre of the rectangle.</summary>
+    [Parameter("A point of the plane, where uv is (0, 0); with a size, the centre of the rectangle.", Unit = "scene units", Required = true)]
+    public Vector3 Point { get; init; }
+
+    /// <summary>The direction perpendicular to the plane.</summary>
+    [Parameter("The direction perpendicular to the plane, of any length. A plane that shines does so on this side.", Required = true)]
+    public Vector3 Normal { get; init; } = new(0, 1, 0);
+
+    /// <summary>Width and height of the rectangle.</summary>
+    [Parameter("Width and height (along u and v) of a rectangle; without it the plane has no end.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
+    public Vector2? Size { get; init; }
+
+    /// <inheritdoc/>
+    public override Shape? Build(SceneBuilder builder)
+    {
+        Material material = builder.Material(Material);
+        if (!(Normal.Norm() > 0) || !Normal.Unit().IsFinite())
+        {
+            builder.Error(this, nameof(Normal), "the normal must have a length, but it is (or rounds to) [0, 0, 0]");
+            return null;
+        }
+
+        if (Size is null && material.Emits)
+        {
+            builder.Error(this, nameof(Material), "a plane without end cannot shine: give it a \"size\"");
+        }
+
+        return new Plane(material, Name, Point, Normal.Unit(), Size);
+    }
+}
+
+/// <summary>A plane (report, section 3.3.5), or a rectangle of it.</summary>
+public sealed class Plane : Shape
+{
+    /// <summary>From a point and a normal.</summary>
+    /// <param name="material">What it is made of.</param>
+    /// <param name="name">A name for messages.</param>
+    /// <param name="point">A point of the plane, the centre of the rectangle.</param>
+    /// <param name="normal">Unit normal.</param>
+    /// <param name="size">Width and height of the rectangle; null for a plane without end.</param>
+    public Plane(Material material, string name, Vector3 point, Vector3 normal, Vector2? size)
+        : base(material, name)
+    {
+        Point = point;
+        Normal = normal;
+        Size = size;
+
+        // u runs to the right for whoever looks at the plane with y up; on a floor, with −z up.
+        bool isLevel = normal.X * normal.X + normal.Z * normal.Z < 1e-6f;
+        Tangent = (isLevel ? new Vector3(0, 0, -1) : new Vector3(0, 1, 0)).Cross(normal).Unit();
+        Bitangent = normal.Cross(Tangent);
+    }
+
+    /// <summary>A point of the plane, the centre of the rectangle.</summary>
+    public Vector3 Point { get; }
+
+    /// <summary>Unit normal.</summary>
+    public Vector3 Normal { get; }
+
+    /// <summary>Width and height of the rectangle; null for a plane without end.</summary>
+    public Vector2? Size { get; }
+
+    /// <summary>Unit direction of growing u.</summary>
+    public Vector3 Tangent { get; }
+
+    /// <summary>Unit direction of growing v.</summary>
+    public Vector3 Bitangent { get; }
+
+    /// <inheritdoc/>
+    public override float Area => Size is { } s ? s.X * s.Y : float.PositiveInfinity;
+
+    /// <inheritdoc/>
+    public override Bounds Bounds
+    {
+        get
+        {
+            if (Size is not { } size)
+            {
+                return Bounds.Infinite;
+            }
+
+            Vector3 reach = Vector3.Abs(Tangent) * (0.5f * size.X) + Vector3.Abs(Bitangent) * (0.5f * size.Y);
+            return new(Point - reach, Point + reach);
+        }
+    }
+
+    /// <inheritdoc/>
+    public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new PlaneBatch(shapes);
+
+    /// <inheritdoc/>
+    public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    {
+        Vector2 size = Size!.Value;
+        Vec3W to = Vec3W.MultiplyAdd(
+            Tangent * size.X, u - 0.5f, Vec3W.MultiplyAdd(Bitangent * size.Y, v - 0.5f, (Vec3W)Point - from));
+        FlatLight.Sample(to, Normal, Area, out sample);
+        sample.U = u;
+        sample.V = v;
+    }
+}
+
+/// <summary>What rectangles and triangles share as light sources.</summary>
+internal static class FlatLight
+{
+    /// <summary>A light sample from the vector to a point that was chosen uniformly by area.</summary>
+    public static void Sample(in Vec3W to, Vector3 normal, float area, out ShapeSampleW sample)
+    {
+        FloatW distance2 = Vec3W.Dot(to, to);
+        FloatW inverse = 1f / FloatW.Sqrt(distance2);
+        sample.Direction = to * inverse;
+        sample.Distance = distance2 * inverse;
+        sample.Cosine = -Vec3W.Dot(sample.Direction, normal);
+        sample.InversePdf = (sample.Cosine > 0f).Select(sample.Cosine * area * inverse * inverse, 0f);
+        sample.U = sample.V = default;
+    }
+}

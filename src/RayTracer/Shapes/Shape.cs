@@ -1,0 +1,80 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Shapes;
+
+/// <summary>
+/// A surface with a material. A shape holds its own numbers; rays are traced against all shapes of one kind at a time by
+/// the kind's <see cref="ShapeBatch"/>.
+/// </summary>
+/// <param name="material">What the surface is made of.</param>
+/// <param name="name">A name for messages; may be empty.</param>
+public abstract class Shape(Material material, string name)
+{
+    /// <summary>What the surface is made of.</summary>
+    public Material Material { get; } = material;
+
+    /// <summary>A name for messages; may be empty.</summary>
+    public string Name { get; } = name;
+
+    /// <summary>The smallest box around the surface, parallel to the axes; infinite where the surface is.</summary>
+    public abstract Bounds Bounds { get; }
+
+    /// <summary>Area of the surface; infinite where the surface is.</summary>
+    public abstract float Area { get; }
+
+    /// <summary>Makes an empty batch of this kind of shape.</summary>
+    /// <param name="shapes">The scene's shapes of this kind.</param>
+    public abstract ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes);
+
+    /// <summary>
+    /// A random point of the surface as a light source seen from <paramref name="from"/> (report: RandomPoint). Only for surfaces of finite area.
+    /// </summary>
+    /// <param name="from">The points that are lit.</param>
+    /// <param name="u">First random number.</param>
+    /// <param name="v">Second random number.</param>
+    /// <param name="sample">The chosen points.</param>
+    public abstract void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample);
+
+    /// <summary>Says how a shape is called in messages.</summary>
+    public override string ToString() => Name.Length > 0 ? $"{GetType().Name.ToLowerInvariant()} \"{Name}\"" : GetType().Name.ToLowerInvariant();
+}
+
+/// <summary>Random points of a light source, seen from the points that are lit.</summary>
+public struct ShapeSampleW
+{
+    /// <summary>Unit direction from the lit point to the light.</summary>
+    public Vec3W Direction;
+
+    /// <summary>Distance to the chosen point.</summary>
+    public FloatW Distance;
+
+    /// <summary>Cosine between the light's outward normal and the direction back to the lit point.</summary>
+    public FloatW Cosine;
+
+    /// <summary>One over the pdf per solid angle at the lit point; zero where no point could be chosen.</summary>
+    public FloatW InversePdf;
+
+    /// <summary>Surface coordinates of the chosen point.</summary>
+    public FloatW U, V;
+}
+
+/// <summary>A box parallel to the axes.</summary>
+/// <param name="Minimum">The corner of the smallest coordinates.</param>
+/// <param name="Maximum">The corner of the largest coordinates.</param>
+public readonly record struct Bounds(Vector3 Minimum, Vector3 Maximum)
+{
+    /// <summary>The box around nothing.</summary>
+    public static Bounds Empty => new(new(float.PositiveInfinity), new(float.NegativeInfinity));
+
+    /// <summary>Everything.</summary>
+    public static Bounds Infinite => new(new(float.NegativeInfinity), new(float.PositiveInfinity));
+
+    /// <summary>Whether all coordinates are finite.</summary>
+    public bool IsFinite => Minimum.IsFinite() && Maximum.IsFinite();
+
+    /// <summary>The smallest box around both.</summary>
+    public Bounds Union(Bounds other) => new(Vector3.Min(Minimum, other.Minimum), Vector3.Max(Maximum, other.Maximum));
+}

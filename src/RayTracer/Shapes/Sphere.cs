@@ -1,0 +1,106 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Shapes;
+
+/// <summary>Describes a <see cref="Sphere"/>.</summary>
+[SceneType("sphere", "A sphere. u goes once around the y axis (u = 0.5 faces +z), v from the bottom (0) to the top (1).")]
+public sealed record SphereDescription : ShapeDescription
+{
+    /// <summary>The centre.</summary>
+    [Parameter("The centre.", Unit = "scene units", Required = true)]
+    public Vector3 Center { get; init; }
+
+    /// <summary>The radius.</summary>
+    [Parameter("The radius.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
+    public float Radius { get; init; } = 1;
+
+    /// <inheritdoc/>
+    public override Shape Build(SceneBuilder builder) =>
+        new Sphere(builder.Material(Material), Name, Center, Radius) { LightSampling = builder.SphereLightSampling };
+}
+
+/// <summary>A sphere (report, section 3.3.5).</summary>
+/// <param name="material">What it is made of.</param>
+/// <param name="name">A name for messages.</param>
+/// <param name="center">The centre.</param>
+/// <param name="radius">The radius, above zero.</param>
+public sealed class Sphere(Material material, string name, Vector3 center, float radius) : Shape(material, name)
+{
+    /// <summary>The centre.</summary>
+    public Vector3 Center => center;
+
+    /// <summary>The radius.</summary>
+    public float Radius => radius;
+
+    /// <summary>How it is sampled where it shines.</summary>
+    public SphereLightSampling LightSampling { get; init; }
+
+    /// <inheritdoc/>
+    public override Bounds Bounds => new(center - new Vector3(radius), center + new Vector3(radius));
+
+    /// <inheritdoc/>
+    public override float Area => 4 * float.Pi * radius * radius;
+
+    /// <inheritdoc/>
+    public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new SphereBatch(shapes);
+
+    /// <inheritdoc/>
+    public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    {
+        if (LightSampling == SphereLightSampling.Cone)
+        {
+            SampleCone(from, u, v, out sample);
+        }
+        else
+        {
+            SampleSurface(from, u, v, out sample);
+        }
+
+        Vec3W normal = (Vec3W.MultiplyAdd(sample.Direction, sample.Distance, from) - center) * (1 / radius);
+        SphereBatch.Uv(normal, out sample.U, out sample.V);
+    }
+
+    /// <summary>As <see cref="SamplePoint"/>, without uv: uniformly in the cone of directions in which the sphere is seen (Shirley, Wang &amp; Zimmerman 1996, section 3.2).</summary>
+    internal void SampleCone(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    {
+        Vec3W toCenter = (Vec3W)center - from;
+        FloatW distance2 = Vec3W.Dot(toCenter, toCenter);
+        FloatW inverse = 1f / FloatW.Sqrt(distance2);
+        FloatW sin2Rim = radius * radius * inverse * inverse;
+        FloatW cosRim = FloatW.Sqrt(FloatW.Max(1f - sin2Rim, 0f));
+
+        // 1 − cos of the rim, without the cancellation for small and far lights.
+        FloatW height = sin2Rim / (1f + cosRim);
+        Vec3W local = Warp.UniformCone(u, v, height);
+        Onb.FromNormal(toCenter * inverse, out Onb frame);
+        sample.Direction = frame.ToWorld(local);
+        FloatW along = distance2 * inverse * local.Z;
+        FloatW sin2 = FloatW.MultiplyAdd(local.X, local.X, local.Y * local.Y);
+        FloatW halfChord = FloatW.Sqrt(FloatW.Max(FloatW.NegatedMultiplyAdd(distance2, sin2, radius * radius), 0f));
+        sample.Distance = along - halfChord;
+        sample.Cosine = halfChord * (1 / radius);
+
+        // From inside, an outward light is not seen.
+        sample.InversePdf = (sin2Rim < 1f).Select(height * (2 * float.Pi), 0f);
+        sample.U = sample.V = default;
+    }
+
+    /// <summary>As <see cref="SamplePoint"/>, without uv: uniformly over the whole surface, as in the report; half of the points are hidden.</summary>
+    internal void SampleSurface(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    {
+        Vec3W normal = Warp.UniformSphere(u, v);
+        Vec3W to = Vec3W.MultiplyAdd(normal, radius, (Vec3W)center - from);
+        FloatW distance2 = Vec3W.Dot(to, to);
+        FloatW inverse = 1f / FloatW.Sqrt(distance2);
+        sample.Direction = to * inverse;
+        sample.Distance = distance2 * inverse;
+        sample.Cosine = -Vec3W.Dot(sample.Direction, normal);
+        sample.InversePdf = (sample.Cosine > 0f).Select(sample.Cosine * Area * inverse * inverse, 0f);
+        sample.U = sample.V = default;
+    }
+}

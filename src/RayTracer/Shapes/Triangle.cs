@@ -1,0 +1,90 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Shapes;
+
+/// <summary>Describes a <see cref="Triangle"/>.</summary>
+[SceneType("triangle", "A triangle. Its front, which shines if it is a luminaire, is where the corners are seen counter-clockwise.")]
+public sealed record TriangleDescription : ShapeDescription
+{
+    /// <summary>First corner.</summary>
+    [Parameter("First corner.", Unit = "scene units", Required = true)]
+    public Vector3 A { get; init; }
+
+    /// <summary>Second corner.</summary>
+    [Parameter("Second corner.", Unit = "scene units", Required = true)]
+    public Vector3 B { get; init; }
+
+    /// <summary>Third corner.</summary>
+    [Parameter("Third corner.", Unit = "scene units", Required = true)]
+    public Vector3 C { get; init; }
+
+    /// <summary>uv of the first corner.</summary>
+    [Parameter("uv of the first corner.")]
+    public Vector2 UvA { get; init; }
+
+    /// <summary>uv of the second corner.</summary>
+    [Parameter("uv of the second corner.")]
+    public Vector2 UvB { get; init; } = new(1, 0);
+
+    /// <summary>uv of the third corner.</summary>
+    [Parameter("uv of the third corner.")]
+    public Vector2 UvC { get; init; } = new(0, 1);
+
+    /// <inheritdoc/>
+    public override Shape? Build(SceneBuilder builder)
+    {
+        Material material = builder.Material(Material);
+        Vector3 normal = (B - A).Cross(C - A);
+        if (!(normal.Norm() > 0) || !normal.Unit().IsFinite())
+        {
+            builder.Error(this, null, "the triangle has no area: its corners lie on one line");
+            return null;
+        }
+
+        return new Triangle(material, Name, A, B, C, UvA, UvB, UvC);
+    }
+}
+
+/// <summary>A triangle (report, sections 3.3.3 and 3.3.5); uv is interpolated between its corners.</summary>
+public sealed class Triangle(Material material, string name, Vector3 a, Vector3 b, Vector3 c, Vector2 uvA, Vector2 uvB, Vector2 uvC)
+    : Shape(material, name)
+{
+    /// <summary>First corner.</summary>
+    public Vector3 A => a;
+
+    /// <summary>Second corner.</summary>
+    public Vector3 B => b;
+
+    /// <summary>Third corner.</summary>
+    public Vector3 C => c;
+
+    /// <summary>uv of the corners.</summary>
+    public (Vector2 A, Vector2 B, Vector2 C) Uv => (uvA, uvB, uvC);
+
+    /// <summary>Unit normal of the front.</summary>
+    public Vector3 Normal { get; } = (b - a).Cross(c - a).Unit();
+
+    /// <inheritdoc/>
+    public override float Area { get; } = 0.5f * (b - a).Cross(c - a).Norm();
+
+    /// <inheritdoc/>
+    public override Bounds Bounds => new(Vector3.Min(a, Vector3.Min(b, c)), Vector3.Max(a, Vector3.Max(b, c)));
+
+    /// <inheritdoc/>
+    public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new TriangleBatch(shapes);
+
+    /// <inheritdoc/>
+    public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    {
+        Warp.UniformTriangle(u, v, out FloatW toB, out FloatW toC);
+        Vec3W to = Vec3W.MultiplyAdd(b - a, toB, Vec3W.MultiplyAdd(c - a, toC, (Vec3W)a - from));
+        FlatLight.Sample(to, Normal, Area, out sample);
+        sample.U = FloatW.MultiplyAdd(toB, uvB.X - uvA.X, FloatW.MultiplyAdd(toC, uvC.X - uvA.X, uvA.X));
+        sample.V = FloatW.MultiplyAdd(toB, uvB.Y - uvA.Y, FloatW.MultiplyAdd(toC, uvC.Y - uvA.Y, uvA.Y));
+    }
+}

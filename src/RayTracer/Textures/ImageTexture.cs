@@ -1,0 +1,190 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using RayTracer.Description;
+using RayTracer.Numerics;
+
+namespace RayTracer.Textures;
+
+/// <summary>How the colour between texels is found.</summary>
+public enum Interpolation
+{
+    /// <summary>The nearest texel: blocks are seen from near.</summary>
+    Nearest,
+
+    /// <summary>Linear between the four nearest texels.</summary>
+    Bilinear,
+
+    /// <summary>Cubic over the sixteen nearest texels (Catmull–Rom): sharper, through every texel.</summary>
+    Bicubic,
+}
+
+/// <summary>What a texture shows outside the picture.</summary>
+public enum Wrapping
+{
+    /// <summary>The picture again and again.</summary>
+    Repeat,
+
+    /// <summary>The texels of its edge.</summary>
+    Clamp,
+
+    /// <summary>The picture and its mirror image in turn.</summary>
+    Mirror,
+}
+
+/// <summary>Describes an <see cref="ImageTexture"/>.</summary>
+[SceneType("image", "A picture from a file (PNG, PFM, OpenEXR).")]
+public sealed record ImageTextureDescription : TextureDescription
+{
+    /// <summary>The picture's file.</summary>
+    [Parameter("The picture's file.", IsFile = true, Required = true)]
+    public string File { get; init; } = "";
+
+    /// <summary>How the colour between texels is found.</summary>
+    [Parameter("How the colour between texels is found.")]
+    public Interpolation Interpolation { get; init; } = Interpolation.Bilinear;
+
+    /// <summary>What is shown outside the picture.</summary>
+    [Parameter("What is shown outside the picture, where u or v is below 0 or above 1.")]
+    public Wrapping Wrapping { get; init; } = Wrapping.Repeat;
+
+    /// <summary>Factors on u and v.</summary>
+    [Parameter("Factors on u and v: 2 shows the picture twice as often, half as large; −1 mirrors it.")]
+    public Vector2 Scale { get; init; } = Vector2.One;
+
+    /// <summary>Added to the scaled uv.</summary>
+    [Parameter("Added to u and v after scaling.", Unit = "pictures")]
+    public Vector2 Offset { get; init; }
+
+    /// <summary>Whether the file's numbers are taken as they are.</summary>
+    [Parameter("Whether the file's numbers are linear and taken as they are, instead of being decoded from sRGB. Floating-point files are always linear.")]
+    public bool Raw { get; init; }
+
+    /// <inheritdoc/>
+    public override Texture Build(SceneBuilder builder) =>
+        new ImageTexture(builder.Picture(this, nameof(File), File, Raw), Interpolation, Wrapping, Scale, Offset);
+}
+
+/// <summary>
+/// A picture on a surface (the report's class of that name, with its three interpolations). Texel centres lie at
+/// (i + ½)/n; the picture's bottom row is at v = 0.
+/// </summary>
+public sealed unsafe class ImageTexture : Texture
+{
+    private readonly PinnedBuffer<float> _memory;
+    private readonly float* _texels;
+    private readonly int _width;
+    private readonly int _height;
+    private readonly Interpolation _interpolation;
+    private readonly Wrapping _wrapping;
+    private readonly Vector2 _scale;
+    private readonly Vector2 _offset;
+
+    /// <summary>Copies the picture's texels.</summary>
+    /// <param name="picture">The picture, at most 2³¹/12 texels.</param>
+    /// <param name="interpolation">How the colour between texels is found.</param>
+    /// <param name="wrapping">What is shown outside the picture.</param>
+    /// <param name="scale">Factors on u and v.</param>
+    /// <param name="offset">Added after scaling.</param>
+    public ImageTexture(Picture picture, Interpolation interpolation, Wrapping wrapping, Vector2 scale, Vector2 offset)
+    {
+        _width = picture.Width;
+        _height = picture.Height;
+        _interpolation = interpolation;
+        _wrapping = wrapping;
+        _scale = scale;
+        _offset = offset;
+        _memory = new(picture.Pixels.LongLength);
+        _texels = _memory.Pointer;
+        picture.Pixels.CopyTo(new Span<float>(_texels, picture.Pixels.Length));
+    }
+
+    /// <inheritdoc/>
+    public override long MemoryBytes => 3L * sizeof(float) * _width * _height;
+
+    /// <inheritdoc/>
+    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color)
+    {
+        // In texels; rows are counted from the top of the picture.
+        FloatW x = FloatW.MultiplyAdd(u, _scale.X, _offset.X) * _width;
+        FloatW y = (1f - FloatW.MultiplyAdd(v, _scale.Y, _offset.Y)) * _height;
+        switch (_interpolation)
+        {
+            case Interpolation.Nearest:
+                color = Texel(FloatW.Floor(x), FloatW.Floor(y));
+                break;
+            case Interpolation.Bilinear:
+                Bilinear(x - 0.5f, y - 0.5f, out color);
+                break;
+            default:
+                Bicubic(x - 0.5f, y - 0.5f, out color);
+                break;
+        }
+    }
+
+    private void Bilinear(in FloatW x, in FloatW y, out RgbW color)
+    {
+        FloatW left = FloatW.Floor(x);
+        FloatW top = FloatW.Floor(y);
+        FloatW fx = x - left;
+        FloatW fy = y - top;
+        RgbW upper = Texel(left, top) * (1f - fx) + Texel(left + 1f, top) * fx;
+        RgbW lower = Texel(left, top + 1f) * (1f - fx) + Texel(left + 1f, top + 1f) * fx;
+        color = upper * (1f - fy) + lower * fy;
+    }
+
+    private void Bicubic(in FloatW x, in FloatW y, out RgbW color)
+    {
+        FloatW left = FloatW.Floor(x);
+        FloatW top = FloatW.Floor(y);
+        FloatW fx = x - left;
+        FloatW fy = y - top;
+        RgbW sum = default;
+        for (int j = -1; j <= 2; j++)
+        {
+            RgbW row = default;
+            for (int i = -1; i <= 2; i++)
+            {
+                row = RgbW.MultiplyAdd(Texel(left + i, top + j), CatmullRom(fx - i), row);
+            }
+
+            sum = RgbW.MultiplyAdd(row, CatmullRom(fy - j), sum);
+        }
+
+        // The kernel's negative lobes may undershoot beside a hard edge; light has no negative colour.
+        color = new(FloatW.Max(sum.R, 0f), FloatW.Max(sum.G, 0f), FloatW.Max(sum.B, 0f));
+    }
+
+    // Keys, Cubic convolution interpolation for digital image processing (1981), eq. 15, with a = −1/2.
+    private static FloatW CatmullRom(FloatW distance)
+    {
+        FloatW d = FloatW.Abs(distance);
+        FloatW inner = FloatW.MultiplyAdd(FloatW.MultiplyAdd(d, 1.5f, -2.5f), d * d, 1f);
+        FloatW outer = FloatW.MultiplyAdd(FloatW.MultiplyAdd(FloatW.MultiplyAdd(d, -0.5f, 2.5f), d, -4f), d, 2f);
+        return (d < 1f).Select(inner, outer);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private RgbW Texel(FloatW column, FloatW row)
+    {
+        // Indices are whole numbers in floats; the clamp also catches NaN, so no lane can read outside the picture.
+        FloatW index = FloatW.Max(0f, FloatW.Min(Wrap(column, _width), _width - 1));
+        FloatW line = FloatW.Max(0f, FloatW.Min(Wrap(row, _height), _height - 1));
+        UIntW texel = (line.ToInt() * (uint)_width + index.ToInt()) * 3u;
+        return new(FloatW.Gather(_texels, texel), FloatW.Gather(_texels + 1, texel), FloatW.Gather(_texels + 2, texel));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private FloatW Wrap(FloatW i, int n)
+    {
+        switch (_wrapping)
+        {
+            case Wrapping.Repeat:
+                return FloatW.NegatedMultiplyAdd(FloatW.Floor(i / n), n, i);
+            case Wrapping.Mirror:
+                FloatW inPair = FloatW.NegatedMultiplyAdd(FloatW.Floor(i / (2f * n)), 2f * n, i);
+                return FloatW.Min(inPair, (2 * n) - 1 - inPair);
+            default:
+                return i;
+        }
+    }
+}
