@@ -11,7 +11,7 @@ namespace RayTracer.Acceleration;
 /// <param name="constants">Floats a shape in the packed table.</param>
 public abstract unsafe class ShapeBatch(int count, int constants)
 {
-    private readonly PinnedBuffer<float> _memory = new((long)count * constants);
+    private readonly PinnedBuffer<float> _memory = new(Math.Max(1L, (long)count * constants));
 
     /// <summary>The packed table.</summary>
     private protected float* Table => _memory.Pointer;
@@ -19,11 +19,14 @@ public abstract unsafe class ShapeBatch(int count, int constants)
     /// <summary>Number of shapes.</summary>
     public int Count { get; } = count;
 
+    /// <summary>Floats a shape in the packed table.</summary>
+    public int Stride { get; } = constants;
+
     /// <summary>Number of the first shape among the scene's primitives.</summary>
     public int FirstPrimitive { get; internal set; }
 
     /// <summary>Memory of the table in bytes.</summary>
-    public long MemoryBytes => (long)Count * constants * sizeof(float);
+    public long MemoryBytes => (long)Count * Stride * sizeof(float);
 
     /// <summary>Shortens rays to the nearest shape of this kind.</summary>
     /// <param name="origin">Where the rays start.</param>

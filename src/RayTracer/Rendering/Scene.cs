@@ -30,6 +30,9 @@ public sealed class Scene
             first += batch.Count;
         }
 
+        Primitives = new([.. Batches]);
+        Groups = ShadingGroup.Create(this, out int[] groupOf);
+        GroupOfPrimitive = groupOf;
         Lights = [.. Shapes.Select((shape, i) => (shape, i)).Where(s => s.shape.Material.Emits).Select(s => new AreaLight(s.shape, s.i))];
     }
 
@@ -56,6 +59,15 @@ public sealed class Scene
 
     /// <summary>The shapes packed by kind.</summary>
     public IReadOnlyList<ShapeBatch> Batches { get; }
+
+    /// <summary>Meets rays with the shapes.</summary>
+    public PrimitiveList Primitives { get; }
+
+    /// <summary>What is shaded together.</summary>
+    internal ShadingGroup[] Groups { get; }
+
+    /// <summary>The group of each primitive, and, one further, what stands for rays that hit nothing.</summary>
+    internal int[] GroupOfPrimitive { get; }
 
     /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
     internal static Scene? Create(SceneDescription description, IReadOnlyList<Shape> shapes, SceneBuilder builder)

@@ -10,20 +10,20 @@ namespace RayTracer.Shapes;
 /// </summary>
 internal sealed unsafe class PlaneBatch : ShapeBatch
 {
-    internal const int Stride = 14;
+    private const int Constants = 14;
     private const int MapU = 4;
     private const int MapV = 8;
     private const int OffsetScale = 12;
     private readonly int[] _isBounded;
 
     public PlaneBatch(IReadOnlyList<Shape> shapes)
-        : base(shapes.Count, Stride)
+        : base(shapes.Count, Constants)
     {
         _isBounded = new int[shapes.Count];
         for (int i = 0; i < shapes.Count; i++)
         {
             var plane = (Plane)shapes[i];
-            float* q = Table + (i * Stride);
+            float* q = Table + (i * Constants);
             q[0] = plane.Normal.X;
             q[1] = plane.Normal.Y;
             q[2] = plane.Normal.Z;
@@ -45,7 +45,7 @@ internal sealed unsafe class PlaneBatch : ShapeBatch
         FloatW nearest = distance;
         UIntW hitPrimitive = primitive;
         float* q = Table;
-        for (int i = 0; i < Count; i++, q += Stride)
+        for (int i = 0; i < Count; i++, q += Constants)
         {
             var normal = new Vec3W(q[0], q[1], q[2]);
             FloatW t = (q[3] - Vec3W.Dot(normal, o)) / Vec3W.Dot(normal, d);
@@ -72,7 +72,7 @@ internal sealed unsafe class PlaneBatch : ShapeBatch
         MaskW open = free;
         int skipped = skip - FirstPrimitive;
         float* q = Table;
-        for (int i = 0; i < Count; i++, q += Stride)
+        for (int i = 0; i < Count; i++, q += Constants)
         {
             if (i == skipped)
             {

@@ -8,18 +8,18 @@ namespace RayTracer.Shapes;
 /// <summary>All spheres of a scene: five constants each (centre, squared radius, a scale for offsets), one row after the other.</summary>
 internal sealed unsafe class SphereBatch : ShapeBatch
 {
-    internal const int Stride = 6;
+    private const int Constants = 6;
     private const int Radius2 = 3;
     private const int Radius = 4;
     private const int OffsetScale = 5;
 
     public SphereBatch(IReadOnlyList<Shape> shapes)
-        : base(shapes.Count, Stride)
+        : base(shapes.Count, Constants)
     {
         for (int i = 0; i < shapes.Count; i++)
         {
             var sphere = (Sphere)shapes[i];
-            float* q = Table + (i * Stride);
+            float* q = Table + (i * Constants);
             q[0] = sphere.Center.X;
             q[1] = sphere.Center.Y;
             q[2] = sphere.Center.Z;
@@ -37,7 +37,7 @@ internal sealed unsafe class SphereBatch : ShapeBatch
         FloatW nearest = distance;
         UIntW hitPrimitive = primitive;
         float* q = Table;
-        for (int i = 0; i < Count; i++, q += Stride)
+        for (int i = 0; i < Count; i++, q += Constants)
         {
             // The ray's point nearest to the centre gives the discriminant without cancellation (Haines et al., Precision
             // improvements for ray/sphere intersection, Ray Tracing Gems 2019, eq. 7.5).
@@ -68,7 +68,7 @@ internal sealed unsafe class SphereBatch : ShapeBatch
         MaskW open = free;
         int skipped = skip - FirstPrimitive;
         float* q = Table;
-        for (int i = 0; i < Count; i++, q += Stride)
+        for (int i = 0; i < Count; i++, q += Constants)
         {
             if (i == skipped)
             {

@@ -12,7 +12,7 @@ namespace RayTracer.Shapes;
 /// </summary>
 internal sealed unsafe class TriangleBatch : ShapeBatch
 {
-    internal const int Stride = 22;
+    private const int Constants = 22;
     private const int MapB = 4;
     private const int MapC = 8;
     private const int MapU = 12;
@@ -20,12 +20,12 @@ internal sealed unsafe class TriangleBatch : ShapeBatch
     private const int OffsetScale = 20;
 
     public TriangleBatch(IReadOnlyList<Shape> shapes)
-        : base(shapes.Count, Stride)
+        : base(shapes.Count, Constants)
     {
         for (int i = 0; i < shapes.Count; i++)
         {
             var triangle = (Triangle)shapes[i];
-            float* q = Table + (i * Stride);
+            float* q = Table + (i * Constants);
             Vector3 n = triangle.Normal;
             Vector3 ab = triangle.B - triangle.A;
             Vector3 ac = triangle.C - triangle.A;
@@ -56,7 +56,7 @@ internal sealed unsafe class TriangleBatch : ShapeBatch
         FloatW nearest = distance;
         UIntW hitPrimitive = primitive;
         float* q = Table;
-        for (int i = 0; i < Count; i++, q += Stride)
+        for (int i = 0; i < Count; i++, q += Constants)
         {
             var normal = new Vec3W(q[0], q[1], q[2]);
             FloatW t = (q[3] - Vec3W.Dot(normal, o)) / Vec3W.Dot(normal, d);
@@ -78,7 +78,7 @@ internal sealed unsafe class TriangleBatch : ShapeBatch
         MaskW open = free;
         int skipped = skip - FirstPrimitive;
         float* q = Table;
-        for (int i = 0; i < Count; i++, q += Stride)
+        for (int i = 0; i < Count; i++, q += Constants)
         {
             if (i == skipped)
             {

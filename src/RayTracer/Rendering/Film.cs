@@ -1,0 +1,176 @@
+using System.Buffers.Binary;
+using System.Runtime.InteropServices;
+using System.Security.Cryptography;
+using RayTracer.Numerics;
+using RayTracer.Textures;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Adds up the samples of each pixel exactly: sums of red, green, blue and squared luminance are 128-bit fixed point numbers,
+/// so addition is associative, and any split of the samples over threads, tiles, ranges, processes or machines, merged in any
+/// order, gives the same bits. Channels are in units of 2⁻³², squares in units of 2⁻⁴⁸.
+/// </summary>
+public sealed class Film : IImageRows
+{
+    /// <summary>Samples beyond ± this are clamped (a bias, so they are counted): 2³¹ of them still fit into the sums.</summary>
+    public const float SampleLimit = 1 << 24;
+
+    internal const int SumsPerPixel = 4;
+    internal const int SquareSum = 3;
+    internal const double ChannelUnits = 4294967296.0;
+    internal const double SquareUnits = 281474976710656.0;
+    private readonly Int128[] _sums;
+    private readonly uint[] _counts;
+
+    /// <summary>Makes an empty film.</summary>
+    /// <param name="width">Width in pixels, at least 1.</param>
+    /// <param name="height">Height in pixels, at least 1.</param>
+    public Film(int width, int height)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(width, 1);
+        ArgumentOutOfRangeException.ThrowIfLessThan(height, 1);
+        Width = width;
+        Height = height;
+        _sums = new Int128[checked((long)width * height * SumsPerPixel)];
+        _counts = new uint[(long)width * height];
+    }
+
+    /// <inheritdoc/>
+    public int Width { get; }
+
+    /// <inheritdoc/>
+    public int Height { get; }
+
+    /// <summary>Number of samples that a pixel's sums hold.</summary>
+    /// <param name="x">Column, from the left.</param>
+    /// <param name="y">Row, from the top.</param>
+    public uint SampleCount(int x, int y) => _counts[Index(x, y)];
+
+    /// <summary>Total number of samples.</summary>
+    public long TotalSamples
+    {
+        get
+        {
+            long total = 0;
+            foreach (uint count in _counts)
+            {
+                total += count;
+            }
+
+            return total;
+        }
+    }
+
+    /// <summary>Mean radiance of a pixel; black where there are no samples.</summary>
+    /// <param name="x">Column, from the left.</param>
+    /// <param name="y">Row, from the top.</param>
+    public Rgb Mean(int x, int y)
+    {
+        long pixel = Index(x, y);
+        double scale = _counts[pixel] == 0 ? 0 : 1 / (ChannelUnits * _counts[pixel]);
+        ReadOnlySpan<Int128> sums = Sums(pixel);
+        return new((float)(ToDouble(sums[0]) * scale), (float)(ToDouble(sums[1]) * scale), (float)(ToDouble(sums[2]) * scale));
+    }
+
+    /// <summary>
+    /// Variance of the luminance of a pixel's samples (unbiased; of one sample, not of the mean); zero below two samples. For
+    /// stratified samplers, the variance of the mean is smaller than this over the number of samples.
+    /// </summary>
+    /// <param name="x">Column, from the left.</param>
+    /// <param name="y">Row, from the top.</param>
+    public float SampleVariance(int x, int y)
+    {
+        long pixel = Index(x, y);
+        double n = _counts[pixel];
+        if (n < 2)
+        {
+            return 0;
+        }
+
+        ReadOnlySpan<Int128> sums = Sums(pixel);
+        double luminance = ((0.2126 * ToDouble(sums[0])) + (0.7152 * ToDouble(sums[1])) + (0.0722 * ToDouble(sums[2]))) / ChannelUnits;
+        double squares = ToDouble(sums[SquareSum]) / SquareUnits;
+        return (float)Math.Max(0, (squares - (luminance * luminance / n)) / (n - 1));
+    }
+
+    /// <inheritdoc/>
+    public void ReadRow(int y, Span<float> rgb)
+    {
+        for (int x = 0; x < Width; x++)
+        {
+            (rgb[3 * x], rgb[(3 * x) + 1], rgb[(3 * x) + 2]) = Mean(x, y);
+        }
+    }
+
+    /// <summary>Adds the samples of another film. They must be other samples of the same scene; that is not checked here.</summary>
+    /// <param name="other">A film of the same size.</param>
+    /// <exception cref="ArgumentException">The sizes differ.</exception>
+    public void Merge(Film other)
+    {
+        if (other.Width != Width || other.Height != Height)
+        {
+            throw new ArgumentException($"A film of {other.Width}×{other.Height} pixels cannot be merged into one of {Width}×{Height}.", nameof(other));
+        }
+
+        for (long i = 0; i < _sums.LongLength; i++)
+        {
+            _sums[i] += other._sums[i];
+        }
+
+        for (long i = 0; i < _counts.LongLength; i++)
+        {
+            _counts[i] += other._counts[i];
+        }
+    }
+
+    /// <summary>
+    /// SHA-256, as hexadecimal digits, of the exact content: of the size and of the SHA-256 of each row, which covers the
+    /// sums (16 bytes each, lowest first) and then the counts (4 bytes each) of its pixels.
+    /// </summary>
+    public string ComputeHash()
+    {
+        const int digest = SHA256.HashSizeInBytes;
+        byte[] digests = new byte[8 + ((long)digest * Height)];
+        BinaryPrimitives.WriteInt32LittleEndian(digests, Width);
+        BinaryPrimitives.WriteInt32LittleEndian(digests.AsSpan(4), Height);
+        Parallel.For(0, Height, y =>
+        {
+            using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+            hash.AppendData(Bytes(_sums.AsSpan(checked(y * Width * SumsPerPixel), Width * SumsPerPixel)));
+            hash.AppendData(Bytes(_counts.AsSpan(y * Width, Width)));
+            hash.GetHashAndReset(digests.AsSpan(8 + (digest * y)));
+        });
+        return Convert.ToHexStringLower(SHA256.HashData(digests));
+    }
+
+    /// <summary>Adds one sum of a pixel, in its units.</summary>
+    internal void AddSum(long pixel, int sum, Int128 value) => _sums[(pixel * SumsPerPixel) + sum] += value;
+
+    /// <summary>Adds to the number of samples of a pixel.</summary>
+    internal void AddCount(long pixel, uint samples) => _counts[pixel] += samples;
+
+    private static ReadOnlySpan<byte> Bytes<T>(Span<T> values)
+        where T : unmanaged
+    {
+        // The hash is defined on little-endian bytes; every machine that the renderer runs on has them so.
+        if (!BitConverter.IsLittleEndian)
+        {
+            throw new PlatformNotSupportedException("Film hashes are defined for little-endian machines.");
+        }
+
+        return MemoryMarshal.AsBytes(values);
+    }
+
+    private static double ToDouble(Int128 value) =>
+        value >= long.MinValue && value <= long.MaxValue ? (long)value : (double)value;
+
+    private ReadOnlySpan<Int128> Sums(long pixel) => _sums.AsSpan((int)(pixel * SumsPerPixel), SumsPerPixel);
+
+    private long Index(int x, int y)
+    {
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)x, (uint)Width, nameof(x));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)y, (uint)Height, nameof(y));
+        return ((long)y * Width) + x;
+    }
+}

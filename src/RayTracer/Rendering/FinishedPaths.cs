@@ -1,0 +1,65 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>Collects the paths that ended, and hands their radiance to the accumulator.</summary>
+internal sealed unsafe class FinishedPaths
+{
+    private readonly PinnedBuffer<float> _radiance;
+    private readonly PinnedBuffer<uint> _path;
+    private readonly SampleAccumulator _accumulator;
+    private readonly int _stride;
+    private SampleRange _samples;
+    private int _count;
+
+    public FinishedPaths(int capacity, SampleAccumulator accumulator)
+    {
+        _stride = capacity + (2 * FloatW.Count);
+        _radiance = new(3L * _stride);
+        _path = new(_stride);
+        _accumulator = accumulator;
+    }
+
+    /// <summary>Prepares for a tile.</summary>
+    public void Begin(SampleRange samples)
+    {
+        _samples = samples;
+        _count = 0;
+    }
+
+    /// <summary>Takes the chosen lanes of a packet.</summary>
+    public void Append(uint lanes, in RgbW radiance, in UIntW path)
+    {
+        radiance.R.Compress(_radiance.Pointer + _count, lanes);
+        radiance.G.Compress(_radiance.Pointer + _stride + _count, lanes);
+        radiance.B.Compress(_radiance.Pointer + (2 * _stride) + _count, lanes);
+        path.Compress(_path.Pointer + _count, lanes);
+        _count += BitOperations.PopCount(lanes);
+    }
+
+    /// <summary>Adds all collected paths up.</summary>
+    [SkipLocalsInit]
+    public void Drain()
+    {
+        uint* pixels = stackalloc uint[FloatW.Count];
+        uint* samples = stackalloc uint[FloatW.Count];
+        float* r = _radiance.Pointer;
+        float* g = r + _stride;
+        float* b = g + _stride;
+        for (int i = 0; i < _count; i += FloatW.Count)
+        {
+            PathNumber.Split(UIntW.Load(_path.Pointer + i), _samples, out UIntW pixel, out UIntW sample);
+            pixel.Store(pixels);
+            sample.Store(samples);
+            int lanes = Math.Min(FloatW.Count, _count - i);
+            for (int lane = 0; lane < lanes; lane++)
+            {
+                _accumulator.Add((int)pixels[lane], (int)samples[lane], r[i + lane], g[i + lane], b[i + lane]);
+            }
+        }
+
+        _count = 0;
+    }
+}

@@ -1,0 +1,132 @@
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Light paths under way, as a structure of arrays: entry i of every column belongs to path i. A stage reads one stream and
+/// writes the paths that go on to another.
+/// </summary>
+internal sealed unsafe class PathStream
+{
+    private const int Columns = 16;
+    private readonly PinnedBuffer<float> _memory;
+
+    /// <summary>Makes an empty stream.</summary>
+    /// <param name="capacity">How many paths it can hold.</param>
+    public PathStream(int capacity)
+    {
+        // Room for a whole register behind the last path, and columns that do not all start on the same cache set.
+        int stride = (capacity + (2 * 16) + 15) / 16 * 16 + 16;
+        _memory = new((long)stride * Columns);
+        float* column = _memory.Pointer;
+        float* Next()
+        {
+            float* taken = column;
+            column += stride;
+            return taken;
+        }
+
+        Capacity = capacity;
+        OriginX = Next();
+        OriginY = Next();
+        OriginZ = Next();
+        DirectionX = Next();
+        DirectionY = Next();
+        DirectionZ = Next();
+        ThroughputR = Next();
+        ThroughputG = Next();
+        ThroughputB = Next();
+        RadianceR = Next();
+        RadianceG = Next();
+        RadianceB = Next();
+        Distance = Next();
+        Primitive = (uint*)Next();
+        Path = (uint*)Next();
+        State = (uint*)Next();
+    }
+
+    public int Capacity { get; }
+
+    /// <summary>Number of paths in the stream.</summary>
+    public int Count { get; set; }
+
+    // Where the next ray starts, its unit direction, what it will find is multiplied by, and what the path has gathered.
+    public float* OriginX { get; }
+    public float* OriginY { get; }
+    public float* OriginZ { get; }
+    public float* DirectionX { get; }
+    public float* DirectionY { get; }
+    public float* DirectionZ { get; }
+    public float* ThroughputR { get; }
+    public float* ThroughputG { get; }
+    public float* ThroughputB { get; }
+    public float* RadianceR { get; }
+    public float* RadianceG { get; }
+    public float* RadianceB { get; }
+
+    // What the ray met.
+    public float* Distance { get; }
+    public uint* Primitive { get; }
+
+    /// <summary>Number of the path in the tile: pixel · samples + sample.</summary>
+    public uint* Path { get; }
+
+    /// <summary>See <see cref="PathState"/>.</summary>
+    public uint* State { get; }
+
+    /// <summary>Adds the chosen lanes of a packet at the end.</summary>
+    public void Append(uint lanes, in Vec3W origin, in Vec3W direction, in RgbW throughput, in RgbW radiance, in UIntW path, in UIntW state)
+    {
+        int at = Count;
+        origin.X.Compress(OriginX + at, lanes);
+        origin.Y.Compress(OriginY + at, lanes);
+        origin.Z.Compress(OriginZ + at, lanes);
+        direction.X.Compress(DirectionX + at, lanes);
+        direction.Y.Compress(DirectionY + at, lanes);
+        direction.Z.Compress(DirectionZ + at, lanes);
+        throughput.R.Compress(ThroughputR + at, lanes);
+        throughput.G.Compress(ThroughputG + at, lanes);
+        throughput.B.Compress(ThroughputB + at, lanes);
+        radiance.R.Compress(RadianceR + at, lanes);
+        radiance.G.Compress(RadianceG + at, lanes);
+        radiance.B.Compress(RadianceB + at, lanes);
+        path.Compress(Path + at, lanes);
+        state.Compress(State + at, lanes);
+        Count = at + System.Numerics.BitOperations.PopCount(lanes);
+    }
+
+    /// <summary>Radiance gathered by the paths of a packet.</summary>
+    public RgbW PickRadiance(uint* index) =>
+        new(FloatW.Pick(RadianceR, index), FloatW.Pick(RadianceG, index), FloatW.Pick(RadianceB, index));
+
+    /// <summary>Throughput of the paths of a packet.</summary>
+    public RgbW PickThroughput(uint* index) =>
+        new(FloatW.Pick(ThroughputR, index), FloatW.Pick(ThroughputG, index), FloatW.Pick(ThroughputB, index));
+
+    /// <summary>Directions of the paths of a packet.</summary>
+    public Vec3W PickDirection(uint* index) =>
+        new(FloatW.Pick(DirectionX, index), FloatW.Pick(DirectionY, index), FloatW.Pick(DirectionZ, index));
+
+    /// <summary>Origins of the paths of a packet.</summary>
+    public Vec3W PickOrigin(uint* index) =>
+        new(FloatW.Pick(OriginX, index), FloatW.Pick(OriginY, index), FloatW.Pick(OriginZ, index));
+}
+
+/// <summary>What a path remembers besides its numbers, in one integer.</summary>
+internal static class PathState
+{
+    /// <summary>Bits 0–7 count diffuse bounces.</summary>
+    public const uint OneDiffuse = 1;
+
+    /// <summary>Bits 8–15 count specular bounces.</summary>
+    public const uint OneSpecular = 1 << 8;
+
+    /// <summary>A depth's bits, once it is shifted down.</summary>
+    public const uint DepthMask = 0xff;
+
+    /// <summary>How far the specular depth is shifted up.</summary>
+    public const int SpecularShift = 8;
+
+    /// <summary>Emission at the next hit counts: the last scattering was specular, or there was none (report: countEmittedLight).</summary>
+    public const uint CountsEmission = 1 << 16;
+}

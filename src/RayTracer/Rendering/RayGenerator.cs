@@ -1,0 +1,68 @@
+using System.Runtime.CompilerServices;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Rendering;
+
+/// <summary>Starts the paths of a tile: pixel by pixel, all samples of a pixel in a row.</summary>
+internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
+{
+    private readonly PinnedBuffer<float> _x = new(maxPixels);
+    private readonly PinnedBuffer<float> _y = new(maxPixels);
+    private readonly PinnedBuffer<uint> _key = new(maxPixels);
+    private SampleRange _samples;
+    private int _issued;
+    private int _total;
+
+    /// <summary>Keys of the tile's pixels, by their number in the tile.</summary>
+    public uint* PixelKeys => _key.Pointer;
+
+    /// <summary>Prepares for a tile.</summary>
+    public void Begin(in Tile tile, SampleRange samples)
+    {
+        _samples = samples;
+        _issued = 0;
+        _total = tile.Pixels * samples.Count;
+        uint seed = (uint)scene.Render.Seed;
+        for (int i = 0; i < tile.Pixels; i++)
+        {
+            (int x, int y) = tile.Pixel(i);
+            _x.Pointer[i] = x;
+            _y.Pointer[i] = y;
+            _key.Pointer[i] = Hash.PixelKey(seed, (uint)((y * scene.Render.Width) + x));
+        }
+    }
+
+    /// <summary>Fills a stream up with new paths, as long as there are any.</summary>
+    [SkipLocalsInit]
+    public void Fill(PathStream stream)
+    {
+        while (_issued < _total && stream.Count < stream.Capacity)
+        {
+            int count = Math.Min(Math.Min(FloatW.Count, _total - _issued), stream.Capacity - stream.Count);
+            UIntW path = UIntW.Iota + (uint)_issued;
+            PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
+            pixel = MaskW.First(count).Select(pixel, 0u);
+            UIntW key = UIntW.Gather(_key.Pointer, pixel);
+            scene.Sampler.Pair(key, sample, Dimensions.Pixel, out FloatW u, out FloatW v);
+            scene.Camera.GenerateRays(
+                FloatW.Gather(_x.Pointer, pixel) + u, FloatW.Gather(_y.Pointer, pixel) + v, scene.Sampler, key, sample, out Vec3W origin, out Vec3W direction);
+            uint lanes = MaskW.First(count).Bits;
+            stream.Append(lanes, origin, direction, Rgb.White, Rgb.Black, path, PathState.CountsEmission);
+            _issued += count;
+        }
+    }
+}
+
+/// <summary>A path's number in its tile: pixel · samples + sample.</summary>
+internal static class PathNumber
+{
+    /// <summary>Finds pixel (in the tile) and sample (in the picture) of a path.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Split(UIntW path, SampleRange samples, out UIntW pixel, out UIntW sample)
+    {
+        // Numbers stay below 2²³, so the half keeps rounding from crossing a whole number.
+        pixel = ((path.ToFloat() + 0.5f) * (1f / samples.Count)).ToInt();
+        sample = path - (pixel * (uint)samples.Count) + (uint)samples.First;
+    }
+}

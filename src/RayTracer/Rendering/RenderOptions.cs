@@ -1,0 +1,68 @@
+namespace RayTracer.Rendering;
+
+/// <summary>How a picture is computed: nothing here changes a bit of it.</summary>
+public sealed record RenderOptions
+{
+    /// <summary>Number of threads; 0 means one for each core.</summary>
+    public int Threads { get; init; }
+
+    /// <summary>Longest edge of a tile in pixels; 0 chooses one that keeps the streams full and the threads busy.</summary>
+    public int TileSize { get; init; }
+
+    /// <summary>Number of paths that a thread follows at a time.</summary>
+    public int StreamSize { get; init; } = 1024;
+
+    /// <summary>The part of the picture to render; null is all of it. The film always has the whole picture's size.</summary>
+    public Tile? Crop { get; init; }
+
+    /// <summary>The samples to render; null is all that the scene asks for.</summary>
+    public SampleRange? Samples { get; init; }
+}
+
+/// <summary>How far a rendering is.</summary>
+/// <param name="PathsDone">Paths that are in the film.</param>
+/// <param name="PathsTotal">Paths that will be.</param>
+/// <param name="Rays">Rays traced so far.</param>
+public readonly record struct RenderProgress(long PathsDone, long PathsTotal, long Rays)
+{
+    /// <summary>The part that is done, 0 to 1.</summary>
+    public double Fraction => PathsTotal == 0 ? 1 : (double)PathsDone / PathsTotal;
+}
+
+/// <summary>A sample whose radiance was not a finite number. It was left out of the film.</summary>
+/// <param name="X">Column of the pixel.</param>
+/// <param name="Y">Row of the pixel.</param>
+/// <param name="Sample">Number of the sample.</param>
+/// <param name="Value">What it came to.</param>
+public readonly record struct BadSample(int X, int Y, int Sample, Numerics.Rgb Value);
+
+/// <summary>What was done for a picture.</summary>
+public sealed record RenderStatistics
+{
+    /// <summary>How many bad samples are kept by name.</summary>
+    public const int MaxBadSamples = 16;
+
+    /// <summary>Light paths followed.</summary>
+    public long Paths { get; init; }
+
+    /// <summary>Rays whose nearest hit was looked for.</summary>
+    public long ClosestHitRays { get; init; }
+
+    /// <summary>Rays towards lights.</summary>
+    public long ShadowRays { get; init; }
+
+    /// <summary>Samples that were not finite and were left out.</summary>
+    public long NonFiniteSamples { get; init; }
+
+    /// <summary>Samples that were clamped at <see cref="Film.SampleLimit"/>.</summary>
+    public long ClampedSamples { get; init; }
+
+    /// <summary>The first samples that were not finite, in the order of pixels and samples.</summary>
+    public IReadOnlyList<BadSample> BadSamples { get; init; } = [];
+
+    /// <summary>Whether the rendering was cancelled before its end.</summary>
+    public bool Cancelled { get; init; }
+
+    /// <summary>All rays.</summary>
+    public long Rays => ClosestHitRays + ShadowRays;
+}

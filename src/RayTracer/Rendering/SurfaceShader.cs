@@ -1,0 +1,148 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using RayTracer.Acceleration;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// What happens where paths meet a surface (report, listing 6.3): emission, ambient light, light from the sources, and
+/// the choice of the next ray.
+/// </summary>
+internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
+{
+    private readonly DirectLight _directLight = new(scene);
+    private RayGenerator _generator = null!;
+    private SampleRange _samples;
+
+    public long ShadowRays => _directLight.ShadowRays;
+
+    /// <summary>Prepares for a tile.</summary>
+    public void Begin(RayGenerator generator, SampleRange samples)
+    {
+        _generator = generator;
+        _samples = samples;
+    }
+
+    /// <summary>Ends the paths that left the scene.</summary>
+    [SkipLocalsInit]
+    public void Miss(PathStream stream, uint* members, int count)
+    {
+        RgbW background = scene.Background;
+        for (int i = 0; i < count; i += FloatW.Count)
+        {
+            uint* index = members + i;
+            RgbW radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), background, stream.PickRadiance(index));
+            finished.Append(MaskW.First(count - i).Bits, radiance, UIntW.Pick(stream.Path, index));
+        }
+    }
+
+    /// <summary>Shades all hits of one group.</summary>
+    /// <param name="group">The group.</param>
+    /// <param name="stream">The paths.</param>
+    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="members">Indices of the group's paths in the stream, padded to whole packets.</param>
+    /// <param name="count">Number of the group's paths.</param>
+    [SkipLocalsInit]
+    public void Shade(ShadingGroup group, PathStream stream, PathStream next, uint* members, int count)
+    {
+        for (int i = 0; i < count; i += FloatW.Count)
+        {
+            uint* index = members + i;
+            Describe(group, stream, index, out SurfaceW surface);
+            ShadePacket(group.Material, stream, next, index, surface, MaskW.First(count - i));
+        }
+    }
+
+    private static void Describe(ShadingGroup group, PathStream stream, uint* index, out SurfaceW surface)
+    {
+        Unsafe.SkipInit(out surface);
+        Material material = group.Material;
+        surface.Incoming = stream.PickDirection(index);
+        surface.Distance = FloatW.Pick(stream.Distance, index);
+        surface.Point = Vec3W.MultiplyAdd(surface.Incoming, surface.Distance, stream.PickOrigin(index));
+        int stride = group.Batch.Stride;
+        PrimitiveIndex primitives = group.OnlyIndex >= 0
+            ? new(group.OnlyIndex, stride)
+            : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
+        group.Batch.Describe(primitives, material.UsesUv, ref surface);
+        FloatW along = Vec3W.Dot(surface.Incoming, surface.Normal);
+        surface.Inside = along > 0f;
+        surface.Facing = surface.Inside.Select(-surface.Normal, surface.Normal);
+        surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
+    }
+
+    [SkipLocalsInit]
+    private void ShadePacket(Material material, PathStream stream, PathStream next, uint* index, in SurfaceW surface, in MaskW active)
+    {
+        RgbW throughput = stream.PickThroughput(index);
+        RgbW radiance = stream.PickRadiance(index);
+        UIntW path = UIntW.Pick(stream.Path, index);
+        UIntW state = UIntW.Pick(stream.State, index);
+
+        // Light that the surface itself sends towards the ray's origin.
+        if (material.Emits)
+        {
+            AddEmission(material, surface, throughput, state, ref radiance);
+        }
+
+        if (!scene.Ambient.IsBlack)
+        {
+            material.AmbientResponse(surface, out RgbW response);
+            radiance = RgbW.MultiplyAdd(throughput * response, scene.Ambient, radiance);
+        }
+
+        PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
+        UIntW diffuseDepth = state & PathState.DepthMask;
+        UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
+        UIntW firstPair = Dimensions.FirstVertex + ((diffuseDepth + specularDepth) * Dimensions.PerVertex(scene.Lights.Count));
+        VertexSamples samples = new(scene.Sampler, UIntW.Gather(_generator.PixelKeys, pixel), sample, firstPair);
+
+        // Light from the sources.
+        if (material.IsLit)
+        {
+            material.Brdf(surface, out RgbW brdf);
+            _directLight.Add(surface, samples, active, throughput * brdf, ref radiance);
+        }
+
+        // Where the path goes on.
+        material.Scatter(surface, samples, out ScatterW scatter);
+        throughput *= scatter.Weight;
+        UIntW limit = scatter.Specular.Select((UIntW)(uint)scene.Render.MaxSpecularDepth, (uint)scene.Render.MaxDiffuseDepth);
+        MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;
+        MaskW carriesLight = FloatW.Max(FloatW.Max(throughput.R, throughput.G), throughput.B) > 0f;
+        MaskW alive = active.Except(scatter.Absorbed) & goesOn & carriesLight;
+        uint ended = active.Except(alive).Bits;
+        if (ended != 0)
+        {
+            finished.Append(ended, radiance, path);
+        }
+
+        uint going = alive.Bits;
+        if (going != 0)
+        {
+            UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);
+            UIntW emission = scatter.Specular.Select((UIntW)PathState.CountsEmission, 0u);
+            Vec3W origin = Leave(surface, scatter.Direction);
+            next.Append(going, origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission);
+        }
+    }
+
+    private static void AddEmission(Material material, in SurfaceW surface, in RgbW throughput, UIntW state, ref RgbW radiance)
+    {
+        MaskW counts = ~UIntW.Equal(state & PathState.CountsEmission, 0u);
+        FloatW cosine = surface.Inside.Select(-surface.Cosine, surface.Cosine);
+        material.Emission(cosine, surface.U, surface.V, out RgbW emitted);
+        radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
+    }
+
+    // Off the surface, on the side where the ray goes.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vec3W Leave(in SurfaceW surface, in Vec3W direction)
+    {
+        FloatW side = FloatW.CopySign(surface.Offset, Vec3W.Dot(direction, surface.Normal));
+        return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);
+    }
+}

@@ -1,0 +1,128 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Follows the paths of a tile in stages: new rays are generated, all rays meet the scene, hits are sorted by what is shaded
+/// together, every group is shaded (which samples the lights and sends the paths on), and finished paths go to the film.
+/// Each thread has one. The report's recursion (listing 6.3) is this loop turned inside out.
+/// </summary>
+internal sealed unsafe class Wavefront
+{
+    private readonly Scene _scene;
+    private readonly RayGenerator _generator;
+    private readonly SurfaceShader _shader;
+    private readonly SampleAccumulator _accumulator;
+    private readonly FinishedPaths _finished;
+    private readonly PinnedBuffer<uint>[] _members;
+    private readonly int[] _memberCounts;
+    private PathStream _current;
+    private PathStream _next;
+
+    public Wavefront(Scene scene, int streamSize, int maxTilePixels)
+    {
+        _scene = scene;
+        _current = new(streamSize);
+        _next = new(streamSize);
+        _generator = new(scene, maxTilePixels);
+        _accumulator = new(maxTilePixels);
+        _finished = new(streamSize, _accumulator);
+        _shader = new(scene, _finished);
+        _memberCounts = new int[scene.Groups.Length + 1];
+        _members = [.. _memberCounts.Select(_ => new PinnedBuffer<uint>(streamSize + FloatW.Count))];
+    }
+
+    public SampleAccumulator Accumulator => _accumulator;
+
+    public long Paths { get; private set; }
+
+    public long ClosestHitRays { get; private set; }
+
+    public long ShadowRays => _shader.ShadowRays;
+
+    /// <summary>Renders some samples of every pixel of a tile into the film.</summary>
+    /// <param name="film">The film; no other thread may use the tile's pixels.</param>
+    /// <param name="tile">The pixels.</param>
+    /// <param name="samples">The samples, at most <see cref="SampleAccumulator.MaxSamples"/>.</param>
+    public void Render(Film film, in Tile tile, SampleRange samples)
+    {
+        _accumulator.Begin(film, tile);
+        _generator.Begin(tile, samples);
+        _finished.Begin(samples);
+        _shader.Begin(_generator, samples);
+        _current.Count = 0;
+        while (true)
+        {
+            _generator.Fill(_current);
+            if (_current.Count == 0)
+            {
+                break;
+            }
+
+            Intersect();
+            SortByGroup();
+            Shade();
+            _finished.Drain();
+            (_current, _next) = (_next, _current);
+        }
+
+        _accumulator.End();
+        Paths += (long)tile.Pixels * samples.Count;
+    }
+
+    [SkipLocalsInit]
+    private void Intersect()
+    {
+        PathStream s = _current;
+        for (int i = 0; i < s.Count; i += FloatW.Count)
+        {
+            Vec3W origin = new(FloatW.Load(s.OriginX + i), FloatW.Load(s.OriginY + i), FloatW.Load(s.OriginZ + i));
+            Vec3W direction = new(FloatW.Load(s.DirectionX + i), FloatW.Load(s.DirectionY + i), FloatW.Load(s.DirectionZ + i));
+            _scene.Primitives.ClosestHit(origin, direction, out FloatW distance, out UIntW primitive);
+            distance.Store(s.Distance + i);
+            primitive.Store(s.Primitive + i);
+        }
+
+        ClosestHitRays += s.Count;
+    }
+
+    private void SortByGroup()
+    {
+        Array.Clear(_memberCounts);
+        uint* primitive = _current.Primitive;
+        int[] groupOf = _scene.GroupOfPrimitive;
+        for (int i = 0; i < _current.Count; i++)
+        {
+            int group = groupOf[primitive[i]];
+            _members[group].Pointer[_memberCounts[group]++] = (uint)i;
+        }
+    }
+
+    private void Shade()
+    {
+        _next.Count = 0;
+        for (int group = 0; group < _memberCounts.Length; group++)
+        {
+            int count = _memberCounts[group];
+            if (count == 0)
+            {
+                continue;
+            }
+
+            // The last packet's idle lanes repeat a valid path.
+            uint* members = _members[group].Pointer;
+            new Span<uint>(members + count, FloatW.Count).Fill(members[0]);
+            if (group == _scene.Groups.Length)
+            {
+                _shader.Miss(_current, members, count);
+            }
+            else
+            {
+                _shader.Shade(_scene.Groups[group], _current, _next, members, count);
+            }
+        }
+    }
+}
