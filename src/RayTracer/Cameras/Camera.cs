@@ -94,7 +94,8 @@ public sealed class Camera
 
     private void LensPoint(Sampler sampler, in UIntW pixelKey, in UIntW sample, out Vec3W shift)
     {
-        sampler.Pair(pixelKey, sample, Dimensions.Lens, out FloatW u, out FloatW v);
+        sampler.Begin(pixelKey, sample, Dimensions.Lens, out SamplePoints lens);
+        sampler.Pair(lens, 0, out FloatW u, out FloatW v);
         switch (_lens.Shape)
         {
             case LensShape.Disk:
@@ -106,7 +107,8 @@ public sealed class Camera
                 shift = Vec3W.MultiplyAdd(_right * side, u - 0.5f, (Vec3W)(_up * side) * (v - 0.5f));
                 break;
             default:
-                sampler.Pair(pixelKey, sample, Dimensions.Camera, out FloatW w, out _);
+                sampler.Begin(pixelKey, sample, Dimensions.Camera, out SamplePoints camera);
+                sampler.Pair(camera, 0, out FloatW w, out _);
                 shift = new((u - 0.5f) * _lens.Jitter.X, (v - 0.5f) * _lens.Jitter.Y, (w - 0.5f) * _lens.Jitter.Z);
                 break;
         }

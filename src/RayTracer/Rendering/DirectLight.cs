@@ -11,7 +11,11 @@ namespace RayTracer.Rendering;
 /// <summary>Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4).</summary>
 internal sealed class DirectLight(Scene scene)
 {
+    // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
+    // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
+    private const int Batch = 8;
     private readonly AreaLight[] _lights = [.. scene.Lights];
+    private readonly Contribution[] _contributions = new Contribution[Batch];
 
     public long ShadowRays { get; private set; }
 
@@ -26,24 +30,48 @@ internal sealed class DirectLight(Scene scene)
     {
         Vec3W origin = Vec3W.MultiplyAdd(surface.Facing, surface.Offset, surface.Point);
         RgbW arriving = default;
-        for (int i = 0; i < _lights.Length; i++)
+        for (int first = 0; first < _lights.Length; first += Batch)
         {
-            AreaLight light = _lights[i];
-            samples.Light(i, out FloatW u, out FloatW v);
-            light.Sample(origin, u, v, out ShapeSampleW sample, out RgbW emitted);
-            FloatW cosine = Vec3W.Dot(sample.Direction, surface.Facing);
-            MaskW free = active & (cosine > 0f) & (sample.InversePdf > 0f);
-            uint wanted = free.Bits;
-            if (wanted == 0)
+            int count = Math.Min(Batch, _lights.Length - first);
+            for (int i = 0; i < count; i++)
             {
-                continue;
+                Sample(first + i, surface, origin, samples, out _contributions[i]);
             }
 
-            ShadowRays += BitOperations.PopCount(wanted);
-            scene.Primitives.Occlude(origin, sample.Direction, sample.Distance, light.Primitive, ref free);
-            arriving = RgbW.MultiplyAdd(emitted, free.Select(cosine * sample.InversePdf, 0f), arriving);
+            for (int i = 0; i < count; i++)
+            {
+                ref readonly Contribution light = ref _contributions[i];
+                MaskW free = active & light.Reaches;
+                uint wanted = free.Bits;
+                if (wanted != 0)
+                {
+                    ShadowRays += BitOperations.PopCount(wanted);
+                    scene.Primitives.Occlude(origin, light.Direction, light.Distance, _lights[first + i].Primitive, ref free);
+                    arriving = RgbW.MultiplyAdd(light.Emitted, free.Select(light.Factor, 0f), arriving);
+                }
+            }
         }
 
         radiance = RgbW.MultiplyAdd(weight, arriving, radiance);
+    }
+
+    private void Sample(int number, in SurfaceW surface, in Vec3W origin, in VertexSamples samples, out Contribution light)
+    {
+        samples.Light(number, out FloatW u, out FloatW v);
+        _lights[number].Sample(origin, u, v, out ShapeSampleW sample, out light.Emitted);
+        light.Direction = sample.Direction;
+        light.Distance = sample.Distance;
+        light.Factor = Vec3W.Dot(sample.Direction, surface.Facing) * sample.InversePdf;
+        light.Reaches = light.Factor > 0f;
+    }
+
+    /// <summary>What a light would add if nothing stood in the way.</summary>
+    private struct Contribution
+    {
+        public Vec3W Direction;
+        public FloatW Distance;
+        public RgbW Emitted;
+        public FloatW Factor;
+        public MaskW Reaches;
     }
 }

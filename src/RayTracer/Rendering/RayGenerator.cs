@@ -44,7 +44,8 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
             PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
             pixel = MaskW.First(count).Select(pixel, 0u);
             UIntW key = UIntW.Gather(_key.Pointer, pixel);
-            scene.Sampler.Pair(key, sample, Dimensions.Pixel, out FloatW u, out FloatW v);
+            scene.Sampler.Begin(key, sample, Dimensions.Pixel, out SamplePoints points);
+            scene.Sampler.Pair(points, 0, out FloatW u, out FloatW v);
             scene.Camera.GenerateRays(
                 FloatW.Gather(_x.Pointer, pixel) + u, FloatW.Gather(_y.Pointer, pixel) + v, scene.Sampler, key, sample, out Vec3W origin, out Vec3W direction);
             uint lanes = MaskW.First(count).Bits;

@@ -97,8 +97,7 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
         UIntW diffuseDepth = state & PathState.DepthMask;
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
-        UIntW firstPair = Dimensions.FirstVertex + ((diffuseDepth + specularDepth) * Dimensions.PerVertex(scene.Lights.Count));
-        VertexSamples samples = new(scene.Sampler, UIntW.Gather(_generator.PixelKeys, pixel), sample, firstPair);
+        VertexSamples samples = new(scene.Sampler, UIntW.Gather(_generator.PixelKeys, pixel), sample, diffuseDepth + specularDepth);
 
         // Light from the sources.
         if (material.IsLit)

@@ -17,7 +17,8 @@ internal sealed unsafe class Wavefront
     private readonly SurfaceShader _shader;
     private readonly SampleAccumulator _accumulator;
     private readonly FinishedPaths _finished;
-    private readonly PinnedBuffer<uint>[] _members;
+    private readonly PinnedBuffer<uint> _members;
+    private readonly int _membersStride;
     private readonly int[] _memberCounts;
     private PathStream _current;
     private PathStream _next;
@@ -32,7 +33,8 @@ internal sealed unsafe class Wavefront
         _finished = new(streamSize, _accumulator);
         _shader = new(scene, _finished);
         _memberCounts = new int[scene.Groups.Length + 1];
-        _members = [.. _memberCounts.Select(_ => new PinnedBuffer<uint>(streamSize + FloatW.Count))];
+        _membersStride = streamSize + (2 * FloatW.Count);
+        _members = new((long)_membersStride * _memberCounts.Length);
     }
 
     public SampleAccumulator Accumulator => _accumulator;
@@ -93,11 +95,16 @@ internal sealed unsafe class Wavefront
     {
         Array.Clear(_memberCounts);
         uint* primitive = _current.Primitive;
-        int[] groupOf = _scene.GroupOfPrimitive;
-        for (int i = 0; i < _current.Count; i++)
+        uint* members = _members.Pointer;
+        nint stride = _membersStride;
+        int pathCount = _current.Count;
+        fixed (int* groupOf = _scene.GroupOfPrimitive, counts = _memberCounts)
         {
-            int group = groupOf[primitive[i]];
-            _members[group].Pointer[_memberCounts[group]++] = (uint)i;
+            for (int i = 0; i < pathCount; i++)
+            {
+                nint group = groupOf[primitive[i]];
+                members[(group * stride) + counts[group]++] = (uint)i;
+            }
         }
     }
 
@@ -113,7 +120,7 @@ internal sealed unsafe class Wavefront
             }
 
             // The last packet's idle lanes repeat a valid path.
-            uint* members = _members[group].Pointer;
+            uint* members = _members.Pointer + ((long)group * _membersStride);
             new Span<uint>(members + count, FloatW.Count).Fill(members[0]);
             if (group == _scene.Groups.Length)
             {

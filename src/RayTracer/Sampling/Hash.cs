@@ -37,7 +37,21 @@ public static class Hash
     /// <param name="pixel">y · width + x.</param>
     public static uint PixelKey(uint seed, uint pixel) => Mix(Mix(pixel ^ Mix(seed)) + (seed * 0x85EBCA6Bu));
 
-    /// <summary>The key of one pair of dimensions of a pixel.</summary>
+    /// <summary>The key of one group of dimensions of a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static UIntW PairKey(UIntW pixelKey, UIntW pair) => Mix(pixelKey + (pair * Golden));
+    public static UIntW GroupKey(UIntW pixelKey, UIntW group) => Mix(pixelKey + (group * Golden));
+
+    /// <summary>The keys of the two coordinates of a pair: half a <see cref="Mix(UIntW)"/>, for the group's key is mixed already.</summary>
+    /// <param name="groupKey">Key of the group.</param>
+    /// <param name="pair">Number of the pair in the group.</param>
+    /// <param name="first">Key of the first coordinate.</param>
+    /// <param name="second">Key of the second coordinate.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void PairKeys(UIntW groupKey, uint pair, out UIntW first, out UIntW second)
+    {
+        UIntW x = (groupKey + (pair * Golden)) * 0x7feb352du;
+        x ^= x >> 15;
+        first = x * 0x846ca68bu;
+        second = x * 0x2c1b3c6du + 0x297a2d39u;
+    }
 }

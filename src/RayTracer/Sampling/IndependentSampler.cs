@@ -8,8 +8,18 @@ namespace RayTracer.Sampling;
 public sealed class IndependentSampler(int samplesPerPixel) : Sampler(samplesPerPixel)
 {
     /// <inheritdoc/>
-    public override void Pair(in UIntW pixelKey, in UIntW sample, in UIntW pair, out FloatW u, out FloatW v) =>
-        Draw(Hash.PairKey(pixelKey, pair), sample, out u, out v);
+    public override void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points)
+    {
+        points.Key = Hash.GroupKey(pixelKey, group);
+        points.First = points.Second = sample;
+    }
+
+    /// <inheritdoc/>
+    public override void Pair(in SamplePoints points, uint pair, out FloatW u, out FloatW v)
+    {
+        Hash.PairKeys(points.Key, pair, out UIntW key, out _);
+        Draw(key, points.First, out u, out v);
+    }
 
     /// <summary>Two random numbers from a key and a counter.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -35,11 +35,18 @@ public class JitteredSampler : Sampler
     }
 
     /// <inheritdoc/>
-    public override void Pair(in UIntW pixelKey, in UIntW sample, in UIntW pair, out FloatW u, out FloatW v)
+    public override void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points)
     {
-        UIntW key = Hash.PairKey(pixelKey, pair);
-        Cell(Permute(sample, key), out FloatW column, out FloatW row);
-        IndependentSampler.Draw(key, sample, out FloatW x, out FloatW y);
+        points.Key = Hash.GroupKey(pixelKey, group);
+        points.First = points.Second = sample;
+    }
+
+    /// <inheritdoc/>
+    public override void Pair(in SamplePoints points, uint pair, out FloatW u, out FloatW v)
+    {
+        Hash.PairKeys(points.Key, pair, out UIntW order, out UIntW key);
+        Cell(Permute(points.First, order), out FloatW column, out FloatW row);
+        IndependentSampler.Draw(key, points.First, out FloatW x, out FloatW y);
         float scale = 1f / _root;
 
         // Rounding may carry the last cell's largest number up to 1.

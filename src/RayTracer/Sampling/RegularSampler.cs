@@ -10,17 +10,32 @@ namespace RayTracer.Sampling;
 public sealed class RegularSampler(int samplesPerPixel) : JitteredSampler(samplesPerPixel)
 {
     /// <inheritdoc/>
-    public override void Pair(in UIntW pixelKey, in UIntW sample, in UIntW pair, out FloatW u, out FloatW v)
+    public override void Begin(in UIntW pixelKey, in UIntW sample, uint group, out SamplePoints points)
     {
-        base.Pair(pixelKey, sample, pair, out u, out v);
-        MaskW isPixel = UIntW.Equal(pair, Dimensions.Pixel);
-        if (!isPixel.Any)
+        base.Begin(pixelKey, sample, group, out points);
+        points.Second = group == Dimensions.Pixel ? IsPixel : 0u;
+    }
+
+    /// <inheritdoc/>
+    public override void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points)
+    {
+        base.Begin(pixelKey, sample, group, out points);
+        points.Second = 0u;
+    }
+
+    /// <inheritdoc/>
+    public override void Pair(in SamplePoints points, uint pair, out FloatW u, out FloatW v)
+    {
+        if (points.Second[0] != IsPixel)
         {
+            base.Pair(points, pair, out u, out v);
             return;
         }
 
-        Cell(sample, out FloatW column, out FloatW row);
-        u = isPixel.Select((column + 0.5f) * (1f / Side), u);
-        v = isPixel.Select((row + 0.5f) * (1f / Side), v);
+        Cell(points.First, out FloatW column, out FloatW row);
+        u = (column + 0.5f) * (1f / Side);
+        v = (row + 0.5f) * (1f / Side);
     }
+
+    private const uint IsPixel = 1;
 }

@@ -37,45 +37,67 @@ public abstract class Sampler(int samplesPerPixel)
         return $"the {name} sampler needs a square number of samples, but {samplesPerPixel} is none: take {below * below} or {(below + 1) * (below + 1)}";
     }
 
-    /// <summary>One point of the unit square for each lane.</summary>
+    /// <summary>Prepares a group of pairs for each lane.</summary>
     /// <param name="pixelKey">Keys of the pixels (<see cref="Hash.PixelKey"/>).</param>
     /// <param name="sample">Numbers of the samples, from 0.</param>
-    /// <param name="pair">Numbers of the pairs of dimensions.</param>
+    /// <param name="group">Numbers of the groups (<see cref="Dimensions"/>).</param>
+    /// <param name="points">What <see cref="Pair"/> needs.</param>
+    public abstract void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points);
+
+    /// <summary>As <see cref="Begin(in UIntW, in UIntW, in UIntW, out SamplePoints)"/>, for one of the camera's groups, the same in all lanes.</summary>
+    public virtual void Begin(in UIntW pixelKey, in UIntW sample, uint group, out SamplePoints points) =>
+        Begin(pixelKey, sample, (UIntW)group, out points);
+
+    /// <summary>One point of the unit square for each lane.</summary>
+    /// <param name="points">The group.</param>
+    /// <param name="pair">Number of the pair in its group.</param>
     /// <param name="u">First coordinate.</param>
     /// <param name="v">Second coordinate.</param>
-    public abstract void Pair(in UIntW pixelKey, in UIntW sample, in UIntW pair, out FloatW u, out FloatW v);
+    public abstract void Pair(in SamplePoints points, uint pair, out FloatW u, out FloatW v);
+}
+
+/// <summary>Where each lane is in a group of pairs; what the numbers mean is the sampler's affair.</summary>
+public struct SamplePoints
+{
+    /// <summary>The group's key.</summary>
+    public UIntW Key;
+
+    /// <summary>The sample, or its place in the first coordinate.</summary>
+    public UIntW First;
+
+    /// <summary>Its place in the second coordinate.</summary>
+    public UIntW Second;
 }
 
 /// <summary>
-/// Which pair of dimensions decides what. A path's vertices follow one another, each with its own pairs, so that no random
-/// number is used twice (the report used its own again down the recursion, which correlates the samples).
+/// Which random numbers decide what. Pairs are gathered in groups. Different groups are independent of one another and
+/// stratified separately; the pairs of one group may share the order in which their strata are visited. So what is
+/// multiplied (a path's successive vertices, the lens and the pixel, a lobe and its direction) comes from different groups; what is only
+/// added (the lights of one vertex, and the light that comes by the scattered ray) may come from one. No number is used
+/// twice (the report used its own again down the recursion, which correlates the samples).
 /// </summary>
 public static class Dimensions
 {
-    /// <summary>The position within the pixel.</summary>
+    /// <summary>Group of one pair: the position within the pixel.</summary>
     public const uint Pixel = 0;
 
-    /// <summary>The position on the lens.</summary>
+    /// <summary>Group of one pair: the position on the lens.</summary>
     public const uint Lens = 1;
 
-    /// <summary>What else the camera needs: the third coordinate of the report's eye jitter.</summary>
+    /// <summary>Group of one pair: what else the camera needs, the third coordinate of the report's eye jitter.</summary>
     public const uint Camera = 2;
 
-    /// <summary>The first pair of the first vertex.</summary>
+    /// <summary>The first group of the first vertex.</summary>
     public const uint FirstVertex = 3;
 
-    /// <summary>Within a vertex: the direction of scattering.</summary>
+    /// <summary>Groups of a vertex: its directions, and the choice of a lobe.</summary>
+    public const uint GroupsPerVertex = 2;
+
+    /// <summary>In a vertex's first group: the direction of scattering.</summary>
     public const uint Direction = 0;
 
-    /// <summary>Within a vertex: the choice of a lobe.</summary>
-    public const uint Choice = 1;
-
-    /// <summary>Within a vertex: the point on the first light; the other lights follow.</summary>
-    public const uint FirstLight = 2;
-
-    /// <summary>Pairs of one vertex.</summary>
-    /// <param name="lights">How many lights are sampled.</param>
-    public static uint PerVertex(int lights) => FirstLight + (uint)lights;
+    /// <summary>In a vertex's first group: the point on the first light; the other lights follow.</summary>
+    public const uint FirstLight = 1;
 }
 
 /// <summary>The random numbers of one vertex of each lane's path.</summary>
@@ -84,28 +106,31 @@ public readonly ref struct VertexSamples
     private readonly Sampler _sampler;
     private readonly UIntW _pixelKey;
     private readonly UIntW _sample;
-    private readonly UIntW _firstPair;
+    private readonly UIntW _group;
+    private readonly SamplePoints _points;
 
     /// <summary>Names the vertex.</summary>
     /// <param name="sampler">Where the numbers come from.</param>
     /// <param name="pixelKey">Keys of the pixels.</param>
     /// <param name="sample">Numbers of the samples.</param>
-    /// <param name="firstPair">The vertex's first pair of dimensions.</param>
-    public VertexSamples(Sampler sampler, in UIntW pixelKey, in UIntW sample, in UIntW firstPair)
+    /// <param name="vertex">Number of the vertex on its path, from 0.</param>
+    public VertexSamples(Sampler sampler, in UIntW pixelKey, in UIntW sample, in UIntW vertex)
     {
         _sampler = sampler;
         _pixelKey = pixelKey;
         _sample = sample;
-        _firstPair = firstPair;
+        _group = (vertex * Dimensions.GroupsPerVertex) + Dimensions.FirstVertex;
+        sampler.Begin(pixelKey, sample, _group, out _points);
     }
 
     /// <summary>The two numbers that choose the direction of scattering.</summary>
-    public void Direction(out FloatW u, out FloatW v) => _sampler.Pair(_pixelKey, _sample, _firstPair + Dimensions.Direction, out u, out v);
+    public void Direction(out FloatW u, out FloatW v) => _sampler.Pair(_points, Dimensions.Direction, out u, out v);
 
     /// <summary>The number that chooses between lobes.</summary>
     public FloatW Choice()
     {
-        _sampler.Pair(_pixelKey, _sample, _firstPair + Dimensions.Choice, out FloatW u, out _);
+        _sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);
+        _sampler.Pair(points, 0, out FloatW u, out _);
         return u;
     }
 
@@ -114,5 +139,5 @@ public readonly ref struct VertexSamples
     /// <param name="u">First number.</param>
     /// <param name="v">Second number.</param>
     public void Light(int light, out FloatW u, out FloatW v) =>
-        _sampler.Pair(_pixelKey, _sample, _firstPair + (Dimensions.FirstLight + (uint)light), out u, out v);
+        _sampler.Pair(_points, Dimensions.FirstLight + (uint)light, out u, out v);
 }

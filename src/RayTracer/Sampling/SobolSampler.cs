@@ -8,8 +8,8 @@ namespace RayTracer.Sampling;
 /// <summary>
 /// Sobol points, scrambled by Owen's method: every power of two of samples is as evenly spread as points can be, and every
 /// pixel and dimension has its own random scrambling, so the picture is unbiased. The first <see cref="TabledPairs"/> pairs
-/// of dimensions are those of one high-dimensional sequence; every further pair is the first two dimensions again,
-/// in an order and a scrambling of its own (Burley, Practical hash-based Owen scrambling, JCGT 2020).
+/// of dimensions are those of one high-dimensional sequence; every further group is the first two dimensions again,
+/// in an order of its own, and every pair of it in a scrambling of its own (Burley, Practical hash-based Owen scrambling, JCGT 2020).
 /// </summary>
 public sealed unsafe class SobolSampler : Sampler
 {
@@ -34,24 +34,50 @@ public sealed unsafe class SobolSampler : Sampler
     }
 
     /// <inheritdoc/>
-    public override void Pair(in UIntW pixelKey, in UIntW sample, in UIntW pair, out FloatW u, out FloatW v)
+    public override void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points)
     {
-        UIntW key = Hash.PairKey(pixelKey, pair);
-        UIntW keyV = key * 0x2C1B3C6Du + 0x297A2D39u;
-        MaskW isTabled = pair < (uint)TabledPairs;
-        if (isTabled.Bits == MaskW.All.Bits)
+        points.Key = Hash.GroupKey(pixelKey, group);
+
+        // Shuffling the index by Owen's method too keeps every power of two of samples together.
+        points.First = Scramble(sample.ReverseBits(), points.Key ^ 0x55A4A5C3u).ReverseBits();
+        points.Second = Pascal(points.First);
+    }
+
+    /// <inheritdoc/>
+    public override void Begin(in UIntW pixelKey, in UIntW sample, uint group, out SamplePoints points)
+    {
+        if (group >= TabledPairs)
         {
-            UIntW dimension = pair * (4u * TableSize);
-            u = Unit(Scramble(Point(sample, dimension), key));
-            v = Unit(Scramble(Point(sample, dimension + 2u * TableSize), keyV));
+            Begin(pixelKey, sample, (UIntW)group, out points);
             return;
         }
 
-        // Shuffling the index by Owen's method too keeps every power of two of samples together.
-        UIntW shuffled = isTabled.Select(sample, Scramble(sample.ReverseBits(), key ^ 0x55A4A5C3u).ReverseBits());
-        UIntW first = isTabled.Select(pair * (4u * TableSize), 0u);
-        u = Unit(Scramble(Point(shuffled, first), key));
-        v = Unit(Scramble(Point(shuffled, first + 2u * TableSize), keyV));
+        points.Key = Hash.GroupKey(pixelKey, group);
+        points.First = Point(sample, s_points + (4 * TableSize * group));
+        points.Second = Point(sample, s_points + (4 * TableSize * group) + (2 * TableSize));
+    }
+
+    /// <inheritdoc/>
+    public override void Pair(in SamplePoints points, uint pair, out FloatW u, out FloatW v)
+    {
+        Hash.PairKeys(points.Key, pair, out UIntW keyU, out UIntW keyV);
+        u = Unit(Scramble(points.First, keyU));
+        v = Unit(Scramble(points.Second, keyV));
+    }
+
+    /// <summary>
+    /// The second dimension of Sobol's sequence, whose matrix is Pascal's triangle modulo 2: digit j is the sum of the
+    /// index's digits at all places that have the ones of j. One step for each digit of j, instead of one for each digit of the index.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static UIntW Pascal(UIntW index)
+    {
+        UIntW x = index;
+        x ^= (x >> 1) & 0x55555555u;
+        x ^= (x >> 2) & 0x33333333u;
+        x ^= (x >> 4) & 0x0f0f0f0fu;
+        x ^= (x >> 8) & 0x00ff00ffu;
+        return x ^ (x >> 16);
     }
 
     // The scrambled point's digits are still reversed.
@@ -73,10 +99,10 @@ public sealed unsafe class SobolSampler : Sampler
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private UIntW Point(UIntW index, UIntW dimension)
+    private UIntW Point(UIntW index, uint* table)
     {
-        UIntW low = UIntW.Gather(s_points, (index & (TableSize - 1u)) + dimension);
-        return _isLong ? low ^ UIntW.Gather(s_points + TableSize, ((index >> LowDigits) & (TableSize - 1u)) + dimension) : low;
+        UIntW low = UIntW.Gather(table, index & (TableSize - 1u));
+        return _isLong ? low ^ UIntW.Gather(table + TableSize, (index >> LowDigits) & (TableSize - 1u)) : low;
     }
 
     private static uint* MakeTable()

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Acceleration;
 using RayTracer.Materials;
 using RayTracer.Numerics;
@@ -109,6 +110,7 @@ internal sealed unsafe class PlaneBatch : ShapeBatch
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static MaskW IsInRectangle(float* q, in Vec3W p)
     {
         FloatW u = AffineMap.Apply(q + MapU, p);

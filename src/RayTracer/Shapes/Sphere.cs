@@ -70,19 +70,22 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
     {
         Vec3W toCenter = (Vec3W)center - from;
         FloatW distance2 = Vec3W.Dot(toCenter, toCenter);
-        FloatW inverse = 1f / FloatW.Sqrt(distance2);
-        FloatW sin2Rim = radius * radius * inverse * inverse;
-        FloatW cosRim = FloatW.Sqrt(FloatW.Max(1f - sin2Rim, 0f));
+        FloatW inverse2 = 1f / distance2;
+        FloatW inverse = FloatW.Sqrt(inverse2);
+        FloatW sin2Rim = inverse2 * (radius * radius);
 
-        // 1 − cos of the rim, without the cancellation for small and far lights.
-        FloatW height = sin2Rim / (1f + cosRim);
-        Vec3W local = Warp.UniformCone(u, v, height);
-        Onb.FromNormal(toCenter * inverse, out Onb frame);
-        sample.Direction = frame.ToWorld(local);
-        FloatW along = distance2 * inverse * local.Z;
-        FloatW sin2 = FloatW.MultiplyAdd(local.X, local.X, local.Y * local.Y);
+        // 1 − cos of the rim, without the cancellation for small and far lights; u picks a height within it.
+        FloatW height = sin2Rim / (1f + FloatW.Sqrt(FloatW.Max(1f - sin2Rim, 0f)));
+        FloatW below = u * height;
+        FloatW sin2 = FloatW.Max(below * (2f - below), 0f);
+        FloatW cos = 1f - below;
+        FloatW sin = FloatW.Sqrt(sin2);
         FloatW halfChord = FloatW.Sqrt(FloatW.Max(FloatW.NegatedMultiplyAdd(distance2, sin2, radius * radius), 0f));
-        sample.Distance = along - halfChord;
+
+        LaneMath.SinCosTurn(v, out FloatW sinPhi, out FloatW cosPhi);
+        Onb.FromNormal(toCenter * inverse, out Onb frame);
+        sample.Direction = frame.ToWorld(new(sin * cosPhi, sin * sinPhi, cos));
+        sample.Distance = FloatW.MultiplyAdd(distance2 * inverse, cos, -halfChord);
         sample.Cosine = halfChord * (1 / radius);
 
         // From inside, an outward light is not seen.

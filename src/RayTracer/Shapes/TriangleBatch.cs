@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using RayTracer.Acceleration;
 using RayTracer.Materials;
 using RayTracer.Numerics;
@@ -112,6 +113,7 @@ internal sealed unsafe class TriangleBatch : ShapeBatch
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static MaskW IsInTriangle(float* q, in Vec3W p)
     {
         FloatW b = AffineMap.Apply(q + MapB, p);
