@@ -11,7 +11,9 @@ namespace RayTracer.Lights;
 public sealed class AreaLight(Shape shape, int primitive)
 {
     private readonly LuminaireMaterial _luminaire = (LuminaireMaterial)shape.Material;
-    private readonly Sphere? _sphere = ((LuminaireMaterial)shape.Material).EmissionUsesUv ? null : shape as Sphere;
+
+    // A sphere of one colour is the common light: its uv would cost more than all the rest.
+    private readonly Sphere? _plainSphere = ((LuminaireMaterial)shape.Material).ConstantColor is null ? null : shape as Sphere;
 
     /// <summary>The shape.</summary>
     public Shape Shape => shape;
@@ -24,23 +26,18 @@ public sealed class AreaLight(Shape shape, int primitive)
     /// <param name="u">First random number.</param>
     /// <param name="v">Second random number.</param>
     /// <param name="sample">Direction and distance; an inverse pdf of zero where the light cannot be seen.</param>
-    /// <param name="radiance">Radiance from the chosen point, not yet divided by the pdf.</param>
+    /// <param name="radiance">Radiance from the chosen point over the pdf per solid angle.</param>
     public void Sample(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample, out RgbW radiance)
     {
-        // A sphere of one colour is the common light: its uv would cost more than all the rest.
-        if (_sphere is null)
+        if (_plainSphere is null)
         {
             shape.SamplePoint(from, u, v, out sample);
-        }
-        else if (_sphere.LightSampling == SphereLightSampling.Cone)
-        {
-            _sphere.SampleCone(from, u, v, out sample);
-        }
-        else
-        {
-            _sphere.SampleSurface(from, u, v, out sample);
+            _luminaire.Emission(sample.Cosine, sample.U, sample.V, out RgbW emitted);
+            radiance = emitted * sample.InversePdf;
+            return;
         }
 
-        _luminaire.Emission(sample.Cosine, sample.U, sample.V, out radiance);
+        _plainSphere.SampleDirection(from, u, v, out sample);
+        radiance = (RgbW)_luminaire.ConstantColor!.Value * (_luminaire.Falloff(sample.Cosine) * sample.InversePdf);
     }
 }

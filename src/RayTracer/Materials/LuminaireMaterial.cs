@@ -55,10 +55,7 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     public override bool IsLit => inner is { IsLit: true };
 
     /// <inheritdoc/>
-    public override bool UsesUv => EmissionUsesUv || inner is { UsesUv: true };
-
-    /// <summary>Whether the emitted light depends on uv.</summary>
-    public bool EmissionUsesUv => texture.Constant is null;
+    public override bool UsesUv => texture.Constant is null || inner is { UsesUv: true };
 
     /// <inheritdoc/>
     public override bool UsesDistance => inner is { UsesDistance: true };
@@ -66,14 +63,24 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     /// <inheritdoc/>
     public override void Emission(in FloatW cosine, in FloatW u, in FloatW v, out RgbW radiance)
     {
+        texture.Evaluate(u, v, out RgbW color);
+        radiance = color * Falloff(cosine);
+    }
+
+    /// <summary>Colour of the emitted light if it does not depend on uv, else null.</summary>
+    public Rgb? ConstantColor => texture.Constant;
+
+    /// <summary>The factor on the colour in a direction of emission: multiplier · cos^exponent on the outside, zero inside.</summary>
+    /// <param name="cosine">Cosine between the outward normal and the direction of emission.</param>
+    public FloatW Falloff(FloatW cosine)
+    {
         FloatW falloff = exponent switch
         {
-            0 => 1f,
-            1 => cosine,
-            _ => LaneMath.Pow(FloatW.Max(cosine, 0f), exponent),
+            0 => multiplier,
+            1 => cosine * multiplier,
+            _ => LaneMath.Pow(FloatW.Max(cosine, 0f), exponent) * multiplier,
         };
-        texture.Evaluate(u, v, out RgbW color);
-        radiance = color * (cosine > 0f).Select(falloff * multiplier, 0f);
+        return (cosine > 0f).Select(falloff, 0f);
     }
 
     /// <inheritdoc/>

@@ -47,7 +47,7 @@ internal sealed class DirectLight(Scene scene)
                 {
                     ShadowRays += BitOperations.PopCount(wanted);
                     scene.Primitives.Occlude(origin, light.Direction, light.Distance, _lights[first + i].Primitive, ref free);
-                    arriving = RgbW.MultiplyAdd(light.Emitted, free.Select(light.Factor, 0f), arriving);
+                    arriving = RgbW.MultiplyAdd(light.Radiance, free.Select(light.Cosine, 0f), arriving);
                 }
             }
         }
@@ -58,11 +58,11 @@ internal sealed class DirectLight(Scene scene)
     private void Sample(int number, in SurfaceW surface, in Vec3W origin, in VertexSamples samples, out Contribution light)
     {
         samples.Light(number, out FloatW u, out FloatW v);
-        _lights[number].Sample(origin, u, v, out ShapeSampleW sample, out light.Emitted);
+        _lights[number].Sample(origin, u, v, out ShapeSampleW sample, out light.Radiance);
         light.Direction = sample.Direction;
         light.Distance = sample.Distance;
-        light.Factor = Vec3W.Dot(sample.Direction, surface.Facing) * sample.InversePdf;
-        light.Reaches = light.Factor > 0f;
+        light.Cosine = Vec3W.Dot(sample.Direction, surface.Facing);
+        light.Reaches = (light.Cosine > 0f) & (sample.InversePdf > 0f);
     }
 
     /// <summary>What a light would add if nothing stood in the way.</summary>
@@ -70,8 +70,8 @@ internal sealed class DirectLight(Scene scene)
     {
         public Vec3W Direction;
         public FloatW Distance;
-        public RgbW Emitted;
-        public FloatW Factor;
+        public RgbW Radiance;
+        public FloatW Cosine;
         public MaskW Reaches;
     }
 }

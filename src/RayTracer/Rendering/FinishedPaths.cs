@@ -43,21 +43,14 @@ internal sealed unsafe class FinishedPaths
     [SkipLocalsInit]
     public void Drain()
     {
-        uint* pixels = stackalloc uint[FloatW.Count];
-        uint* samples = stackalloc uint[FloatW.Count];
         float* r = _radiance.Pointer;
         float* g = r + _stride;
         float* b = g + _stride;
         for (int i = 0; i < _count; i += FloatW.Count)
         {
             PathNumber.Split(UIntW.Load(_path.Pointer + i), _samples, out UIntW pixel, out UIntW sample);
-            pixel.Store(pixels);
-            sample.Store(samples);
-            int lanes = Math.Min(FloatW.Count, _count - i);
-            for (int lane = 0; lane < lanes; lane++)
-            {
-                _accumulator.Add((int)pixels[lane], (int)samples[lane], r[i + lane], g[i + lane], b[i + lane]);
-            }
+            RgbW radiance = new(FloatW.Load(r + i), FloatW.Load(g + i), FloatW.Load(b + i));
+            _accumulator.Add(Math.Min(FloatW.Count, _count - i), pixel, sample, radiance);
         }
 
         _count = 0;

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
@@ -96,18 +97,22 @@ internal sealed unsafe class PathStream
     }
 
     /// <summary>Radiance gathered by the paths of a packet.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public RgbW PickRadiance(uint* index) =>
         new(FloatW.Pick(RadianceR, index), FloatW.Pick(RadianceG, index), FloatW.Pick(RadianceB, index));
 
     /// <summary>Throughput of the paths of a packet.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public RgbW PickThroughput(uint* index) =>
         new(FloatW.Pick(ThroughputR, index), FloatW.Pick(ThroughputG, index), FloatW.Pick(ThroughputB, index));
 
     /// <summary>Directions of the paths of a packet.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vec3W PickDirection(uint* index) =>
         new(FloatW.Pick(DirectionX, index), FloatW.Pick(DirectionY, index), FloatW.Pick(DirectionZ, index));
 
     /// <summary>Origins of the paths of a packet.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vec3W PickOrigin(uint* index) =>
         new(FloatW.Pick(OriginX, index), FloatW.Pick(OriginY, index), FloatW.Pick(OriginZ, index));
 }

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using RayTracer.Numerics;
 
@@ -9,11 +10,11 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal sealed unsafe class SampleAccumulator(int maxPixels)
 {
-    /// <summary>Samples a pixel that fit: 64 · 2²⁴ · 2³² = 2⁶².</summary>
+    /// <summary>Samples a pixel that fit into 64 bits.</summary>
     public const int MaxSamples = 64;
 
-    // A squared luminance below this fits 64 times into 64 bits; brighter samples go to the film at once.
-    private const float SmallLuminance = 16;
+    // 64 · 16² · 2⁴⁸ = 2⁶²; brighter samples go to the film at once.
+    private const float OrdinaryLimit = 16;
     private readonly PinnedBuffer<long> _sums = new((long)maxPixels * Film.SumsPerPixel);
     private readonly PinnedBuffer<uint> _counts = new(maxPixels);
     private readonly List<BadSample> _bad = [];
@@ -38,45 +39,65 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
         NativeMemory.Clear(_counts.Pointer, (nuint)tile.Pixels * sizeof(uint));
     }
 
-    /// <summary>Adds one sample.</summary>
-    /// <param name="pixel">The pixel's number in the tile.</param>
-    /// <param name="sample">The sample's number, for the list of bad ones.</param>
-    /// <param name="r">Red radiance.</param>
-    /// <param name="g">Green radiance.</param>
-    /// <param name="b">Blue radiance.</param>
-    public void Add(int pixel, int sample, float r, float g, float b)
+    /// <summary>Adds a packet of samples.</summary>
+    /// <param name="count">Number of lanes in use.</param>
+    /// <param name="pixels">The pixels' numbers in the tile.</param>
+    /// <param name="samples">The samples' numbers, for the list of bad ones.</param>
+    /// <param name="radiance">The samples.</param>
+    [SkipLocalsInit]
+    public void Add(int count, UIntW pixels, UIntW samples, in RgbW radiance)
     {
-        if (!(float.Abs(r) <= Film.SampleLimit && float.Abs(g) <= Film.SampleLimit && float.Abs(b) <= Film.SampleLimit))
+        float* channels = stackalloc float[4 * FloatW.Count];
+        uint* pixel = stackalloc uint[FloatW.Count];
+        FloatW luminance = FloatW.MultiplyAdd(0.0722f, radiance.B, FloatW.MultiplyAdd(0.7152f, radiance.G, radiance.R * 0.2126f));
+        radiance.R.Store(channels);
+        radiance.G.Store(channels + FloatW.Count);
+        radiance.B.Store(channels + (2 * FloatW.Count));
+        luminance.Store(channels + (3 * FloatW.Count));
+        pixels.Store(pixel);
+        uint ordinary = (IsOrdinary(radiance.R) & IsOrdinary(radiance.G) & IsOrdinary(radiance.B)).Bits;
+        for (int lane = 0; lane < count; lane++, channels++)
         {
-            if (!float.IsFinite(r) || !float.IsFinite(g) || !float.IsFinite(b))
+            if ((ordinary >> lane & 1) != 0)
             {
-                NoteBad(pixel, sample, new(r, g, b));
-                return;
+                long* sums = _sums.Pointer + ((long)pixel[lane] * Film.SumsPerPixel);
+                sums[0] += ToFixed(channels[0] * Film.ChannelUnits);
+                sums[1] += ToFixed(channels[FloatW.Count] * Film.ChannelUnits);
+                sums[2] += ToFixed(channels[2 * FloatW.Count] * Film.ChannelUnits);
+                double y = channels[3 * FloatW.Count];
+                sums[Film.SquareSum] += ToFixed(y * y * Film.SquareUnits);
+                _counts.Pointer[pixel[lane]]++;
             }
-
-            Clamped++;
-            r = float.Clamp(r, -Film.SampleLimit, Film.SampleLimit);
-            g = float.Clamp(g, -Film.SampleLimit, Film.SampleLimit);
-            b = float.Clamp(b, -Film.SampleLimit, Film.SampleLimit);
+            else
+            {
+                AddUnusual((int)pixel[lane], (int)samples[lane], new(channels[0], channels[FloatW.Count], channels[2 * FloatW.Count]));
+            }
         }
+    }
 
-        long* sums = _sums.Pointer + ((long)pixel * Film.SumsPerPixel);
-        sums[0] += ToFixed(r * Film.ChannelUnits);
-        sums[1] += ToFixed(g * Film.ChannelUnits);
-        sums[2] += ToFixed(b * Film.ChannelUnits);
-        float luminance = new Rgb(r, g, b).Luminance;
-        double square = (double)luminance * luminance * Film.SquareUnits;
-        if (luminance < SmallLuminance)
+    // Squares of such samples fit 64 times into 64 bits. False for NaN.
+    private static MaskW IsOrdinary(FloatW channel) => FloatW.Abs(channel) < OrdinaryLimit;
+
+    private void AddUnusual(int pixel, int sample, Rgb value)
+    {
+        if (!float.IsFinite(value.R) || !float.IsFinite(value.G) || !float.IsFinite(value.B))
         {
-            sums[Film.SquareSum] += ToFixed(square);
-        }
-        else
-        {
-            _film.AddSum(FilmPixel(pixel), Film.SquareSum, (Int128)double.Round(square));
+            NoteBad(pixel, sample, value);
+            return;
         }
 
+        Rgb clamped = new(Clamp(value.R), Clamp(value.G), Clamp(value.B));
+        Clamped += clamped == value ? 0 : 1;
+        long target = FilmPixel(pixel);
+        _film.AddSum(target, 0, ToFixed(clamped.R * Film.ChannelUnits));
+        _film.AddSum(target, 1, ToFixed(clamped.G * Film.ChannelUnits));
+        _film.AddSum(target, 2, ToFixed(clamped.B * Film.ChannelUnits));
+        double y = clamped.Luminance;
+        _film.AddSum(target, Film.SquareSum, (Int128)double.Round(y * y * Film.SquareUnits));
         _counts.Pointer[pixel]++;
     }
+
+    private static float Clamp(float channel) => float.Clamp(channel, -Film.SampleLimit, Film.SampleLimit);
 
     /// <summary>Hands everything to the film.</summary>
     public void End()
@@ -94,6 +115,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     }
 
     // To the nearest unit; the conversion itself is exact because the caller's limits keep it within 63 bits.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static long ToFixed(double units) => double.ConvertToIntegerNative<long>(double.Round(units));
 
     private void NoteBad(int pixel, int sample, Rgb value)

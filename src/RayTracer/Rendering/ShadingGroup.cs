@@ -17,6 +17,13 @@ internal sealed class ShadingGroup(Material material, ShapeBatch batch, int only
 
     public int OnlyIndex => onlyIndex;
 
+    // The material's constant answers, asked once.
+    public bool IsLit { get; } = material.IsLit;
+
+    public bool Emits { get; } = material.Emits;
+
+    public bool UsesUv { get; } = material.UsesUv;
+
     /// <summary>Makes the groups of a scene, and the table that names the group of each primitive.</summary>
     public static ShadingGroup[] Create(Scene scene, out int[] groupOf)
     {

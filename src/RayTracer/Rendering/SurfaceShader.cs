@@ -50,16 +50,13 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
     {
         for (int i = 0; i < count; i += FloatW.Count)
         {
-            uint* index = members + i;
-            Describe(group, stream, index, out SurfaceW surface);
-            ShadePacket(group.Material, stream, next, index, surface, MaskW.First(count - i));
+            ShadePacket(group, stream, next, members + i, MaskW.First(count - i));
         }
     }
 
     private static void Describe(ShadingGroup group, PathStream stream, uint* index, out SurfaceW surface)
     {
         Unsafe.SkipInit(out surface);
-        Material material = group.Material;
         surface.Incoming = stream.PickDirection(index);
         surface.Distance = FloatW.Pick(stream.Distance, index);
         surface.Point = Vec3W.MultiplyAdd(surface.Incoming, surface.Distance, stream.PickOrigin(index));
@@ -67,7 +64,7 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         PrimitiveIndex primitives = group.OnlyIndex >= 0
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
-        group.Batch.Describe(primitives, material.UsesUv, ref surface);
+        group.Batch.Describe(primitives, group.UsesUv, ref surface);
         FloatW along = Vec3W.Dot(surface.Incoming, surface.Normal);
         surface.Inside = along > 0f;
         surface.Facing = surface.Inside.Select(-surface.Normal, surface.Normal);
@@ -75,15 +72,22 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
     }
 
     [SkipLocalsInit]
-    private void ShadePacket(Material material, PathStream stream, PathStream next, uint* index, in SurfaceW surface, in MaskW active)
+    private void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
-        RgbW throughput = stream.PickThroughput(index);
-        RgbW radiance = stream.PickRadiance(index);
+        // Random numbers first: their long chain of multiplications then overlaps with the description of the surface.
         UIntW path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
+        PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
+        UIntW diffuseDepth = state & PathState.DepthMask;
+        UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
+        VertexSamples samples = new(scene.Sampler, UIntW.Gather(_generator.PixelKeys, pixel), sample, diffuseDepth + specularDepth);
+        Describe(group, stream, index, out SurfaceW surface);
+        RgbW throughput = stream.PickThroughput(index);
+        RgbW radiance = stream.PickRadiance(index);
 
         // Light that the surface itself sends towards the ray's origin.
-        if (material.Emits)
+        Material material = group.Material;
+        if (group.Emits)
         {
             AddEmission(material, surface, throughput, state, ref radiance);
         }
@@ -94,13 +98,8 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
             radiance = RgbW.MultiplyAdd(throughput * response, scene.Ambient, radiance);
         }
 
-        PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
-        UIntW diffuseDepth = state & PathState.DepthMask;
-        UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
-        VertexSamples samples = new(scene.Sampler, UIntW.Gather(_generator.PixelKeys, pixel), sample, diffuseDepth + specularDepth);
-
         // Light from the sources.
-        if (material.IsLit)
+        if (group.IsLit)
         {
             material.Brdf(surface, out RgbW brdf);
             _directLight.Add(surface, samples, active, throughput * brdf, ref radiance);

@@ -52,6 +52,14 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
     /// <inheritdoc/>
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
+        SampleDirection(from, u, v, out sample);
+        Vec3W normal = (Vec3W.MultiplyAdd(sample.Direction, sample.Distance, from) - center) * (1 / radius);
+        SphereBatch.Uv(normal, out sample.U, out sample.V);
+    }
+
+    /// <summary>As <see cref="SamplePoint"/>, without uv.</summary>
+    internal void SampleDirection(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    {
         if (LightSampling == SphereLightSampling.Cone)
         {
             SampleCone(from, u, v, out sample);
@@ -60,13 +68,10 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
         {
             SampleSurface(from, u, v, out sample);
         }
-
-        Vec3W normal = (Vec3W.MultiplyAdd(sample.Direction, sample.Distance, from) - center) * (1 / radius);
-        SphereBatch.Uv(normal, out sample.U, out sample.V);
     }
 
-    /// <summary>As <see cref="SamplePoint"/>, without uv: uniformly in the cone of directions in which the sphere is seen (Shirley, Wang &amp; Zimmerman 1996, section 3.2).</summary>
-    internal void SampleCone(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    /// <summary>Uniformly in the cone of directions in which the sphere is seen (Shirley, Wang &amp; Zimmerman 1996, section 3.2).</summary>
+    private void SampleCone(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
         Vec3W toCenter = (Vec3W)center - from;
         FloatW distance2 = Vec3W.Dot(toCenter, toCenter);
@@ -93,8 +98,8 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
         sample.U = sample.V = default;
     }
 
-    /// <summary>As <see cref="SamplePoint"/>, without uv: uniformly over the whole surface, as in the report; half of the points are hidden.</summary>
-    internal void SampleSurface(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    /// <summary>Uniformly over the whole surface, as in the report; half of the points are hidden.</summary>
+    private void SampleSurface(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
         Vec3W normal = Warp.UniformSphere(u, v);
         Vec3W to = Vec3W.MultiplyAdd(normal, radius, (Vec3W)center - from);
