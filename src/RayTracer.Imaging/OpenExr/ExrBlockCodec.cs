@@ -93,7 +93,7 @@ internal static class ExrBlockCodec
         {
             return zlib.ReadAtLeast(data, data.Length, throwOnEndOfStream: false) == data.Length && zlib.ReadByte() < 0;
         }
-        catch (InvalidDataException)
+        catch (Exception e) when (e is InvalidDataException or IOException)
         {
             return false;
         }

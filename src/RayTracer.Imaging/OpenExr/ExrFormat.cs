@@ -11,6 +11,14 @@ internal static class ExrFormat
     public const int ShortName = 31;
     public const int LongName = 255;
 
+    /// <summary>Names to which the format itself gives a meaning: no texts of a user.</summary>
+    public static readonly string[] Attributes =
+    [
+        "channels", "compression", "dataWindow", "displayWindow", "lineOrder", "pixelAspectRatio", "screenWindowCenter",
+        "screenWindowWidth", "name", "type", "version", "chunkCount", "tiles", "view", "maxSamplesPerPixel", "chromaticities",
+        "whiteLuminance", "preview",
+    ];
+
     /// <summary>The four bytes that an OpenEXR file begins with.</summary>
     public static ReadOnlySpan<byte> Magic => [0x76, 0x2F, 0x31, 0x01];
 

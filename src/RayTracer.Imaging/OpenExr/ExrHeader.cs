@@ -32,7 +32,7 @@ internal sealed class ExrHeader
 
     public int Height => _dataWindow![3] - Top + 1;
 
-    /// <summary>The string attributes, in their order.</summary>
+    /// <summary>The string attributes that are not the format's own, in their order.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Texts => _texts;
 
     /// <summary>Where the table of blocks begins.</summary>
@@ -113,7 +113,7 @@ internal sealed class ExrHeader
                 }
 
                 break;
-            case (_, "string") when value.Length <= PictureLimits.MaxTextBytes:
+            case (_, "string") when value.Length <= PictureLimits.MaxTextBytes && !ExrFormat.Attributes.Contains(name):
                 _texts.Add(new(name, Encoding.UTF8.GetString(value)));
                 break;
         }

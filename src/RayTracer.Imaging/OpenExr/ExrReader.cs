@@ -35,7 +35,7 @@ public static class ExrReader
         return picture;
     }
 
-    /// <summary>Reads the string attributes of a file, in their order.</summary>
+    /// <summary>Reads the string attributes of a file that are not the format's own, in their order.</summary>
     /// <param name="file">The whole file.</param>
     /// <exception cref="PictureException">The header is damaged or not of the kind that is read.</exception>
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(ReadOnlySpan<byte> file) => ExrHeader.Parse(file).Texts;

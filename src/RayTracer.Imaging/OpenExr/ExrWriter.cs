@@ -7,14 +7,6 @@ namespace RayTracer.Imaging;
 /// <summary>Writes OpenEXR files: one part, rows from top to bottom, channels B, G and R, Rec. 709 primaries (the format's default).</summary>
 public static class ExrWriter
 {
-    // Names to which the format gives a type other than string.
-    private static readonly string[] Reserved =
-    [
-        "channels", "compression", "dataWindow", "displayWindow", "lineOrder", "pixelAspectRatio", "screenWindowCenter",
-        "screenWindowWidth", "name", "type", "version", "chunkCount", "tiles", "view", "maxSamplesPerPixel", "chromaticities",
-        "whiteLuminance", "preview",
-    ];
-
     /// <summary>Writes an image, a block of at most 16 rows at a time: no more is in memory.</summary>
     /// <param name="output">Where to; it must be able to seek, for the table of blocks before the pixels.</param>
     /// <param name="image">Linear RGB.</param>
@@ -113,7 +105,7 @@ public static class ExrWriter
         Attribute(writer, "pixelAspectRatio", "float", Words(BitConverter.SingleToInt32Bits(1)));
         Attribute(writer, "screenWindowCenter", "v2f", Words(0, 0));
         Attribute(writer, "screenWindowWidth", "float", Words(BitConverter.SingleToInt32Bits(1)));
-        var names = new HashSet<string>(Reserved, StringComparer.Ordinal);
+        var names = new HashSet<string>(ExrFormat.Attributes, StringComparer.Ordinal);
         foreach ((string key, string value) in texts)
         {
             bool valid = key.Length > 0 && !key.Contains('\0') && Encoding.UTF8.GetByteCount(key) <= ExrFormat.LongName && names.Add(key);

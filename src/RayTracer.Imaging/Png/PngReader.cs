@@ -36,7 +36,7 @@ public static class PngReader
             using var zlib = new ZLibStream(compressed, CompressionMode.Decompress);
             return Decode(zlib, header, new PngPixels(header, palette, raw));
         }
-        catch (InvalidDataException e)
+        catch (Exception e) when (e is InvalidDataException or IOException)
         {
             throw new PictureException("its compressed image data is damaged", e);
         }

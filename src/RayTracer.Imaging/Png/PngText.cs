@@ -76,7 +76,7 @@ internal static class PngText
                 Limited(text.GetBuffer().AsSpan(0, (int)text.Length), key);
             }
         }
-        catch (InvalidDataException e)
+        catch (Exception e) when (e is InvalidDataException or IOException)
         {
             throw new PictureException($"its compressed text '{key}' is damaged", e);
         }
