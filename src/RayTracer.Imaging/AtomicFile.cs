@@ -1,0 +1,105 @@
+namespace RayTracer.Imaging;
+
+/// <summary>
+/// Files that are there whole or not at all: written under a temporary name in the same folder, flushed to the disk,
+/// then renamed over the old file. After a failure the old file is untouched and nothing is left behind.
+/// </summary>
+public static class AtomicFile
+{
+    /// <summary>Writes a file.</summary>
+    /// <param name="path">Where to; the folder must exist. A symbolic link stays one: the file that it names is replaced.</param>
+    /// <param name="write">Writes the content to a stream that can seek. What it throws, other than input/output errors, passes through unchanged.</param>
+    /// <exception cref="ImageWriteException">The file cannot be written: the folder is missing or not writable, the disk is full, and so on.</exception>
+    public static void Write(string path, Action<Stream> write)
+    {
+        string? temporary = null;
+        try
+        {
+            string target = Target(path);
+            temporary = Path.Combine(Path.GetDirectoryName(target)!, $".{Guid.NewGuid():N}.tmp");
+            using (var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.ReadWrite, FileShare.None, 1 << 16))
+            {
+                write(stream);
+                stream.Flush(flushToDisk: true);
+            }
+
+            File.Move(temporary, target, overwrite: true);
+            temporary = null;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            throw new ImageWriteException($"Cannot write '{path}': {Reason(e, temporary)}.", e);
+        }
+        finally
+        {
+            Delete(temporary);
+        }
+    }
+
+    /// <summary>Tells at once, before a long computation, whether a later <see cref="Write"/> has a chance: the folder exists, and no folder has the file's name.</summary>
+    /// <param name="path">Where a file is to be written.</param>
+    /// <exception cref="ImageWriteException">The file cannot be written there.</exception>
+    public static void Check(string path)
+    {
+        try
+        {
+            Target(path);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            throw new ImageWriteException($"Cannot write '{path}': {Reason(e, null)}.", e);
+        }
+    }
+
+    private static string Target(string path)
+    {
+        if (string.IsNullOrWhiteSpace(path) || path.Contains('\0'))
+        {
+            throw new NotSupportedException("that is not the name of a file");
+        }
+
+        string full = Path.GetFullPath(path);
+        var file = new FileInfo(full);
+        string target = file.LinkTarget is null ? full : file.ResolveLinkTarget(returnFinalTarget: true)?.FullName ?? full;
+        if (Directory.Exists(target))
+        {
+            throw new NotSupportedException("that is a folder");
+        }
+
+        string folder = Path.GetDirectoryName(target)!;
+        if (!Directory.Exists(folder))
+        {
+            throw new NotSupportedException($"the folder '{folder}' does not exist");
+        }
+
+        return target;
+    }
+
+    private static string Reason(Exception e, string? temporary)
+    {
+        if (e is UnauthorizedAccessException)
+        {
+            return "access to the folder or file is denied";
+        }
+
+        string message = e.Message.ReplaceLineEndings(" ").TrimEnd('.');
+        return temporary is null ? message : message.Replace(temporary, "a temporary file beside it", StringComparison.Ordinal);
+    }
+
+    private static void Delete(string? temporary)
+    {
+        if (temporary is null)
+        {
+            return;
+        }
+
+        try
+        {
+            File.Delete(temporary);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // The folder is gone or closed to us; the failure that matters is already on its way up.
+        }
+    }
+}

@@ -1,0 +1,166 @@
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>Picture files of every format that is known: PNG, PFM and OpenEXR.</summary>
+public static class ImageFile
+{
+    private const string Formats = "PNG, PFM and OpenEXR";
+    private static readonly string[] Extensions = [".png", ".pfm", ".exr"];
+
+    /// <summary>Reads a picture file; its format is told by its first bytes, not by its name.</summary>
+    /// <param name="path">The file, of at most 2 GiB.</param>
+    /// <param name="raw">Whether a PNG's values are data (0 to 1) rather than sRGB-encoded colours. PFM and OpenEXR are linear in any case.</param>
+    /// <returns>Linear RGB.</returns>
+    /// <exception cref="PictureException">The file is missing, of no known format, damaged or too large; the message names it.</exception>
+    public static Picture Read(string path, bool raw = false) => OfFile(path, file => Decode(file, raw));
+
+    /// <summary>Reads a picture file that is in memory; its format is told by its first bytes.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <param name="raw">Whether a PNG's values are data (0 to 1) rather than sRGB-encoded colours.</param>
+    /// <returns>Linear RGB.</returns>
+    /// <exception cref="PictureException">The file is of no known format, damaged or too large.</exception>
+    public static Picture Decode(ReadOnlySpan<byte> file, bool raw = false)
+    {
+        if (file.StartsWith(PngReader.Signature))
+        {
+            return PngReader.Read(file, raw);
+        }
+
+        if (file.StartsWith(ExrReader.Signature))
+        {
+            return ExrReader.Read(file);
+        }
+
+        return PfmReader.IsPfm(file) ? PfmReader.Read(file) : throw Unknown();
+    }
+
+    /// <summary>Reads the texts that a picture file carries, in their order; a PFM has none.</summary>
+    /// <param name="path">The file.</param>
+    /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
+    public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, file =>
+        file.StartsWith(PngReader.Signature) ? PngReader.ReadText(file)
+        : file.StartsWith(ExrReader.Signature) ? ExrReader.ReadText(file)
+        : PfmReader.IsPfm(file) ? []
+        : throw Unknown());
+
+    /// <summary>
+    /// Writes an image, row by row, in the format that the extension names (.png, .pfm or .exr). The file is there whole or not at
+    /// all (<see cref="AtomicFile"/>).
+    /// </summary>
+    /// <param name="path">Where to; the folder must exist.</param>
+    /// <param name="image">Linear RGB.</param>
+    /// <param name="options">Details; by default 8 bits, no tone map, OpenEXR of halves with ZIP, no metadata.</param>
+    /// <exception cref="ImageWriteException">The extension is unknown, the options cannot be met, or the file cannot be written.</exception>
+    public static void Write(string path, IImageRows image, ImageWriteOptions? options = null)
+    {
+        string extension = KnownExtension(path);
+        options ??= new ImageWriteOptions();
+        try
+        {
+            AtomicFile.Write(path, stream => Encode(stream, extension, image, options));
+        }
+        catch (ArgumentException e)
+        {
+            string message = e.Message.Split(" (Parameter '")[0];
+            throw new ImageWriteException($"Cannot write '{path}': {message}", e);
+        }
+    }
+
+    /// <summary>Tells at once, before a long computation, whether <see cref="Write"/> has a chance: the extension is known and the folder exists.</summary>
+    /// <param name="path">Where an image is to be written.</param>
+    /// <exception cref="ImageWriteException">It cannot be written there.</exception>
+    public static void Check(string path)
+    {
+        KnownExtension(path);
+        AtomicFile.Check(path);
+    }
+
+    private static void Encode(Stream stream, string extension, IImageRows image, ImageWriteOptions options)
+    {
+        switch (extension)
+        {
+            case ".png":
+                var seen = new ToneMappedRows(image, options.ToneMap, options.Exposure);
+                PngWriter.Write(stream, seen, options.BitDepth, options.Metadata);
+                break;
+            case ".pfm":
+                PfmWriter.Write(stream, image);
+                break;
+            default:
+                ExrWriter.Write(stream, image, options.ExrPixelType, options.ExrCompression, options.Metadata);
+                break;
+        }
+    }
+
+    private static string KnownExtension(string path)
+    {
+        string extension = Path.GetExtension(path).ToLowerInvariant();
+        if (Extensions.Contains(extension))
+        {
+            return extension;
+        }
+
+        string has = extension.Length > 0 ? $"the extension '{extension}' is none of" : "its name has none of the extensions";
+        string? nearest = Extensions.Where(known => Distance(extension, known) <= 2).MinBy(known => Distance(extension, known));
+        string question = nearest is null ? "" : $" (did you mean '{nearest}'?)";
+        throw new ImageWriteException($"Cannot write '{path}': {has} {string.Join(", ", Extensions)}{question}.");
+    }
+
+    // Levenshtein's distance: how many letters to insert, delete or replace.
+    private static int Distance(string a, string b)
+    {
+        int[] row = [.. Enumerable.Range(0, b.Length + 1)];
+        for (int i = 1; i <= a.Length; i++)
+        {
+            int diagonal = row[0];
+            row[0] = i;
+            for (int j = 1; j <= b.Length; j++)
+            {
+                int replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+                diagonal = row[j];
+                row[j] = Math.Min(replaced, Math.Min(row[j], row[j - 1]) + 1);
+            }
+        }
+
+        return row[b.Length];
+    }
+
+    private static PictureException Unknown() => new($"its first bytes are those of no picture format that is read ({Formats})");
+
+    private static T OfFile<T>(string path, Func<byte[], T> read)
+    {
+        try
+        {
+            return read(Content(path));
+        }
+        catch (PictureException e)
+        {
+            throw new PictureException($"Cannot read the picture '{path}': {e.Message}.", e);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new PictureException($"Cannot read the picture '{path}': {Reason(e)}.", e);
+        }
+    }
+
+    private static byte[] Content(string path)
+    {
+        using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
+        if (stream.Length > Array.MaxLength)
+        {
+            throw new PictureException($"it has {stream.Length} bytes, more than 2 GiB");
+        }
+
+        var content = new byte[stream.Length];
+        stream.ReadExactly(content);
+        return content;
+    }
+
+    private static string Reason(Exception e) => e switch
+    {
+        FileNotFoundException or DirectoryNotFoundException => "there is no such file",
+        UnauthorizedAccessException => "it is a folder, or access to it is denied",
+        _ => e.Message.ReplaceLineEndings(" ").TrimEnd('.'),
+    };
+}

@@ -1,0 +1,23 @@
+namespace RayTracer.Imaging;
+
+/// <summary>How <see cref="ImageFile.Write"/> writes; what does not apply to the format of the file is ignored.</summary>
+public sealed record ImageWriteOptions
+{
+    /// <summary>PNG: bits a channel, 8 (the default) or 16.</summary>
+    public int BitDepth { get; init; } = 8;
+
+    /// <summary>PNG: the tone map; by default none, <see cref="ToneMap.Clamp"/>. PFM and OpenEXR hold the linear light as it is.</summary>
+    public ToneMap ToneMap { get; init; } = ToneMap.Clamp;
+
+    /// <summary>PNG: the exposure in stops, −100 to 100; each stop doubles the light.</summary>
+    public float Exposure { get; init; }
+
+    /// <summary>OpenEXR: half (the default) or float.</summary>
+    public ExrPixelType ExrPixelType { get; init; } = ExrPixelType.Half;
+
+    /// <summary>OpenEXR: the compression; ZIP by default.</summary>
+    public ExrCompression ExrCompression { get; init; } = ExrCompression.Zip;
+
+    /// <summary>PNG and OpenEXR: texts to keep in the file, such as the command that made it; see <see cref="PngWriter"/> for what a key may be. PFM has no place for them.</summary>
+    public IReadOnlyList<KeyValuePair<string, string>> Metadata { get; init; } = [];
+}

@@ -1,0 +1,27 @@
+namespace RayTracer.Imaging;
+
+/// <summary>What reader and writer of OpenEXR agree on ("Technical Introduction to OpenEXR" and "OpenEXR File Layout", openexr.com).</summary>
+internal static class ExrFormat
+{
+    public const int Version = 2;
+    public const int TiledFlag = 0x200;
+    public const int LongNamesFlag = 0x400;
+    public const int DeepFlag = 0x800;
+    public const int MultiPartFlag = 0x1000;
+    public const int ShortName = 31;
+    public const int LongName = 255;
+
+    /// <summary>Names to which the format itself gives a meaning: no texts of a user.</summary>
+    public static readonly string[] Attributes =
+    [
+        "channels", "compression", "dataWindow", "displayWindow", "lineOrder", "pixelAspectRatio", "screenWindowCenter",
+        "screenWindowWidth", "name", "type", "version", "chunkCount", "tiles", "view", "maxSamplesPerPixel", "chromaticities",
+        "whiteLuminance", "preview",
+    ];
+
+    /// <summary>The four bytes that an OpenEXR file begins with.</summary>
+    public static ReadOnlySpan<byte> Magic => [0x76, 0x2F, 0x31, 0x01];
+
+    /// <summary>Rows that are compressed together.</summary>
+    public static int RowsOfBlock(ExrCompression compression) => compression == ExrCompression.Zip ? 16 : 1;
+}

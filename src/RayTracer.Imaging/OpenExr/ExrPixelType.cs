@@ -1,0 +1,14 @@
+namespace RayTracer.Imaging;
+
+/// <summary>What one value of an OpenEXR channel is; the values are the file format's.</summary>
+public enum ExrPixelType
+{
+    /// <summary>32-bit unsigned integer; read only.</summary>
+    Uint = 0,
+
+    /// <summary>16-bit float: 11 bits of precision, up to 65504.</summary>
+    Half = 1,
+
+    /// <summary>32-bit float.</summary>
+    Float = 2,
+}

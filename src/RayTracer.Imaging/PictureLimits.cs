@@ -1,0 +1,48 @@
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>What the picture readers accept, so that a hostile file cannot ask for more memory than its own size justifies.</summary>
+public static class PictureLimits
+{
+    /// <summary>The largest number of pixels that is read: 2²⁸ (16,384 × 16,384, 3 GiB as floats).</summary>
+    public const long MaxPixels = 1L << 28;
+
+    /// <summary>The largest width or height that is read: 2²⁰.</summary>
+    public const int MaxSide = 1 << 20;
+
+    /// <summary>The largest text (one key's value) that is read, in bytes: 2²⁴.</summary>
+    public const int MaxTextBytes = 1 << 24;
+
+    /// <summary>Deflate makes at most 258 bytes of 2 bits (RFC 1951): the reason why so few bytes cannot be so large a picture.</summary>
+    internal const long MaxDeflateRatio = 1032;
+
+    /// <summary>Checks a claimed size.</summary>
+    /// <exception cref="PictureException">The size is zero, negative or beyond the limits.</exception>
+    internal static void CheckSize(long width, long height)
+    {
+        if (width < 1 || height < 1)
+        {
+            throw new PictureException($"the file claims a size of {width}×{height} pixels, and both must be at least 1");
+        }
+
+        if (width > MaxSide || height > MaxSide || width * height > MaxPixels)
+        {
+            throw new PictureException($"the file claims a size of {width}×{height} pixels; at most {MaxPixels} in all and {MaxSide} a side are read");
+        }
+    }
+
+    /// <summary>Makes the picture.</summary>
+    /// <exception cref="PictureException">There is not enough memory.</exception>
+    internal static Picture Allocate(int width, int height)
+    {
+        try
+        {
+            return new Picture(width, height);
+        }
+        catch (OutOfMemoryException e)
+        {
+            throw new PictureException($"there is not enough memory for {width}×{height} pixels", e);
+        }
+    }
+}

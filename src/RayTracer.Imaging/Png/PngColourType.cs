@@ -1,0 +1,11 @@
+namespace RayTracer.Imaging;
+
+/// <summary>What a PNG pixel consists of, with the specification's numbers.</summary>
+internal enum PngColourType
+{
+    Grey = 0,
+    Rgb = 2,
+    Palette = 3,
+    GreyAlpha = 4,
+    RgbAlpha = 6,
+}

@@ -1,0 +1,127 @@
+using System.Buffers.Binary;
+using System.IO.Compression;
+using System.Text;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>Writes PNG files (W3C PNG specification, third edition): RGB with 8 or 16 bits a channel, sRGB-encoded.</summary>
+public static class PngWriter
+{
+    /// <summary>Writes an image, row by row: no more than a few rows are in memory.</summary>
+    /// <param name="output">Where to.</param>
+    /// <param name="image">Linear RGB; what lies outside [0, 1] is cut off, NaN becomes 0.</param>
+    /// <param name="bitDepth">Bits a channel: 8 or 16.</param>
+    /// <param name="metadata">Text to keep with the image: keys of 1 to 79 printable Latin-1 characters, without spaces at the ends or side by side; values without NUL.</param>
+    /// <exception cref="ArgumentException">A bit depth that is neither 8 nor 16, or metadata that PNG cannot hold.</exception>
+    public static void Write(Stream output, IImageRows image, int bitDepth = 8, IEnumerable<KeyValuePair<string, string>>? metadata = null)
+    {
+        if (bitDepth is not (8 or 16))
+        {
+            throw new ArgumentException($"A PNG is written with 8 or 16 bits a channel, not {bitDepth}.", nameof(bitDepth));
+        }
+
+        output.Write(PngReader.Signature);
+        WriteHeader(output, image, bitDepth);
+        foreach ((string key, string value) in metadata ?? [])
+        {
+            WriteText(output, key, value);
+        }
+
+        using (var chunks = new PngChunkStream(output))
+        using (var zlib = new ZLibStream(chunks, CompressionLevel.Optimal))
+        {
+            WriteRows(zlib, image, bitDepth);
+        }
+
+        PngChunkStream.WriteChunk(output, "IEND"u8, []);
+    }
+
+    private static void WriteHeader(Stream output, IImageRows image, int bitDepth)
+    {
+        const byte Rgb = 2;
+        Span<byte> header = stackalloc byte[13];
+        header.Clear();
+        BinaryPrimitives.WriteInt32BigEndian(header, image.Width);
+        BinaryPrimitives.WriteInt32BigEndian(header[4..], image.Height);
+        header[8] = (byte)bitDepth;
+        header[9] = Rgb;
+        PngChunkStream.WriteChunk(output, "IHDR"u8, header);
+
+        // Intent 0 (perceptual); gAMA is the value prescribed beside sRGB: 1/2.2 in units of 1/100000.
+        PngChunkStream.WriteChunk(output, "sRGB"u8, [0]);
+        BinaryPrimitives.WriteInt32BigEndian(header, 45455);
+        PngChunkStream.WriteChunk(output, "gAMA"u8, header[..4]);
+    }
+
+    private static void WriteText(Stream output, string key, string value)
+    {
+        bool validKey = key.Length is >= 1 and <= 79 && key.All(c => c is >= ' ' and <= '~' or > '\u00A0' and <= '\u00FF')
+            && key.Trim() == key && !key.Contains("  ", StringComparison.Ordinal);
+        if (!validKey || value.Contains('\0'))
+        {
+            throw new ArgumentException($"PNG cannot hold the text '{key}': a key has 1 to 79 Latin-1 characters and single spaces inside, a value no NUL.", nameof(key));
+        }
+
+        bool latin1 = value.All(c => c is '\n' or >= ' ' and <= '~' or >= '\u00A0' and <= '\u00FF');
+        byte[] keyBytes = Encoding.Latin1.GetBytes(key);
+        if (latin1)
+        {
+            PngChunkStream.WriteChunk(output, "tEXt"u8, [.. keyBytes, 0, .. Encoding.Latin1.GetBytes(value)]);
+        }
+        else
+        {
+            // After the key's end: no compression (two bytes), no language, no translated key.
+            PngChunkStream.WriteChunk(output, "iTXt"u8, [.. keyBytes, 0, 0, 0, 0, 0, .. Encoding.UTF8.GetBytes(value)]);
+        }
+    }
+
+    private static void WriteRows(Stream output, IImageRows image, int bitDepth)
+    {
+        SrgbCodes codes = SrgbCurve.CodesOf(bitDepth);
+        int channels = 3 * image.Width;
+        int pixelBytes = 3 * bitDepth / 8;
+        var linear = new float[channels];
+        var row = new byte[image.Width * pixelBytes];
+        var above = new byte[row.Length];
+        var candidate = new byte[1 + row.Length];
+        var best = new byte[1 + row.Length];
+        for (int y = 0; y < image.Height; y++)
+        {
+            image.ReadRow(y, linear);
+            for (int i = 0; i < channels; i++)
+            {
+                int code = codes.Encode(linear[i]);
+                if (bitDepth == 8)
+                {
+                    row[i] = (byte)code;
+                }
+                else
+                {
+                    row[2 * i] = (byte)(code >> 8);
+                    row[(2 * i) + 1] = (byte)code;
+                }
+            }
+
+            ChooseFilter(row, above, pixelBytes, ref candidate, ref best);
+            output.Write(best);
+            (row, above) = (above, row);
+        }
+    }
+
+    // The heuristic of the PNG specification, section 12.7: the filter with the smallest sum of absolute differences.
+    private static void ChooseFilter(byte[] row, byte[] above, int pixelBytes, ref byte[] candidate, ref byte[] best)
+    {
+        long smallest = long.MaxValue;
+        for (int type = 0; type < PngFilter.Count; type++)
+        {
+            candidate[0] = (byte)type;
+            long sum = PngFilter.Apply(type, row, above, pixelBytes, candidate.AsSpan(1));
+            if (sum < smallest)
+            {
+                smallest = sum;
+                (candidate, best) = (best, candidate);
+            }
+        }
+    }
+}
