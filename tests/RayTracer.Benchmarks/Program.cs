@@ -23,3 +23,4 @@ double mean = 0;
 float[] row = new float[3 * 600];
 for (int y = 0; y < 600; y++) { film.ReadRow(y, row); mean += row.Average(); }
 Console.WriteLine($"{sampler} {spp} spp {threads}T stream {stream} lanes {System.Numerics.Vector<float>.Count}: {best * 1e3:F1} ms {s.Rays / best / 1e6:F1} Mrays/s {s.Paths / best / 1e6:F2} Mpaths/s rays/path {(double)s.Rays / s.Paths:F2} closest {(double)s.ClosestHitRays / s.Paths:F2} bad {s.NonFiniteSamples} mean {mean / 600:F5} {film.ComputeHash()[..12]}");
+if (args.Length > 5) { RayTracer.Imaging.ImageFile.Write(args[5], film, new()); }

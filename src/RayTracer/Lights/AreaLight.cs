@@ -14,6 +14,7 @@ public sealed class AreaLight(Shape shape, int primitive)
 
     // A sphere of one colour is the common light: its uv would cost more than all the rest.
     private readonly Sphere? _plainSphere = ((LuminaireMaterial)shape.Material).ConstantColor is null ? null : shape as Sphere;
+    private readonly Rgb _plainColor = ((LuminaireMaterial)shape.Material).ConstantColor ?? Rgb.Black;
 
     /// <summary>The shape.</summary>
     public Shape Shape => shape;
@@ -38,6 +39,6 @@ public sealed class AreaLight(Shape shape, int primitive)
         }
 
         _plainSphere.SampleDirection(from, u, v, out sample);
-        radiance = (RgbW)_luminaire.ConstantColor!.Value * (_luminaire.Falloff(sample.Cosine) * sample.InversePdf);
+        radiance = (RgbW)_plainColor * (_luminaire.Falloff(sample.Cosine) * sample.InversePdf);
     }
 }

@@ -48,7 +48,7 @@ public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, Fr
     public override bool UsesDistance => !extinction.IsBlack;
 
     /// <inheritdoc/>
-    public override void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter)
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         FloatW eta = surface.Inside.Select(refractiveIndex, 1f / refractiveIndex);
         FloatW cosIncident = surface.Cosine;

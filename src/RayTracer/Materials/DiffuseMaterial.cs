@@ -38,7 +38,7 @@ public sealed class DiffuseMaterial(Texture texture) : Material
     }
 
     /// <inheritdoc/>
-    public override void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter)
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         samples.Direction(out FloatW u, out FloatW v);
         Onb.FromNormal(surface.Facing, out Onb frame);

@@ -73,7 +73,7 @@ public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular,
     }
 
     /// <inheritdoc/>
-    public override void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter)
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         MaskW reflected = samples.Choice() < Fresnel.Schlick(surface.Cosine, r0);
         diffuse.Scatter(surface, samples, out scatter);

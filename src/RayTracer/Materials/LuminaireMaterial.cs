@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
@@ -72,14 +73,15 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
 
     /// <summary>The factor on the colour in a direction of emission: multiplier · cos^exponent on the outside, zero inside.</summary>
     /// <param name="cosine">Cosine between the outward normal and the direction of emission.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public FloatW Falloff(FloatW cosine)
     {
-        FloatW falloff = exponent switch
+        FloatW falloff = multiplier;
+        if (exponent != 0)
         {
-            0 => multiplier,
-            1 => cosine * multiplier,
-            _ => LaneMath.Pow(FloatW.Max(cosine, 0f), exponent) * multiplier,
-        };
+            falloff *= exponent == 1 ? cosine : LaneMath.Pow(FloatW.Max(cosine, 0f), exponent);
+        }
+
         return (cosine > 0f).Select(falloff, 0f);
     }
 
@@ -98,7 +100,7 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     }
 
     /// <inheritdoc/>
-    public override void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter)
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         if (inner is not null)
         {

@@ -43,7 +43,7 @@ public abstract class Material
     /// <param name="surface">Where the path meets the surface.</param>
     /// <param name="samples">The random numbers of this vertex.</param>
     /// <param name="scatter">The new direction and its weight: BRDF · cosine / pdf.</param>
-    public abstract void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter);
+    public abstract void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter);
 }
 
 /// <summary>Where paths meet a surface.</summary>

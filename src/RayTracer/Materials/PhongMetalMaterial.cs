@@ -36,7 +36,7 @@ public sealed class PhongMetalMaterial(Texture texture, float exponent) : Materi
     public override void AmbientResponse(in SurfaceW surface, out RgbW response) => texture.Evaluate(surface.U, surface.V, out response);
 
     /// <inheritdoc/>
-    public override void Scatter(in SurfaceW surface, in VertexSamples samples, out ScatterW scatter)
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         samples.Direction(out FloatW u, out FloatW v);
         Vec3W mirror = Vec3W.Reflect(surface.Incoming, surface.Facing);

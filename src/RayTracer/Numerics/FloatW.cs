@@ -167,6 +167,12 @@ public readonly unsafe struct FloatW
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public UIntW ToInt() => new(Vector.AsVectorUInt32(Vector.ConvertToInt32(V)));
 
+    /// <summary>
+    /// As <see cref="ToInt"/>, in fewer instructions: only for numbers that are known to lie within ±2³¹. Of others the result varies with the machine.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public UIntW ToIntInRange() => new(Vector.AsVectorUInt32(Vector.ConvertToInt32Native(V)));
+
     /// <summary>Loads as many floats as there are lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatW Load(float* from) => new(Vector.Load(from));

@@ -25,8 +25,7 @@ internal sealed class DirectLight(Scene scene)
     /// <param name="active">Lanes in use.</param>
     /// <param name="weight">Throughput times BRDF.</param>
     /// <param name="radiance">Added to.</param>
-    [SkipLocalsInit]
-    public void Add(in SurfaceW surface, in VertexSamples samples, in MaskW active, in RgbW weight, ref RgbW radiance)
+    public void Add(in SurfaceW surface, VertexSamples samples, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
         Vec3W origin = Vec3W.MultiplyAdd(surface.Facing, surface.Offset, surface.Point);
         RgbW arriving = default;
@@ -55,7 +54,7 @@ internal sealed class DirectLight(Scene scene)
         radiance = RgbW.MultiplyAdd(weight, arriving, radiance);
     }
 
-    private void Sample(int number, in SurfaceW surface, in Vec3W origin, in VertexSamples samples, out Contribution light)
+    private void Sample(int number, in SurfaceW surface, in Vec3W origin, VertexSamples samples, out Contribution light)
     {
         samples.Light(number, out FloatW u, out FloatW v);
         _lights[number].Sample(origin, u, v, out ShapeSampleW sample, out light.Radiance);

@@ -40,7 +40,6 @@ internal sealed unsafe class FinishedPaths
     }
 
     /// <summary>Adds all collected paths up.</summary>
-    [SkipLocalsInit]
     public void Drain()
     {
         float* r = _radiance.Pointer;

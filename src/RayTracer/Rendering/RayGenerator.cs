@@ -34,7 +34,6 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
     }
 
     /// <summary>Fills a stream up with new paths, as long as there are any.</summary>
-    [SkipLocalsInit]
     public void Fill(PathStream stream)
     {
         while (_issued < _total && stream.Count < stream.Capacity)
@@ -63,7 +62,7 @@ internal static class PathNumber
     public static void Split(UIntW path, SampleRange samples, out UIntW pixel, out UIntW sample)
     {
         // Numbers stay below 2²³, so the half keeps rounding from crossing a whole number.
-        pixel = ((path.ToFloat() + 0.5f) * (1f / samples.Count)).ToInt();
+        pixel = ((path.ToFloat() + 0.5f) * (1f / samples.Count)).ToIntInRange();
         sample = path - (pixel * (uint)samples.Count) + (uint)samples.First;
     }
 }

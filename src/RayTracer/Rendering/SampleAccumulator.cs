@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using RayTracer.Numerics;
@@ -44,36 +45,58 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <param name="pixels">The pixels' numbers in the tile.</param>
     /// <param name="samples">The samples' numbers, for the list of bad ones.</param>
     /// <param name="radiance">The samples.</param>
-    [SkipLocalsInit]
     public void Add(int count, UIntW pixels, UIntW samples, in RgbW radiance)
     {
-        float* channels = stackalloc float[4 * FloatW.Count];
+        long* red = stackalloc long[Film.SumsPerPixel * FloatW.Count];
+        long* green = red + FloatW.Count;
+        long* blue = green + FloatW.Count;
+        long* square = blue + FloatW.Count;
         uint* pixel = stackalloc uint[FloatW.Count];
         FloatW luminance = FloatW.MultiplyAdd(0.0722f, radiance.B, FloatW.MultiplyAdd(0.7152f, radiance.G, radiance.R * 0.2126f));
-        radiance.R.Store(channels);
-        radiance.G.Store(channels + FloatW.Count);
-        radiance.B.Store(channels + (2 * FloatW.Count));
-        luminance.Store(channels + (3 * FloatW.Count));
+        ToChannelUnits(radiance.R, red);
+        ToChannelUnits(radiance.G, green);
+        ToChannelUnits(radiance.B, blue);
+        ToSquareUnits(luminance, square);
         pixels.Store(pixel);
-        uint ordinary = (IsOrdinary(radiance.R) & IsOrdinary(radiance.G) & IsOrdinary(radiance.B)).Bits;
-        for (int lane = 0; lane < count; lane++, channels++)
+        uint inUse = MaskW.First(count).Bits;
+        uint ordinary = (IsOrdinary(radiance.R) & IsOrdinary(radiance.G) & IsOrdinary(radiance.B)).Bits & inUse;
+        for (uint rest = ordinary; rest != 0; rest &= rest - 1)
         {
-            if ((ordinary >> lane & 1) != 0)
-            {
-                long* sums = _sums.Pointer + ((long)pixel[lane] * Film.SumsPerPixel);
-                sums[0] += ToFixed(channels[0] * Film.ChannelUnits);
-                sums[1] += ToFixed(channels[FloatW.Count] * Film.ChannelUnits);
-                sums[2] += ToFixed(channels[2 * FloatW.Count] * Film.ChannelUnits);
-                double y = channels[3 * FloatW.Count];
-                sums[Film.SquareSum] += ToFixed(y * y * Film.SquareUnits);
-                _counts.Pointer[pixel[lane]]++;
-            }
-            else
-            {
-                AddUnusual((int)pixel[lane], (int)samples[lane], new(channels[0], channels[FloatW.Count], channels[2 * FloatW.Count]));
-            }
+            int lane = BitOperations.TrailingZeroCount(rest);
+            long* sums = _sums.Pointer + ((nint)pixel[lane] * Film.SumsPerPixel);
+            sums[0] += red[lane];
+            sums[1] += green[lane];
+            sums[2] += blue[lane];
+            sums[Film.SquareSum] += square[lane];
+            _counts.Pointer[pixel[lane]]++;
+        }
+
+        for (uint rest = inUse & ~ordinary; rest != 0; rest &= rest - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(rest);
+            AddUnusual((int)pixel[lane], (int)samples[lane], new(radiance.R[lane], radiance.G[lane], radiance.B[lane]));
         }
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void ToChannelUnits(FloatW value, long* units)
+    {
+        Vector.Widen(value.V, out Vector<double> low, out Vector<double> high);
+        ToNearest(low * Film.ChannelUnits).Store(units);
+        ToNearest(high * Film.ChannelUnits).Store(units + Vector<double>.Count);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void ToSquareUnits(FloatW value, long* units)
+    {
+        Vector.Widen(value.V, out Vector<double> low, out Vector<double> high);
+        ToNearest(low * low * Film.SquareUnits).Store(units);
+        ToNearest(high * high * Film.SquareUnits).Store(units + Vector<double>.Count);
+    }
+
+    // Ordinary numbers are far within 63 bits; what other lanes come to is not used.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector<long> ToNearest(Vector<double> units) => Vector.ConvertToInt64Native(Vector.Round(units));
 
     // Squares of such samples fit 64 times into 64 bits. False for NaN.
     private static MaskW IsOrdinary(FloatW channel) => FloatW.Abs(channel) < OrdinaryLimit;
@@ -89,9 +112,9 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
         Rgb clamped = new(Clamp(value.R), Clamp(value.G), Clamp(value.B));
         Clamped += clamped == value ? 0 : 1;
         long target = FilmPixel(pixel);
-        _film.AddSum(target, 0, ToFixed(clamped.R * Film.ChannelUnits));
-        _film.AddSum(target, 1, ToFixed(clamped.G * Film.ChannelUnits));
-        _film.AddSum(target, 2, ToFixed(clamped.B * Film.ChannelUnits));
+        _film.AddSum(target, 0, (Int128)double.Round(clamped.R * Film.ChannelUnits));
+        _film.AddSum(target, 1, (Int128)double.Round(clamped.G * Film.ChannelUnits));
+        _film.AddSum(target, 2, (Int128)double.Round(clamped.B * Film.ChannelUnits));
         double y = clamped.Luminance;
         _film.AddSum(target, Film.SquareSum, (Int128)double.Round(y * y * Film.SquareUnits));
         _counts.Pointer[pixel]++;
@@ -113,10 +136,6 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             _film.AddCount(target, _counts.Pointer[pixel]);
         }
     }
-
-    // To the nearest unit; the conversion itself is exact because the caller's limits keep it within 63 bits.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static long ToFixed(double units) => double.ConvertToIntegerNative<long>(double.Round(units));
 
     private void NoteBad(int pixel, int sample, Rgb value)
     {

@@ -14,6 +14,7 @@ namespace RayTracer.Rendering;
 internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
 {
     private readonly DirectLight _directLight = new(scene);
+    private readonly VertexSamples _vertex = new(scene.Sampler);
     private RayGenerator _generator = null!;
     private SampleRange _samples;
 
@@ -27,7 +28,6 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
     }
 
     /// <summary>Ends the paths that left the scene.</summary>
-    [SkipLocalsInit]
     public void Miss(PathStream stream, uint* members, int count)
     {
         RgbW background = scene.Background;
@@ -45,7 +45,6 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
     /// <param name="next">Takes the paths that go on.</param>
     /// <param name="members">Indices of the group's paths in the stream, padded to whole packets.</param>
     /// <param name="count">Number of the group's paths.</param>
-    [SkipLocalsInit]
     public void Shade(ShadingGroup group, PathStream stream, PathStream next, uint* members, int count)
     {
         for (int i = 0; i < count; i += FloatW.Count)
@@ -71,7 +70,6 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
     }
 
-    [SkipLocalsInit]
     private void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
         // Random numbers first: their long chain of multiplications then overlaps with the description of the surface.
@@ -80,7 +78,7 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
         UIntW diffuseDepth = state & PathState.DepthMask;
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
-        VertexSamples samples = new(scene.Sampler, UIntW.Gather(_generator.PixelKeys, pixel), sample, diffuseDepth + specularDepth);
+        _vertex.Begin(UIntW.Gather(_generator.PixelKeys, pixel), sample, diffuseDepth + specularDepth);
         Describe(group, stream, index, out SurfaceW surface);
         RgbW throughput = stream.PickThroughput(index);
         RgbW radiance = stream.PickRadiance(index);
@@ -102,11 +100,11 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         if (group.IsLit)
         {
             material.Brdf(surface, out RgbW brdf);
-            _directLight.Add(surface, samples, active, throughput * brdf, ref radiance);
+            _directLight.Add(surface, _vertex, active, throughput * brdf, ref radiance);
         }
 
         // Where the path goes on.
-        material.Scatter(surface, samples, out ScatterW scatter);
+        material.Scatter(surface, _vertex, out ScatterW scatter);
         throughput *= scatter.Weight;
         UIntW limit = scatter.Specular.Select((UIntW)(uint)scene.Render.MaxSpecularDepth, (uint)scene.Render.MaxDiffuseDepth);
         MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;

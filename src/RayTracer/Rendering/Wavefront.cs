@@ -75,7 +75,6 @@ internal sealed unsafe class Wavefront
         Paths += (long)tile.Pixels * samples.Count;
     }
 
-    [SkipLocalsInit]
     private void Intersect()
     {
         PathStream s = _current;

@@ -71,8 +71,7 @@ public static class Warp
         FloatW r = wide.Select(a, b);
         FloatW other = wide.Select(b, a);
         FloatW ratio = (FloatW.Abs(r) > 0f).Select(other / r, 0f);
-        LaneMath.SinCosTurn(FloatW.Abs(ratio) * 0.125f, out FloatW sin, out FloatW cos);
-        sin = FloatW.CopySign(sin, ratio);
+        LaneMath.SinCosTurn(ratio * 0.125f, out FloatW sin, out FloatW cos);
         x = r * wide.Select(cos, sin);
         y = r * wide.Select(sin, cos);
     }

@@ -169,7 +169,7 @@ public sealed unsafe class ImageTexture : Texture
         // Indices are whole numbers in floats; the clamp also catches NaN, so no lane can read outside the picture.
         FloatW index = FloatW.Max(0f, FloatW.Min(Wrap(column, _width), _width - 1));
         FloatW line = FloatW.Max(0f, FloatW.Min(Wrap(row, _height), _height - 1));
-        UIntW texel = (line.ToInt() * (uint)_width + index.ToInt()) * 3u;
+        UIntW texel = (line.ToIntInRange() * (uint)_width + index.ToIntInRange()) * 3u;
         return new(FloatW.Gather(_texels, texel), FloatW.Gather(_texels + 1, texel), FloatW.Gather(_texels + 2, texel));
     }
 
