@@ -1,0 +1,184 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Tests.Sampling;
+
+public class SamplerTests
+{
+    private const uint FirstGroup = Dimensions.FirstVertex;
+
+    public static TheoryData<SamplerKind, int> Samplers() => new()
+    {
+        { SamplerKind.Sobol, 64 },
+        { SamplerKind.Jittered, 64 },
+        { SamplerKind.Jittered, 49 },
+        { SamplerKind.Regular, 64 },
+        { SamplerKind.Independent, 64 },
+    };
+
+    [Theory]
+    [MemberData(nameof(Samplers))]
+    public void Points_lie_in_the_half_open_unit_square(SamplerKind kind, int count)
+    {
+        for (uint pixel = 0; pixel < 200; pixel++)
+        {
+            foreach ((float u, float v) in Points(kind, count, pixel, pixel % 9, pixel % 3))
+            {
+                Assert.InRange(u, 0, FloatBits.OneMinusEpsilon);
+                Assert.InRange(v, 0, FloatBits.OneMinusEpsilon);
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(SamplerKind.Jittered, 16, Dimensions.Pixel)]
+    [InlineData(SamplerKind.Jittered, 25, FirstGroup)]
+    [InlineData(SamplerKind.Jittered, 100, FirstGroup + 5)]
+    [InlineData(SamplerKind.Regular, 36, Dimensions.Pixel)]
+    [InlineData(SamplerKind.Regular, 36, Dimensions.Lens)]
+    [InlineData(SamplerKind.Sobol, 16, Dimensions.Pixel)]
+    [InlineData(SamplerKind.Sobol, 64, Dimensions.Lens)]
+    [InlineData(SamplerKind.Sobol, 64, FirstGroup)]
+    public void Every_cell_of_the_grid_gets_one_sample(SamplerKind kind, int count, uint group)
+    {
+        int n = JitteredSampler.Root(count)!.Value;
+        for (uint pixel = 0; pixel < 50; pixel++)
+        {
+            var cells = Points(kind, count, pixel, group, pair: 2).Select(p => ((int)(p.U * n), (int)(p.V * n)));
+            Assert.Equal(count, cells.Distinct().Count());
+        }
+    }
+
+    [Theory]
+    [InlineData(Dimensions.Pixel)]
+    [InlineData(FirstGroup)]
+    [InlineData(FirstGroup + 4)]
+    public void Sobol_pairs_are_nets_in_base_two_for_every_power_of_two_of_samples(uint group)
+    {
+        for (int log = 0; log <= 8; log++)
+        {
+            var points = Points(SamplerKind.Sobol, 1 << log, pixel: 77, group, pair: 1);
+            for (int wide = 0; wide <= log; wide++)
+            {
+                int columns = 1 << wide;
+                int rows = 1 << (log - wide);
+                Assert.Equal(1 << log, points.Select(p => ((int)(p.U * columns), (int)(p.V * rows))).Distinct().Count());
+            }
+        }
+    }
+
+    [Fact]
+    public void Regular_samples_are_the_same_in_every_pixel_but_only_on_the_pixel()
+    {
+        Assert.Equal(Points(SamplerKind.Regular, 16, 1, Dimensions.Pixel), Points(SamplerKind.Regular, 16, 2, Dimensions.Pixel));
+        Assert.NotEqual(Points(SamplerKind.Regular, 16, 1, FirstGroup), Points(SamplerKind.Regular, 16, 2, FirstGroup));
+        Assert.Equal((0.125f, 0.125f), Points(SamplerKind.Regular, 16, 1, Dimensions.Pixel)[0]);
+    }
+
+    [Theory]
+    [InlineData(SamplerKind.Jittered)]
+    [InlineData(SamplerKind.Sobol)]
+    [InlineData(SamplerKind.Independent)]
+    public void The_first_samples_alone_are_unbiased(SamplerKind kind)
+    {
+        // Over many pixels, every sample number is uniform by itself.
+        double[] mean = new double[16];
+        const int pixels = 4000;
+        for (uint pixel = 0; pixel < pixels; pixel++)
+        {
+            var points = Points(kind, 16, pixel, FirstGroup);
+            for (int i = 0; i < 16; i++)
+            {
+                mean[i] += points[i].U / pixels;
+            }
+        }
+
+        double sigma = Math.Sqrt(1.0 / 12 / pixels);
+        Assert.All(mean, m => Assert.InRange(m, 0.5 - (5 * sigma), 0.5 + (5 * sigma)));
+    }
+
+    [Theory]
+    [InlineData(SamplerKind.Jittered)]
+    [InlineData(SamplerKind.Sobol)]
+    [InlineData(SamplerKind.Independent)]
+    public void Pairs_groups_pixels_and_seeds_are_uncorrelated(SamplerKind kind)
+    {
+        AssertUncorrelated(pixel => (Points(kind, 16, pixel, FirstGroup, 0), Points(kind, 16, pixel, FirstGroup, 1)));
+        AssertUncorrelated(pixel => (Points(kind, 16, pixel, FirstGroup, 0), Points(kind, 16, pixel, FirstGroup + 1, 0)));
+        AssertUncorrelated(pixel => (Points(kind, 16, pixel, Dimensions.Pixel, 0), Points(kind, 16, pixel, FirstGroup, 0)));
+        AssertUncorrelated(pixel => (Points(kind, 16, pixel, FirstGroup, 0), Points(kind, 16, pixel + 1, FirstGroup, 0)));
+        AssertUncorrelated(pixel => (Points(kind, 16, pixel, FirstGroup, 0), Points(kind, 16, pixel, FirstGroup, 0, seed: 1)));
+    }
+
+    [Theory]
+    [InlineData(15, 9, 16)]
+    [InlineData(2, 1, 4)]
+    [InlineData(99, 81, 100)]
+    public void A_number_that_is_no_square_is_refused_with_its_neighbours(int count, int below, int above)
+    {
+        string? complaint = Sampler.Complaint(SamplerKind.Jittered, count);
+        Assert.Contains($"take {below} or {above}", complaint, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>(() => new JitteredSampler(count));
+        Assert.Null(Sampler.Complaint(SamplerKind.Sobol, count));
+    }
+
+    [Fact]
+    public void Sobol_matrices_make_every_dimension_a_permutation_of_the_strata()
+    {
+        for (int dimension = 0; dimension < SobolMatrix.Dimensions; dimension++)
+        {
+            uint[] columns = SobolMatrix.Columns(dimension);
+            var strata = Enumerable.Range(0, 1024).Select(i =>
+            {
+                uint digits = 0;
+                for (int k = 0; k < 10; k++)
+                {
+                    digits ^= (i >> k & 1) != 0 ? columns[k] : 0;
+                }
+
+                return digits & 1023;
+            });
+            Assert.Equal(1024, strata.Distinct().Count());
+        }
+    }
+
+    [Fact]
+    public void Pixel_keys_of_one_seed_are_all_different()
+    {
+        Assert.Equal(100_000, Enumerable.Range(0, 100_000).Select(p => Hash.PixelKey(7, (uint)p)).Distinct().Count());
+    }
+
+    private static void AssertUncorrelated(Func<uint, (List<(float U, float V)>, List<(float U, float V)>)> draw)
+    {
+        double sum = 0;
+        const int pixels = 1500;
+        for (uint pixel = 0; pixel < pixels; pixel++)
+        {
+            (var a, var b) = draw(pixel);
+            sum += a.Zip(b, (p, q) => (p.U - 0.5) * (q.U - 0.5)).Sum();
+        }
+
+        // A product of two independent uniform numbers has variance 1/144; stratification within a pixel may multiply
+        // the variance of its sum by up to its 16 samples.
+        double sigma = Math.Sqrt(pixels * 16 * 16 / 144.0);
+        Assert.InRange(sum, -4.5 * sigma, 4.5 * sigma);
+    }
+
+    private static List<(float U, float V)> Points(SamplerKind kind, int count, uint pixel, uint group, uint pair = 0, uint seed = 0)
+    {
+        Sampler sampler = Sampler.Create(new RenderDescription { Sampler = kind, SamplesPerPixel = count });
+        List<(float, float)> points = [];
+        for (int i = 0; i < count; i += FloatW.Count)
+        {
+            sampler.Begin(Hash.PixelKey(seed, pixel), UIntW.Iota + (uint)i, group, out SamplePoints prepared);
+            sampler.Pair(prepared, pair, out FloatW u, out FloatW v);
+            for (int lane = 0; lane < FloatW.Count && i + lane < count; lane++)
+            {
+                points.Add((u[lane], v[lane]));
+            }
+        }
+
+        return points;
+    }
+}

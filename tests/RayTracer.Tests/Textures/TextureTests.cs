@@ -1,0 +1,108 @@
+using System.Numerics;
+using RayTracer.Numerics;
+using RayTracer.Textures;
+
+namespace RayTracer.Tests.Textures;
+
+public class TextureTests
+{
+    // Rows from the top: red = 1, 2 / 3, 4.
+    private static readonly Picture s_four = new(2, 2, [1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0]);
+
+    [Theory]
+    [InlineData(0.25f, 0.75f, 1)]
+    [InlineData(0.75f, 0.75f, 2)]
+    [InlineData(0.25f, 0.25f, 3)]
+    [InlineData(0.75f, 0.25f, 4)]
+    public void All_interpolations_go_through_the_texels_and_the_picture_stands_upright(float u, float v, float expected)
+    {
+        foreach (Interpolation interpolation in Enum.GetValues<Interpolation>())
+        {
+            Assert.Equal(expected, Red(Texture(interpolation, Wrapping.Repeat), u, v), 5);
+        }
+    }
+
+    [Theory]
+    [InlineData(Interpolation.Nearest, 0.49f, 1)]
+    [InlineData(Interpolation.Nearest, 0.51f, 2)]
+    [InlineData(Interpolation.Bilinear, 0.5f, 1.5)]
+    [InlineData(Interpolation.Bilinear, 0.375f, 1.25)]
+    public void Between_texels_each_interpolates_its_way(Interpolation interpolation, float u, double expected) =>
+        Assert.Equal(expected, Red(Texture(interpolation, Wrapping.Clamp), u, 0.75f), 5);
+
+    [Fact]
+    public void Bicubic_is_the_Catmull_Rom_spline_of_its_neighbours()
+    {
+        // On a ramp of clamped texels 0 0 1 1 … at the middle, symmetry gives one half; at a quarter, the spline's own value.
+        Picture step = new(4, 1, [0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]);
+        ImageTexture texture = new(step, Interpolation.Bicubic, Wrapping.Clamp, Vector2.One, Vector2.Zero);
+        Assert.Equal(0.5, Red(texture, 0.5f, 0.5f), 5);
+        Assert.Equal(0.203125, Red(texture, 1.75f / 4, 0.5f), 5);
+    }
+
+    [Fact]
+    public void Bicubic_never_undershoots_below_black()
+    {
+        ImageTexture texture = new(new(4, 1, [0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]), Interpolation.Bicubic, Wrapping.Clamp, Vector2.One, Vector2.Zero);
+        for (int i = 0; i <= 100; i++)
+        {
+            Assert.True(Red(texture, i / 100f, 0.5f) >= 0);
+        }
+    }
+
+    [Theory]
+    [InlineData(Wrapping.Repeat, 1.25f, 1)]
+    [InlineData(Wrapping.Repeat, -0.25f, 2)]
+    [InlineData(Wrapping.Clamp, 1.25f, 2)]
+    [InlineData(Wrapping.Clamp, -7.3f, 1)]
+    [InlineData(Wrapping.Mirror, 1.25f, 2)]
+    [InlineData(Wrapping.Mirror, 1.75f, 1)]
+    [InlineData(Wrapping.Mirror, -0.25f, 1)]
+    public void Wrapping_says_what_lies_outside(Wrapping wrapping, float u, double expected) =>
+        Assert.Equal(expected, Red(Texture(Interpolation.Nearest, wrapping), u, 0.75f), 5);
+
+    [Fact]
+    public void Scale_and_offset_move_uv()
+    {
+        ImageTexture texture = new(s_four, Interpolation.Nearest, Wrapping.Repeat, new(2, 1), new(0.5f, 0));
+        Assert.Equal(2, Red(texture, 0.1f, 0.75f));
+        Assert.Equal(1, Red(texture, 0.3f, 0.75f));
+    }
+
+    [Fact]
+    public void No_coordinate_reads_outside_the_picture()
+    {
+        foreach (Wrapping wrapping in Enum.GetValues<Wrapping>())
+        {
+            foreach (float u in new[] { float.NaN, float.PositiveInfinity, float.NegativeInfinity, 1e30f, -1e30f, float.Epsilon, -float.Epsilon })
+            {
+                foreach (Interpolation interpolation in Enum.GetValues<Interpolation>())
+                {
+                    Texture(interpolation, wrapping).Evaluate(u, u, out _);
+                }
+            }
+
+            Assert.InRange(Red(Texture(Interpolation.Nearest, wrapping), float.NaN, 0.5f), 1, 4);
+        }
+    }
+
+    [Theory]
+    [InlineData(0.1f, 0.1f, 1)]
+    [InlineData(0.3f, 0.1f, 0)]
+    [InlineData(0.3f, 0.3f, 1)]
+    [InlineData(-0.1f, 0.1f, 0)]
+    public void Checkers_alternate_in_both_directions(float u, float v, float expected)
+    {
+        CheckerTexture texture = new(new SolidTexture(Rgb.White), new SolidTexture(Rgb.Black), new(4, 4), Vector2.Zero);
+        Assert.Equal(expected, Red(texture, u, v));
+    }
+
+    private static ImageTexture Texture(Interpolation interpolation, Wrapping wrapping) =>
+        new(s_four, interpolation, wrapping, Vector2.One, Vector2.Zero);
+
+    private static float Red(Texture texture, float u, float v)
+    {
+        texture.Evaluate(u, v, out RgbW color);
+        return color.R[0];
+    }
+}
