@@ -19,7 +19,7 @@ public static class ImageFile
     /// <param name="file">The whole file.</param>
     /// <param name="raw">Whether a PNG's values are data (0 to 1) rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB.</returns>
-    /// <exception cref="PictureException">The file is of no known format, damaged or too large.</exception>
+    /// <exception cref="PictureException">The file is of no known format, damaged or too large; the message is a clause to follow the file's name and a colon.</exception>
     public static Picture Decode(ReadOnlySpan<byte> file, bool raw = false)
     {
         if (file.StartsWith(PngReader.Signature))

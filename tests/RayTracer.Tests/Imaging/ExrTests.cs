@@ -130,6 +130,15 @@ public class ExrTests
     public void Bad_files_are_refused_with_the_reason(string reason, byte[] file) => Assert.Contains(reason, TestPictures.Refusal(file));
 
     [Fact]
+    public void A_large_claim_costs_nothing_when_its_blocks_are_small()
+    {
+        byte[] file = new TestExr { Compression = (int)ExrCompression.Zips }.File();
+        int window = file.AsSpan().IndexOf("dataWindow\0box2i\0"u8) + "dataWindow\0box2i\0".Length + 4;
+        BitConverter.TryWriteBytes(file.AsSpan(window + 8), 999_999);
+        Assert.Contains("12000000 bytes claims to be packed in 48", TestPictures.Refusal(file));
+    }
+
+    [Fact]
     public void A_table_that_leads_twice_to_one_block_is_refused()
     {
         byte[] file = new TestExr().File();

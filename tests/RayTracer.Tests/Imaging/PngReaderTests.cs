@@ -1,3 +1,4 @@
+using System.IO.Compression;
 using System.Text;
 using RayTracer.Imaging;
 using RayTracer.Textures;
@@ -47,6 +48,41 @@ public class PngReaderTests
                 Assert.Equal((float)SrgbCurve.Decode(expected), linear.Pixels[i]);
             }
         }
+    }
+
+    [Theory]
+    [InlineData(0, 8)]
+    [InlineData(2, 16)]
+    public void Every_filter_is_undone_when_the_bytes_are_noise(int type, int depth)
+    {
+        int channels = type == 2 ? 3 : 1;
+        var noise = new int[150 * 40 * channels];
+        var random = new Random(3);
+        for (int i = 0; i < noise.Length; i++)
+        {
+            noise[i] = random.Next(1 << depth);
+        }
+
+        byte[] rows = TestPng.Rows(150, 40, channels, depth, false, (x, y, c) => noise[(((y * 150) + x) * channels) + c]);
+        Picture picture = PngReader.Read(TestPng.File(TestPng.Header(150, 40, depth, type), TestPng.Chunk("IDAT", TestPng.Zlib(rows)), TestPng.End), raw: true);
+        Assert.Equal(noise, picture.Pixels.Where((_, i) => channels == 3 || i % 3 == 0).Select(value => (int)Math.Round(value * ((1 << depth) - 1))));
+    }
+
+    [Fact]
+    public void The_checksum_of_the_image_data_counts_when_it_comes_after_everything_else()
+    {
+        // Stored data of this length fills the first 8 KiB that the decompressor reads: the checksum comes with the next.
+        using var packed = new MemoryStream();
+        using (var zlib = new ZLibStream(packed, CompressionLevel.NoCompression, leaveOpen: true))
+        {
+            zlib.Write(new byte[8185]);
+        }
+
+        byte[] data = packed.ToArray();
+        Assert.Equal(8196, data.Length);
+        Assert.Equal(8184, PngReader.Read(TestPng.File(TestPng.Header(8184, 1, 8, 0), TestPng.Chunk("IDAT", data), TestPng.End)).Width);
+        data[^1] ^= 1;
+        Assert.Contains("damaged", TestPictures.Refusal(TestPng.File(TestPng.Header(8184, 1, 8, 0), TestPng.Chunk("IDAT", data), TestPng.End)));
     }
 
     [Fact]
