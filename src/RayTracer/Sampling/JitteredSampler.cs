@@ -73,6 +73,8 @@ public class JitteredSampler : Sampler
     /// </summary>
     private UIntW Permute(UIntW i, UIntW key)
     {
+        // From a number that is no cell (a lane that is not in use) the walk might never arrive.
+        i = (i < _count).Select(i, 0u);
         MaskW outside = MaskW.All;
         do
         {

@@ -4,13 +4,14 @@ using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
+using RayTracer.Textures;
 using Plane = RayTracer.Shapes.Plane;
 
 namespace RayTracer.Tests.Shapes;
 
 public class ShapeTests
 {
-    private static readonly Material s_material = new DiffuseMaterial(new Textures.SolidTexture(Rgb.White));
+    private static readonly Material s_material = new DiffuseMaterial(new SolidTexture(Rgb.White));
 
     public static TheoryData<string> Kinds() => ["sphere", "surface sphere", "rectangle", "triangle"];
 
