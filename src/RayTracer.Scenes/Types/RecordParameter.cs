@@ -154,7 +154,7 @@ public sealed class RecordParameter
             _ when type == typeof(IReadOnlyList<ShapeDescription>) => ParameterKind.Shapes,
             _ when type == typeof(IReadOnlyDictionary<string, TextureDescription>) => ParameterKind.NamedTextures,
             _ when type == typeof(IReadOnlyDictionary<string, MaterialDescription>) => ParameterKind.NamedMaterials,
-            _ when type.IsClass && type.Namespace == typeof(SceneDescription).Namespace => ParameterKind.Record,
+            _ when type.GetProperties().Any(p => p.IsDefined(typeof(ParameterAttribute))) => ParameterKind.Record,
             _ => throw new NotSupportedException($"Scene files have no form for a parameter of type {type}."),
         };
     }
