@@ -39,7 +39,7 @@ public class SceneFuzzTests
                 text.Remove(at, Math.Min(random.Next(6), text.Length - at)).Insert(at, Pieces[random.Next(Pieces.Length)]);
             }
 
-            SceneLoadResult result = SceneLoader.Build(SceneReader.ReadText(text.ToString(), "mutated.json"), "", TestPictures.Read);
+            SceneLoadResult result = SceneLoader.Build(SceneReader.ReadText(text.ToString(), "mutated.json"), "");
             Assert.Equal(result.Scene is null, result.Diagnostics.Any(d => d.Severity == Severity.Error));
             good += result.Scene is null ? 0 : 1;
         }

@@ -22,10 +22,10 @@ public sealed class SceneLoaderTests : IDisposable
     {
         List<(string, bool)> reads = [];
         string marble = Touch("sub", "marble.png");
-        SceneLoadResult result = SceneLoader.Load(Write(Textured), (path, raw) =>
+        SceneLoadResult result = SceneLoader.Load(Write(Textured), readPicture: (path, raw) =>
         {
             reads.Add((Path.GetFullPath(path), raw));
-            return TestPictures.Read(path, raw);
+            return new Picture(1, 1);
         });
 
         Assert.Equal("", Diagnostic.Format(result.Diagnostics));
@@ -38,7 +38,7 @@ public sealed class SceneLoaderTests : IDisposable
     {
         Touch("sub", "marbel.png");
         string path = Write(Textured);
-        SceneLoadResult result = SceneLoader.Load(path, TestPictures.Read);
+        SceneLoadResult result = SceneLoader.Load(path);
 
         Assert.Null(result.Scene);
         Assert.Equal($"{path}:2:80: error: cannot read \"sub/marble.png\": file not found (did you mean \"marbel.png\"?)", result.Diagnostics[0].ToString());
@@ -51,7 +51,7 @@ public sealed class SceneLoaderTests : IDisposable
     public void A_picture_that_cannot_be_read_is_told(Type exception)
     {
         Touch("sub", "marble.png");
-        SceneLoadResult result = SceneLoader.Load(Write(Textured), (_, _) => throw (Exception)Activator.CreateInstance(exception, "it is torn")!);
+        SceneLoadResult result = SceneLoader.Load(Write(Textured), readPicture: (_, _) => throw (Exception)Activator.CreateInstance(exception, "it is torn")!);
         Assert.Equal("cannot read \"sub/marble.png\": it is torn", result.Diagnostics[0].Message);
     }
 
@@ -59,7 +59,7 @@ public sealed class SceneLoaderTests : IDisposable
     public void Overrides_change_the_scene_before_it_is_built()
     {
         string path = RepositoryFolder.PathOf("scenes", "minimal.json");
-        SceneLoadResult result = SceneLoader.Load(path, TestPictures.Read, s => s with { Render = s.Render with { Width = 7 } });
+        SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { Width = 7 } });
         Assert.Equal(7, result.Scene!.Render.Width);
         Assert.Equal(7, result.Description!.Render.Width);
     }
@@ -68,7 +68,7 @@ public sealed class SceneLoaderTests : IDisposable
     public void What_an_override_made_wrong_is_told_without_a_line()
     {
         string path = Write("""{ "render": { "sampler": "jittered", "samplesPerPixel": 16 } }""");
-        SceneLoadResult result = SceneLoader.Load(path, TestPictures.Read, s => s with { Render = s.Render with { SamplesPerPixel = 15 } });
+        SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { SamplesPerPixel = 15 } });
         Assert.Equal($"{path}: error: the jittered sampler needs a square number of samples, but 15 is none: take 9 or 16", Assert.Single(result.Diagnostics).ToString());
         Assert.Null(result.Scene);
     }
@@ -77,7 +77,7 @@ public sealed class SceneLoaderTests : IDisposable
     public void What_the_file_made_wrong_keeps_its_line_when_something_else_is_overridden()
     {
         string path = Write("""{ "render": { "sampler": "jittered", "samplesPerPixel": 15 } }""");
-        SceneLoadResult result = SceneLoader.Load(path, TestPictures.Read, s => s with { Render = s.Render with { Width = 7 } });
+        SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { Width = 7 } });
         Assert.StartsWith($"{path}:1:57: error: the jittered", Assert.Single(result.Diagnostics).ToString(), StringComparison.Ordinal);
     }
 
@@ -85,7 +85,7 @@ public sealed class SceneLoaderTests : IDisposable
     public void Overrides_are_held_to_the_ranges_of_parameters()
     {
         string path = Write("{}");
-        SceneLoadResult result = SceneLoader.Load(path, TestPictures.Read, s => s with { Render = s.Render with { Width = 0 } });
+        SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { Width = 0 } });
         Assert.Equal($"{path}: error: \"width\" must be from 1 to 65536, but is 0", Assert.Single(result.Diagnostics).ToString());
         Assert.Null(result.Scene);
     }
@@ -93,7 +93,7 @@ public sealed class SceneLoaderTests : IDisposable
     [Fact]
     public void A_warning_does_not_keep_a_scene_from_being_rendered()
     {
-        SceneLoadResult result = SceneLoader.Load(Write("""{ "camera": { "lens": { "focusDistance": 3 } } }"""), TestPictures.Read);
+        SceneLoadResult result = SceneLoader.Load(Write("""{ "camera": { "lens": { "focusDistance": 3 } } }"""));
         Assert.Equal(Severity.Warning, Assert.Single(result.Diagnostics).Severity);
         Assert.NotNull(result.Scene);
     }
@@ -101,7 +101,7 @@ public sealed class SceneLoaderTests : IDisposable
     [Fact]
     public void Consequences_of_an_error_are_not_told()
     {
-        SceneLoadResult result = SceneLoader.Load(Write("""{ "camera": { "position": [0, 0, 0], "lookAt": [0, 0] } }"""), TestPictures.Read);
+        SceneLoadResult result = SceneLoader.Load(Write("""{ "camera": { "position": [0, 0, 0], "lookAt": [0, 0] } }"""));
         Assert.Equal("expected 3 numbers for \"lookAt\", but found 2", Assert.Single(result.Diagnostics).Message);
     }
 
@@ -111,12 +111,12 @@ public sealed class SceneLoaderTests : IDisposable
         IEnumerable<string> scenes = Directory.EnumerateFiles(RepositoryFolder.PathOf("scenes"), "*.json", SearchOption.AllDirectories)
             .Where(f => Path.GetFileName(Path.GetDirectoryName(f)) != "broken" && !f.EndsWith(".schema.json", StringComparison.Ordinal));
         Assert.NotEmpty(scenes);
-        Assert.All(scenes, f => Assert.Equal("", Diagnostic.Format(SceneLoader.Load(f, TestPictures.Read).Diagnostics)));
+        Assert.All(scenes, f => Assert.Equal("", Diagnostic.Format(SceneLoader.Load(f).Diagnostics)));
     }
 
     [Fact]
     public void The_reference_pages_example_loads() =>
-        Assert.Equal("", Diagnostic.Format(SceneLoader.Load(Write(SceneReference.Example), TestPictures.Read).Diagnostics));
+        Assert.Equal("", Diagnostic.Format(SceneLoader.Load(Write(SceneReference.Example)).Diagnostics));
 
     private string Touch(params string[] parts)
     {
