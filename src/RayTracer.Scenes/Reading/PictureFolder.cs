@@ -30,7 +30,9 @@ internal sealed class PictureFolder(string folder, Func<string, bool, Picture> r
         }
         catch (Exception e) when (e is PictureException or IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new PictureException($"cannot read {Quotation.Of(path)}: {e.Message}", e);
+            // Where readers name the whole path, the cause below says only what is wrong.
+            string cause = e is PictureException { InnerException: { } inner } ? inner.Message : e.Message;
+            throw new PictureException($"cannot read {Quotation.Of(path)}: {cause.TrimEnd('.')}", e);
         }
 
         _pictures.Add((path, raw), picture);

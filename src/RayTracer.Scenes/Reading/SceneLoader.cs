@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
@@ -9,22 +10,22 @@ public static class SceneLoader
 {
     /// <summary>Loads a scene.</summary>
     /// <param name="path">The scene file's path, by which diagnostics call it too; pictures are looked for from its folder.</param>
+    /// <param name="overrides">Changes the description before the scene is built, as options of a command line do.</param>
     /// <param name="readPicture">
     /// Reads the picture file of a path, decoded from sRGB unless the second argument says that its numbers are to be
-    /// taken raw. May throw <see cref="PictureException"/>.
+    /// taken raw; may throw <see cref="PictureException"/>. By default <see cref="ImageFile.Read"/>.
     /// </param>
-    /// <param name="overrides">Changes the description before the scene is built, as options of a command line do.</param>
     public static SceneLoadResult Load(
-        string path, Func<string, bool, Picture> readPicture, Func<SceneDescription, SceneDescription>? overrides = null) =>
-        Build(SceneReader.Read(path), Path.GetDirectoryName(path) ?? "", readPicture, overrides);
+        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null) =>
+        Build(SceneReader.Read(path), Path.GetDirectoryName(path) ?? "", overrides, readPicture);
 
     /// <summary>Builds the scene of a description that has been read.</summary>
     /// <param name="read">What was read.</param>
     /// <param name="folder">The folder from which pictures are looked for.</param>
-    /// <param name="readPicture">As for <see cref="Load"/>.</param>
     /// <param name="overrides">As for <see cref="Load"/>.</param>
+    /// <param name="readPicture">As for <see cref="Load"/>.</param>
     public static SceneLoadResult Build(
-        SceneReadResult read, string folder, Func<string, bool, Picture> readPicture, Func<SceneDescription, SceneDescription>? overrides = null)
+        SceneReadResult read, string folder, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null)
     {
         if (read.Partial is not { } description)
         {
@@ -40,7 +41,7 @@ public static class SceneLoader
         Scene? scene = null;
         if (!diagnostics.Exists(d => d.Line == 0))
         {
-            SceneBuilder builder = new(new PictureFolder(folder, readPicture).Load);
+            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load);
             scene = builder.Build(description);
             diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read)));
         }

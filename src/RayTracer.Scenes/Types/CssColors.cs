@@ -1,4 +1,5 @@
 using System.Collections.Frozen;
+using RayTracer.Imaging;
 using RayTracer.Numerics;
 
 namespace RayTracer.Scenes;
@@ -44,8 +45,6 @@ public static class CssColors
         .Chunk(2)
         .ToFrozenDictionary(pair => pair[0], pair => pair[1], StringComparer.Ordinal);
 
-    private static readonly float[] Linear = [.. Enumerable.Range(0, 256).Select(Decode)];
-
     /// <summary>All names, in alphabetical order.</summary>
     public static IReadOnlyList<string> Names { get; } = [.. Digits.Keys.Order(StringComparer.Ordinal)];
 
@@ -67,33 +66,7 @@ public static class CssColors
         return FromDigits(digits.Length == 6 ? digits : string.Concat(digits.Select(d => new string(d, 2))));
     }
 
-    private static Rgb FromDigits(string digits) => new(
-        Linear[Convert.ToInt32(digits[..2], 16)], Linear[Convert.ToInt32(digits[2..4], 16)], Linear[Convert.ToInt32(digits[4..], 16)]);
+    private static Rgb FromDigits(string digits) => new(Code(digits[..2]), Code(digits[2..4]), Code(digits[4..]));
 
-    // IEC 61966-2-1:1999, section 5.2.
-    private static float Decode(int code)
-    {
-        double display = code / 255.0;
-        if (display <= 0.04045)
-        {
-            return (float)(display / 12.92);
-        }
-
-        double x = (display + 0.055) / 1.055;
-        double root = FifthRoot(x);
-        return (float)(x * x * root * root);
-    }
-
-    // Newton's iteration falls to the root from above: plain arithmetic, the same bits on every machine.
-    private static double FifthRoot(double x)
-    {
-        double root = 1;
-        for (int i = 0; i < 40; i++)
-        {
-            double squared = root * root;
-            root = (4 * root + x / (squared * squared)) / 5;
-        }
-
-        return root;
-    }
+    private static float Code(string digits) => SrgbCurve.Decode8(Convert.ToByte(digits, 16));
 }

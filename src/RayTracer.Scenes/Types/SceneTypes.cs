@@ -22,8 +22,9 @@ public static class SceneTypes
     /// <summary>The three families.</summary>
     public static IReadOnlyList<TypeFamily> Families { get; } = [Shapes, Materials, Textures];
 
-    /// <summary>The scene and all records without a type that are parts of it, such as the camera, outer ones first.</summary>
-    public static IReadOnlyList<RecordType> Parts { get; } = [.. WithParts(Scene)];
+    /// <summary>The scene and all records without a type that are parts of it or of its things, such as the camera, outer ones first.</summary>
+    public static IReadOnlyList<RecordType> Parts { get; } =
+        [.. WithParts(Scene).Concat(Families.SelectMany(f => f.Types).SelectMany(t => WithParts(t).Skip(1))).Distinct()];
 
     internal static RecordParameter SolidColor { get; } =
         RecordType.Of(typeof(SolidTextureDescription)).Parameters.First(p => p.PropertyName == nameof(SolidTextureDescription.Color));

@@ -12,7 +12,7 @@ public class BrokenSceneTests
     [MemberData(nameof(Names))]
     public void Broken_scene_gives_exactly_its_expected_diagnostics(string name)
     {
-        SceneLoadResult result = SceneLoader.Load(Path.Combine(Folder, name + ".json"), TestPictures.Read);
+        SceneLoadResult result = SceneLoader.Load(Path.Combine(Folder, name + ".json"));
 
         IEnumerable<Diagnostic> relative = result.Diagnostics.Select(d => d with { File = Path.GetFileName(d.File) });
         RepositoryFolder.AssertHolds(Path.Combine(Folder, name + ".expected"), Diagnostic.Format([.. relative]) + "\n");
