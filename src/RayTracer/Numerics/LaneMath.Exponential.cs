@@ -9,7 +9,7 @@ public static partial class LaneMath
     private const float Ln2Low = -1.90465421e-9f;
 
     /// <summary>
-    /// e to the power <paramref name="x"/>, within 1 ulp, subnormal results included; too small a result is 0, too large
+    /// e to the power <paramref name="x"/>, within 1.1 ulp, subnormal results included; too small a result is 0, too large
     /// a one +∞; NaN gives NaN.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -34,7 +34,7 @@ public static partial class LaneMath
     public static float Exp(float x) => Exp((FloatW)x)[0];
 
     /// <summary>
-    /// The natural logarithm, within 1.5 ulp, for all positive floats, subnormal ones included; −∞ for zero, NaN below
+    /// The natural logarithm, within 1 ulp, for all positive floats, subnormal ones included; −∞ for zero, NaN below
     /// zero and for NaN.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -60,16 +60,16 @@ public static partial class LaneMath
     public static float Log(float x) => Log((FloatW)x)[0];
 
     /// <summary>
-    /// <paramref name="x"/> to the power <paramref name="y"/> for x ≥ 0, within 0.7 ulp, subnormal results included. As
+    /// <paramref name="x"/> to the power <paramref name="y"/> for x ≥ 0, within 0.75 ulp, subnormal results included. As
     /// in ISO C (2018, F.10.4.4), x⁰ and 1ʸ are 1 even for NaN, and zero and the infinities are limits; −0 counts as 0.
     /// Otherwise NaN below zero and for NaN.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static FloatW Pow(in FloatW x, in FloatW y)
     {
-        Vector.Widen(x.V, out Vector<double> xLow, out Vector<double> xHigh);
-        Vector.Widen(y.V, out Vector<double> yLow, out Vector<double> yHigh);
-        FloatW pow = new(Vector.Narrow(Pow(xLow, yLow), Pow(xHigh, yHigh)));
+        Vector<double> low = Pow(Vector.WidenLower(x.V), Vector.WidenLower(y.V));
+        Vector<double> high = Pow(Vector.WidenUpper(x.V), Vector.WidenUpper(y.V));
+        FloatW pow = new(Vector.Narrow(low, high));
 
         MaskW limit = x <= 0f | x >= float.PositiveInfinity;
         pow = limit.Select((x < 1f & y < 0f | x > 1f & y > 0f).Select(float.PositiveInfinity, 0f), pow);
@@ -93,10 +93,13 @@ public static partial class LaneMath
         Vector<ulong> significand = (bits & new Vector<ulong>(0x000fffffffffffff)) + new Vector<ulong>(TwoThirds);
         Vector<double> f = Vector.AsVectorDouble(significand) - Vector<double>.One;
 
-        Vector<double> p = Fma(f, Fma(f, -0.1658131328838962, 0.17607905083854597), -0.13755042987126156);
-        p = Fma(f, Fma(f, Fma(f, p, 0.15432633610906035), -0.18079612672509604), 0.2064542237743695);
-        p = Fma(f, Fma(f, Fma(f, p, -0.24043414453759182), 0.2885295906248616), -0.3606739689695472);
-        p = Fma(f, Fma(f, Fma(f, p, 0.48089843779072367), -0.7213475196231808), 1.4426950407475623);
+        // Even and odd terms apart: two short chains of operations instead of a long one.
+        Vector<double> z = f * f;
+        Vector<double> odd = Fma(z, Fma(z, -0.1658131328838962, -0.13755042987126156), -0.18079612672509604);
+        odd = Fma(z, Fma(z, Fma(z, odd, -0.24043414453759182), -0.3606739689695472), -0.7213475196231808);
+        Vector<double> even = Fma(z, Fma(z, 0.17607905083854597, 0.15432633610906035), 0.2064542237743695);
+        even = Fma(z, Fma(z, Fma(z, even, 0.2885295906248616), 0.48089843779072367), 1.4426950407475623);
+        Vector<double> p = Vector.FusedMultiplyAdd(f, odd, even);
         Vector<double> power = y * Vector.FusedMultiplyAdd(f, p, n);
 
         // Beyond the limits the result is 0 or infinite as a float. The bias is 1.5·2⁵²: see RoundingBias.

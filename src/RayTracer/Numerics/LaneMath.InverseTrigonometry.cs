@@ -6,7 +6,7 @@ namespace RayTracer.Numerics;
 public static partial class LaneMath
 {
     /// <summary>
-    /// The angle of the point (x, y) from the x axis, in radians, in [−π, π], within 2 ulp. Zeros keep their signs and
+    /// The angle of the point (x, y) from the x axis, in radians, in [−π, π], within 1.6 ulp. Zeros keep their signs and
     /// infinities are limits, as in ISO C (2018, F.10.1.4); NaN gives NaN.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
@@ -38,7 +38,7 @@ public static partial class LaneMath
     /// <inheritdoc cref="Atan2(in FloatW, in FloatW)"/>
     public static float Atan2(float y, float x) => Atan2((FloatW)y, (FloatW)x)[0];
 
-    /// <summary>The angle in [0, π] whose cosine is <paramref name="x"/>, within 3 ulp; NaN outside [−1, 1].</summary>
+    /// <summary>The angle in [0, π] whose cosine is <paramref name="x"/>, within 2.4 ulp; NaN outside [−1, 1].</summary>
     public static FloatW Acos(in FloatW x) => Atan2(FloatW.Sqrt((1f - x) * (1f + x)), x);
 
     /// <inheritdoc cref="Acos(in FloatW)"/>

@@ -94,7 +94,7 @@ public static partial class LaneMath
     }
 
     /// <summary>
-    /// The tangent of an angle in radians, for every finite float, within 3 ulp; NaN for NaN and the infinities.
+    /// The tangent of an angle in radians, for every finite float, within 3.3 ulp; NaN for NaN and the infinities.
     /// </summary>
     public static float Tan(float x)
     {
