@@ -41,7 +41,7 @@ public static class Hash
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static UIntW GroupKey(UIntW pixelKey, UIntW group) => Mix(pixelKey + (group * Golden));
 
-    /// <summary>The keys of the two coordinates of a pair: half a <see cref="Mix(UIntW)"/>, for the group's key is mixed already.</summary>
+    /// <summary>The keys of the two coordinates of a pair.</summary>
     /// <param name="groupKey">Key of the group.</param>
     /// <param name="pair">Number of the pair in the group.</param>
     /// <param name="first">Key of the first coordinate.</param>
@@ -49,9 +49,9 @@ public static class Hash
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void PairKeys(UIntW groupKey, uint pair, out UIntW first, out UIntW second)
     {
-        UIntW x = (groupKey + (pair * Golden)) * 0x7feb352du;
-        x ^= x >> 15;
-        first = x * 0x846ca68bu;
-        second = x * 0x2c1b3c6du + 0x297a2d39u;
+        first = Mix(groupKey + (pair * Golden));
+
+        // The halves change places, so that the lowest digits, which scrambling uses first, come from different bits.
+        second = ((first >> 16) | (first << 16)) * 0x2c1b3c6du;
     }
 }
