@@ -1,0 +1,40 @@
+namespace RayTracer.Scenes;
+
+/// <summary>How bad a diagnostic is.</summary>
+public enum Severity
+{
+    /// <summary>The scene cannot be rendered.</summary>
+    Error,
+
+    /// <summary>The scene can be rendered, but probably not as its author meant it.</summary>
+    Warning,
+}
+
+/// <summary>Something to say about a file, as compilers say it.</summary>
+/// <param name="File">The file, as its user named it.</param>
+/// <param name="Line">The line, from 1; 0 where the message is about no place in the file.</param>
+/// <param name="Column">The column, from 1, in UTF-16 units; 0 where there is no line.</param>
+/// <param name="Severity">How bad it is.</param>
+/// <param name="Message">What is wrong and what was expected: one sentence without a final stop.</param>
+public sealed record Diagnostic(string File, int Line, int Column, Severity Severity, string Message)
+{
+    /// <summary>Sorts by position, those without one first; equal ones are given once.</summary>
+    public static IReadOnlyList<Diagnostic> Sort(IEnumerable<Diagnostic> diagnostics) =>
+        [.. diagnostics.Distinct().OrderBy(d => d.Line).ThenBy(d => d.Column)];
+
+    /// <summary>One diagnostic a line, at most <paramref name="limit"/> of them, then how many more there are.</summary>
+    /// <param name="diagnostics">The diagnostics in the order to show.</param>
+    /// <param name="limit">How many are shown.</param>
+    public static string Format(IReadOnlyList<Diagnostic> diagnostics, int limit = 20)
+    {
+        IEnumerable<string> lines = diagnostics.Take(limit).Select(d => d.ToString());
+        return string.Join('\n', diagnostics.Count > limit ? lines.Append($"and {diagnostics.Count - limit} more") : lines);
+    }
+
+    /// <summary>As compilers write it: <c>scene.json:12:17: error: …</c></summary>
+    public override string ToString()
+    {
+        string place = Line > 0 ? $"{File}:{Line}:{Column}" : File;
+        return $"{place}: {(Severity == Severity.Error ? "error" : "warning")}: {Message}";
+    }
+}

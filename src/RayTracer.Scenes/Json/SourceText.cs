@@ -1,0 +1,77 @@
+using System.Text.Unicode;
+
+namespace RayTracer.Scenes;
+
+/// <summary>
+/// The text of a file, and its lines. A line ends with \n, \r\n or \r. Lines and columns count from 1; a column is a
+/// UTF-16 unit, as editors count: a tab is one column, a character beyond U+FFFF two.
+/// </summary>
+public sealed class SourceText
+{
+    private readonly int[] _lineStarts;
+
+    /// <summary>Takes a text; a byte order mark at its beginning is left out.</summary>
+    /// <param name="fileName">How messages call the file.</param>
+    /// <param name="text">The text.</param>
+    public SourceText(string fileName, string text)
+    {
+        FileName = fileName;
+        Text = text.StartsWith('\uFEFF') ? text[1..] : text;
+        List<int> starts = [0];
+        for (int i = 0; i < Text.Length; i++)
+        {
+            if (Text[i] == '\n' || (Text[i] == '\r' && (i + 1 == Text.Length || Text[i + 1] != '\n')))
+            {
+                starts.Add(i + 1);
+            }
+        }
+
+        _lineStarts = [.. starts];
+    }
+
+    /// <summary>How messages call the file.</summary>
+    public string FileName { get; }
+
+    /// <summary>The text, without a byte order mark.</summary>
+    public string Text { get; }
+
+    /// <summary>Decodes UTF-8.</summary>
+    /// <param name="fileName">How messages call the file.</param>
+    /// <param name="bytes">The file's bytes.</param>
+    /// <param name="error">What is wrong where the bytes are no UTF-8; otherwise null.</param>
+    /// <returns>The text up to the first error.</returns>
+    public static SourceText Decode(string fileName, ReadOnlySpan<byte> bytes, out Diagnostic? error)
+    {
+        char[] characters = new char[bytes.Length];
+        Utf8.ToUtf16(bytes, characters, out int read, out int written, replaceInvalidSequences: false);
+        SourceText source = new(fileName, new string(characters, 0, written));
+        error = null;
+        if (read < bytes.Length)
+        {
+            string message = bytes is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..]
+                ? "the file is in UTF-16: save it as UTF-8"
+                : $"the file is not UTF-8: its byte 0x{bytes[read]:X2} begins no character";
+            error = source.Error(source.Text.Length, message);
+        }
+
+        return source;
+    }
+
+    /// <summary>The line and column of an offset, both from 1.</summary>
+    public (int Line, int Column) Position(int offset)
+    {
+        int line = Array.BinarySearch(_lineStarts, offset);
+        line = line < 0 ? ~line - 1 : line;
+        return (line + 1, offset - _lineStarts[line] + 1);
+    }
+
+    /// <summary>An error at an offset.</summary>
+    public Diagnostic Error(int offset, string message) => At(offset, Severity.Error, message);
+
+    /// <summary>A diagnostic at an offset.</summary>
+    public Diagnostic At(int offset, Severity severity, string message)
+    {
+        (int line, int column) = Position(offset);
+        return new(FileName, line, column, severity, message);
+    }
+}

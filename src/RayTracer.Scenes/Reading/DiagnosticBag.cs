@@ -1,0 +1,35 @@
+namespace RayTracer.Scenes;
+
+/// <summary>Collects what is wrong in one file.</summary>
+internal sealed class DiagnosticBag(SourceText source)
+{
+    // Nobody reads suggestions beyond this, and searching them takes long.
+    private const int MostSuggestions = 200;
+
+    /// <summary>What is wrong so far.</summary>
+    public List<Diagnostic> Diagnostics { get; } = [];
+
+    public void Error(JsonNode at, string message) => Error(at.Start, message);
+
+    public void Error(int at, string message) => Diagnostics.Add(source.Error(at, message));
+
+    public void Expected(JsonNode at, string expected, string key) =>
+        Error(at, $"expected {expected}{(key.Length > 0 ? $" for {Quotation.Of(key)}" : "")}, but found {Describe(at)}");
+
+    /// <summary>Reports a word that is unknown, with the nearest of those that are allowed, or else all of them.</summary>
+    public void Unknown(int at, string message, string word, IEnumerable<string> candidates, string listTitle)
+    {
+        string hint = Diagnostics.Count < MostSuggestions ? Spelling.DidYouMean(word, candidates) : "";
+        string list = hint.Length == 0 && listTitle.Length > 0 ? $": {listTitle} {string.Join(", ", candidates)}" : "";
+        Error(at, message + hint + list);
+    }
+
+    private static string Describe(JsonNode node) => node.Kind switch
+    {
+        JsonKind.Object => "an object",
+        JsonKind.Array => "an array",
+        JsonKind.String => "a string",
+        JsonKind.Number => "a number",
+        _ => node.Text,
+    };
+}

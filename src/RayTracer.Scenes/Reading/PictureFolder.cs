@@ -1,0 +1,39 @@
+using RayTracer.Textures;
+
+namespace RayTracer.Scenes;
+
+/// <summary>Loads pictures by paths relative to a folder, each only once.</summary>
+internal sealed class PictureFolder(string folder, Func<string, bool, Picture> read)
+{
+    private readonly Dictionary<(string Path, bool Raw), Picture> _pictures = [];
+
+    /// <summary>Loads a picture.</summary>
+    /// <param name="path">The path as it is written in the scene file.</param>
+    /// <param name="raw">Whether the numbers are taken as they are.</param>
+    /// <exception cref="PictureException">It cannot be read.</exception>
+    public Picture Load(string path, bool raw)
+    {
+        if (_pictures.TryGetValue((path, raw), out Picture? picture))
+        {
+            return picture;
+        }
+
+        try
+        {
+            string full = Path.Combine(folder, path);
+            if (FileSearch.Complaint(full) is { } complaint)
+            {
+                throw new PictureException(complaint);
+            }
+
+            picture = read(full, raw);
+        }
+        catch (Exception e) when (e is PictureException or IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            throw new PictureException($"cannot read {Quotation.Of(path)}: {e.Message}", e);
+        }
+
+        _pictures.Add((path, raw), picture);
+        return picture;
+    }
+}

@@ -1,0 +1,83 @@
+using RayTracer.Description;
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Scenes;
+
+/// <summary>Reads a scene file and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
+public static class SceneLoader
+{
+    /// <summary>Loads a scene.</summary>
+    /// <param name="path">The scene file's path, by which diagnostics call it too; pictures are looked for from its folder.</param>
+    /// <param name="readPicture">
+    /// Reads the picture file of a path, decoded from sRGB unless the second argument says that its numbers are to be
+    /// taken raw. May throw <see cref="PictureException"/>.
+    /// </param>
+    /// <param name="overrides">Changes the description before the scene is built, as options of a command line do.</param>
+    public static SceneLoadResult Load(
+        string path, Func<string, bool, Picture> readPicture, Func<SceneDescription, SceneDescription>? overrides = null) =>
+        Build(SceneReader.Read(path), Path.GetDirectoryName(path) ?? "", readPicture, overrides);
+
+    /// <summary>Builds the scene of a description that has been read.</summary>
+    /// <param name="read">What was read.</param>
+    /// <param name="folder">The folder from which pictures are looked for.</param>
+    /// <param name="readPicture">As for <see cref="Load"/>.</param>
+    /// <param name="overrides">As for <see cref="Load"/>.</param>
+    public static SceneLoadResult Build(
+        SceneReadResult read, string folder, Func<string, bool, Picture> readPicture, Func<SceneDescription, SceneDescription>? overrides = null)
+    {
+        if (read.Partial is not { } description)
+        {
+            return new(null, null, read.Diagnostics);
+        }
+
+        List<Diagnostic> diagnostics = [.. read.Diagnostics];
+        if (overrides is not null)
+        {
+            description = Override(description, overrides, read, diagnostics);
+        }
+
+        Scene? scene = null;
+        if (!diagnostics.Exists(d => d.Line == 0))
+        {
+            SceneBuilder builder = new(new PictureFolder(folder, readPicture).Load);
+            scene = builder.Build(description);
+            diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read)));
+        }
+
+        bool isGood = !diagnostics.Exists(d => d.Severity == Severity.Error);
+        return new(isGood ? scene : null, read.Description is null ? null : description, Diagnostic.Sort(diagnostics));
+    }
+
+    // The scene file's values have been checked by the reader; those of overrides are checked here.
+    private static SceneDescription Override(
+        SceneDescription original, Func<SceneDescription, SceneDescription> overrides, SceneReadResult read, List<Diagnostic> diagnostics)
+    {
+        SceneDescription changed = overrides(original);
+        (object From, object To)[] parts =
+            [(original, changed), (original.Render, changed.Render), (original.Camera, changed.Camera), (original.Camera.Lens, changed.Camera.Lens)];
+        foreach ((object from, object to) in parts.Where(p => !ReferenceEquals(p.From, p.To)))
+        {
+            read.SourceMap.Follow(from, to);
+            foreach (RecordParameter parameter in RecordType.Of(to.GetType()).Parameters)
+            {
+                if (parameter.RangeComplaint(parameter.Get(to)) is { } complaint)
+                {
+                    diagnostics.Add(new(FileName(read), 0, 0, Severity.Error, $"{Quotation.Of(parameter.Key)} {complaint}"));
+                }
+            }
+        }
+
+        return changed;
+    }
+
+    private static Diagnostic ToDiagnostic(SceneComplaint complaint, SceneReadResult read)
+    {
+        Severity severity = complaint.IsError ? Severity.Error : Severity.Warning;
+        return read.SourceMap.Find(complaint.Subject, complaint.Property) is { } node
+            ? read.Source!.At(node.Start, severity, complaint.Message)
+            : new(FileName(read), 0, 0, severity, complaint.Message);
+    }
+
+    private static string FileName(SceneReadResult read) => read.Source!.FileName;
+}

@@ -1,0 +1,73 @@
+using RayTracer.Description;
+
+namespace RayTracer.Scenes;
+
+/// <summary>Reads scene files in the native format. Bad content never throws: it becomes diagnostics, all of them at once.</summary>
+public static class SceneReader
+{
+    /// <summary>The largest scene file that is read, in bytes.</summary>
+    public const int MaximumBytes = 1 << 28;
+
+    /// <summary>Reads a file.</summary>
+    /// <param name="path">The file's path, by which diagnostics call it too.</param>
+    public static SceneReadResult Read(string path)
+    {
+        byte[]? bytes;
+        try
+        {
+            if (FileSearch.Complaint(path) is { } complaint)
+            {
+                return Unreadable(path, complaint);
+            }
+
+            bytes = Bytes(path);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            return Unreadable(path, $"cannot be read: {e.Message.TrimEnd('.')}");
+        }
+
+        if (bytes is null)
+        {
+            return Unreadable(path, $"larger than {MaximumBytes >> 20} MiB");
+        }
+
+        SourceText source = SourceText.Decode(path, bytes, out Diagnostic? error);
+        return error is null ? Read(source) : new(source, null, null, new(), [error]);
+    }
+
+    /// <summary>Reads a text.</summary>
+    /// <param name="text">The scene file's text.</param>
+    /// <param name="fileName">How diagnostics call it.</param>
+    public static SceneReadResult ReadText(string text, string fileName) => Read(new SourceText(fileName, text));
+
+    private static SceneReadResult Read(SourceText source)
+    {
+        DiagnosticBag bag = new(source);
+        SourceMap map = new();
+        JsonNode? root = JsonParser.Parse(source, bag.Diagnostics);
+        SceneDescription? scene = root is null ? null : RecordReader.ReadScene(root, bag, map);
+        return new(source, root, scene, map, bag.Diagnostics);
+    }
+
+    private static SceneReadResult Unreadable(string path, string message) =>
+        new(null, null, null, new(), [new(path, 0, 0, Severity.Error, message)]);
+
+    // Not File.ReadAllBytes: a device or a pipe has no end and no length. Null where there is too much.
+    private static byte[]? Bytes(string path)
+    {
+        using FileStream stream = File.OpenRead(path);
+        using MemoryStream bytes = new();
+        byte[] block = new byte[1 << 16];
+        for (int read = stream.Read(block); read > 0; read = stream.Read(block))
+        {
+            bytes.Write(block, 0, read);
+            if (bytes.Length > MaximumBytes)
+            {
+                return null;
+            }
+        }
+
+        return bytes.ToArray();
+    }
+}

@@ -1,0 +1,22 @@
+using RayTracer.Scenes;
+
+namespace RayTracer.Tests.Scenes;
+
+public class BrokenSceneTests
+{
+    private static readonly string Folder = RepositoryFolder.PathOf("scenes", "broken");
+
+    public static TheoryData<string> Names => new(Directory.GetFiles(Folder, "*.json").Select(f => Path.GetFileNameWithoutExtension(f)).Order(StringComparer.Ordinal));
+
+    [Theory]
+    [MemberData(nameof(Names))]
+    public void Broken_scene_gives_exactly_its_expected_diagnostics(string name)
+    {
+        SceneLoadResult result = SceneLoader.Load(Path.Combine(Folder, name + ".json"), TestPictures.Read);
+
+        IEnumerable<Diagnostic> relative = result.Diagnostics.Select(d => d with { File = Path.GetFileName(d.File) });
+        RepositoryFolder.AssertHolds(Path.Combine(Folder, name + ".expected"), Diagnostic.Format([.. relative]) + "\n");
+        Assert.Equal(result.Diagnostics.Any(d => d.Severity == Severity.Error), result.Scene is null);
+        Assert.NotEmpty(result.Diagnostics);
+    }
+}
