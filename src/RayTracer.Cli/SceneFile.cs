@@ -14,7 +14,7 @@ internal static class SceneFile
     /// <param name="overrides">Changes the description before the scene is built; may be null.</param>
     /// <param name="readPicture">Reads pictures; null for <see cref="ImageFile.Read"/>.</param>
     public static SceneLoadResult Load(string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null) =>
-        SceneLoader.Load(path, readPicture ?? overrides);
+        SceneLoader.Load(path, overrides, readPicture);
 
     /// <summary>Loads a scene and shows what is wrong with it.</summary>
     /// <param name="path">The scene file.</param>
