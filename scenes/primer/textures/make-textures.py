@@ -68,7 +68,7 @@ def lantern(x, y):
     # The poles of the sphere draw the picture together: keep the flowers to the middle rows.
     if 1 <= (y - 14) // 25 <= 2 and ((x + 8) // 32 + (y - 14) // 25) % 2 and cx * cx + cy * cy < 81 and (cx * cy) ** 2 < 420:
         return 255, 240, 190
-    return mix((255, 132, 40), (236, 60, 24), abs(2 * y - 127), 127)
+    return mix((255, 164, 70), (240, 96, 36), abs(2 * y - 127), 127)
 
 
 def chunk(kind, data):
