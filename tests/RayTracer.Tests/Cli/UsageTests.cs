@@ -1,3 +1,6 @@
+using System.Text;
+using System.Text.RegularExpressions;
+using RayTracer.Cli;
 using RayTracer.Tests.Imaging;
 
 namespace RayTracer.Tests.Cli;
@@ -101,5 +104,25 @@ public sealed class UsageTests : IDisposable
         Assert.Equal(0, run.Status);
         Assert.Contains(expected, run.Output, StringComparison.Ordinal);
         Assert.Empty(run.Error);
+    }
+
+    [Fact]
+    public void An_internal_error_is_one_line_that_names_the_file_with_its_details()
+    {
+        using StringWriter error = new();
+        using BrokenWriter broken = new();
+        Assert.Equal(70, CommandLine.Run(["schema"], new(broken, error)));
+        Match match = Regex.Match(error.ToString(), "^raytracer: error: internal error: first second \\(details in (.*)\\)\r?\n$");
+        Assert.True(match.Success, error.ToString());
+        string details = File.ReadAllText(match.Groups[1].Value);
+        File.Delete(match.Groups[1].Value);
+        Assert.Contains(nameof(BrokenWriter), details, StringComparison.Ordinal);
+    }
+
+    private sealed class BrokenWriter : TextWriter
+    {
+        public override Encoding Encoding => Encoding.UTF8;
+
+        public override void Write(string? value) => throw new InvalidOperationException("first\nsecond");
     }
 }
