@@ -337,7 +337,7 @@ public sealed class JsonParser
             "true" or "false" => new(JsonKind.Boolean, start, _at, word),
             "null" => new(JsonKind.Null, start, _at, word),
             "" => Fail<JsonNode>(start, $"expected a value, but found {Found()}"),
-            _ => Fail<JsonNode>(start, $"unknown word {Quotation.Of(word)}{Spelling.DidYouMean(word, ["true", "false", "null"])}: a string needs double quotes"),
+            _ => Fail<JsonNode>(start, $"unknown word {Quotation.Of(word)}{(Spelling.DidYouMean(word, ["true", "false", "null"]) is { Length: > 0 } hint ? hint : ": a string needs double quotes")}"),
         };
     }
 

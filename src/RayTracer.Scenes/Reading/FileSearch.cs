@@ -12,6 +12,11 @@ internal static class FileSearch
             return null;
         }
 
+        if (path.Length == 0 || path.Contains('\0', StringComparison.Ordinal))
+        {
+            return "file not found";
+        }
+
         if (Directory.Exists(path))
         {
             return "it is a folder, not a file";

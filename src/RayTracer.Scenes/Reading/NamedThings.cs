@@ -4,10 +4,11 @@ namespace RayTracer.Scenes;
 /// The things that a scene file defines under names. Each is read when it is first referred to, so that definitions may
 /// stand in any order.
 /// </summary>
+/// <param name="noun">What each of them is: texture or material.</param>
 /// <param name="bag">Takes what is wrong.</param>
 /// <param name="definitions">The object whose members are the definitions; null where there is none.</param>
 /// <param name="read">Reads the definition of a name.</param>
-internal sealed class NamedThings<T>(DiagnosticBag bag, JsonNode? definitions, Func<JsonMember, T?> read)
+internal sealed class NamedThings<T>(string noun, DiagnosticBag bag, JsonNode? definitions, Func<JsonMember, T?> read)
     where T : class
 {
     private readonly Dictionary<string, JsonMember> _definitions = (definitions?.Members ?? [])
@@ -35,7 +36,13 @@ internal sealed class NamedThings<T>(DiagnosticBag bag, JsonNode? definitions, F
         if (first >= 0)
         {
             string circle = string.Join(" → ", _open.Skip(first).Append(name).Select(Quotation.Of));
-            bag.Error(reference, $"{circle}: what refers to itself has no end");
+            bag.Error(reference, $"the {noun} {Quotation.Of(name)} contains itself: {circle}");
+            return null;
+        }
+
+        if (_open.Count == RecordReader.MaximumNesting)
+        {
+            bag.Error(reference, $"{noun}s are nested more than {RecordReader.MaximumNesting} deep");
             return null;
         }
 

@@ -78,7 +78,7 @@ internal sealed class NumberReader(DiagnosticBag bag)
     {
         if (node.Kind != JsonKind.Array)
         {
-            bag.Expected(node, $"[{count} numbers]", key);
+            bag.Expected(node, $"an array of {count} numbers", key);
             return null;
         }
 

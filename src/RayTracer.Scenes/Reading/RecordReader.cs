@@ -6,8 +6,8 @@ namespace RayTracer.Scenes;
 /// <summary>Turns the values of a scene file into description records, by reflection over their parameters.</summary>
 internal sealed class RecordReader
 {
-    // Textures, materials and shapes within one another. Each level may double the work of shading a point.
-    private const int MaximumNesting = 16;
+    /// <summary>How deep textures, materials and shapes may be nested within one another. Each level may double the work of shading a point.</summary>
+    public const int MaximumNesting = 16;
 
     private readonly DiagnosticBag _bag;
     private readonly SourceMap _map;
@@ -21,8 +21,8 @@ internal sealed class RecordReader
         _bag = bag;
         _map = map;
         _numbers = new(bag);
-        _textures = new(bag, root.Find("textures"), NamedTexture);
-        _materials = new(bag, root.Find("materials"), m => Material(m.Key, m.Value));
+        _textures = new("texture", bag, root.Find("textures"), NamedTexture);
+        _materials = new("material", bag, root.Find("materials"), m => Material(m.Key, m.Value));
     }
 
     /// <summary>Reads a scene. Values with errors keep their defaults, and their records are marked as incomplete.</summary>
@@ -56,7 +56,7 @@ internal sealed class RecordReader
 
         foreach (RecordParameter missing in type.Parameters.Where(p => p.Required && node.Find(p.Key) is null))
         {
-            _bag.Error(node, $"{WithArticle(type.Name)} needs {Quotation.Of(missing.Key)}");
+            _bag.Error(node, $"{NameOf(type)} needs {Quotation.Of(missing.Key)}");
             _map.MarkIncomplete(record);
         }
 
@@ -77,7 +77,7 @@ internal sealed class RecordReader
         }
 
         _bag.Unknown(
-            member.Start, $"unknown key {Quotation.Of(member.Key)} in {WithArticle(type.Name)}", member.Key, type.Parameters.Select(p => p.Key), "it may have");
+            member.Start, $"unknown key {Quotation.Of(member.Key)} in {NameOf(type)}", member.Key, type.Parameters.Select(p => p.Key), "it may have");
         return false;
     }
 
@@ -210,7 +210,16 @@ internal sealed class RecordReader
             return null;
         }
 
-        return Nested(node, () => Record(node, type));
+        if (_nesting == MaximumNesting)
+        {
+            _bag.Error(node, $"things within things are nested more than {_nesting} deep");
+            return null;
+        }
+
+        _nesting++;
+        object record = Record(node, type);
+        _nesting--;
+        return record;
     }
 
     private void UnknownType(JsonNode name, TypeFamily family)
@@ -225,28 +234,13 @@ internal sealed class RecordReader
         _bag.Unknown(name.Start, $"unknown {family.Noun} type {Quotation.Of(name.Text)}", name.Text, family.Names, "expected one of");
     }
 
-    private T? Nested<T>(JsonNode node, Func<T?> read)
-        where T : class
-    {
-        if (_nesting == MaximumNesting)
-        {
-            _bag.Error(node, $"things within things are nested more than {MaximumNesting} deep");
-            return null;
-        }
-
-        _nesting++;
-        T? thing = read();
-        _nesting--;
-        return thing;
-    }
-
     private MaterialDescription? Material(string key, JsonNode node)
     {
         if (node.Kind == JsonKind.String)
         {
             if (_materials.Defines(node.Text))
             {
-                return Nested(node, () => _materials.Find(node.Text, node));
+                return _materials.Find(node.Text, node);
             }
 
             _bag.Unknown(node.Start, $"unknown material {Quotation.Of(node.Text)}", node.Text, _materials.Names, "");
@@ -305,7 +299,7 @@ internal sealed class RecordReader
 
         if (_textures.Defines(node.Text))
         {
-            return Nested(node, () => _textures.Find(node.Text, node));
+            return _textures.Find(node.Text, node);
         }
 
         _bag.Unknown(node.Start, $"unknown colour or texture {Quotation.Of(node.Text)}", node.Text, _textures.Names.Concat(CssColors.Names), "");
@@ -319,5 +313,14 @@ internal sealed class RecordReader
         return solid;
     }
 
-    private static string WithArticle(string noun) => noun[0] is 'a' or 'e' or 'i' or 'o' or 'u' ? $"an {noun}" : $"a {noun}";
+    // "a sphere", or "camera" for a part that there is only one of.
+    private static string NameOf(RecordType type)
+    {
+        if (type.Summary.Length == 0)
+        {
+            return type == SceneTypes.Scene ? "the scene" : Quotation.Of(type.Name);
+        }
+
+        return type.Name[0] is 'a' or 'e' or 'i' or 'o' or 'u' ? $"an {type.Name}" : $"a {type.Name}";
+    }
 }

@@ -24,7 +24,7 @@ public static class SceneReader
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
-            return Unreadable(path, $"cannot be read: {e.Message}");
+            return Unreadable(path, $"cannot be read: {e.Message.TrimEnd('.')}");
         }
 
         if (bytes is null)

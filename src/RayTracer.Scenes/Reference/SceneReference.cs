@@ -54,7 +54,6 @@ public static class SceneReference
           any order and refer to each other, but not in a circle. Things may be nested 16 deep.
         - **Files** are looked for from the folder of the scene file.
 
-
         """;
 
     /// <summary>The whole page, with \n at each line's end.</summary>
@@ -62,6 +61,7 @@ public static class SceneReference
     {
         StringBuilder page = new(Introduction);
         page.Append($"\n```jsonc\n{Example}\n```\n\n").Append(Conventions);
+        page.Append("## The scene and its parts\n\n");
         foreach (RecordType part in SceneTypes.Parts)
         {
             Section(page, part, part == SceneTypes.Scene ? "The whole file." : "");
@@ -69,7 +69,7 @@ public static class SceneReference
 
         foreach (TypeFamily family in SceneTypes.Families)
         {
-            page.Append($"# {Capital(family.Noun)}s\n\n");
+            page.Append($"## {Capital(family.Noun)}s\n\n");
             foreach (RecordType type in family.Types)
             {
                 Section(page, type, $"{type.Summary} Written `\"type\": \"{type.Name}\"`.");
@@ -81,7 +81,7 @@ public static class SceneReference
 
     private static void Section(StringBuilder page, RecordType type, string summary)
     {
-        page.Append($"## {type.Name}\n\n");
+        page.Append($"### {type.Name}\n\n");
         if (summary.Length > 0)
         {
             page.Append(summary).Append("\n\n");

@@ -3,6 +3,7 @@ using System.Reflection;
 using System.Text.Json;
 using RayTracer.Description;
 using RayTracer.Numerics;
+using RayTracer.Textures;
 
 namespace RayTracer.Scenes;
 
@@ -19,6 +20,7 @@ public sealed class RecordParameter
         Key = JsonNamingPolicy.CamelCase.ConvertName(property.Name);
         ValueType = Nullable.GetUnderlyingType(property.PropertyType) ?? property.PropertyType;
         Kind = KindOf(ValueType, attribute.IsFile);
+        Choices = Kind == ParameterKind.Choice ? [.. Enum.GetNames(ValueType).Select(JsonNamingPolicy.CamelCase.ConvertName)] : [];
         Default = property.GetValue(defaults);
     }
 
@@ -56,8 +58,7 @@ public sealed class RecordParameter
     public object? Default { get; }
 
     /// <summary>The words that a <see cref="ParameterKind.Choice"/> is made from; otherwise empty.</summary>
-    public IReadOnlyList<string> Choices =>
-        Kind == ParameterKind.Choice ? [.. Enum.GetNames(ValueType).Select(JsonNamingPolicy.CamelCase.ConvertName)] : [];
+    public IReadOnlyList<string> Choices { get; }
 
     /// <summary>The allowed range in words ("at least 0", "from 0 to 1"); empty where every number is allowed.</summary>
     public string Range
@@ -121,11 +122,15 @@ public sealed class RecordParameter
         Vector2 v => [v.X, v.Y],
         Vector3 v => [v.X, v.Y, v.Z],
         Rgb c => [c.R, c.G, c.B],
-        TextureDescription t => RecordType.Of(t.GetType()).Parameters
-            .Where(p => p.Kind is ParameterKind.Texture or ParameterKind.Color)
-            .SelectMany(p => Numbers(p.Get(t))),
+        TextureDescription t => WithParts(t, new(ReferenceEqualityComparer.Instance)).OfType<SolidTextureDescription>().SelectMany(s => Numbers(s.Color)),
         _ => [],
     };
+
+    // Each texture once, however many paths lead to it: there may be exponentially many.
+    private static IEnumerable<object> WithParts(object texture, HashSet<object> seen) => !seen.Add(texture) ? [] : RecordType.Of(texture.GetType()).Parameters
+        .Where(p => p.Kind == ParameterKind.Texture)
+        .SelectMany(p => WithParts(p.Get(texture)!, seen))
+        .Prepend(texture);
 
     private static ParameterKind KindOf(Type type, bool isFile)
     {

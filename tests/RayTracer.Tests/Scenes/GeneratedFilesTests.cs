@@ -17,7 +17,7 @@ public class GeneratedFilesTests
     {
         string page = SceneReference.Generate();
         IEnumerable<RecordType> types = SceneTypes.Parts.Concat(SceneTypes.Families.SelectMany(f => f.Types));
-        Assert.All(types, t => Assert.Contains($"## {t.Name}\n", page, StringComparison.Ordinal));
+        Assert.All(types, t => Assert.Contains($"### {t.Name}\n", page, StringComparison.Ordinal));
         Assert.All(types.SelectMany(t => t.Parameters), p => Assert.Contains($"| `{p.Key}` |", page, StringComparison.Ordinal));
     }
 }

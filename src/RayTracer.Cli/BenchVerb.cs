@@ -1,0 +1,121 @@
+using System.CommandLine;
+using System.Diagnostics;
+using System.Numerics;
+using RayTracer.Rendering;
+
+namespace RayTracer.Cli;
+
+/// <summary><c>raytracer bench [SCENE…]</c></summary>
+internal static class BenchVerb
+{
+    private const string ReportScenes = "scenes/report";
+
+    private sealed record Measurement(string Path, Scene Scene, int Threads, double Seconds, long Rays)
+    {
+        public double RaysPerSecond => Rays / Seconds;
+    }
+
+    public static void Build(Command command, Streams streams)
+    {
+        Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes}.", Arity = ArgumentArity.ZeroOrMore };
+        ParsedOption<long?> samples = OptionValues.Parameter("--spp", nameof(Description.RenderDescription.SamplesPerPixel));
+        ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "How often each scene is rendered; the best counts. 3 without it.", 1, 1000);
+        Option<bool> json = new("--json") { Description = "Prints one JSON object." };
+        command.Arguments.Add(scenes);
+        command.Options.Add(samples.Symbol);
+        command.Options.Add(repeat.Symbol);
+        command.Options.Add(json);
+        command.SetAction(result => Run(result.GetValue(scenes)!, (int?)samples.Value(result), (int)(repeat.Value(result) ?? 3), result.GetValue(json), streams));
+    }
+
+    private static int Run(string[] scenes, int? samples, int repeat, bool json, Streams streams)
+    {
+        List<Measurement> all = [];
+        if (!json)
+        {
+            streams.Output.WriteLine($"{"M rays/s",-32}{"1 thread",12}{$"{Environment.ProcessorCount} threads",12}{"ratio",8}   ({Vector<float>.Count} lanes)");
+        }
+
+        foreach (string path in scenes.Length > 0 ? scenes : FindReportScenes())
+        {
+            Scene? scene = SceneFile.Load(path, streams, s => samples is { } n ? s with { Render = s.Render with { SamplesPerPixel = n } } : s);
+            if (scene is null)
+            {
+                return SceneFile.FailureStatus(path);
+            }
+
+            Measurement one = Best(path, scene, 1, repeat);
+            Measurement many = Best(path, scene, Environment.ProcessorCount, repeat);
+            all.AddRange(one, many);
+            if (!json)
+            {
+                streams.Output.WriteLine($"{path,-32}{one.RaysPerSecond / 1e6,12:F1}{many.RaysPerSecond / 1e6,12:F1}{many.RaysPerSecond / one.RaysPerSecond,8:F2}");
+            }
+        }
+
+        if (json)
+        {
+            WriteJson(all, streams);
+        }
+
+        return ExitStatus.Fine;
+    }
+
+    private static Measurement Best(string path, Scene scene, int threads, int repeat)
+    {
+        RTracer tracer = new(scene, new() { Threads = threads });
+        Measurement? best = null;
+        for (int i = 0; i < repeat; i++)
+        {
+            Film film = new(scene.Render.Width, scene.Render.Height);
+            long start = Stopwatch.GetTimestamp();
+            RenderStatistics statistics = tracer.Render(film);
+            double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+            best = best is null || seconds < best.Seconds ? new(path, scene, threads, seconds, statistics.Rays) : best;
+        }
+
+        return best!;
+    }
+
+    private static string[] FindReportScenes()
+    {
+        List<string> folders = ["."];
+        for (DirectoryInfo? folder = new(AppContext.BaseDirectory); folder is not null; folder = folder.Parent)
+        {
+            folders.Add(folder.FullName);
+        }
+
+        foreach (string folder in folders)
+        {
+            string scenes = folder == "." ? ReportScenes : Path.Combine(folder, ReportScenes);
+            string[] found = Directory.Exists(scenes) ? Directory.GetFiles(scenes, "*.json") : [];
+            if (found.Length > 0)
+            {
+                return [.. found.Order(StringComparer.Ordinal)];
+            }
+        }
+
+        throw new CommandException(ExitStatus.InputOutput, $"there are no scenes in {ReportScenes}, neither here nor above the program: name the scenes to render");
+    }
+
+    private static void WriteJson(IEnumerable<Measurement> measurements, Streams streams) => JsonText.Write(streams, json =>
+    {
+        json.WriteNumber("lanes", Vector<float>.Count);
+        json.WriteStartArray("runs");
+        foreach (Measurement m in measurements)
+        {
+            json.WriteStartObject();
+            json.WriteString("scene", m.Path);
+            json.WriteNumber("width", m.Scene.Render.Width);
+            json.WriteNumber("height", m.Scene.Render.Height);
+            json.WriteNumber("samplesPerPixel", m.Scene.Render.SamplesPerPixel);
+            json.WriteNumber("threads", m.Threads);
+            json.WriteNumber("renderSeconds", m.Seconds);
+            json.WriteNumber("rays", m.Rays);
+            json.WriteNumber("raysPerSecond", m.RaysPerSecond);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    });
+}

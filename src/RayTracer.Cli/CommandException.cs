@@ -1,0 +1,10 @@
+namespace RayTracer.Cli;
+
+/// <summary>Ends a command with a message for the user.</summary>
+/// <param name="status">One of <see cref="ExitStatus"/>.</param>
+/// <param name="message">What is wrong and what was expected, in one sentence.</param>
+internal sealed class CommandException(int status, string message) : Exception(message)
+{
+    /// <summary>What the command returns to the shell.</summary>
+    public int Status { get; } = status;
+}

@@ -1,0 +1,147 @@
+using System.CommandLine;
+using System.CommandLine.Help;
+using System.CommandLine.Parsing;
+using System.Numerics;
+using RayTracer.Imaging;
+using RayTracer.Scenes;
+using RayTracer.Textures;
+
+namespace RayTracer.Cli;
+
+/// <summary>Finds the verb, runs it, and turns whatever goes wrong into one line and an exit status.</summary>
+internal static class CommandLine
+{
+    /// <summary>The program's name and version.</summary>
+    public static string Version { get; } = $"raytracer {typeof(CommandLine).Assembly.GetName().Version!.ToString(3)}";
+
+    // Each verb's options are made only where they are needed: making all of them takes longer than a small picture.
+    private static readonly (string Name, string Summary, Action<Command, Streams> Build)[] Verbs =
+    [
+        ("render", "Renders a scene into image files.", RenderVerb.Build),
+        ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
+        ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
+        ("compare", "Compares two images.", CompareVerb.Build),
+        ("bench", "Measures how many rays are traced in a second.", BenchVerb.Build),
+        ("schema", "Prints the JSON Schema of scene files.", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
+        ("reference", "Prints the reference page of the scene format, in Markdown.", (c, s) => c.SetAction(_ => s.Output.Write(SceneReference.Generate()))),
+    ];
+
+    /// <summary>Runs a command.</summary>
+    /// <param name="args">The words after the program's name.</param>
+    /// <param name="streams">Where to write.</param>
+    /// <returns>One of <see cref="ExitStatus"/>.</returns>
+    public static int Run(string[] args, Streams streams)
+    {
+        try
+        {
+            ParseResult result = Root(args.FirstOrDefault(), streams).Parse(args, new() { ResponseFileTokenReplacer = null });
+            string? stray = Stray(result);
+            if ((stray is not null || result.Errors.Count > 0) && result.Action is not HelpAction)
+            {
+                return WrongUsage(result, stray, streams);
+            }
+
+            return result.Invoke(new() { Output = streams.Output, Error = streams.Error, EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
+        }
+        catch (Exception e)
+        {
+            return Report(e, streams);
+        }
+    }
+
+    private static Command Root(string? verb, Streams streams)
+    {
+        Command root = new("raytracer", $"A Monte Carlo ray tracer.\n\n{ExitStatus.Help}");
+        Option<bool> version = new("--version") { Description = "Shows the version and the number of vector lanes." };
+        root.Options.Add(new HelpOption());
+        root.Options.Add(version);
+        root.SetAction(result =>
+        {
+            if (!result.GetValue(version))
+            {
+                throw new CommandException(ExitStatus.Usage, $"a verb is expected: {string.Join(", ", Verbs.Select(v => v.Name))} (see raytracer --help)");
+            }
+
+            streams.Output.WriteLine($"{Version} ({Vector<float>.Count} lanes)");
+        });
+        foreach ((string name, string summary, Action<Command, Streams> build) in Verbs)
+        {
+            Command command = new(name, summary);
+            if (name == verb)
+            {
+                build(command, streams);
+            }
+
+            root.Subcommands.Add(command);
+        }
+
+        return root;
+    }
+
+    // A word that has no place; one that looks like an option comes first, even where the parser took it for an argument.
+    private static string? Stray(ParseResult result)
+    {
+        IEnumerable<string> arguments = result.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value);
+        return result.UnmatchedTokens.Concat(arguments).FirstOrDefault(t => t is ['-', _, ..]) ?? (result.UnmatchedTokens is [var first, ..] ? first : null);
+    }
+
+    private static int WrongUsage(ParseResult result, string? stray, Streams streams)
+    {
+        Command command = result.CommandResult.Command;
+        IEnumerable<string> verbs = Verbs.Select(v => v.Name);
+        bool isRoot = command.Name == "raytracer";
+        streams.Fail(stray switch
+        {
+            null => OneLine(result.Errors[0].Message),
+            ['-', ..] => UnknownOption(stray, command),
+            _ when isRoot => $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
+            _ => $"unexpected argument {Quotation.Of(stray)}",
+        });
+        streams.Error.WriteLine(isRoot ? "usage: raytracer VERB …, see raytracer --help" : $"usage: raytracer {command.Name} {Synopsis(command)}, see raytracer {command.Name} --help");
+        return ExitStatus.Usage;
+    }
+
+    private static string UnknownOption(string word, Command command) =>
+        $"unknown option {Quotation.Of(word)}{Spelling.DidYouMean(word, command.Options.SelectMany(o => o.Aliases.Prepend(o.Name)))}";
+
+    private static string Synopsis(Command command)
+    {
+        IEnumerable<string> words = command.Arguments.Select(a => a.Arity.MaximumNumberOfValues > 1 ? $"{a.Name}…" : a.Name);
+        return string.Join(' ', words.Append("[options]"));
+    }
+
+    private static int Report(Exception e, Streams streams)
+    {
+        switch (e)
+        {
+            case CommandException command:
+                streams.Fail(command.Message);
+                return command.Status;
+            case ImageWriteException or PictureException or IOException or UnauthorizedAccessException:
+                streams.Fail(OneLine(e.Message).TrimEnd('.'));
+                return ExitStatus.InputOutput;
+            case OutOfMemoryException or { InnerException: OutOfMemoryException }:
+                streams.Fail("there is not enough memory");
+                return ExitStatus.InputOutput;
+            default:
+                streams.Fail($"internal error: {OneLine(e.Message)} ({Details(e)})");
+                return ExitStatus.Internal;
+        }
+    }
+
+    private static string Details(Exception e)
+    {
+        string path = Path.Combine(Path.GetTempPath(), $"raytracer-error-{Guid.NewGuid():N}.txt");
+        try
+        {
+            File.WriteAllText(path, $"{Version}\n{Environment.OSVersion}, .NET {Environment.Version}\n{e}\n");
+            return $"details in {path}";
+        }
+        catch (Exception failure) when (failure is IOException or UnauthorizedAccessException)
+        {
+            return $"its details could not be written to {path}";
+        }
+    }
+
+    private static string OneLine(string message) => message.ReplaceLineEndings(" ");
+}

@@ -1,0 +1,64 @@
+using RayTracer.Imaging;
+using RayTracer.Textures;
+
+namespace RayTracer.Cli;
+
+/// <summary>The files that an image is written to.</summary>
+internal static class ImageOutputs
+{
+    /// <summary>Finds out before the work whether a file can be written after it.</summary>
+    /// <exception cref="CommandException">The extension is unknown.</exception>
+    /// <exception cref="ImageWriteException">The folder is missing or closed to us, or has no room for another file.</exception>
+    public static void Check(string path)
+    {
+        AtomicFile.Check(path);
+        try
+        {
+            ImageFile.Check(path);
+        }
+        catch (ImageWriteException e)
+        {
+            throw new CommandException(ExitStatus.Usage, e.Message.TrimEnd('.'));
+        }
+
+        TryFolder(path);
+    }
+
+    /// <summary>Writes an image to several files; says of each that cannot be written why.</summary>
+    /// <returns>Those that were written.</returns>
+    public static IReadOnlyList<string> Write(IEnumerable<string> paths, IImageRows image, ImageWriteOptions options, Streams streams)
+    {
+        List<string> written = [];
+        foreach (string path in paths)
+        {
+            try
+            {
+                ImageFile.Write(path, image, options);
+                written.Add(path);
+            }
+            catch (ImageWriteException e)
+            {
+                streams.Fail(e.Message.TrimEnd('.'));
+            }
+        }
+
+        return written;
+    }
+
+    // Access rights, read-only file systems and quotas have too many forms to be looked up: try it.
+    private static void TryFolder(string path)
+    {
+        FileInfo file = new(path);
+        string target = file.LinkTarget is null ? file.FullName : file.ResolveLinkTarget(returnFinalTarget: true)!.FullName;
+        string probe = Path.Combine(Path.GetDirectoryName(target)!, $".{Guid.NewGuid():N}.tmp");
+        try
+        {
+            using FileStream stream = new(probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            string reason = e is UnauthorizedAccessException ? "access to the folder is denied" : e.Message.Replace(probe, "a file in its folder", StringComparison.Ordinal);
+            throw new ImageWriteException($"Cannot write '{path}': {reason.TrimEnd('.')}.", e);
+        }
+    }
+}

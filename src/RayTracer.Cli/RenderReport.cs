@@ -1,0 +1,95 @@
+using RayTracer.Description;
+using RayTracer.Rendering;
+
+namespace RayTracer.Cli;
+
+/// <summary>What <c>render</c> prints when it is done.</summary>
+/// <param name="request">What was asked for.</param>
+/// <param name="outcome">What it came to.</param>
+/// <param name="written">The files that were written.</param>
+/// <param name="totalSeconds">How long everything took.</param>
+internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome, IReadOnlyList<string> written, double totalSeconds)
+{
+    private readonly RenderStatistics _statistics = outcome.Statistics;
+    private readonly RenderDescription _render = outcome.Scene.Render;
+
+    /// <summary>Prints the summary or the JSON object, and the warnings.</summary>
+    public void Write(Streams streams)
+    {
+        if (request.Json)
+        {
+            WriteJson(streams);
+        }
+        else if (!request.Quiet)
+        {
+            WriteSummary(streams.Output);
+        }
+
+        WarnOfBadSamples(streams);
+        WarnOfClamped(_statistics, streams);
+        if (_statistics.Cancelled)
+        {
+            string files = written.Count > 0 ? $"the image so far is in {string.Join(" and ", written)}" : "no image was written";
+            streams.Warn($"stopped after {_statistics.Paths} paths; {files}");
+        }
+    }
+
+    /// <summary>Warns of samples that were made smaller.</summary>
+    public static void WarnOfClamped(RenderStatistics statistics, Streams streams)
+    {
+        if (statistics.ClampedSamples > 0)
+        {
+            streams.Warn($"{statistics.ClampedSamples} samples were clamped at ±{Film.SampleLimit}: the picture is darker there than it should be");
+        }
+    }
+
+    private void WarnOfBadSamples(Streams streams)
+    {
+        if (_statistics.NonFiniteSamples == 0)
+        {
+            return;
+        }
+
+        streams.Warn($"{_statistics.NonFiniteSamples} samples were not finite and were left out; to follow them again:");
+        foreach (BadSample bad in _statistics.BadSamples)
+        {
+            streams.Error.WriteLine($"  {request.ReplayCommand(bad)}");
+        }
+    }
+
+    private void WriteSummary(TextWriter output)
+    {
+        string threads = outcome.Threads == 1 ? "1 thread" : $"{outcome.Threads} threads";
+        output.WriteLine($"{request.ScenePath}: {_render.Width}×{_render.Height} pixels, {_render.SamplesPerPixel} samples each, {threads}");
+        output.WriteLine($"{_statistics.Paths:N0} paths and {_statistics.Rays:N0} rays in {outcome.Seconds:F2} s, {outcome.RaysPerSecond / 1e6:F1} M rays/s; {totalSeconds:F2} s in all");
+        output.WriteLine($"film {outcome.Hash}");
+        foreach (string path in written)
+        {
+            output.WriteLine($"wrote {path}");
+        }
+    }
+
+    private void WriteJson(Streams streams) => JsonText.Write(streams, json =>
+    {
+        json.WriteNumber("width", _render.Width);
+        json.WriteNumber("height", _render.Height);
+        json.WriteNumber("samplesPerPixel", _render.SamplesPerPixel);
+        json.WriteNumber("threads", outcome.Threads);
+        json.WriteNumber("renderSeconds", outcome.Seconds);
+        json.WriteNumber("totalSeconds", totalSeconds);
+        json.WriteNumber("paths", _statistics.Paths);
+        json.WriteNumber("closestHitRays", _statistics.ClosestHitRays);
+        json.WriteNumber("shadowRays", _statistics.ShadowRays);
+        json.WriteNumber("raysPerSecond", outcome.RaysPerSecond);
+        json.WriteString("filmHash", outcome.Hash);
+        json.WriteNumber("nonFiniteSamples", _statistics.NonFiniteSamples);
+        json.WriteBoolean("cancelled", _statistics.Cancelled);
+        json.WriteStartArray("outputs");
+        foreach (string path in written)
+        {
+            json.WriteStringValue(path);
+        }
+
+        json.WriteEndArray();
+    });
+}

@@ -1,0 +1,45 @@
+using System.CommandLine;
+using RayTracer.Rendering;
+
+namespace RayTracer.Cli;
+
+/// <summary>What <c>raytracer render</c> was asked for.</summary>
+internal sealed record RenderRequest
+{
+    /// <summary>The scene file, as its user named it.</summary>
+    public required string ScenePath { get; init; }
+
+    /// <summary>The files to write.</summary>
+    public required IReadOnlyList<string> Outputs { get; init; }
+
+    /// <summary>How PNGs are written; the metadata is added later.</summary>
+    public required Imaging.ImageWriteOptions Writing { get; init; }
+
+    /// <summary>Number of threads.</summary>
+    public required int Threads { get; init; }
+
+    /// <summary>x, y, width and height of the part to render; null for all.</summary>
+    public int[]? Crop { get; init; }
+
+    /// <summary>x and y of the only pixel to render; null for all.</summary>
+    public int[]? Pixel { get; init; }
+
+    /// <summary>The only sample to render; null for all.</summary>
+    public long? Sample { get; init; }
+
+    /// <summary>Whether nothing but errors and warnings is printed.</summary>
+    public bool Quiet { get; init; }
+
+    /// <summary>Whether a JSON object is printed.</summary>
+    public bool Json { get; init; }
+
+    /// <summary>The words of the overrides that were given.</summary>
+    public required IReadOnlyList<string> OverrideWords { get; init; }
+
+    /// <summary>The whole command, as it is typed.</summary>
+    public required string CommandText { get; init; }
+
+    /// <summary>The command that follows one sample's path again.</summary>
+    public string ReplayCommand(BadSample bad) =>
+        Shell.Command(["render", ScenePath, "--pixel", $"{bad.X},{bad.Y}", "--sample", $"{bad.Sample}", .. OverrideWords]);
+}

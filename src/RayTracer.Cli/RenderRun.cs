@@ -1,0 +1,120 @@
+using System.Diagnostics;
+using RayTracer.Description;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+
+namespace RayTracer.Cli;
+
+/// <summary>Renders one scene as it was asked for.</summary>
+/// <param name="request">What was asked for.</param>
+/// <param name="overrides">Puts the options of the command line into the scene.</param>
+/// <param name="streams">Where to write.</param>
+internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, SceneDescription> overrides, Streams streams)
+{
+    private readonly Stopwatch _total = Stopwatch.StartNew();
+
+    /// <summary>Loads, renders, writes and reports.</summary>
+    /// <returns>One of <see cref="ExitStatus"/>.</returns>
+    public int Run()
+    {
+        foreach (string output in request.Outputs)
+        {
+            ImageOutputs.Check(output);
+        }
+
+        using StopSignals signals = new(streams);
+        if (SceneFile.Load(request.ScenePath, streams, overrides) is not { } scene)
+        {
+            return SceneFile.FailureStatus(request.ScenePath);
+        }
+
+        RenderOptions options = Options(scene.Render);
+        Film film = FilmFor(scene.Render);
+        RenderOutcome outcome = Render(scene, film, options, signals.Token);
+        if (request.Pixel is not null)
+        {
+            PixelReport.Write(request, outcome, streams);
+            return signals.Status;
+        }
+
+        IReadOnlyList<string> written = film.TotalSamples > 0 ? Write(outcome) : [];
+        RenderReport report = new(request, outcome, written, _total.Elapsed.TotalSeconds);
+        report.Write(streams);
+        return signals.Status != 0 ? signals.Status : written.Count < request.Outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+    }
+
+    private RenderOutcome Render(Scene scene, Film film, RenderOptions options, CancellationToken cancellation)
+    {
+        using ProgressDisplay? display = request.Quiet || request.Pixel is not null ? null : ProgressDisplay.Start(streams);
+        long start = Stopwatch.GetTimestamp();
+        RenderStatistics statistics = new RTracer(scene, options).Render(film, display, cancellation);
+        return new(scene, film, statistics, options.Threads, Stopwatch.GetElapsedTime(start).TotalSeconds);
+    }
+
+    private RenderOptions Options(RenderDescription render)
+    {
+        if (request.Pixel is { } p && (p[0] >= render.Width || p[1] >= render.Height))
+        {
+            throw Misplaced($"--pixel {p[0]},{p[1]}", render);
+        }
+
+        if (request.Crop is { } c && (c[2] < 1 || c[3] < 1 || c[0] > render.Width - c[2] || c[1] > render.Height - c[3]))
+        {
+            throw Misplaced($"--crop {string.Join(',', c)}", render);
+        }
+
+        if (request.Sample >= render.SamplesPerPixel)
+        {
+            throw new CommandException(ExitStatus.Usage, $"--sample {request.Sample}: the pixels have samples 0 to {render.SamplesPerPixel - 1} only");
+        }
+
+        return new()
+        {
+            Threads = request.Threads,
+            Crop = request.Pixel is [var x, var y] ? new(x, y, 1, 1) : request.Crop is [var left, var top, var width, var height] ? new(left, top, width, height) : null,
+            Samples = request.Sample is { } sample ? new((int)sample, (int)sample + 1) : null,
+        };
+    }
+
+    private static CommandException Misplaced(string option, RenderDescription render) =>
+        new(ExitStatus.Usage, $"{option}: does not lie within the picture of {render.Width}×{render.Height} pixels");
+
+    private static Film FilmFor(RenderDescription render)
+    {
+        long bytes = FilmMemory.Bytes(render.Width, render.Height);
+        long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
+        bool fits = bytes <= available && (long)render.Width * render.Height <= FilmMemory.MaxPixels;
+        return fits ? new(render.Width, render.Height) : throw new CommandException(
+            ExitStatus.InputOutput, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than can be had ({FilmMemory.Text(available)})");
+    }
+
+    private IReadOnlyList<string> Write(RenderOutcome outcome)
+    {
+        KeyValuePair<string, string>[] texts =
+        [
+            new("Software", CommandLine.Version),
+            new("Command", request.CommandText),
+            new("Scene", Path.GetFileName(request.ScenePath)),
+            new("Samples", $"{outcome.Scene.Render.SamplesPerPixel}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
+            new("FilmHash", outcome.Hash),
+        ];
+        return ImageOutputs.Write(request.Outputs, outcome.Film, request.Writing with { Metadata = texts }, streams);
+    }
+}
+
+/// <summary>What a rendering came to.</summary>
+/// <param name="Scene">What was rendered.</param>
+/// <param name="Film">The picture.</param>
+/// <param name="Statistics">What was done for it.</param>
+/// <param name="Threads">On how many threads.</param>
+/// <param name="Seconds">How long that took.</param>
+internal sealed record RenderOutcome(Scene Scene, Film Film, RenderStatistics Statistics, int Threads, double Seconds)
+{
+    private string? _hash;
+
+    /// <summary>The film's hash.</summary>
+    public string Hash => _hash ??= Film.ComputeHash();
+
+    /// <summary>Rays a second.</summary>
+    public double RaysPerSecond => Seconds > 0 ? Statistics.Rays / Seconds : 0;
+}

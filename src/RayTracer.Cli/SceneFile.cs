@@ -1,0 +1,42 @@
+using RayTracer.Description;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+using RayTracer.Textures;
+
+namespace RayTracer.Cli;
+
+/// <summary>Loads scene files for the verbs.</summary>
+internal static class SceneFile
+{
+    /// <summary>Loads a scene without a word.</summary>
+    /// <param name="path">The scene file.</param>
+    /// <param name="overrides">Changes the description before the scene is built; may be null.</param>
+    /// <param name="readPicture">Reads pictures; null for <see cref="ImageFile.Read"/>.</param>
+    public static SceneLoadResult Load(string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null) =>
+        SceneLoader.Load(path, readPicture ?? ImageFile.Read, overrides);
+
+    /// <summary>Loads a scene and shows what is wrong with it.</summary>
+    /// <param name="path">The scene file.</param>
+    /// <param name="streams">Where the diagnostics go.</param>
+    /// <param name="overrides">Changes the description before the scene is built; may be null.</param>
+    /// <returns>The scene; null where there are errors.</returns>
+    public static Scene? Load(string path, Streams streams, Func<SceneDescription, SceneDescription>? overrides = null)
+    {
+        SceneLoadResult result = Load(path, overrides);
+        Show(result, streams);
+        return result.Scene;
+    }
+
+    /// <summary>Shows diagnostics as a compiler does.</summary>
+    public static void Show(SceneLoadResult result, Streams streams)
+    {
+        if (result.Diagnostics.Count > 0)
+        {
+            streams.Error.WriteLine(Diagnostic.Format(result.Diagnostics));
+        }
+    }
+
+    /// <summary>The exit status for a scene that could not be loaded.</summary>
+    public static int FailureStatus(string path) => File.Exists(path) ? ExitStatus.Scene : ExitStatus.InputOutput;
+}
