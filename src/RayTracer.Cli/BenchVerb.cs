@@ -30,13 +30,14 @@ internal static class BenchVerb
 
     private static int Run(string[] scenes, int? samples, int repeat, bool json, Streams streams)
     {
+        string[] paths = scenes.Length > 0 ? scenes : FindReportScenes();
         List<Measurement> all = [];
         if (!json)
         {
             streams.Output.WriteLine($"{"M rays/s",-32}{"1 thread",12}{$"{Environment.ProcessorCount} threads",12}{"ratio",8}   ({Vector<float>.Count} lanes)");
         }
 
-        foreach (string path in scenes.Length > 0 ? scenes : FindReportScenes())
+        foreach (string path in paths)
         {
             Scene? scene = SceneFile.Load(path, streams, s => samples is { } n ? s with { Render = s.Render with { SamplesPerPixel = n } } : s);
             if (scene is null)

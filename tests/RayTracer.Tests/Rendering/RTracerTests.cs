@@ -1,0 +1,196 @@
+using RayTracer.Numerics;
+using RayTracer.Rendering;
+
+namespace RayTracer.Tests.Rendering;
+
+public class RTracerTests
+{
+    private static readonly Scene s_scene = TestScenes.BuildEverything();
+    private static readonly string s_hash = Render(new() { Threads = 1 }).ComputeHash();
+
+    public static TheoryData<int, int, int> Ways() => new()
+    {
+        { 1, 0, 64 }, { 2, 0, 1024 }, { 7, 0, 1024 }, { 2, 8, 1024 }, { 1, 17, 256 }, { 3, 64, 2048 }, { 1, 5, 16 },
+    };
+
+    [Theory]
+    [MemberData(nameof(Ways))]
+    public void Films_are_the_same_to_the_bit_however_they_are_computed(int threads, int tile, int stream) =>
+        Assert.Equal(s_hash, Render(new() { Threads = threads, TileSize = tile, StreamSize = stream }).ComputeHash());
+
+    [Theory]
+    [InlineData("jittered")]
+    [InlineData("regular")]
+    [InlineData("independent")]
+    public void Every_sampler_keeps_the_bits(string sampler)
+    {
+        Scene scene = TestScenes.BuildEverything(sampler);
+        string one = Render(new() { Threads = 1, TileSize = 8 }, scene).ComputeHash();
+        Assert.Equal(one, Render(new() { Threads = 2, TileSize = 64 }, scene).ComputeHash());
+        Assert.NotEqual(s_hash, one);
+    }
+
+    [Fact]
+    public void Sample_ranges_into_one_film_or_merged_in_any_order_give_the_whole()
+    {
+        Film resumed = new(48, 32);
+        Film[] parts = [new(48, 32), new(48, 32), new(48, 32)];
+        SampleRange[] ranges = [new(0, 5), new(5, 6), new(6, 16)];
+        for (int i = 0; i < 3; i++)
+        {
+            new RTracer(s_scene, new() { Samples = ranges[i] }).Render(resumed);
+            new RTracer(s_scene, new() { Samples = ranges[i] }).Render(parts[i]);
+        }
+
+        Assert.Equal(s_hash, resumed.ComputeHash());
+        Film merged = new(48, 32);
+        merged.Merge(parts[2]);
+        merged.Merge(parts[0]);
+        Assert.NotEqual(s_hash, merged.ComputeHash());
+        merged.Merge(parts[1]);
+        Assert.Equal(s_hash, merged.ComputeHash());
+    }
+
+    [Fact]
+    public void Crops_are_parts_of_the_whole()
+    {
+        Film whole = Render(new());
+        Film left = new(48, 32);
+        new RTracer(s_scene, new() { Crop = new(0, 0, 20, 32) }).Render(left);
+        Assert.Equal(0u, left.SampleCount(20, 10));
+        Assert.Equal(whole.Mean(19, 10), left.Mean(19, 10));
+        new RTracer(s_scene, new() { Crop = new(20, 0, 28, 32) }).Render(left);
+        Assert.Equal(whole.ComputeHash(), left.ComputeHash());
+    }
+
+    [Fact]
+    public void Statistics_count_what_was_traced()
+    {
+        (Film film, RenderStatistics statistics) = new RTracer(s_scene).Render();
+        Assert.Equal(48 * 32 * 16, statistics.Paths);
+        Assert.Equal(statistics.Paths, film.TotalSamples);
+        Assert.True(statistics.ClosestHitRays > statistics.Paths);
+        Assert.True(statistics.ShadowRays > 0);
+        Assert.Equal(statistics.ClosestHitRays + statistics.ShadowRays, statistics.Rays);
+        Assert.Equal(0, statistics.NonFiniteSamples);
+        Assert.False(statistics.Cancelled);
+    }
+
+    [Fact]
+    public void A_cancelled_rendering_leaves_whole_samples_and_can_be_completed()
+    {
+        Film film = new(48, 32);
+        using CancellationTokenSource source = new();
+        RenderStatistics statistics = new RTracer(s_scene, new() { TileSize = 8, Threads = 1 }).Render(
+            film, new Report(p => { if (p.Fraction > 0.3) { source.Cancel(); } }), source.Token);
+        Assert.True(statistics.Cancelled);
+        Assert.InRange(film.TotalSamples, 1, (48 * 32 * 16) - 1);
+        for (int y = 0; y < 32; y++)
+        {
+            for (int x = 0; x < 48; x++)
+            {
+                Assert.True(film.SampleCount(x, y) is 0 or 16);
+                if (film.SampleCount(x, y) == 0)
+                {
+                    new RTracer(s_scene, new() { Crop = new(x, y, 1, 1) }).Render(film);
+                }
+            }
+        }
+
+        Assert.Equal(s_hash, film.ComputeHash());
+    }
+
+    [Fact]
+    public void Progress_rises_to_the_end()
+    {
+        List<RenderProgress> reports = [];
+        new RTracer(s_scene, new() { TileSize = 8, Threads = 1 }).Render(new Report(reports.Add));
+        Assert.Equal(24, reports.Count);
+        Assert.Equal(1, reports[^1].Fraction);
+        Assert.True(reports.Zip(reports.Skip(1)).All(p => p.First.PathsDone < p.Second.PathsDone && p.First.Rays <= p.Second.Rays));
+    }
+
+    [Fact]
+    public void Wrong_films_crops_and_samples_are_refused()
+    {
+        Assert.Throws<ArgumentException>(() => new RTracer(s_scene).Render(new Film(10, 10)));
+        Assert.Throws<ArgumentException>(() => new RTracer(s_scene, new() { Crop = new(40, 0, 9, 5) }).Render());
+        Assert.Throws<ArgumentException>(() => new RTracer(s_scene, new() { Samples = new(0, 17) }).Render());
+        Assert.Throws<ArgumentException>(() => new RTracer(s_scene, new() { Samples = new(4, 4) }).Render());
+    }
+
+    [Fact]
+    public void Depth_limits_end_paths()
+    {
+        string json = TestScenes.Everything.Replace("SAMPLER", "sobol", StringComparison.Ordinal);
+        Scene none = TestScenes.Build(json.Replace("\"samplesPerPixel\": 16", "\"samplesPerPixel\": 16, \"maxDiffuseDepth\": 0, \"maxSpecularDepth\": 0", StringComparison.Ordinal));
+        RenderStatistics statistics = new RTracer(none).Render().Statistics;
+        Assert.Equal(statistics.Paths, statistics.ClosestHitRays);
+    }
+
+    [Fact]
+    public void A_white_sphere_in_a_white_world_is_white()
+    {
+        Scene scene = TestScenes.Build("""
+            { "camera": { "position": [0, 0, 3], "lookAt": [0, 0, 0] }, "render": { "width": 32, "height": 32, "samplesPerPixel": 4 }, "background": [1, 1, 1],
+              "shapes": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "diffuse", "color": [1, 1, 1] } } ] }
+            """);
+        Film film = new RTracer(scene).Render().Film;
+        for (int i = 0; i < 32; i++)
+        {
+            Assert.Equal(Rgb.White, film.Mean(i, 16));
+        }
+    }
+
+    [Fact]
+    public void A_glass_ball_in_a_white_world_is_all_but_invisible()
+    {
+        Scene scene = TestScenes.Build("""
+            { "camera": { "position": [0, 0, 3], "lookAt": [0, 0, 0] }, "render": { "width": 32, "height": 32, "samplesPerPixel": 16, "maxSpecularDepth": 64 }, "background": [1, 1, 1],
+              "shapes": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "dielectric" } } ] }
+            """);
+        Film film = new RTracer(scene).Render().Film;
+        for (int i = 0; i < 32; i++)
+        {
+            Assert.Equal(1, film.Mean(i, 16).G, 4);
+        }
+    }
+
+    [Theory]
+    [InlineData("cone")]
+    [InlineData("surface")]
+    public void Light_from_a_sphere_is_what_the_closed_form_says(string sampling)
+    {
+        // A sphere of radiance L and radius r, wholly above the horizon, gives the irradiance π L (r/d)² cos θ.
+        Scene scene = TestScenes.Build($$"""
+            { "camera": { "position": [0, 4, 0.001], "lookAt": [0, 0, 0], "fieldOfView": 60 },
+              "render": { "width": 16, "height": 16, "samplesPerPixel": 1024, "maxDiffuseDepth": 0, "sphereLightSampling": "{{sampling}}" },
+              "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.5, 0.5, 0.5] } } ],
+              "lights": [ { "type": "sphere", "center": [6, 5, 0], "radius": 1, "material": { "type": "luminaire", "multiplier": 10 } } ] }
+            """);
+        Film film = new RTracer(scene).Render().Film;
+        double half = 4 * Math.Tan(Math.PI / 6);
+        for (int x = 0; x < 16; x++)
+        {
+            double expected = 0;
+            const int steps = 64;
+            for (int i = 0; i < steps * steps; i++)
+            {
+                double px = half * (((x + ((i % steps) + 0.5) / steps) / 8) - 1);
+                double pz = half * (((8 + ((i / steps) + 0.5) / steps) / 8) - 1);
+                double d2 = ((6 - px) * (6 - px)) + 25 + (pz * pz);
+                expected += 0.5 * 10 / d2 * (5 / Math.Sqrt(d2)) / (steps * steps);
+            }
+
+            double tolerance = sampling == "cone" ? 2e-4 : 0.02;
+            Assert.InRange(film.Mean(x, 8).R, expected * (1 - tolerance), expected * (1 + tolerance));
+        }
+    }
+
+    private static Film Render(RenderOptions options, Scene? scene = null) => new RTracer(scene ?? s_scene, options).Render().Film;
+
+    private sealed class Report(Action<RenderProgress> action) : IProgress<RenderProgress>
+    {
+        void IProgress<RenderProgress>.Report(RenderProgress value) => action(value);
+    }
+}
