@@ -15,7 +15,8 @@ internal sealed class DirectLight(Scene scene)
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
     private const int Batch = 8;
     private readonly AreaLight[] _lights = [.. scene.Lights];
-    private readonly Contribution[] _contributions = new Contribution[Batch];
+    private readonly ShapeSampleW[] _samples = new ShapeSampleW[Batch];
+    private readonly RgbW[] _radiance = new RgbW[Batch];
 
     public long ShadowRays { get; private set; }
 
@@ -34,43 +35,25 @@ internal sealed class DirectLight(Scene scene)
             int count = Math.Min(Batch, _lights.Length - first);
             for (int i = 0; i < count; i++)
             {
-                Sample(first + i, surface, origin, samples, out _contributions[i]);
+                samples.Light(first + i, out FloatW u, out FloatW v);
+                _lights[first + i].Sample(origin, u, v, out _samples[i], out _radiance[i]);
             }
 
             for (int i = 0; i < count; i++)
             {
-                ref readonly Contribution light = ref _contributions[i];
-                MaskW free = active & light.Reaches;
+                ref readonly ShapeSampleW sample = ref _samples[i];
+                FloatW cosine = Vec3W.Dot(sample.Direction, surface.Facing);
+                MaskW free = active & (cosine > 0f) & (sample.InversePdf > 0f);
                 uint wanted = free.Bits;
                 if (wanted != 0)
                 {
                     ShadowRays += BitOperations.PopCount(wanted);
-                    scene.Primitives.Occlude(origin, light.Direction, light.Distance, _lights[first + i].Primitive, ref free);
-                    arriving = RgbW.MultiplyAdd(light.Radiance, free.Select(light.Cosine, 0f), arriving);
+                    scene.Primitives.Occlude(origin, sample.Direction, sample.Distance, _lights[first + i].Primitive, ref free);
+                    arriving = RgbW.MultiplyAdd(_radiance[i], free.Select(cosine, 0f), arriving);
                 }
             }
         }
 
         radiance = RgbW.MultiplyAdd(weight, arriving, radiance);
-    }
-
-    private void Sample(int number, in SurfaceW surface, in Vec3W origin, VertexSamples samples, out Contribution light)
-    {
-        samples.Light(number, out FloatW u, out FloatW v);
-        _lights[number].Sample(origin, u, v, out ShapeSampleW sample, out light.Radiance);
-        light.Direction = sample.Direction;
-        light.Distance = sample.Distance;
-        light.Cosine = Vec3W.Dot(sample.Direction, surface.Facing);
-        light.Reaches = (light.Cosine > 0f) & (sample.InversePdf > 0f);
-    }
-
-    /// <summary>What a light would add if nothing stood in the way.</summary>
-    private struct Contribution
-    {
-        public Vec3W Direction;
-        public FloatW Distance;
-        public RgbW Radiance;
-        public FloatW Cosine;
-        public MaskW Reaches;
     }
 }

@@ -13,6 +13,7 @@ public class JitteredSampler : Sampler
 {
     private readonly uint _count;
     private readonly uint _bits;
+    private readonly int _half;
     private readonly int _root;
 
     /// <summary>Makes a sampler of n×n cells.</summary>
@@ -24,7 +25,8 @@ public class JitteredSampler : Sampler
         _root = Root(samplesPerPixel)
             ?? throw new ArgumentException(Complaint(Description.SamplerKind.Jittered, samplesPerPixel), nameof(samplesPerPixel));
         _count = (uint)samplesPerPixel;
-        _bits = Math.Max(1u, BitOperations.RoundUpToPowerOf2(_count)) - 1;
+        _bits = BitOperations.RoundUpToPowerOf2(_count) - 1;
+        _half = Math.Max(1, BitOperations.PopCount(_bits) / 2);
     }
 
     /// <summary>The square root of a square; null of any other number.</summary>
@@ -46,7 +48,11 @@ public class JitteredSampler : Sampler
     {
         Hash.PairKeys(points.Key, pair, out UIntW order, out UIntW key);
         Cell(Permute(points.First, order), out FloatW column, out FloatW row);
-        IndependentSampler.Draw(key, points.First, out FloatW x, out FloatW y);
+
+        // Sixteen random digits are plenty within a cell, so that one hash serves both coordinates.
+        UIntW random = Hash.Mix(key + (points.First * 0xC2B2AE3Du));
+        FloatW x = FloatW.MultiplyAdd((random >> 16).ToFloat(), 1f / 65536, 0.5f / 65536);
+        FloatW y = FloatW.MultiplyAdd((random & 0xffffu).ToFloat(), 1f / 65536, 0.5f / 65536);
         float scale = 1f / _root;
 
         // Rounding may carry the last cell's largest number up to 1.
@@ -78,19 +84,13 @@ public class JitteredSampler : Sampler
         MaskW outside = MaskW.All;
         do
         {
-            UIntW x = i;
-            x = (x ^ key) & _bits;
-            x = (x * (key >> 8 | 1u)) & _bits;
-            x ^= (x & _bits) >> 3;
-            x = (x ^ (key >> 17)) & _bits;
+            UIntW x = (i + key) & _bits;
+            x = (x * (key >> 7 | 1u)) & _bits;
+            x ^= x >> _half;
+            x = (x * (key >> 19 | 1u)) & _bits;
+            x ^= x >> _half;
             x = (x * 0x6935fa69u) & _bits;
-            x ^= x >> 2;
-            x = (x + (key * 0x9f3bd6bdu >> 5)) & _bits;
-            x = (x * 0x74dcb303u) & _bits;
-            x ^= x >> 4;
-            x = (x * (key >> 21 | 1u)) & _bits;
-            x ^= x >> 1;
-            x = (x + key) & _bits;
+            x = (x ^ (key >> 13)) & _bits;
             i = outside.Select(x, i);
             outside &= i > (_count - 1);
         }
