@@ -147,8 +147,26 @@ public sealed class Film : IImageRows
     /// <summary>Adds one sum of a pixel, in its units.</summary>
     internal void AddSum(long pixel, int sum, Int128 value) => _sums[(pixel * SumsPerPixel) + sum] += value;
 
-    /// <summary>Adds to the number of samples of a pixel.</summary>
-    internal void AddCount(long pixel, uint samples) => _counts[pixel] += samples;
+    /// <summary>Adds sums and numbers of samples of pixels in a row.</summary>
+    /// <param name="x">Column of the first pixel.</param>
+    /// <param name="y">Row.</param>
+    /// <param name="sums">The sums of each pixel, in their units.</param>
+    /// <param name="counts">The number of samples of each pixel.</param>
+    internal void AddRow(int x, int y, ReadOnlySpan<long> sums, ReadOnlySpan<uint> counts)
+    {
+        int first = (y * Width) + x;
+        Span<Int128> targetSums = _sums.AsSpan(first * SumsPerPixel, sums.Length);
+        for (int i = 0; i < sums.Length; i++)
+        {
+            targetSums[i] += sums[i];
+        }
+
+        Span<uint> targetCounts = _counts.AsSpan(first, counts.Length);
+        for (int i = 0; i < counts.Length; i++)
+        {
+            targetCounts[i] += counts[i];
+        }
+    }
 
     private static ReadOnlySpan<byte> Bytes<T>(Span<T> values)
         where T : unmanaged

@@ -24,12 +24,15 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
         _issued = 0;
         _total = tile.Pixels * samples.Count;
         uint seed = (uint)scene.Render.Seed;
-        for (int i = 0; i < tile.Pixels; i++)
+        int i = 0;
+        for (int y = tile.Y; y < tile.Y + tile.Height; y++)
         {
-            (int x, int y) = tile.Pixel(i);
-            _x.Pointer[i] = x;
-            _y.Pointer[i] = y;
-            _key.Pointer[i] = Hash.PixelKey(seed, (uint)((y * scene.Render.Width) + x));
+            for (int x = tile.X; x < tile.X + tile.Width; x++, i++)
+            {
+                _x.Pointer[i] = x;
+                _y.Pointer[i] = y;
+                _key.Pointer[i] = Hash.PixelKey(seed, (uint)((y * scene.Render.Width) + x));
+            }
         }
     }
 

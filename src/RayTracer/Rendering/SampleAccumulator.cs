@@ -125,15 +125,13 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <summary>Hands everything to the film.</summary>
     public void End()
     {
-        for (int pixel = 0; pixel < _tile.Pixels; pixel++)
+        long* sums = _sums.Pointer;
+        uint* counts = _counts.Pointer;
+        for (int row = 0; row < _tile.Height; row++)
         {
-            long target = FilmPixel(pixel);
-            for (int i = 0; i < Film.SumsPerPixel; i++)
-            {
-                _film.AddSum(target, i, _sums.Pointer[(pixel * Film.SumsPerPixel) + i]);
-            }
-
-            _film.AddCount(target, _counts.Pointer[pixel]);
+            _film.AddRow(_tile.X, _tile.Y + row, new(sums, _tile.Width * Film.SumsPerPixel), new(counts, _tile.Width));
+            sums += _tile.Width * Film.SumsPerPixel;
+            counts += _tile.Width;
         }
     }
 
