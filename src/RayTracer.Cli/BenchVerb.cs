@@ -18,14 +18,14 @@ internal static class BenchVerb
     public static void Build(Command command, Streams streams)
     {
         Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes}.", Arity = ArgumentArity.ZeroOrMore };
-        Option<long?> samples = OptionValues.Parameter("--spp", nameof(Description.RenderDescription.SamplesPerPixel));
-        Option<long?> repeat = OptionValues.Integer("--repeat", "How often each scene is rendered; the best counts. 3 without it.", 1, 1000);
+        ParsedOption<long?> samples = OptionValues.Parameter("--spp", nameof(Description.RenderDescription.SamplesPerPixel));
+        ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "How often each scene is rendered; the best counts. 3 without it.", 1, 1000);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(scenes);
-        command.Options.Add(samples);
-        command.Options.Add(repeat);
+        command.Options.Add(samples.Symbol);
+        command.Options.Add(repeat.Symbol);
         command.Options.Add(json);
-        command.SetAction(result => Run(result.GetValue(scenes)!, (int?)result.GetValue(samples), (int)(result.GetValue(repeat) ?? 3), result.GetValue(json), streams));
+        command.SetAction(result => Run(result.GetValue(scenes)!, (int?)samples.Value(result), (int)(repeat.Value(result) ?? 3), result.GetValue(json), streams));
     }
 
     private static int Run(string[] scenes, int? samples, int repeat, bool json, Streams streams)

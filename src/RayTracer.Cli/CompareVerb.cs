@@ -12,13 +12,13 @@ internal static class CompareVerb
     {
         Argument<string[]> images = new("IMAGE") { Description = "The image to judge, and the reference.", Arity = new ArgumentArity(2, 2) };
         Option<string?> output = new("-o", "--output") { Description = "Writes the absolute difference as an image.", HelpName = "FILE" };
-        Option<double?> tolerance = OptionValues.Number("--tolerance", "The largest root mean squared difference (linear light) that is no difference. Without it, any is.", 0, double.MaxValue);
+        ParsedOption<double?> tolerance = OptionValues.Number("--tolerance", "The largest root mean squared difference (linear light) that is no difference. Without it, any is.", 0, double.MaxValue);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(images);
         command.Options.Add(output);
-        command.Options.Add(tolerance);
+        command.Options.Add(tolerance.Symbol);
         command.Options.Add(json);
-        command.SetAction(result => Compare(result.GetValue(images)!, result.GetValue(output), result.GetValue(tolerance), result.GetValue(json), streams));
+        command.SetAction(result => Compare(result.GetValue(images)!, result.GetValue(output), tolerance.Value(result), result.GetValue(json), streams));
     }
 
     private static int Compare(string[] paths, string? output, double? tolerance, bool json, Streams streams)

@@ -8,13 +8,13 @@ internal sealed class RenderVerb
 {
     private readonly Argument<string> _scene;
     private readonly Option<string[]> _outputs = new("-o", "--output") { Description = "The image file: .png, .pfm or .exr. May be given several times.", HelpName = "FILE" };
-    private readonly Option<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
-    private readonly Option<double?> _exposure = OptionValues.Number("--exposure", "PNG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
-    private readonly Option<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG: how bright light is brought into what a screen can show; clamp cuts it off.");
-    private readonly Option<int?> _bitDepth = OptionValues.Choice<int?>("--bit-depth", "PNG: bits a channel; 8 without it.", ["8", "16"], [8, 16]);
-    private readonly Option<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
-    private readonly Option<int[]?> _pixel = OptionValues.Integers("--pixel", "x,y", "Renders only this pixel and prints its radiance.");
-    private readonly Option<long?> _sample = OptionValues.Integer("--sample", "With --pixel: renders only this sample, from 0.", 0, int.MaxValue - 1);
+    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
+    private readonly ParsedOption<double?> _exposure = OptionValues.Number("--exposure", "PNG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
+    private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG: how bright light is brought into what a screen can show; clamp cuts it off.");
+    private readonly ParsedOption<int?> _bitDepth = OptionValues.Choice<int?>("--bit-depth", "PNG: bits a channel; 8 without it.", ["8", "16"], [8, 16]);
+    private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
+    private readonly ParsedOption<int[]?> _pixel = OptionValues.Integers("--pixel", "x,y", "Renders only this pixel and prints its radiance.");
+    private readonly ParsedOption<long?> _sample = OptionValues.Integer("--sample", "With --pixel: renders only this sample, from 0.", 0, int.MaxValue - 1);
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
     private readonly SceneOverrides _overrides;
@@ -25,7 +25,7 @@ internal sealed class RenderVerb
         command.Arguments.Add(_scene);
         command.Options.Add(_outputs);
         _overrides = new(command);
-        foreach (Option option in new Option[] { _threads, _exposure, _toneMap, _bitDepth, _crop, _pixel, _sample, _quiet, _json })
+        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _quiet, _json })
         {
             command.Options.Add(option);
         }
@@ -45,14 +45,14 @@ internal sealed class RenderVerb
             Outputs = result.GetValue(_outputs) ?? [],
             Writing = new()
             {
-                BitDepth = result.GetValue(_bitDepth) ?? 8,
-                Exposure = (float)(result.GetValue(_exposure) ?? 0),
-                ToneMap = result.GetValue(_toneMap) ?? ToneMap.Clamp,
+                BitDepth = _bitDepth.Value(result) ?? 8,
+                Exposure = (float)(_exposure.Value(result) ?? 0),
+                ToneMap = _toneMap.Value(result) ?? ToneMap.Clamp,
             },
-            Threads = (int)(result.GetValue(_threads) ?? Environment.ProcessorCount),
-            Crop = Given(result, _crop),
-            Pixel = Given(result, _pixel),
-            Sample = result.GetValue(_sample),
+            Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
+            Crop = _crop.Value(result),
+            Pixel = _pixel.Value(result),
+            Sample = _sample.Value(result),
             Quiet = result.GetValue(_quiet),
             Json = result.GetValue(_json),
             OverrideWords = [.. _overrides.Words(result)],
@@ -60,9 +60,6 @@ internal sealed class RenderVerb
         };
         return Contradiction(request) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : request;
     }
-
-    // For an array, the parser makes no difference between an option that is missing and one without values.
-    private static int[]? Given(ParseResult result, Option<int[]?> option) => result.GetResult(option) is null ? null : result.GetValue(option);
 
     private static string? Contradiction(RenderRequest request) => request switch
     {

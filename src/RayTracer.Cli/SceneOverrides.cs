@@ -8,19 +8,19 @@ namespace RayTracer.Cli;
 /// <summary>The options that replace what a scene file says about rendering.</summary>
 internal sealed class SceneOverrides
 {
-    private readonly Option<long?> _width = OptionValues.Parameter("--width", nameof(RenderDescription.Width));
-    private readonly Option<long?> _height = OptionValues.Parameter("--height", nameof(RenderDescription.Height));
-    private readonly Option<long?> _samples = OptionValues.Parameter("--spp", nameof(RenderDescription.SamplesPerPixel));
-    private readonly Option<long?> _seed = OptionValues.Parameter("--seed", nameof(RenderDescription.Seed));
-    private readonly Option<long?> _diffuseDepth = OptionValues.Parameter("--max-diffuse-depth", nameof(RenderDescription.MaxDiffuseDepth));
-    private readonly Option<long?> _specularDepth = OptionValues.Parameter("--max-specular-depth", nameof(RenderDescription.MaxSpecularDepth));
-    private readonly Option<SamplerKind?> _sampler = OptionValues.Choice<SamplerKind>("--sampler", "How the samples of a pixel are placed. Replaces the scene's.");
+    private readonly ParsedOption<long?> _width = OptionValues.Parameter("--width", nameof(RenderDescription.Width));
+    private readonly ParsedOption<long?> _height = OptionValues.Parameter("--height", nameof(RenderDescription.Height));
+    private readonly ParsedOption<long?> _samples = OptionValues.Parameter("--spp", nameof(RenderDescription.SamplesPerPixel));
+    private readonly ParsedOption<long?> _seed = OptionValues.Parameter("--seed", nameof(RenderDescription.Seed));
+    private readonly ParsedOption<long?> _diffuseDepth = OptionValues.Parameter("--max-diffuse-depth", nameof(RenderDescription.MaxDiffuseDepth));
+    private readonly ParsedOption<long?> _specularDepth = OptionValues.Parameter("--max-specular-depth", nameof(RenderDescription.MaxSpecularDepth));
+    private readonly ParsedOption<SamplerKind?> _sampler = OptionValues.Choice<SamplerKind>("--sampler", "How the samples of a pixel are placed. Replaces the scene's.");
     private readonly Option[] _all;
 
     /// <summary>Gives a command the options.</summary>
     public SceneOverrides(Command command)
     {
-        _all = [_width, _height, _samples, _seed, _sampler, _diffuseDepth, _specularDepth];
+        _all = [_width.Symbol, _height.Symbol, _samples.Symbol, _seed.Symbol, _sampler.Symbol, _diffuseDepth.Symbol, _specularDepth.Symbol];
         Array.ForEach(_all, command.Options.Add);
     }
 
@@ -36,15 +36,15 @@ internal sealed class SceneOverrides
         RenderDescription old = scene.Render;
         RenderDescription render = old with
         {
-            Width = (int)(result.GetValue(_width) ?? old.Width),
-            Height = (int)(result.GetValue(_height) ?? old.Height),
-            SamplesPerPixel = (int)(result.GetValue(_samples) ?? old.SamplesPerPixel),
-            Seed = result.GetValue(_seed) ?? old.Seed,
-            MaxDiffuseDepth = (int)(result.GetValue(_diffuseDepth) ?? old.MaxDiffuseDepth),
-            MaxSpecularDepth = (int)(result.GetValue(_specularDepth) ?? old.MaxSpecularDepth),
-            Sampler = result.GetValue(_sampler) ?? old.Sampler,
+            Width = (int)(_width.Value(result) ?? old.Width),
+            Height = (int)(_height.Value(result) ?? old.Height),
+            SamplesPerPixel = (int)(_samples.Value(result) ?? old.SamplesPerPixel),
+            Seed = _seed.Value(result) ?? old.Seed,
+            MaxDiffuseDepth = (int)(_diffuseDepth.Value(result) ?? old.MaxDiffuseDepth),
+            MaxSpecularDepth = (int)(_specularDepth.Value(result) ?? old.MaxSpecularDepth),
+            Sampler = _sampler.Value(result) ?? old.Sampler,
         };
-        Option? changed = new Option[] { _samples, _sampler }.FirstOrDefault(o => result.GetResult(o) is { Implicit: false });
+        Option? changed = new Option[] { _samples.Symbol, _sampler.Symbol }.FirstOrDefault(o => result.GetResult(o) is { Implicit: false });
         return changed is not null && Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint
             ? throw new CommandException(ExitStatus.Usage, $"{changed.Name} {result.GetResult(changed)!.Tokens[^1].Value}: {complaint}")
             : scene with { Render = render };

@@ -1,0 +1,30 @@
+using RayTracer.Cli;
+
+namespace RayTracer.Tests.Cli;
+
+/// <summary>What a command came to.</summary>
+internal sealed record CliRun(int Status, string Output, string Error)
+{
+    /// <summary>A scene with a lamp, of 24×16 pixels.</summary>
+    public const string Scene = """
+        {
+          "camera": { "position": [0, 1, 5], "lookAt": [0, 0.5, 0] },
+          "render": { "width": 24, "height": 16, "samplesPerPixel": 4 },
+          "background": "skyblue",
+          "shapes": [
+            { "type": "sphere", "center": [0, 0.5, 0], "radius": 0.5 },
+            { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "checker" } } },
+            { "type": "sphere", "center": [2, 4, 1], "radius": 0.3, "material": { "type": "luminaire", "multiplier": 30 } }
+          ]
+        }
+        """;
+
+    /// <summary>Runs the command within this process.</summary>
+    public static CliRun Of(params string[] args)
+    {
+        using StringWriter output = new();
+        using StringWriter error = new();
+        int status = CommandLine.Run(args, new(output, error));
+        return new(status, output.ToString(), error.ToString());
+    }
+}

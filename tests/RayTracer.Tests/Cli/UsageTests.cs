@@ -1,0 +1,128 @@
+using System.Text;
+using System.Text.RegularExpressions;
+using RayTracer.Cli;
+using RayTracer.Tests.Imaging;
+
+namespace RayTracer.Tests.Cli;
+
+public sealed class UsageTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+    private readonly string _scene;
+
+    public UsageTests()
+    {
+        _scene = _folder["scene.json"];
+        File.WriteAllText(_scene, CliRun.Scene);
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [InlineData("rendr", "unknown verb \"rendr\" (did you mean \"render\"?)")]
+    [InlineData("--foo", "unknown option \"--foo\"")]
+    [InlineData("render --sp 4 SCENE", "unknown option \"--sp\" (did you mean \"--spp\"?)")]
+    [InlineData("render SCENE --hieght 4", "unknown option \"--hieght\" (did you mean \"--height\"?)")]
+    [InlineData("render SCENE more -o a.png", "unexpected argument \"more\"")]
+    [InlineData("render SCENE -o", "Required argument missing for option: '-o'.")]
+    [InlineData("render SCENE -o a.png --spp 0", "--spp 0: must be from 1 to 16777216, but is 0")]
+    [InlineData("render SCENE -o a.png --seed -1", "--seed -1: must be from 0 to 4294967295, but is -1")]
+    [InlineData("render SCENE -o a.png --width wide", "--width wide: expected a whole number, not \"wide\"")]
+    [InlineData("render SCENE -o a.png --threads 0", "--threads 0: must be from 1 to 1024, but is 0")]
+    [InlineData("render SCENE -o a.png --exposure NaN", "--exposure NaN: must be from -100 to 100, but is NaN")]
+    [InlineData("render SCENE -o a.png --sampler jitterd", "unknown value \"jitterd\" (did you mean \"jittered\"?), expected one of sobol, jittered")]
+    [InlineData("render SCENE -o a.png --tonemap 3", "unknown value \"3\", expected one of clamp, reinhard, aces, agx")]
+    [InlineData("render SCENE -o a.png --bit-depth 12", "expected one of 8, 16")]
+    [InlineData("render SCENE -o a.png --crop 1,2,3", "--crop 1,2,3: expected x,y,w,h")]
+    [InlineData("render SCENE -o a.png --crop 1,2,3,-4", "--crop 1,2,3,-4: expected x,y,w,h")]
+    public void Wrong_words_get_one_line_and_the_usage(string line, string message)
+    {
+        CliRun run = CliRun.Of(line.Replace("SCENE", _scene, StringComparison.Ordinal).Split(' '));
+        string[] lines = run.Error.TrimEnd().Split(Environment.NewLine);
+        Assert.Equal(2, run.Status);
+        Assert.StartsWith("raytracer: error: ", lines[0]);
+        Assert.Contains(message, lines[0], StringComparison.Ordinal);
+        Assert.StartsWith("usage: raytracer ", lines[1]);
+        Assert.Equal(2, lines.Length);
+        Assert.Empty(run.Output);
+    }
+
+    [Theory]
+    [InlineData("", "a verb is expected")]
+    [InlineData("render SCENE", "where to? Give -o FILE")]
+    [InlineData("render SCENE -o a.pgn", "the extension '.pgn' is none of .png, .pfm, .exr (did you mean '.png'?)")]
+    [InlineData("render SCENE -o OUT --crop 20,0,5,5", "--crop 20,0,5,5: does not lie within the picture of 24×16 pixels")]
+    [InlineData("render SCENE -o OUT --crop 2147483647,0,5,5", "does not lie within the picture")]
+    [InlineData("render SCENE -o OUT --crop 0,0,0,5", "does not lie within the picture")]
+    [InlineData("render SCENE -o OUT --spp 15 --sampler jittered", "--spp 15: the jittered sampler needs a square number of samples")]
+    [InlineData("render SCENE --pixel 24,0", "--pixel 24,0: does not lie within the picture of 24×16 pixels")]
+    [InlineData("render SCENE --pixel 0,0 --sample 4", "--sample 4: the pixels have samples 0 to 3 only")]
+    [InlineData("render SCENE -o OUT --sample 4", "--sample needs --pixel")]
+    [InlineData("render SCENE -o OUT --pixel 0,0", "--pixel prints numbers and writes no image")]
+    public void Wrong_requests_get_one_line(string line, string message)
+    {
+        string[] words = line.Replace("SCENE", _scene, StringComparison.Ordinal).Replace("OUT", _folder["a.png"], StringComparison.Ordinal).Split(' ', StringSplitOptions.RemoveEmptyEntries);
+        CliRun run = CliRun.Of(words);
+        Assert.Equal(2, run.Status);
+        Assert.Contains(message, Assert.Single(run.Error.TrimEnd().Split(Environment.NewLine)), StringComparison.Ordinal);
+        Assert.False(File.Exists(_folder["a.png"]));
+    }
+
+    [Fact]
+    public void A_missing_folder_is_found_before_the_scene_is_read()
+    {
+        CliRun run = CliRun.Of("render", _folder["missing.json"], "-o", _folder["missing/a.png"]);
+        Assert.Equal(4, run.Status);
+        Assert.Contains("does not exist", run.Error, StringComparison.Ordinal);
+    }
+
+    [LinuxFact]
+    public void A_folder_that_is_not_writable_is_found_before_the_scene_is_read()
+    {
+        CliRun run = CliRun.Of("render", _folder["missing.json"], "-o", "/proc/a.png");
+        Assert.Equal(4, run.Status);
+        Assert.StartsWith("raytracer: error: Cannot write '/proc/a.png': ", run.Error);
+    }
+
+    [Fact]
+    public void A_picture_that_no_memory_holds_is_refused()
+    {
+        CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.png"], "--width", "65536", "--height", "65536");
+        Assert.Equal(4, run.Status);
+        Assert.Contains("65536×65536 pixels takes 272 GiB of memory", run.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--help", "70 internal error, 130 Ctrl-C")]
+    [InlineData("render --help", "--max-specular-depth")]
+    [InlineData("--version", "lanes)")]
+    [InlineData("schema", "https://json-schema.org/draft/2020-12/schema")]
+    [InlineData("reference", "# The scene format")]
+    public void Help_and_pages_are_printed(string line, string expected)
+    {
+        CliRun run = CliRun.Of(line.Split(' '));
+        Assert.Equal(0, run.Status);
+        Assert.Contains(expected, run.Output, StringComparison.Ordinal);
+        Assert.Empty(run.Error);
+    }
+
+    [Fact]
+    public void An_internal_error_is_one_line_that_names_the_file_with_its_details()
+    {
+        using StringWriter error = new();
+        using BrokenWriter broken = new();
+        Assert.Equal(70, CommandLine.Run(["schema"], new(broken, error)));
+        Match match = Regex.Match(error.ToString(), "^raytracer: error: internal error: first second \\(details in (.*)\\)\r?\n$");
+        Assert.True(match.Success, error.ToString());
+        string details = File.ReadAllText(match.Groups[1].Value);
+        File.Delete(match.Groups[1].Value);
+        Assert.Contains(nameof(BrokenWriter), details, StringComparison.Ordinal);
+    }
+
+    private sealed class BrokenWriter : TextWriter
+    {
+        public override Encoding Encoding => Encoding.UTF8;
+
+        public override void Write(string? value) => throw new InvalidOperationException("first\nsecond");
+    }
+}
