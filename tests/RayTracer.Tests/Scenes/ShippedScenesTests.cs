@@ -21,7 +21,7 @@ public partial class ShippedScenesTests
     [MemberData(nameof(Files))]
     public void Shipped_scene_loads_without_diagnostics(string file)
     {
-        SceneLoadResult result = SceneLoader.Load(PathOf(file), ImageFile.Read);
+        SceneLoadResult result = SceneLoader.Load(PathOf(file));
 
         Assert.Empty(result.Diagnostics);
         Assert.NotNull(result.Scene);
@@ -146,7 +146,7 @@ public partial class ShippedScenesTests
 
     private static string PathOf(string file) => RepositoryFolder.PathOf("scenes", file);
 
-    private static SceneDescription Load(string name) => SceneLoader.Load(PathOf($"report/{name}.json"), ImageFile.Read).Description!;
+    private static SceneDescription Load(string name) => SceneLoader.Load(PathOf($"report/{name}.json")).Description!;
 
     [GeneratedRegex(@"\(pictures/(?<name>[^)]+)\)", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex PictureLink();
