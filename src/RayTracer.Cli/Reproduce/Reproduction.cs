@@ -17,6 +17,7 @@ namespace RayTracer.Cli.Reproduce;
 internal sealed class Reproduction(ReproductionPlan plan, string folder, string commandText, Streams streams)
 {
     private const int WarmUpSamples = 16;
+    private readonly Dictionary<(ReportScene Scene, int Samples, int Threads), Measurement> _best = [];
     private readonly List<ReproducedScene> _scenes = [];
     private int _pictures;
 
@@ -33,10 +34,15 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, string 
             foreach (ReportScene scene in ReportScene.All)
             {
                 string path = ScenePath(scene);
-                if (!RunScene(scene, path, signals.Token))
+                if (!Load(scene, path))
                 {
                     return SceneFile.FailureStatus(path);
                 }
+            }
+
+            for (int round = 0; round < plan.Rounds; round++)
+            {
+                ReportScene.All.ToList().ForEach(scene => MeasureScene(scene, isFirst: round == 0, signals.Token));
             }
         }
         catch (OperationCanceledException)
@@ -45,6 +51,7 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, string 
             return signals.Status;
         }
 
+        Collect();
         WritePages();
         return ExitStatus.Fine;
     }
@@ -79,7 +86,7 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, string 
     private static string ScenePath(ReportScene scene) => ReportScenes.Find().FirstOrDefault(p => Path.GetFileName(p) == scene.File)
         ?? throw new CommandException(ExitStatus.InputOutput, $"{scene.File} is missing in {ReportScenes.Folder}");
 
-    private bool RunScene(ReportScene report, string path, CancellationToken cancellation)
+    private bool Load(ReportScene report, string path)
     {
         SceneLoadResult loaded = SceneFile.Load(path);
         SceneFile.Show(loaded, streams);
@@ -89,54 +96,69 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, string 
         }
 
         SceneDescription description = loaded.Description!;
-        ReproducedScene scene = new(report, description.Shapes.Count, description.Lights.Count, description.Render.Width, description.Render.Height);
-        _scenes.Add(scene);
+        _scenes.Add(new(report, description.Shapes.Count, description.Lights.Count, description.Render.Width, description.Render.Height));
+        return true;
+    }
 
-        // The first rendering also compiles the program; its time is not kept.
-        Measure(report, path, WarmUpSamples, Environment.ProcessorCount, null, cancellation);
+    private void MeasureScene(ReportScene report, bool isFirst, CancellationToken cancellation)
+    {
+        if (isFirst)
+        {
+            // The first rendering also compiles the program; its time does not count.
+            Measure(report, WarmUpSamples, Environment.ProcessorCount, null, cancellation);
+            _best.Remove((report, WarmUpSamples, Environment.ProcessorCount));
+        }
+
         foreach (ReportPicture picture in report.Pictures)
         {
             int samples = plan.Samples(picture);
             string file = report.PictureFile(picture);
-            Measurement all = Measure(report, path, samples, Environment.ProcessorCount, file, cancellation);
-            Measurement one = Measure(report, path, samples, 1, null, cancellation);
-            scene.Pictures.Add(new(report, picture, all, one));
-            streams.Output.WriteLine($"{file}: {all.Size}×{all.Size} pixels, {samples} samples each, {all.Seconds:F3} s ({one.Seconds:F3} s with one thread)");
+            Measure(report, samples, Environment.ProcessorCount, isFirst ? file : null, cancellation);
+            Measure(report, samples, 1, null, cancellation);
+            streams.Output.WriteLine($"{file}: {plan.Size(report)}×{plan.Size(report)} pixels, {samples} samples each, best time {All(report, samples).Seconds:F3} s");
         }
 
-        foreach (int samples in plan.ChartSamples)
+        foreach (int samples in plan.ChartSamples.Except(report.Pictures.Select(plan.Samples)))
         {
-            scene.Growth.Add(Measure(report, path, samples, Environment.ProcessorCount, null, cancellation));
+            Measure(report, samples, Environment.ProcessorCount, null, cancellation);
         }
-
-        return true;
     }
 
-    private Measurement Measure(ReportScene report, string path, int samples, int threads, string? file, CancellationToken cancellation)
+    private Measurement All(ReportScene report, int samples) => _best[(report, samples, Environment.ProcessorCount)];
+
+    private void Collect()
+    {
+        foreach (ReproducedScene scene in _scenes)
+        {
+            foreach (ReportPicture picture in scene.Scene.Pictures)
+            {
+                int samples = plan.Samples(picture);
+                scene.Pictures.Add(new(scene.Scene, picture, All(scene.Scene, samples), _best[(scene.Scene, samples, 1)]));
+            }
+
+            scene.Growth.AddRange(plan.ChartSamples.Select(samples => All(scene.Scene, samples)));
+        }
+    }
+
+    private void Measure(ReportScene report, int samples, int threads, string? file, CancellationToken cancellation)
     {
         int size = plan.Size(report);
+        string path = ScenePath(report);
         Scene scene = SceneFile.Load(path, s => s with
         {
             Render = s.Render with { Width = size, Height = size, SamplesPerPixel = samples, Sampler = SamplerKind.Jittered },
         }).Scene ?? throw new CommandException(ExitStatus.InputOutput, $"{path} has changed and cannot be read any more");
-        RTracer tracer = new(scene, new() { Threads = threads });
-        (Film film, RenderStatistics statistics, double seconds) = Render(scene, tracer, cancellation);
+        (Film film, RenderStatistics statistics, double seconds) = Render(scene, new(scene, new() { Threads = threads }), cancellation);
         if (file is not null)
         {
             WritePicture(file, film, samples);
             RenderReport.WarnOfClamped(statistics, streams);
         }
 
-        double best = seconds;
-        double total = seconds;
-        for (int run = 1; run < ReproductionPlan.MaxRepeats && total < plan.RepeatSeconds; run++)
+        if (!_best.TryGetValue((report, samples, threads), out Measurement? best) || seconds < best.Seconds)
         {
-            (_, _, seconds) = Render(scene, tracer, cancellation);
-            best = Math.Min(best, seconds);
-            total += seconds;
+            _best[(report, samples, threads)] = new(report, size, samples, threads, seconds, statistics.Rays);
         }
-
-        return new(report, size, samples, threads, best, statistics.Rays);
     }
 
     private (Film Film, RenderStatistics Statistics, double Seconds) Render(Scene scene, RTracer tracer, CancellationToken cancellation)

@@ -72,7 +72,7 @@ internal sealed class ReproductionPage(ReproductionPlan plan, IReadOnlyList<Repr
     private void WriteTimes(PageWriter page)
     {
         page.Heading("Times");
-        page.Paragraph($"The report's times are those of a {ReportScene.Machine}; its loop (listing 6.1) runs in one thread. Speed-up is the report's time for a primary ray over the time for one here; that of one thread is the speed-up per core. Times are of rendering alone, in seconds; renderings shorter than {plan.RepeatSeconds} s are repeated, and the fastest counts. Rays include shadow rays.");
+        page.Paragraph($"The report's times are those of a {ReportScene.Machine}; its loop (listing 6.1) runs in one thread. Speed-up is the report's time for a primary ray over the time for one here; that of one thread is the speed-up per core. Times are of rendering alone, in seconds, the best of {plan.Rounds}. Rays include shadow rays.");
         page.Table(
             ["Figure", "Settings", "Report", Threads, "1 thread", $"{Threads}: 1 thread over it", $"Speed-up, {Threads}", "Speed-up, 1 thread", "Rays (millions)", $"M rays/s, {Threads}", "M rays/s, 1 thread"],
             scenes.SelectMany(s => s.Pictures).Select(p => (IReadOnlyList<string>)
@@ -86,16 +86,16 @@ internal sealed class ReproductionPage(ReproductionPlan plan, IReadOnlyList<Repr
     {
         page.Heading("Figure 6.6: time against samples");
         page.Picture(ChartFile, $"Time against samples a pixel; left here with {Threads}, right in the report. Points are measured, curves are least-squares polynomials; three points determine no cubic, so they have a parabola.");
-        page.Paragraph("The cubics of this machine, t = a + b·N + c·N² + d·N³ seconds for N samples a pixel. The last column is the part of b·N in t at the largest N: 100 % would be exactly linear.");
+        page.Paragraph("The cubics of this machine, t = a + b·N + c·N² + d·N³ seconds for N samples a pixel. The last column is R² of the straight line of least squares: 1 would be exactly linear.");
         page.Table(
-            ["Scene", "Points", "Largest N", "a", "b", "c", "d", "b·N / t"],
+            ["Scene", "Points", "Largest N", "a", "b", "c", "d", "R² of a line"],
             scenes.Select(s =>
             {
                 PolynomialFit fit = s.Fit;
                 double largest = s.Growth.Max(m => m.SamplesPerPixel);
                 return (IReadOnlyList<string>)
                 [
-                    $"{s.Scene.Number}", $"{s.Growth.Count}", $"{largest}", .. fit.Coefficients.Select(c => $"{c:0.00e+0}"), $"{100 * fit.Coefficients[1] * largest / fit.At(largest):F0} %",
+                    $"{s.Scene.Number}", $"{s.Growth.Count}", $"{largest}", .. fit.Coefficients.Select(c => $"{c:0.00e+0}"), $"{PolynomialFit.Of(1, s.Points).Determination(s.Points):F4}",
                 ];
             }));
     }

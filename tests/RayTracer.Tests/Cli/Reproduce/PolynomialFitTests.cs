@@ -25,9 +25,13 @@ public sealed class PolynomialFitTests
     public void Line_has_the_least_squares()
     {
         // Means 1 and 2/3; Sxy = 1, Sxx = 2.
-        PolynomialFit fit = PolynomialFit.Of(1, [(0, 0), (1, 1), (2, 1)]);
+        (double, double)[] points = [(0, 0), (1, 1), (2, 1)];
+        PolynomialFit fit = PolynomialFit.Of(1, points);
         Assert.Equal(1.0 / 6, fit.Coefficients[0], 1e-14);
         Assert.Equal(0.5, fit.Coefficients[1], 1e-14);
+
+        // R² = Sxy²/(Sxx·Syy) with Syy = 2/3.
+        Assert.Equal(0.75, fit.Determination(points), 1e-14);
     }
 
     [Fact]

@@ -9,7 +9,7 @@ namespace RayTracer.Tests.Cli.Reproduce;
 
 public sealed class ReproductionTests : IDisposable
 {
-    private static readonly ReproductionPlan Tiny = new(50, 4, [1, 4, 9, 16], 0);
+    private static readonly ReproductionPlan Tiny = new(50, 4, [1, 4, 9, 16], 1);
     private readonly TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
