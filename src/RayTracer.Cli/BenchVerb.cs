@@ -8,8 +8,6 @@ namespace RayTracer.Cli;
 /// <summary><c>raytracer bench [SCENE…]</c></summary>
 internal static class BenchVerb
 {
-    private const string ReportScenes = "scenes/report";
-
     private sealed record Measurement(string Path, Scene Scene, int Threads, double Seconds, long Rays)
     {
         public double RaysPerSecond => Rays / Seconds;
@@ -17,7 +15,7 @@ internal static class BenchVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes}.", Arity = ArgumentArity.ZeroOrMore };
+        Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes.Folder}.", Arity = ArgumentArity.ZeroOrMore };
         ParsedOption<long?> samples = OptionValues.Parameter("--spp", nameof(Description.RenderDescription.SamplesPerPixel));
         ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "How often each scene is rendered; the best counts. 3 without it.", 1, 1000);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
@@ -30,7 +28,7 @@ internal static class BenchVerb
 
     private static int Run(string[] scenes, int? samples, int repeat, bool json, Streams streams)
     {
-        string[] paths = scenes.Length > 0 ? scenes : FindReportScenes();
+        IReadOnlyList<string> paths = scenes.Length > 0 ? scenes : ReportScenes.Find();
         List<Measurement> all = [];
         if (!json)
         {
@@ -76,27 +74,6 @@ internal static class BenchVerb
         }
 
         return best!;
-    }
-
-    private static string[] FindReportScenes()
-    {
-        List<string> folders = ["."];
-        for (DirectoryInfo? folder = new(AppContext.BaseDirectory); folder is not null; folder = folder.Parent)
-        {
-            folders.Add(folder.FullName);
-        }
-
-        foreach (string folder in folders)
-        {
-            string scenes = folder == "." ? ReportScenes : Path.Combine(folder, ReportScenes);
-            string[] found = Directory.Exists(scenes) ? Directory.GetFiles(scenes, "*.json") : [];
-            if (found.Length > 0)
-            {
-                return [.. found.Order(StringComparer.Ordinal)];
-            }
-        }
-
-        throw new CommandException(ExitStatus.InputOutput, $"there are no scenes in {ReportScenes}, neither here nor above the program: name the scenes to render");
     }
 
     private static void WriteJson(IEnumerable<Measurement> measurements, Streams streams) => JsonText.Write(streams, json =>

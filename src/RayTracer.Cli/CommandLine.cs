@@ -22,6 +22,7 @@ internal static class CommandLine
         ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),
         ("bench", "Measures how many rays are traced in a second.", BenchVerb.Build),
+        ("reproduce", "Renders the pictures and tables of the report that the project follows.", ReproduceVerb.Build),
         ("schema", "Prints the JSON Schema of scene files.", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
         ("reference", "Prints the reference page of the scene format, in Markdown.", (c, s) => c.SetAction(_ => s.Output.Write(SceneReference.Generate()))),
     ];

@@ -21,7 +21,7 @@ internal static unsafe partial class WideVectors
     /// <param name="args">The words after the program's name.</param>
     public static void Enable(string[] args)
     {
-        bool renders = args is ["render" or "bench", ..];
+        bool renders = args is ["render" or "bench" or "reproduce", ..];
         if (renders && Vector512.IsHardwareAccelerated && Vector<float>.Count == 8
             && (OperatingSystem.IsLinux() || OperatingSystem.IsMacOS())
             && Environment.GetEnvironmentVariable(Variable) is null

@@ -68,6 +68,30 @@ public sealed class ProcessTests : IDisposable
     public void Termination_writes_the_image_so_far() => SignalWritesTheImage("TERM", 143);
 
     [LinuxFact]
+    public void Ctrl_C_leaves_the_reproduced_pictures_so_far()
+    {
+        using Process process = Start("reproduce", "report", "-o", _folder["report"]);
+        try
+        {
+            Task<string?> first = process.StandardOutput.ReadLineAsync();
+            Assert.True(first.Wait(Patience) && first.Result?.StartsWith("figure-6-3-a.png", StringComparison.Ordinal) == true, first.Result);
+            ProgramFactAttribute.Run("kill", "-INT", $"{process.Id}");
+            (int status, string error) = End(process, process.StandardError.ReadToEndAsync());
+            Assert.Equal(130, status);
+            Assert.Contains("pictures are in", error, StringComparison.Ordinal);
+            Assert.Equal(600, ImageFile.Read(_folder["report/figure-6-3-a.png"]).Width);
+            Assert.False(File.Exists(_folder["report/index.md"]));
+        }
+        finally
+        {
+            if (!process.HasExited)
+            {
+                process.Kill();
+            }
+        }
+    }
+
+    [LinuxFact]
     public void Wide_vectors_change_no_bit_and_the_environment_wins()
     {
         JsonElement chosen = Bench(null);
