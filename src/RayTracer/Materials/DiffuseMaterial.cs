@@ -28,14 +28,13 @@ public sealed class DiffuseMaterial(Texture texture) : Material
     public override bool UsesUv => texture.Constant is null;
 
     /// <inheritdoc/>
-    public override void AmbientResponse(in SurfaceW surface, out RgbW response) => texture.Evaluate(surface.U, surface.V, out response);
+    public override void Prepare(ref SurfaceW surface) => texture.Evaluate(surface.U, surface.V, out surface.DiffuseColor);
 
     /// <inheritdoc/>
-    public override void Brdf(in SurfaceW surface, out RgbW brdf)
-    {
-        texture.Evaluate(surface.U, surface.V, out RgbW color);
-        brdf = color * (1f / float.Pi);
-    }
+    public override void AmbientResponse(in SurfaceW surface, out RgbW response) => response = surface.DiffuseColor;
+
+    /// <inheritdoc/>
+    public override void Brdf(in SurfaceW surface, out RgbW brdf) => brdf = surface.DiffuseColor * (1f / float.Pi);
 
     /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
@@ -43,7 +42,7 @@ public sealed class DiffuseMaterial(Texture texture) : Material
         samples.Direction(out FloatW u, out FloatW v);
         Onb.FromNormal(surface.Facing, out Onb frame);
         scatter.Direction = frame.ToWorld(Warp.CosineHemisphere(u, v));
-        texture.Evaluate(surface.U, surface.V, out scatter.Weight);
+        scatter.Weight = surface.DiffuseColor;
         scatter.Specular = MaskW.None;
         scatter.Absorbed = MaskW.None;
     }

@@ -57,6 +57,9 @@ public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular,
     public override bool UsesDistance => specular.UsesDistance;
 
     /// <inheritdoc/>
+    public override void Prepare(ref SurfaceW surface) => diffuse.Prepare(ref surface);
+
+    /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
     {
         FloatW reflectance = Fresnel.Schlick(surface.Cosine, r0);

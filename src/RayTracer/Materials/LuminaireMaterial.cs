@@ -86,6 +86,9 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     }
 
     /// <inheritdoc/>
+    public override void Prepare(ref SurfaceW surface) => inner?.Prepare(ref surface);
+
+    /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
     {
         response = default;

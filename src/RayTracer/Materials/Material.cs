@@ -23,6 +23,14 @@ public abstract class Material
     /// <summary>Whether scattering depends on <see cref="SurfaceW.Distance"/>, the length of the ray.</summary>
     public virtual bool UsesDistance => false;
 
+    /// <summary>
+    /// Evaluates what several of the other methods need, once, before any of them is called:
+    /// <see cref="SurfaceW.DiffuseColor"/>.
+    /// </summary>
+    public virtual void Prepare(ref SurfaceW surface)
+    {
+    }
+
     /// <summary>Radiance emitted against the ray (report: EmittedRadiance).</summary>
     /// <param name="cosine">Cosine between the shape's outward normal and the direction of emission; no light where it is not positive.</param>
     /// <param name="u">First surface coordinate.</param>
@@ -72,6 +80,9 @@ public struct SurfaceW
 
     /// <summary>Whether the ray comes from inside, against the shape's own normal.</summary>
     public MaskW Inside;
+
+    /// <summary>Colour of the diffuse part; set by <see cref="Material.Prepare"/>.</summary>
+    public RgbW DiffuseColor;
 
     /// <summary>How far a new ray must start from the point, along the normal, so as not to meet the same surface again.</summary>
     public FloatW Offset;

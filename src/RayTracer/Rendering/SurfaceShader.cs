@@ -80,6 +80,7 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
         _vertex.Begin(UIntW.Gather(_generator.PixelKeys, pixel), sample, diffuseDepth + specularDepth);
         Describe(group, stream, index, out SurfaceW surface);
+        group.Material.Prepare(ref surface);
         RgbW throughput = stream.PickThroughput(index);
         RgbW radiance = stream.PickRadiance(index);
 

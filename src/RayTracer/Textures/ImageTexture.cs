@@ -110,7 +110,7 @@ public sealed unsafe class ImageTexture : Texture
         switch (_interpolation)
         {
             case Interpolation.Nearest:
-                color = Texel(FloatW.Floor(x), FloatW.Floor(y));
+                color = Texel(Column(FloatW.Floor(x)), Row(FloatW.Floor(y)));
                 break;
             case Interpolation.Bilinear:
                 Bilinear(x - 0.5f, y - 0.5f, out color);
@@ -127,8 +127,12 @@ public sealed unsafe class ImageTexture : Texture
         FloatW top = FloatW.Floor(y);
         FloatW fx = x - left;
         FloatW fy = y - top;
-        RgbW upper = Texel(left, top) * (1f - fx) + Texel(left + 1f, top) * fx;
-        RgbW lower = Texel(left, top + 1f) * (1f - fx) + Texel(left + 1f, top + 1f) * fx;
+        UIntW column0 = Column(left);
+        UIntW column1 = Column(left + 1f);
+        UIntW row0 = Row(top);
+        UIntW row1 = Row(top + 1f);
+        RgbW upper = Texel(column0, row0) * (1f - fx) + Texel(column1, row0) * fx;
+        RgbW lower = Texel(column0, row1) * (1f - fx) + Texel(column1, row1) * fx;
         color = upper * (1f - fy) + lower * fy;
     }
 
@@ -138,16 +142,23 @@ public sealed unsafe class ImageTexture : Texture
         FloatW top = FloatW.Floor(y);
         FloatW fx = x - left;
         FloatW fy = y - top;
+        UIntW column0 = Column(left - 1f);
+        UIntW column1 = Column(left);
+        UIntW column2 = Column(left + 1f);
+        UIntW column3 = Column(left + 2f);
+        FloatW weight0 = CatmullRom(fx + 1f);
+        FloatW weight1 = CatmullRom(fx);
+        FloatW weight2 = CatmullRom(fx - 1f);
+        FloatW weight3 = CatmullRom(fx - 2f);
         RgbW sum = default;
         for (int j = -1; j <= 2; j++)
         {
-            RgbW row = default;
-            for (int i = -1; i <= 2; i++)
-            {
-                row = RgbW.MultiplyAdd(Texel(left + i, top + j), CatmullRom(fx - i), row);
-            }
-
-            sum = RgbW.MultiplyAdd(row, CatmullRom(fy - j), sum);
+            UIntW row = Row(top + j);
+            RgbW line = Texel(column0, row) * weight0;
+            line = RgbW.MultiplyAdd(Texel(column1, row), weight1, line);
+            line = RgbW.MultiplyAdd(Texel(column2, row), weight2, line);
+            line = RgbW.MultiplyAdd(Texel(column3, row), weight3, line);
+            sum = RgbW.MultiplyAdd(line, CatmullRom(fy - j), sum);
         }
 
         // The kernel's negative lobes may undershoot beside a hard edge; light has no negative colour.
@@ -164,14 +175,19 @@ public sealed unsafe class ImageTexture : Texture
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private RgbW Texel(FloatW column, FloatW row)
+    private RgbW Texel(UIntW column, UIntW row)
     {
-        // Indices are whole numbers in floats; the clamp also catches NaN, so no lane can read outside the picture.
-        FloatW index = FloatW.Max(0f, FloatW.Min(Wrap(column, _width), _width - 1));
-        FloatW line = FloatW.Max(0f, FloatW.Min(Wrap(row, _height), _height - 1));
-        UIntW texel = (line.ToIntInRange() * (uint)_width + index.ToIntInRange()) * 3u;
+        UIntW texel = row + column;
         return new(FloatW.Gather(_texels, texel), FloatW.Gather(_texels + 1, texel), FloatW.Gather(_texels + 2, texel));
     }
+
+    // Where a column and a row begin, in floats. Indices are whole numbers in floats; the clamp also catches NaN, so no lane can
+    // read outside the picture.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private UIntW Column(FloatW i) => FloatW.Max(0f, FloatW.Min(Wrap(i, _width), _width - 1)).ToIntInRange() * 3u;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private UIntW Row(FloatW i) => FloatW.Max(0f, FloatW.Min(Wrap(i, _height), _height - 1)).ToIntInRange() * (3u * (uint)_width);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private FloatW Wrap(FloatW i, int n)

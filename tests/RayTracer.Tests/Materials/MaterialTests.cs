@@ -85,6 +85,7 @@ public class MaterialTests
         Material material = new DiffuseSpecularMaterial(
             new DiffuseMaterial(new SolidTexture(new(0.5f, 0.5f, 0.5f))), new PhongMetalMaterial(new SolidTexture(Rgb.White), 1e6f), (float)r0);
         (SurfaceW surface, _) = Surface(cosine, inside: false);
+        material.Prepare(ref surface);
         int coat = 0;
         ForEachScatter(material, surface, 4096, s => coat += s.Specular.Any ? 1 : 0);
         double sigma = Math.Sqrt(reflectance * (1 - reflectance) * 4096);
@@ -169,6 +170,7 @@ public class MaterialTests
     private static void ForEachScatter(Material material, SurfaceW surface, int count, Action<ScatterW> action)
     {
         VertexSamples samples = new(new SobolSampler(count));
+        material.Prepare(ref surface);
         for (int i = 0; i < count; i++)
         {
             samples.Begin(Hash.PixelKey(1, 1), (uint)i, 0u);
