@@ -1,6 +1,6 @@
 namespace RayTracer.Cli.Reproduce;
 
-/// <summary>A test scene of the report ("Real-time Ray Tracing", group B123, Aalborg University, 2009): table 6.1 and figures 6.3 to 6.5.</summary>
+/// <summary>A test scene of the report: table 6.1 and figures 6.3 to 6.5.</summary>
 /// <param name="Number">1 to 3.</param>
 /// <param name="Figure">The figure that shows it.</param>
 /// <param name="Primitives">Shapes without the lights.</param>
