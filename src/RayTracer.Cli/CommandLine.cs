@@ -107,7 +107,13 @@ internal static class CommandLine
 
     private static string Synopsis(Command command)
     {
-        IEnumerable<string> words = command.Arguments.Select(a => a.Arity.MaximumNumberOfValues > 1 ? $"{a.Name}…" : a.Name);
+        IEnumerable<string> words = command.Arguments.Select(a => a.Arity switch
+        {
+            { MinimumNumberOfValues: 2, MaximumNumberOfValues: 2 } => $"{a.Name} {a.Name}",
+            { MinimumNumberOfValues: 0 } => $"[{a.Name}…]",
+            { MaximumNumberOfValues: > 1 } => $"{a.Name}…",
+            _ => a.Name,
+        });
         return string.Join(' ', words.Append("[options]"));
     }
 

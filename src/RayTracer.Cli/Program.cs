@@ -6,6 +6,6 @@ internal static class Program
     private static int Main(string[] args)
     {
         WideVectors.Enable(args);
-        return CommandLine.Run(args, new(Console.Out, Console.Error, HasTerminal: !Console.IsErrorRedirected));
+        return CommandLine.Run(args, new(Console.Out, new UnfailingWriter(Console.Error), HasTerminal: !Console.IsErrorRedirected));
     }
 }

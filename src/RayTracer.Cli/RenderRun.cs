@@ -38,6 +38,11 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         IReadOnlyList<string> written = film.TotalSamples > 0 ? Write(outcome) : [];
+        if (film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
+        {
+            streams.Fail("no sample came to a finite number, so there is no picture to write");
+        }
+
         RenderReport report = new(request, outcome, written, _total.Elapsed.TotalSeconds);
         report.Write(streams);
         return signals.Status != 0 ? signals.Status : written.Count < request.Outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
@@ -83,7 +88,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     {
         long bytes = FilmMemory.Bytes(render.Width, render.Height);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
-        bool fits = bytes <= available && (long)render.Width * render.Height <= FilmMemory.MaxPixels;
+        bool fits = bytes <= available && (long)render.Width * render.Height <= Film.MaxPixels;
         return fits ? new(render.Width, render.Height) : throw new CommandException(
             ExitStatus.InputOutput, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than can be had ({FilmMemory.Text(available)})");
     }

@@ -40,9 +40,14 @@ internal static unsafe partial class WideVectors
     {
         try
         {
+            // Of another process of that number, in a container that shares the folder, the socket is older.
+            DateTime start = System.Diagnostics.Process.GetCurrentProcess().StartTime.ToUniversalTime().AddSeconds(-1);
             foreach (string socket in Directory.EnumerateFiles(Path.GetTempPath(), $"dotnet-diagnostic-{Environment.ProcessId}-*-socket"))
             {
-                File.Delete(socket);
+                if (File.GetLastWriteTimeUtc(socket) >= start)
+                {
+                    File.Delete(socket);
+                }
             }
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)

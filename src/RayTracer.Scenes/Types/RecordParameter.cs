@@ -88,7 +88,7 @@ public sealed class RecordParameter
     {
         foreach (double number in Numbers(value))
         {
-            if (RangeComplaint(number, number == (float)number ? $"{(float)number}" : $"{number}") is { } complaint)
+            if (RangeComplaint(number, number == Math.Floor(number) && Math.Abs(number) < 1e15 ? $"{(long)number}" : number == (float)number ? $"{(float)number}" : $"{number}") is { } complaint)
             {
                 return complaint;
             }

@@ -51,6 +51,12 @@ public sealed class Camera
     public static Camera? Create(CameraDescription camera, int width, int height, SceneBuilder builder)
     {
         Vector3 forward = (camera.LookAt - camera.Position).Unit();
+        if (float.IsInfinity((camera.LookAt - camera.Position).Norm()))
+        {
+            builder.Error(camera, nameof(CameraDescription.LookAt), "the point looked at is too far from the camera to compute with");
+            return null;
+        }
+
         if (!forward.IsFinite())
         {
             builder.Error(camera, nameof(CameraDescription.LookAt), "the camera must look at a point other than its own position");

@@ -89,6 +89,11 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture)
         Shape? shape = description.Build(this);
         if (shape is not null)
         {
+            if (shape.Material.Emits && !float.IsFinite(shape.Area) && !HasErrors)
+            {
+                Error(description, null, "the area of this light is too large a number to compute with");
+            }
+
             shapes.Add(shape);
         }
 

@@ -29,6 +29,11 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder)
     {
+        if (Color is SolidTextureDescription { Color: var c } && !float.IsFinite((c.R + c.G + c.B) * Multiplier))
+        {
+            builder.Error(this, nameof(Multiplier), "colour times multiplier is too large a number to compute with");
+        }
+
         if (Material is LuminaireMaterialDescription)
         {
             builder.Error(this, nameof(Material), "the material inside a luminaire must not be a luminaire itself");

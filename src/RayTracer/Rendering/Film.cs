@@ -13,8 +13,11 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed class Film : IImageRows
 {
-    /// <summary>Samples beyond ± this are clamped (a bias, so they are counted): 2³¹ of them still fit into the sums.</summary>
+    /// <summary>Samples beyond ± this are clamped (a bias, so they are counted): fewer than 2³¹ of them fit into the sums.</summary>
     public const float SampleLimit = 1 << 24;
+
+    /// <summary>Memory of a pixel in bytes: four sums of 16 bytes, and a count of 4.</summary>
+    public const int BytesPerPixel = (SumsPerPixel * 16) + 4;
 
     internal const int SumsPerPixel = 4;
     internal const int SquareSum = 3;
@@ -26,6 +29,7 @@ public sealed class Film : IImageRows
     /// <summary>Makes an empty film.</summary>
     /// <param name="width">Width in pixels, at least 1.</param>
     /// <param name="height">Height in pixels, at least 1.</param>
+    /// <exception cref="OutOfMemoryException">There are more than <see cref="MaxPixels"/> pixels, or not so much memory.</exception>
     public Film(int width, int height)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(width, 1);
@@ -35,6 +39,9 @@ public sealed class Film : IImageRows
         _sums = new Int128[checked((long)width * height * SumsPerPixel)];
         _counts = new uint[(long)width * height];
     }
+
+    /// <summary>The largest number of pixels: the sums are in one array.</summary>
+    public static long MaxPixels => Array.MaxLength / SumsPerPixel;
 
     /// <inheritdoc/>
     public int Width { get; }

@@ -11,6 +11,7 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
     private const int PathsPerTile = 16384;
     private const int SmallestTile = 8;
     private const int LargestTile = 64;
+    private const int LargestStream = 65536;
     private readonly RenderOptions _options = options ?? new();
 
     /// <summary>Renders the whole picture into a new film.</summary>
@@ -26,7 +27,8 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
     /// <param name="film">A film of the scene's size.</param>
     /// <param name="progress">Told how far the rendering is, from the rendering threads; may be null.</param>
     /// <param name="cancellation">Ends the rendering after the tiles under way; the film then holds whole samples of some pixels, and stays usable.</param>
-    /// <exception cref="ArgumentException">The film's size is not the scene's, or samples or crop lie outside the scene's.</exception>
+    /// <exception cref="ArgumentException">The film's size is not the scene's, samples or crop lie outside the scene's, or an option is out of range.</exception>
+    /// <exception cref="InvalidOperationException">A thread failed; the inner exception says why.</exception>
     public RenderStatistics Render(Film film, IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
     {
         (Tile area, SampleRange samples) = Validate(film);
@@ -50,9 +52,24 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
         }
 
         Thread[] others = [.. Enumerable.Range(1, workers.Length - 1).Select(i => new Thread(() => Run(i)) { IsBackground = true })];
-        Array.ForEach(others, t => t.Start());
-        Run(0);
-        Array.ForEach(others, t => t.Join());
+        int started = 0;
+        try
+        {
+            for (; started < others.Length; started++)
+            {
+                others[started].Start();
+            }
+
+            Run(0);
+        }
+        catch (Exception e) when (e is ThreadStartException or OutOfMemoryException)
+        {
+            // Too few threads can be had: nothing may go on writing to the film after this returns.
+            failure = e;
+            job.Stop();
+        }
+
+        Array.ForEach(others[..started], t => t.Join());
         return failure is null ? Summarize(workers, job) : throw new InvalidOperationException("Rendering failed.", failure);
     }
 
@@ -63,12 +80,17 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
         ShadowRays = workers.Sum(w => w.ShadowRays),
         NonFiniteSamples = workers.Sum(w => w.Accumulator.NonFinite),
         ClampedSamples = workers.Sum(w => w.Accumulator.Clamped),
-        BadSamples = [.. workers.SelectMany(w => w.Accumulator.Bad).OrderBy(b => (b.Y, b.X, b.Sample)).Take(RenderStatistics.MaxBadSamples)],
+        BadSamples = [.. workers.SelectMany(w => w.Accumulator.Bad).Order().Take(RenderStatistics.MaxBadSamples)],
         Cancelled = job.WasCancelled,
     };
 
     private (Tile Area, SampleRange Samples) Validate(Film film)
     {
+        ArgumentOutOfRangeException.ThrowIfNegative(_options.Threads, nameof(RenderOptions.Threads));
+        ArgumentOutOfRangeException.ThrowIfNegative(_options.TileSize, nameof(RenderOptions.TileSize));
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(_options.TileSize, LargestTile, nameof(RenderOptions.TileSize));
+        ArgumentOutOfRangeException.ThrowIfLessThan(_options.StreamSize, 1, nameof(RenderOptions.StreamSize));
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(_options.StreamSize, LargestStream, nameof(RenderOptions.StreamSize));
         (int width, int height) = (scene.Render.Width, scene.Render.Height);
         if (film.Width != width || film.Height != height)
         {
@@ -95,7 +117,7 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
     {
         if (_options.TileSize > 0)
         {
-            return Math.Min(_options.TileSize, LargestTile);
+            return _options.TileSize;
         }
 
         double paths = Math.Min(samples.Count, SampleAccumulator.MaxSamples);

@@ -3,13 +3,13 @@ namespace RayTracer.Rendering;
 /// <summary>How a picture is computed: nothing here changes a bit of it.</summary>
 public sealed record RenderOptions
 {
-    /// <summary>Number of threads; 0 means one for each core.</summary>
+    /// <summary>Number of threads, from 0; 0 means one for each core.</summary>
     public int Threads { get; init; }
 
-    /// <summary>Longest edge of a tile in pixels; 0 chooses one that keeps the streams full and the threads busy.</summary>
+    /// <summary>Longest edge of a tile in pixels, 1 to 64; 0 chooses one that keeps the streams full and the threads busy.</summary>
     public int TileSize { get; init; }
 
-    /// <summary>Number of paths that a thread follows at a time.</summary>
+    /// <summary>Number of paths that a thread follows at a time, 1 to 65,536.</summary>
     public int StreamSize { get; init; } = 1024;
 
     /// <summary>The part of the picture to render; null is all of it. The film always has the whole picture's size.</summary>
@@ -34,7 +34,23 @@ public readonly record struct RenderProgress(long PathsDone, long PathsTotal, lo
 /// <param name="Y">Row of the pixel.</param>
 /// <param name="Sample">Number of the sample.</param>
 /// <param name="Value">What it came to.</param>
-public readonly record struct BadSample(int X, int Y, int Sample, Numerics.Rgb Value);
+public readonly record struct BadSample(int X, int Y, int Sample, Numerics.Rgb Value) : IComparable<BadSample>
+{
+    /// <summary>Row by row, then by column and sample.</summary>
+    public int CompareTo(BadSample other) => (Y, X, Sample).CompareTo((other.Y, other.X, other.Sample));
+
+    /// <summary>Whether one comes first.</summary>
+    public static bool operator <(BadSample left, BadSample right) => left.CompareTo(right) < 0;
+
+    /// <summary>Whether one comes later.</summary>
+    public static bool operator >(BadSample left, BadSample right) => left.CompareTo(right) > 0;
+
+    /// <summary>Whether one comes first or both are of one sample.</summary>
+    public static bool operator <=(BadSample left, BadSample right) => left.CompareTo(right) <= 0;
+
+    /// <summary>Whether one comes later or both are of one sample.</summary>
+    public static bool operator >=(BadSample left, BadSample right) => left.CompareTo(right) >= 0;
+}
 
 /// <summary>What was done for a picture.</summary>
 public sealed record RenderStatistics

@@ -138,10 +138,15 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private void NoteBad(int pixel, int sample, Rgb value)
     {
         NonFinite++;
-        if (_bad.Count < RenderStatistics.MaxBadSamples)
+        (int x, int y) = _tile.Pixel(pixel);
+        _bad.Add(new(x, y, sample, value));
+
+        // Those that are kept are the first of the picture, whichever thread met them, and when.
+        if (_bad.Count >= 4 * RenderStatistics.MaxBadSamples)
         {
-            (int x, int y) = _tile.Pixel(pixel);
-            _bad.Add(new(x, y, sample, value));
+            BadSample[] first = [.. _bad.Order().Take(RenderStatistics.MaxBadSamples)];
+            _bad.Clear();
+            _bad.AddRange(first);
         }
     }
 

@@ -73,6 +73,11 @@ public sealed class Scene
     internal static Scene? Create(SceneDescription description, IReadOnlyList<Shape> shapes, SceneBuilder builder)
     {
         RenderDescription render = description.Render;
+        CheckRange(builder, render, nameof(render.Width), render.Width, 1, 65536);
+        CheckRange(builder, render, nameof(render.Height), render.Height, 1, 65536);
+        CheckRange(builder, render, nameof(render.SamplesPerPixel), render.SamplesPerPixel, 1, 1 << 24);
+        CheckRange(builder, render, nameof(render.MaxDiffuseDepth), render.MaxDiffuseDepth, 0, (int)PathState.DepthMask);
+        CheckRange(builder, render, nameof(render.MaxSpecularDepth), render.MaxSpecularDepth, 0, (int)PathState.DepthMask);
         if (Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint)
         {
             builder.Error(render, nameof(RenderDescription.SamplesPerPixel), complaint);
@@ -85,5 +90,14 @@ public sealed class Scene
 
         Camera? camera = Camera.Create(description.Camera, render.Width, render.Height, builder);
         return camera is null || builder.HasErrors ? null : new Scene(render, camera, shapes, description.Background, description.Ambient);
+    }
+
+    // Scene files are checked by their reader; descriptions may also be made by programs.
+    private static void CheckRange(SceneBuilder builder, RenderDescription render, string property, int value, int minimum, int maximum)
+    {
+        if (value < minimum || value > maximum)
+        {
+            builder.Error(render, property, $"must be from {minimum} to {maximum}, but is {value}");
+        }
     }
 }

@@ -64,10 +64,15 @@ public class JitteredSampler : Sampler
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private protected void Cell(UIntW cell, out FloatW column, out FloatW row)
     {
-        // Cells number at most 2²⁴, so the quotient's half is never rounded across a whole number.
-        FloatW index = cell.ToFloat();
-        row = FloatW.Floor((index + 0.5f) * (1f / _root));
-        column = FloatW.NegatedMultiplyAdd(row, _root, index);
+        // The quotient in floats may be one off where there are millions of cells; the remainder tells.
+        UIntW quotient = (cell.ToFloat() * (1f / _root)).ToIntInRange();
+        UIntW remainder = cell - (quotient * (uint)_root);
+        MaskW isTooLarge = remainder > int.MaxValue;
+        quotient = isTooLarge.Select(quotient - 1u, quotient);
+        remainder = isTooLarge.Select(remainder + (uint)_root, remainder);
+        MaskW isTooSmall = remainder > (uint)(_root - 1);
+        row = isTooSmall.Select(quotient + 1u, quotient).ToFloat();
+        column = isTooSmall.Select(remainder - (uint)_root, remainder).ToFloat();
     }
 
     /// <summary>Number of cells along a side.</summary>

@@ -105,24 +105,8 @@ public sealed class Plane : Shape
         Vector2 size = Size!.Value;
         Vec3W to = Vec3W.MultiplyAdd(
             Tangent * size.X, u - 0.5f, Vec3W.MultiplyAdd(Bitangent * size.Y, v - 0.5f, (Vec3W)Point - from));
-        FlatLight.Sample(to, Normal, Area, out sample);
+        AreaSample.Sample(to, Normal, Area, out sample);
         sample.U = u;
         sample.V = v;
-    }
-}
-
-/// <summary>What rectangles and triangles share as light sources.</summary>
-internal static class FlatLight
-{
-    /// <summary>A light sample from the vector to a point that was chosen uniformly by area.</summary>
-    public static void Sample(in Vec3W to, Vector3 normal, float area, out ShapeSampleW sample)
-    {
-        FloatW distance2 = Vec3W.Dot(to, to);
-        FloatW inverse = 1f / FloatW.Sqrt(distance2);
-        sample.Direction = to * inverse;
-        sample.Distance = distance2 * inverse;
-        sample.Cosine = -Vec3W.Dot(sample.Direction, normal);
-        sample.InversePdf = (sample.Cosine > 0f).Select(sample.Cosine * area * inverse * inverse, 0f);
-        sample.U = sample.V = default;
     }
 }

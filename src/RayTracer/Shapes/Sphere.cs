@@ -103,12 +103,6 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
     {
         Vec3W normal = Warp.UniformSphere(u, v);
         Vec3W to = Vec3W.MultiplyAdd(normal, radius, (Vec3W)center - from);
-        FloatW distance2 = Vec3W.Dot(to, to);
-        FloatW inverse = 1f / FloatW.Sqrt(distance2);
-        sample.Direction = to * inverse;
-        sample.Distance = distance2 * inverse;
-        sample.Cosine = -Vec3W.Dot(sample.Direction, normal);
-        sample.InversePdf = (sample.Cosine > 0f).Select(sample.Cosine * Area * inverse * inverse, 0f);
-        sample.U = sample.V = default;
+        AreaSample.Sample(to, normal, Area, out sample);
     }
 }

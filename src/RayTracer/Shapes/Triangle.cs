@@ -83,7 +83,7 @@ public sealed class Triangle(Material material, string name, Vector3 a, Vector3 
     {
         Warp.UniformTriangle(u, v, out FloatW toB, out FloatW toC);
         Vec3W to = Vec3W.MultiplyAdd(b - a, toB, Vec3W.MultiplyAdd(c - a, toC, (Vec3W)a - from));
-        FlatLight.Sample(to, Normal, Area, out sample);
+        AreaSample.Sample(to, Normal, Area, out sample);
         sample.U = FloatW.MultiplyAdd(toB, uvB.X - uvA.X, FloatW.MultiplyAdd(toC, uvC.X - uvA.X, uvA.X));
         sample.V = FloatW.MultiplyAdd(toB, uvB.Y - uvA.Y, FloatW.MultiplyAdd(toC, uvC.Y - uvA.Y, uvA.Y));
     }

@@ -42,6 +42,16 @@ public sealed class ProcessTests : IDisposable
         Assert.Single(error.TrimEnd().Split('\n'));
     }
 
+    [LinuxFact]
+    public void Full_standard_error_costs_no_picture()
+    {
+        string image = _folder["picture.png"];
+        using Process process = Process.Start(new ProcessStartInfo("/bin/sh", ["-c", "exec \"$0\" \"$@\" 2> /dev/full", Program, "render", _scene, "-o", image]) { UseShellExecute = false, RedirectStandardError = true })!;
+        (int status, _) = End(process, process.StandardError.ReadToEndAsync());
+        Assert.Equal(0, status);
+        Assert.True(File.Exists(image));
+    }
+
     [RootFact]
     public void A_full_disk_ends_with_one_line_and_leaves_nothing()
     {

@@ -121,7 +121,7 @@ public sealed class RenderTests : IDisposable
     [Fact]
     public void Samples_that_are_not_finite_are_named_with_the_command_that_repeats_them()
     {
-        File.WriteAllText(_scene, Lamp("3e38"));
+        File.WriteAllText(_scene, Lamp(ambient: "3e38"));
         CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.png"], "--seed", "3");
         Assert.Equal(0, run.Status);
         Assert.Contains("samples were not finite and were left out", run.Error, StringComparison.Ordinal);
@@ -134,7 +134,7 @@ public sealed class RenderTests : IDisposable
     [Fact]
     public void Clamped_samples_are_counted()
     {
-        File.WriteAllText(_scene, Lamp("1"));
+        File.WriteAllText(_scene, Lamp(ambient: "0"));
         CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.png"]);
         Assert.Matches(@"warning: \d+ samples were clamped at ±16777216", run.Error);
     }
@@ -149,11 +149,12 @@ public sealed class RenderTests : IDisposable
         Assert.False(File.Exists(_folder["a.png"]));
     }
 
-    // A lamp in the middle of the picture, as bright as floats go at a multiplier of 1, and brighter above.
-    private static string Lamp(string multiplier) => $$"""
+    // A lamp in the middle of the picture, about as bright as floats go; reflected ambient light makes it brighter still.
+    private static string Lamp(string ambient) => $$"""
         { "render": { "width": 8, "height": 8, "samplesPerPixel": 4 },
           "shapes": [ { "type": "sphere", "center": [0, 0, 0],
-                        "material": { "type": "luminaire", "color": [3e38, 3e38, 3e38], "multiplier": {{multiplier}} } } ] }
+                        "material": { "type": "luminaire", "color": [1e38, 1e38, 1e38], "material": { "type": "diffuse", "color": [1, 1, 1] } } } ],
+              "ambient": [{{ambient}}, {{ambient}}, {{ambient}}] }
         """;
 
     private static float[] Radiance(string output)

@@ -1,5 +1,9 @@
+using RayTracer.Description;
+using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
+using RayTracer.Shapes;
+using RayTracer.Textures;
 
 namespace RayTracer.Tests.Rendering;
 
@@ -117,6 +121,55 @@ public class RTracerTests
         Assert.Throws<ArgumentException>(() => new RTracer(s_scene, new() { Crop = new(40, 0, 9, 5) }).Render());
         Assert.Throws<ArgumentException>(() => new RTracer(s_scene, new() { Samples = new(0, 17) }).Render());
         Assert.Throws<ArgumentException>(() => new RTracer(s_scene, new() { Samples = new(4, 4) }).Render());
+    }
+
+    [Theory]
+    [InlineData(-1, 0, 1024)]
+    [InlineData(0, -1, 1024)]
+    [InlineData(0, 65, 1024)]
+    [InlineData(0, 0, 0)]
+    [InlineData(0, 0, int.MaxValue)]
+    public void Options_out_of_range_are_refused(int threads, int tile, int stream) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => new RTracer(s_scene, new() { Threads = threads, TileSize = tile, StreamSize = stream }).Render());
+
+    [Theory]
+    [InlineData(256, 4, 16)]
+    [InlineData(4, -1, 16)]
+    [InlineData(4, 4, 0)]
+    [InlineData(4, 4, (1 << 24) + 1)]
+    public void Descriptions_made_by_programs_are_checked_too(int diffuse, int specular, int samples)
+    {
+        SceneBuilder builder = new((_, _) => throw new NotSupportedException());
+        Assert.Null(builder.Build(new() { Render = new() { MaxDiffuseDepth = diffuse, MaxSpecularDepth = specular, SamplesPerPixel = samples } }));
+        Assert.Contains("must be from", builder.Complaints[0].Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Lights_too_large_or_too_bright_to_compute_with_are_refused()
+    {
+        SceneBuilder builder = new((_, _) => throw new NotSupportedException());
+        LuminaireMaterialDescription bright = new() { Color = new SolidTextureDescription { Color = new(1e10f, 1, 1) }, Multiplier = 3e38f };
+        builder.Build(new() { Lights = [new PlaneDescription { Size = new(1e20f, 1e20f), Material = new LuminaireMaterialDescription() }] });
+        builder.Build(new() { Lights = [new SphereDescription { Material = bright }] });
+        Assert.Contains(builder.Complaints, c => c.Message.Contains("area", StringComparison.Ordinal));
+        Assert.Contains(builder.Complaints, c => ReferenceEquals(c.Subject, bright));
+    }
+
+    [Fact]
+    public void The_first_bad_samples_are_named_whatever_the_threads()
+    {
+        IReadOnlyList<BadSample> Bad(int threads)
+        {
+            Scene scene = TestScenes.Build(TestScenes.Everything.Replace("SAMPLER", "sobol", StringComparison.Ordinal)
+                .Replace("\"skyblue\"", "[3e38, 3e38, 3e38]", StringComparison.Ordinal)
+                .Replace("\"ambient\": [0.02, 0.02, 0.05]", "\"ambient\": [3e38, 3e38, 3e38]", StringComparison.Ordinal));
+            return new RTracer(scene, new() { Threads = threads, TileSize = 8 }).Render().Statistics.BadSamples;
+        }
+
+        IReadOnlyList<BadSample> one = Bad(1);
+        Assert.Equal(RenderStatistics.MaxBadSamples, one.Count);
+        Assert.Equal(one.Order(), one);
+        Assert.Equal(one.Select(b => (b.X, b.Y, b.Sample)), Bad(3).Select(b => (b.X, b.Y, b.Sample)));
     }
 
     [Fact]

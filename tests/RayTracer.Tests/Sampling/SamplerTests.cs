@@ -112,6 +112,26 @@ public class SamplerTests
     }
 
     [Theory]
+    [InlineData(2435)]
+    [InlineData(3000)]
+    [InlineData(4096)]
+    public void Millions_of_cells_keep_their_points_in_the_unit_square(int root)
+    {
+        int count = root * root;
+        foreach (SamplerKind kind in new[] { SamplerKind.Jittered, SamplerKind.Regular })
+        {
+            Sampler sampler = Sampler.Create(new RenderDescription { Sampler = kind, SamplesPerPixel = count });
+            for (int i = 0; i < 200_000; i += FloatW.Count)
+            {
+                sampler.Begin(Hash.PixelKey(0, 3), UIntW.Iota + (uint)(count - 200_000 + i), Dimensions.Pixel, out SamplePoints points);
+                sampler.Pair(points, 0, out FloatW u, out FloatW v);
+                MaskW within = (u >= 0f) & (u < 1f) & (v >= 0f) & (v < 1f);
+                Assert.Equal(MaskW.All.Bits, within.Bits);
+            }
+        }
+    }
+
+    [Theory]
     [InlineData(15, 9, 16)]
     [InlineData(2, 1, 4)]
     [InlineData(99, 81, 100)]

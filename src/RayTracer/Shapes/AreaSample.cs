@@ -1,0 +1,19 @@
+using RayTracer.Numerics;
+
+namespace RayTracer.Shapes;
+
+/// <summary>What light sources share whose points are chosen uniformly by area.</summary>
+internal static class AreaSample
+{
+    /// <summary>A light sample from the vector to a point that was chosen uniformly by area.</summary>
+    public static void Sample(in Vec3W to, in Vec3W normal, float area, out ShapeSampleW sample)
+    {
+        FloatW distance2 = Vec3W.Dot(to, to);
+        FloatW inverse = 1f / FloatW.Sqrt(distance2);
+        sample.Direction = to * inverse;
+        sample.Distance = distance2 * inverse;
+        sample.Cosine = -Vec3W.Dot(sample.Direction, normal);
+        sample.InversePdf = (sample.Cosine > 0f).Select(sample.Cosine * area * inverse * inverse, 0f);
+        sample.U = sample.V = default;
+    }
+}
