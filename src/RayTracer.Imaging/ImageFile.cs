@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
@@ -93,6 +94,8 @@ public static class ImageFile
         }
     }
 
+    private const int LongestExtension = 16;
+
     private static string KnownExtension(string path)
     {
         string extension = Path.GetExtension(path).ToLowerInvariant();
@@ -102,28 +105,10 @@ public static class ImageFile
         }
 
         string has = extension.Length > 0 ? $"the extension '{extension}' is none of" : "its name has none of the extensions";
-        string? nearest = Extensions.Where(known => Distance(extension, known) <= 2).MinBy(known => Distance(extension, known));
+        string? nearest = extension.Length > LongestExtension ? null
+            : Extensions.Where(known => EditDistance.Between(extension, known) <= 2).MinBy(known => EditDistance.Between(extension, known));
         string question = nearest is null ? "" : $" (did you mean '{nearest}'?)";
         throw new ImageWriteException($"Cannot write '{path}': {has} {string.Join(", ", Extensions)}{question}.");
-    }
-
-    // Levenshtein's distance: how many letters to insert, delete or replace.
-    private static int Distance(string a, string b)
-    {
-        int[] row = [.. Enumerable.Range(0, b.Length + 1)];
-        for (int i = 1; i <= a.Length; i++)
-        {
-            int diagonal = row[0];
-            row[0] = i;
-            for (int j = 1; j <= b.Length; j++)
-            {
-                int replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-                diagonal = row[j];
-                row[j] = Math.Min(replaced, Math.Min(row[j], row[j - 1]) + 1);
-            }
-        }
-
-        return row[b.Length];
     }
 
     private static PictureException Unknown() => new($"its first bytes are those of no picture format that is read ({Formats})");

@@ -1,3 +1,5 @@
+using RayTracer.Description;
+
 namespace RayTracer.Scenes;
 
 /// <summary>Finds what somebody probably meant to write.</summary>
@@ -48,7 +50,7 @@ internal static class Spelling
             }
 
             // The distance is at least the difference in length.
-            if (Math.Abs(candidate.Length - word.Length) < least && Distance(word, candidate) is var distance && distance < least)
+            if (Math.Abs(candidate.Length - word.Length) < least && EditDistance.Between(word, candidate) is var distance && distance < least)
             {
                 least = distance;
                 nearest = candidate;
@@ -56,28 +58,5 @@ internal static class Spelling
         }
 
         return nearest;
-    }
-
-    /// <summary>
-    /// The least number of insertions, deletions, changes and swaps of neighbours between two words, where no part is
-    /// edited twice (Damerau 1964; optimal string alignment).
-    /// </summary>
-    public static int Distance(string a, string b)
-    {
-        int[,] d = new int[a.Length + 1, b.Length + 1];
-        for (int i = 0; i <= a.Length; i++)
-        {
-            for (int j = 0; j <= b.Length; j++)
-            {
-                d[i, j] = i == 0 || j == 0 ? i + j : Math.Min(
-                    Math.Min(d[i - 1, j], d[i, j - 1]) + 1, d[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1));
-                if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                {
-                    d[i, j] = Math.Min(d[i, j], d[i - 2, j - 2] + 1);
-                }
-            }
-        }
-
-        return d[a.Length, b.Length];
     }
 }

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Scenes;
 
 namespace RayTracer.Tests.Scenes;
@@ -12,8 +13,8 @@ public class SpellingTests
     [InlineData("kitten", "sitting", 3)]
     public void Distance_counts_edits_and_swaps(string a, string b, int expected)
     {
-        Assert.Equal(expected, Spelling.Distance(a, b));
-        Assert.Equal(expected, Spelling.Distance(b, a));
+        Assert.Equal(expected, EditDistance.Between(a, b));
+        Assert.Equal(expected, EditDistance.Between(b, a));
     }
 
     [Theory]
