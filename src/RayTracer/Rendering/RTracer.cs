@@ -120,10 +120,17 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
             return _options.TileSize;
         }
 
-        double paths = Math.Min(samples.Count, SampleAccumulator.MaxSamples);
+        double paths = BlockSize(samples);
         double share = (double)area.Width * area.Height / (8.0 * threads);
         double edge = double.Sqrt(Math.Min(PathsPerTile / paths, share));
         return Math.Clamp((int)edge, SmallestTile, LargestTile);
+    }
+
+    // The samples of a pixel in equal blocks that the accumulator can hold: a short last one would leave the streams empty.
+    private static int BlockSize(SampleRange samples)
+    {
+        int blocks = ((samples.Count - 1) / SampleAccumulator.MaxSamples) + 1;
+        return ((samples.Count - 1) / blocks) + 1;
     }
 
     /// <summary>The work that the threads share.</summary>
@@ -141,10 +148,11 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
 
         public void Work(Wavefront wavefront)
         {
+            int blockSize = BlockSize(samples);
             int taken;
             while (!_stopped && (taken = Interlocked.Increment(ref _nextTile)) < tiles.Length)
             {
-                for (int first = samples.First; first < samples.End; first += SampleAccumulator.MaxSamples)
+                for (int first = samples.First; first < samples.End; first += blockSize)
                 {
                     if (cancellation.IsCancellationRequested)
                     {
@@ -152,7 +160,7 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
                         return;
                     }
 
-                    SampleRange block = new(first, Math.Min(samples.End, first + SampleAccumulator.MaxSamples));
+                    SampleRange block = new(first, Math.Min(samples.End, first + blockSize));
                     long raysBefore = wavefront.ClosestHitRays + wavefront.ShadowRays;
                     wavefront.Render(film, tiles[taken], block);
                     Report((long)tiles[taken].Pixels * block.Count, wavefront.ClosestHitRays + wavefront.ShadowRays - raysBefore);
