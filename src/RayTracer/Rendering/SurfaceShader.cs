@@ -35,6 +35,11 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         {
             uint* index = members + i;
             RgbW radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), background, stream.PickRadiance(index));
+
+            // A direction that is not a number meets nothing; it must not pass for a ray into the open.
+            Vec3W direction = stream.PickDirection(index);
+            FloatW fault = Vec3W.Dot(direction, direction) * 0f;
+            radiance += new RgbW(fault, fault, fault);
             finished.Append(MaskW.First(count - i).Bits, radiance, UIntW.Pick(stream.Path, index));
         }
     }
@@ -109,8 +114,10 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         throughput *= scatter.Weight;
         UIntW limit = scatter.Specular.Select((UIntW)(uint)scene.Render.MaxSpecularDepth, (uint)scene.Render.MaxDiffuseDepth);
         MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;
-        MaskW carriesLight = FloatW.Max(FloatW.Max(throughput.R, throughput.G), throughput.B) > 0f;
-        MaskW alive = active.Except(scatter.Absorbed) & goesOn & carriesLight;
+
+        // Written so that a path whose throughput is not a number goes on, and is counted at its end.
+        MaskW isDark = (throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f);
+        MaskW alive = active.Except(scatter.Absorbed).Except(isDark) & goesOn;
         uint ended = active.Except(alive).Bits;
         if (ended != 0)
         {

@@ -28,12 +28,3 @@ internal static unsafe class AffineMap
             p.Y, primitives.Read(table, constant + 1), FloatW.MultiplyAdd(
             p.Z, primitives.Read(table, constant + 2), primitives.Read(table, constant + 3))));
 }
-
-/// <summary>What flat shapes share.</summary>
-internal static class FlatSurface
-{
-    /// <summary>How far from a flat shape a ray must start, by the size of the coordinates that its plane was computed from.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatW Offset(Vec3W point, FloatW scale) =>
-        (FloatW.Abs(point.X) + FloatW.Abs(point.Y) + FloatW.Abs(point.Z) + scale) * RayOffset.Relative;
-}

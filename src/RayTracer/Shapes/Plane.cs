@@ -1,5 +1,4 @@
 using System.Numerics;
-using RayTracer.Acceleration;
 using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
@@ -42,7 +41,7 @@ public sealed record PlaneDescription : ShapeDescription
 }
 
 /// <summary>A plane (report, section 3.3.5), or a rectangle of it.</summary>
-public sealed class Plane : Shape
+public sealed unsafe class Plane : FlatShape
 {
     /// <summary>From a point and a normal.</summary>
     /// <param name="material">What it is made of.</param>
@@ -97,7 +96,19 @@ public sealed class Plane : Shape
     }
 
     /// <inheritdoc/>
-    public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new PlaneBatch(shapes);
+    internal override Outline Pack(float* entry)
+    {
+        FlatBatch.WritePlane(entry, Normal, Point);
+        Vector2 size = Size ?? Vector2.One;
+        float center = Size is null ? 0 : 0.5f;
+        foreach (int map in new[] { FlatBatch.First, FlatBatch.MapU })
+        {
+            AffineMap.Write(entry + map, Tangent * (1 / size.X), Point, center);
+            AffineMap.Write(entry + map + (FlatBatch.Second - FlatBatch.First), Bitangent * (1 / size.Y), Point, center);
+        }
+
+        return Size is null ? Outline.None : Outline.Rectangle;
+    }
 
     /// <inheritdoc/>
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)

@@ -1,5 +1,4 @@
 using System.Numerics;
-using RayTracer.Acceleration;
 using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
@@ -51,8 +50,8 @@ public sealed record TriangleDescription : ShapeDescription
 }
 
 /// <summary>A triangle (report, sections 3.3.3 and 3.3.5); uv is interpolated between its corners.</summary>
-public sealed class Triangle(Material material, string name, Vector3 a, Vector3 b, Vector3 c, Vector2 uvA, Vector2 uvB, Vector2 uvC)
-    : Shape(material, name)
+public sealed unsafe class Triangle(Material material, string name, Vector3 a, Vector3 b, Vector3 c, Vector2 uvA, Vector2 uvB, Vector2 uvC)
+    : FlatShape(material, name)
 {
     /// <summary>First corner.</summary>
     public Vector3 A => a;
@@ -76,7 +75,21 @@ public sealed class Triangle(Material material, string name, Vector3 a, Vector3 
     public override Bounds Bounds => new(Vector3.Min(a, Vector3.Min(b, c)), Vector3.Max(a, Vector3.Max(b, c)));
 
     /// <inheritdoc/>
-    public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new TriangleBatch(shapes);
+    internal override Outline Pack(float* entry)
+    {
+        FlatBatch.WritePlane(entry, Normal, a);
+
+        // The gradient of a corner's coordinate is perpendicular to the opposite side, and 1 over its height long.
+        Vector3 towardsB = (c - a).Cross(Normal);
+        Vector3 towardsC = Normal.Cross(b - a);
+        Vector3 gradientB = towardsB * (1 / (b - a).Dot(towardsB));
+        Vector3 gradientC = towardsC * (1 / (c - a).Dot(towardsC));
+        AffineMap.Write(entry + FlatBatch.First, gradientB, a, 0);
+        AffineMap.Write(entry + FlatBatch.Second, gradientC, a, 0);
+        AffineMap.Write(entry + FlatBatch.MapU, gradientB * (uvB.X - uvA.X) + gradientC * (uvC.X - uvA.X), a, uvA.X);
+        AffineMap.Write(entry + FlatBatch.MapV, gradientB * (uvB.Y - uvA.Y) + gradientC * (uvC.Y - uvA.Y), a, uvA.Y);
+        return Outline.Triangle;
+    }
 
     /// <inheritdoc/>
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)

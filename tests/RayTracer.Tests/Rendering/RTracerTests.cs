@@ -155,6 +155,43 @@ public class RTracerTests
         Assert.Contains(builder.Complaints, c => ReferenceEquals(c.Subject, bright));
     }
 
+    [Theory]
+    [InlineData(float.NaN, 0f)]
+    [InlineData(0f, float.NaN)]
+    public void Paths_that_are_not_numbers_are_counted_and_not_passed_off_as_background(float weight, float direction)
+    {
+        SceneBuilder builder = new((_, _) => throw new NotSupportedException());
+        Scene scene = builder.Build(new()
+        {
+            Render = new() { Width = 16, Height = 16, SamplesPerPixel = 1 },
+            Background = Rgb.White,
+            Shapes = [new SphereDescription { Center = new(0, 0.5f, 0), Material = new FaultyDescription { Weight = weight, Direction = direction } }],
+        })!;
+        RenderStatistics statistics = new RTracer(scene).Render().Statistics;
+        Assert.Equal(statistics.ClosestHitRays - statistics.Paths, statistics.NonFiniteSamples);
+        Assert.True(statistics.NonFiniteSamples > 0);
+    }
+
+    private sealed record FaultyDescription : MaterialDescription
+    {
+        public float Weight { get; init; }
+
+        public float Direction { get; init; }
+
+        public override Material Build(SceneBuilder builder) => new Faulty(Weight, Direction);
+    }
+
+    private sealed class Faulty(float weight, float direction) : Material
+    {
+        public override void Scatter(in SurfaceW surface, RayTracer.Sampling.VertexSamples samples, out ScatterW scatter)
+        {
+            scatter.Direction = surface.Facing + (Vec3W)new System.Numerics.Vector3(direction);
+            scatter.Weight = new Rgb(1, 1 + weight, 1);
+            scatter.Specular = MaskW.All;
+            scatter.Absorbed = MaskW.None;
+        }
+    }
+
     [Fact]
     public void The_first_bad_samples_are_named_whatever_the_threads()
     {

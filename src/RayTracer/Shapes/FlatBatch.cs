@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 using RayTracer.Acceleration;
 using RayTracer.Materials;
@@ -6,36 +7,38 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>
-/// All planes of a scene. A plane's entry is n and d of n·p = d, then two affine maps from a
-/// point to u and to v; a rectangle is where both lie between 0 and 1.
+/// All planes, or all triangles, of a scene. An entry is n and d of the plane n·p = d, two affine maps from a point to the
+/// coordinates that the outline is told by (Wald 2004's idea of a precomputed projection, in three dimensions), the maps to
+/// u and v, and a scale for offsets.
 /// </summary>
-internal sealed unsafe class PlaneBatch : ShapeBatch
+internal sealed unsafe class FlatBatch : ShapeBatch
 {
-    private const int Constants = 14;
-    private const int MapU = 4;
-    private const int MapV = 8;
-    private const int OffsetScale = 12;
-    private readonly int[] _isBounded;
+    public const int First = 4;
+    public const int Second = 8;
+    public const int MapU = 12;
+    public const int MapV = 16;
+    public const int OffsetScale = 20;
+    private const int Constants = 21;
+    private readonly Outline[] _outlines;
 
-    public PlaneBatch(IReadOnlyList<Shape> shapes)
+    public FlatBatch(IReadOnlyList<Shape> shapes)
         : base(shapes.Count, Constants)
     {
-        _isBounded = new int[shapes.Count];
+        _outlines = new Outline[shapes.Count];
         for (int i = 0; i < shapes.Count; i++)
         {
-            var plane = (Plane)shapes[i];
-            float* q = Table + (i * Constants);
-            q[0] = plane.Normal.X;
-            q[1] = plane.Normal.Y;
-            q[2] = plane.Normal.Z;
-            q[3] = plane.Normal.Dot(plane.Point);
-            System.Numerics.Vector2 size = plane.Size ?? System.Numerics.Vector2.One;
-            float center = plane.Size is null ? 0 : 0.5f;
-            AffineMap.Write(q + MapU, plane.Tangent * (1 / size.X), plane.Point, center);
-            AffineMap.Write(q + MapV, plane.Bitangent * (1 / size.Y), plane.Point, center);
-            q[OffsetScale] = plane.Point.Norm();
-            _isBounded[i] = plane.Size is null ? 0 : 1;
+            _outlines[i] = ((FlatShape)shapes[i]).Pack(Table + (i * Constants));
         }
+    }
+
+    /// <summary>Writes the plane of an entry.</summary>
+    public static void WritePlane(float* entry, Vector3 normal, Vector3 point)
+    {
+        entry[0] = normal.X;
+        entry[1] = normal.Y;
+        entry[2] = normal.Z;
+        entry[3] = normal.Dot(point);
+        entry[OffsetScale] = point.Norm();
     }
 
     /// <inheritdoc/>
@@ -51,9 +54,9 @@ internal sealed unsafe class PlaneBatch : ShapeBatch
             var normal = new Vec3W(q[0], q[1], q[2]);
             FloatW t = (q[3] - Vec3W.Dot(normal, o)) / Vec3W.Dot(normal, d);
             MaskW hit = (t > 0f) & (t < nearest);
-            if (_isBounded[i] != 0)
+            if (_outlines[i] != Outline.None)
             {
-                hit &= IsInRectangle(q, Vec3W.MultiplyAdd(d, t, o));
+                hit &= IsWithin(_outlines[i], q, Vec3W.MultiplyAdd(d, t, o));
             }
 
             nearest = hit.Select(t, nearest);
@@ -85,9 +88,9 @@ internal sealed unsafe class PlaneBatch : ShapeBatch
             FloatW height = Vec3W.Dot(normal, o) - q[3];
             FloatW climb = Vec3W.Dot(normal, d);
             MaskW crossed = height * FloatW.MultiplyAdd(climb, end, height) < 0f;
-            if (_isBounded[i] != 0 && (crossed & open).Any)
+            if (_outlines[i] != Outline.None && (crossed & open).Any)
             {
-                crossed &= IsInRectangle(q, Vec3W.NegatedMultiplyAdd(d, height / climb, o));
+                crossed &= IsWithin(_outlines[i], q, Vec3W.NegatedMultiplyAdd(d, height / climb, o));
             }
 
             open = open.Except(crossed);
@@ -102,19 +105,22 @@ internal sealed unsafe class PlaneBatch : ShapeBatch
         surface.Normal = primitives.ReadVector(Table, 0);
         FloatW height = Vec3W.Dot(surface.Normal, surface.Point) - primitives.Read(Table, 3);
         surface.Point = Vec3W.NegatedMultiplyAdd(surface.Normal, height, surface.Point);
-        surface.Offset = FlatSurface.Offset(surface.Point, primitives.Read(Table, OffsetScale));
+        Vec3W p = surface.Point;
+        FloatW size = FloatW.Abs(p.X) + FloatW.Abs(p.Y) + FloatW.Abs(p.Z) + primitives.Read(Table, OffsetScale);
+        surface.Offset = size * RayOffset.Relative;
         if (needsUv)
         {
-            surface.U = AffineMap.Apply(primitives, Table, MapU, surface.Point);
-            surface.V = AffineMap.Apply(primitives, Table, MapV, surface.Point);
+            surface.U = AffineMap.Apply(primitives, Table, MapU, p);
+            surface.V = AffineMap.Apply(primitives, Table, MapV, p);
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static MaskW IsInRectangle(float* q, in Vec3W p)
+    private static MaskW IsWithin(Outline outline, float* q, Vec3W p)
     {
-        FloatW u = AffineMap.Apply(q + MapU, p);
-        FloatW v = AffineMap.Apply(q + MapV, p);
-        return (u >= 0f) & (u <= 1f) & (v >= 0f) & (v <= 1f);
+        FloatW first = AffineMap.Apply(q + First, p);
+        FloatW second = AffineMap.Apply(q + Second, p);
+        MaskW positive = (first >= 0f) & (second >= 0f);
+        return outline == Outline.Triangle ? positive & (first + second <= 1f) : positive & (first <= 1f) & (second <= 1f);
     }
 }
