@@ -9,7 +9,7 @@ namespace RayTracer.Shapes;
 /// <summary>
 /// All planes, or all triangles, of a scene. An entry is n and d of the plane n·p = d, two affine maps from a point to the
 /// coordinates that the outline is told by (Wald 2004's idea of a precomputed projection, in three dimensions), the maps to
-/// u and v, and a scale for offsets.
+/// u and v, a scale for offsets, and the outline.
 /// </summary>
 internal sealed unsafe class FlatBatch : ShapeBatch
 {
@@ -18,16 +18,16 @@ internal sealed unsafe class FlatBatch : ShapeBatch
     public const int MapU = 12;
     public const int MapV = 16;
     public const int OffsetScale = 20;
-    private const int Constants = 21;
-    private readonly Outline[] _outlines;
+    private const int OutlineBits = 21;
+    private const int Constants = 22;
 
     public FlatBatch(IReadOnlyList<Shape> shapes)
         : base(shapes.Count, Constants)
     {
-        _outlines = new Outline[shapes.Count];
         for (int i = 0; i < shapes.Count; i++)
         {
-            _outlines[i] = ((FlatShape)shapes[i]).Pack(Table + (i * Constants));
+            float* q = Table + (i * Constants);
+            *(Outline*)(q + OutlineBits) = ((FlatShape)shapes[i]).Pack(q);
         }
     }
 
@@ -54,9 +54,10 @@ internal sealed unsafe class FlatBatch : ShapeBatch
             var normal = new Vec3W(q[0], q[1], q[2]);
             FloatW t = (q[3] - Vec3W.Dot(normal, o)) / Vec3W.Dot(normal, d);
             MaskW hit = (t > 0f) & (t < nearest);
-            if (_outlines[i] != Outline.None)
+            Outline outline = *(Outline*)(q + OutlineBits);
+            if (outline != Outline.None)
             {
-                hit &= IsWithin(_outlines[i], q, Vec3W.MultiplyAdd(d, t, o));
+                hit &= IsWithin(outline, q, Vec3W.MultiplyAdd(d, t, o));
             }
 
             nearest = hit.Select(t, nearest);
@@ -88,9 +89,10 @@ internal sealed unsafe class FlatBatch : ShapeBatch
             FloatW height = Vec3W.Dot(normal, o) - q[3];
             FloatW climb = Vec3W.Dot(normal, d);
             MaskW crossed = height * FloatW.MultiplyAdd(climb, end, height) < 0f;
-            if (_outlines[i] != Outline.None && (crossed & open).Any)
+            Outline outline = *(Outline*)(q + OutlineBits);
+            if (outline != Outline.None && (crossed & open).Any)
             {
-                crossed &= IsWithin(_outlines[i], q, Vec3W.NegatedMultiplyAdd(d, height / climb, o));
+                crossed &= IsWithin(outline, q, Vec3W.NegatedMultiplyAdd(d, height / climb, o));
             }
 
             open = open.Except(crossed);
