@@ -6,16 +6,16 @@ namespace RayTracer.Tests.Documentation;
 /// <summary>What the README and the pages under docs point to is there.</summary>
 public partial class LinksTests
 {
-    public static TheoryData<string> Pages => new(Directory.GetFiles(RepositoryFolder.PathOf("docs"), "*.md", SearchOption.AllDirectories)
-        .Append(RepositoryFolder.PathOf("README.md"))
-        .Select(p => Path.GetRelativePath(RepositoryFolder.Root, p).Replace('\\', '/'))
+    public static TheoryData<string> Pages => new(Directory.GetFiles(ProjectFolder.PathOf("docs"), "*.md", SearchOption.AllDirectories)
+        .Append(ProjectFolder.PathOf("README.md"))
+        .Select(p => Path.GetRelativePath(ProjectFolder.Root, p).Replace('\\', '/'))
         .Order(StringComparer.Ordinal));
 
     [Theory]
     [MemberData(nameof(Pages))]
     public void Relative_links_point_to_files(string page)
     {
-        string path = RepositoryFolder.PathOf(page);
+        string path = ProjectFolder.PathOf(page);
         string folder = Path.GetDirectoryName(path)!;
         string prose = Code().Replace(File.ReadAllText(path), "");
         string[] missing = [.. Link().Matches(prose).Select(m => m.Groups["target"].Value).Where(t => !Exists(Path.Combine(folder, t)))];
@@ -26,12 +26,12 @@ public partial class LinksTests
     [MemberData(nameof(Pages))]
     public void Repository_paths_in_code_exist(string page)
     {
-        string[] code = [.. Code().Matches(File.ReadAllText(RepositoryFolder.PathOf(page))).Select(m => m.Value)];
+        string[] code = [.. Code().Matches(File.ReadAllText(ProjectFolder.PathOf(page))).Select(m => m.Value)];
         IEnumerable<string> paths = code.SelectMany(c => RepositoryPath().Matches(c)).Select(m => m.Value);
         IEnumerable<string> sources = code.Select(c => c.Trim('`')).Where(c => SourceName().IsMatch(c));
         string[] missing =
         [
-            .. paths.Where(p => !p.Contains("/bin/", StringComparison.Ordinal) && !Exists(RepositoryFolder.PathOf(p))),
+            .. paths.Where(p => !p.Contains("/bin/", StringComparison.Ordinal) && !Exists(ProjectFolder.PathOf(p))),
             .. sources.Where(s => !s_sources.Value.Contains(s)),
         ];
         Assert.Empty(missing);
@@ -46,7 +46,7 @@ public partial class LinksTests
     }
 
     private static readonly Lazy<HashSet<string>> s_sources = new(() =>
-        [.. Directory.EnumerateFiles(RepositoryFolder.Root, "*.cs", SearchOption.AllDirectories).Select(p => Path.GetFileName(p)!)]);
+        [.. Directory.EnumerateFiles(ProjectFolder.Root, "*.cs", SearchOption.AllDirectories).Select(p => Path.GetFileName(p)!)]);
 
     private static bool Exists(string path) => File.Exists(path) || Directory.Exists(path);
 

@@ -11,7 +11,7 @@ public partial class ReferencesTests
 {
     // How far before its year a citation may begin: authors, a title, and where it appeared.
     private const int LongestCitation = 240;
-    private static readonly string s_page = File.ReadAllText(RepositoryFolder.PathOf("docs", "references.md"));
+    private static readonly string s_page = File.ReadAllText(ProjectFolder.PathOf("docs", "references.md"));
     private static readonly (string Surname, string Year)[] s_entries = [.. Entry().Matches(s_page).Select(m => (m.Groups["surname"].Value, m.Groups["year"].Value))];
 
     [Fact]
@@ -51,10 +51,10 @@ public partial class ReferencesTests
     // Runs of comment lines, each as one text without slashes and tags.
     private static IEnumerable<(string File, string Text)> Comments()
     {
-        string root = RepositoryFolder.PathOf("src");
+        string root = ProjectFolder.PathOf("src");
         foreach (string path in Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories).Where(p => !BuildOutput().IsMatch(p)))
         {
-            string file = Path.GetRelativePath(RepositoryFolder.Root, path);
+            string file = Path.GetRelativePath(ProjectFolder.Root, path);
             List<string> run = [];
             foreach (string line in File.ReadLines(path).Append(""))
             {

@@ -6,14 +6,14 @@ namespace RayTracer.Tests.Documents;
 public sealed partial class ReportPageTests
 {
     private const long MostPictureBytes = 1_500_000;
-    private static readonly string Text = File.ReadAllText(RepositoryFolder.PathOf("docs", "report.md"));
+    private static readonly string Text = File.ReadAllText(ProjectFolder.PathOf("docs", "report.md"));
 
     [Fact]
     public void Every_path_that_is_mentioned_exists()
     {
         string[] paths = [.. RepositoryPath().Matches(Text).Select(m => m.Groups[1].Value).Distinct()];
         Assert.True(paths.Length > 50, $"only {paths.Length} paths were found");
-        Assert.All(paths, p => Assert.True(File.Exists(RepositoryFolder.PathOf(p)), p));
+        Assert.All(paths, p => Assert.True(File.Exists(ProjectFolder.PathOf(p)), p));
     }
 
     [Fact]
@@ -21,7 +21,7 @@ public sealed partial class ReportPageTests
     {
         string[] links = [.. Link().Matches(Text).Select(m => m.Groups[1].Value)];
         Assert.True(links.Length > 10, $"only {links.Length} links were found");
-        Assert.All(links, l => Assert.True(File.Exists(RepositoryFolder.PathOf("docs", l)), l));
+        Assert.All(links, l => Assert.True(File.Exists(ProjectFolder.PathOf("docs", l)), l));
     }
 
     [Fact]
@@ -40,7 +40,7 @@ public sealed partial class ReportPageTests
     [Fact]
     public void Pictures_are_small()
     {
-        FileInfo[] pictures = new DirectoryInfo(RepositoryFolder.PathOf("docs", "pictures", "report")).GetFiles();
+        FileInfo[] pictures = new DirectoryInfo(ProjectFolder.PathOf("docs", "pictures", "report")).GetFiles();
         Assert.InRange(pictures.Sum(f => f.Length), 1, MostPictureBytes);
     }
 

@@ -4,7 +4,7 @@ namespace RayTracer.Tests.Scenes;
 
 public class BrokenSceneTests
 {
-    private static readonly string Folder = RepositoryFolder.PathOf("scenes", "broken");
+    private static readonly string Folder = ProjectFolder.PathOf("scenes", "broken");
 
     public static TheoryData<string> Names => new(Directory.GetFiles(Folder, "*.json").Select(f => Path.GetFileNameWithoutExtension(f)).Order(StringComparer.Ordinal));
 

@@ -6,11 +6,11 @@ public class GeneratedFilesTests
 {
     [Fact]
     public void Schema_is_up_to_date() =>
-        RepositoryFolder.AssertHolds(RepositoryFolder.PathOf("scenes", "raytracer.schema.json"), SceneSchema.Generate());
+        RepositoryFolder.AssertHolds(ProjectFolder.PathOf("scenes", "raytracer.schema.json"), SceneSchema.Generate());
 
     [Fact]
     public void Reference_page_is_up_to_date() =>
-        RepositoryFolder.AssertHolds(RepositoryFolder.PathOf("docs", "scene-format.md"), SceneReference.Generate());
+        RepositoryFolder.AssertHolds(ProjectFolder.PathOf("docs", "scene-format.md"), SceneReference.Generate());
 
     [Fact]
     public void Every_parameter_is_explained_on_the_reference_page()

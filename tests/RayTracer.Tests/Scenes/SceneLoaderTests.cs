@@ -58,7 +58,7 @@ public sealed class SceneLoaderTests : IDisposable
     [Fact]
     public void Overrides_change_the_scene_before_it_is_built()
     {
-        string path = RepositoryFolder.PathOf("scenes", "minimal.json");
+        string path = ProjectFolder.PathOf("scenes", "minimal.json");
         SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { Width = 7 } });
         Assert.Equal(7, result.Scene!.Render.Width);
         Assert.Equal(7, result.Description!.Render.Width);
@@ -108,7 +108,7 @@ public sealed class SceneLoaderTests : IDisposable
     [Fact]
     public void Every_shipped_scene_loads()
     {
-        IEnumerable<string> scenes = Directory.EnumerateFiles(RepositoryFolder.PathOf("scenes"), "*.json", SearchOption.AllDirectories)
+        IEnumerable<string> scenes = Directory.EnumerateFiles(ProjectFolder.PathOf("scenes"), "*.json", SearchOption.AllDirectories)
             .Where(f => Path.GetFileName(Path.GetDirectoryName(f)) != "broken" && !f.EndsWith(".schema.json", StringComparison.Ordinal));
         Assert.NotEmpty(scenes);
         Assert.All(scenes, f => Assert.Equal("", Diagnostic.Format(SceneLoader.Load(f).Diagnostics)));

@@ -108,7 +108,7 @@ public class SceneReaderTests
     [Fact]
     public void A_missing_file_is_told_with_the_nearest_name()
     {
-        string folder = RepositoryFolder.PathOf("scenes");
+        string folder = ProjectFolder.PathOf("scenes");
         Assert.Equal("error: file not found (did you mean \"minimal.json\"?)", Complaint(Path.Combine(folder, "minimum.json")));
         Assert.Equal("error: file not found", Complaint(Path.Combine(folder, "nothing-of-the-kind")));
         Assert.Equal("error: file not found: its folder does not exist", Complaint(Path.Combine(folder, "none", "x.json")));

@@ -13,7 +13,7 @@ public class SceneSchemaTests
 
     [Fact]
     public void Every_shipped_scene_is_accepted() => Assert.All(
-        Directory.EnumerateFiles(RepositoryFolder.PathOf("scenes"), "*.json", SearchOption.AllDirectories)
+        Directory.EnumerateFiles(ProjectFolder.PathOf("scenes"), "*.json", SearchOption.AllDirectories)
             .Where(f => Path.GetFileName(Path.GetDirectoryName(f)) != "broken" && !f.EndsWith(".schema.json", StringComparison.Ordinal)),
         f => Assert.True(Accepts(File.ReadAllText(f)), f));
 
@@ -37,7 +37,7 @@ public class SceneSchemaTests
     [InlineData("wrong-type")]
     [InlineData("wrong-type-of-section")]
     public void A_scene_that_is_broken_in_its_form_is_refused(string name) =>
-        Assert.False(Accepts(File.ReadAllText(RepositoryFolder.PathOf("scenes", "broken", name + ".json"))));
+        Assert.False(Accepts(File.ReadAllText(ProjectFolder.PathOf("scenes", "broken", name + ".json"))));
 
     private static bool Accepts(string text) => Schema.Accepts(JsonDocument.Parse(text, WithComments).RootElement);
 }

@@ -13,7 +13,7 @@ namespace RayTracer.Tests.Scenes;
 /// <summary>The scenes of the report and of the primer, and the gallery that shows them.</summary>
 public partial class ShippedScenesTests
 {
-    private static readonly string Gallery = RepositoryFolder.PathOf("docs", "gallery.md");
+    private static readonly string Gallery = ProjectFolder.PathOf("docs", "gallery.md");
 
     public static TheoryData<string> Files => new(Names("report").Concat(Names("primer")));
 
@@ -69,7 +69,7 @@ public partial class ShippedScenesTests
     public void Every_picture_is_in_the_gallery_and_small_enough()
     {
         IEnumerable<string> shown = PictureLink().Matches(File.ReadAllText(Gallery)).Select(m => m.Groups["name"].Value).Distinct();
-        FileInfo[] pictures = new DirectoryInfo(RepositoryFolder.PathOf("docs", "pictures")).GetFiles();
+        FileInfo[] pictures = new DirectoryInfo(ProjectFolder.PathOf("docs", "pictures")).GetFiles();
 
         Assert.Equal(pictures.Select(p => p.Name).Order(StringComparer.Ordinal), shown.Order(StringComparer.Ordinal));
         Assert.All(pictures, p => Assert.InRange(p.Length, 1, 250_000));
@@ -142,9 +142,9 @@ public partial class ShippedScenesTests
     }
 
     private static IEnumerable<string> Names(string folder) =>
-        Directory.GetFiles(RepositoryFolder.PathOf("scenes", folder), "*.json").Select(f => $"{folder}/{Path.GetFileName(f)}").Order(StringComparer.Ordinal);
+        Directory.GetFiles(ProjectFolder.PathOf("scenes", folder), "*.json").Select(f => $"{folder}/{Path.GetFileName(f)}").Order(StringComparer.Ordinal);
 
-    private static string PathOf(string file) => RepositoryFolder.PathOf("scenes", file);
+    private static string PathOf(string file) => ProjectFolder.PathOf("scenes", file);
 
     private static SceneDescription Load(string name) => SceneLoader.Load(PathOf($"report/{name}.json")).Description!;
 

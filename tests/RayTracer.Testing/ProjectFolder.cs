@@ -1,0 +1,31 @@
+namespace RayTracer.Testing;
+
+/// <summary>Where the project lies, and what lies beside it.</summary>
+public static class ProjectFolder
+{
+    /// <summary>The folder that holds RayTracer.sln.</summary>
+    public static string Root { get; } = FindRoot();
+
+    /// <summary>A file or folder of the project.</summary>
+    public static string PathOf(params string[] parts) => Path.Combine([Root, .. parts]);
+
+    /// <summary>A file or folder of <c>shared</c> beside the project, or null where there is none; then tests that need it are skipped.</summary>
+    public static string? Shared(params string[] parts)
+    {
+        string path = Path.GetFullPath(Path.Combine([Root, "..", "shared", .. parts]));
+        return Path.Exists(path) ? path : null;
+    }
+
+    private static string FindRoot()
+    {
+        for (string? folder = AppContext.BaseDirectory; folder is not null; folder = Path.GetDirectoryName(folder))
+        {
+            if (File.Exists(Path.Combine(folder, "RayTracer.sln")))
+            {
+                return folder;
+            }
+        }
+
+        throw new DirectoryNotFoundException("The tests must run within the project's folder.");
+    }
+}
