@@ -64,7 +64,7 @@ internal sealed record ImageFailure(string Name, string Finding, Picture Image, 
         yield return ("image.pfm", "image", Image);
         yield return ("reference.png", "reference", Reference);
         yield return ("reference.pfm", "reference", Reference);
-        yield return ("difference.png", $"image − reference: grey is equal, brighter is more, darker is less; black and white are ∓{difference?.Largest:G3}, NaN and infinity are magenta", difference?.Shown());
+        yield return ("difference.png", $"image − reference: grey is equal, brighter is more, darker is less; black and white are ∓{difference?.Range:G3} and beyond, NaN and infinity are magenta", difference?.Shown());
         yield return ("difference.pfm", "image − reference", difference?.Numbers);
         yield return ("pvalues.png", "p-values of blocks of 4×4 pixels", PValues?.Colours());
         yield return ("pvalues.pfm", "−log₁₀ p of blocks of 4×4 pixels, channel by channel", PValues?.Numbers());
