@@ -16,8 +16,8 @@ internal abstract class Shape(Material material)
     public abstract (double U, double V) Uv(Vec point);
 
     /// <summary>
-    /// A random point, uniform in area over a part of the surface that holds all points whose front is seen from
-    /// <paramref name="from"/>, and the area of that part: one over the pdf.
+    /// A random point of the surface, and one over its pdf, an area. All points whose front is seen from <paramref name="from"/>
+    /// may be chosen.
     /// </summary>
     public abstract (Vec Point, double Area) RandomPoint(Vec from, RandomNumbers random);
 }

@@ -23,17 +23,19 @@ internal sealed class Sphere(Material material, Vec center, double radius) : Sha
         return (0.5 + (Math.Atan2(n.X, n.Z) / (2 * Math.PI)), 0.5 + (Math.Asin(Math.Clamp(n.Y, -1, 1)) / Math.PI));
     }
 
-    // The cap that is seen from a point; by Archimedes' theorem, its area is proportional to its height.
+    // The cap that is seen from a point, so that its disc as seen from far away is covered evenly.
     public override (Vec Point, double Area) RandomPoint(Vec from, RandomNumbers random)
     {
         Vec axis = from - center;
-        double lowest = radius / axis.Length;
-        if (lowest >= 1)
+        double rim = radius / axis.Length;
+        if (rim >= 1)
         {
             return (center, 0);
         }
 
-        Vec d = random.Around(1 - (random.Next() * (1 - lowest)));
-        return (center + (radius * axis.Unit.ToWorld(d.X, d.Y, d.Z)), 2 * Math.PI * radius * radius * (1 - lowest));
+        double disc = 1 - (rim * rim);
+        double cosine = Math.Sqrt(1 - (random.Next() * disc));
+        Vec d = random.Around(cosine);
+        return (center + (radius * axis.Unit.ToWorld(d.X, d.Y, d.Z)), Math.PI * radius * radius * disc / cosine);
     }
 }
