@@ -116,6 +116,7 @@ public class WarpTests
             counts.Add(s, t);
         });
         ErrorBudget.Warps.Check(counts.P(), what);
+        UnitSquare.AssertPreservesArea(what, sample);
     }
 
     private static double Height(Vector3D w) => (w - new Vector3D(0, 0, 1)).Squared / 2;
