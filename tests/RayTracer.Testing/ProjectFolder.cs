@@ -3,8 +3,12 @@ namespace RayTracer.Testing;
 /// <summary>Where the project lies, and what lies beside it.</summary>
 public static class ProjectFolder
 {
+    /// <summary>The folder that holds RayTracer.sln; null where the tests are another project's.</summary>
+    public static string? Found { get; } = FindRoot();
+
     /// <summary>The folder that holds RayTracer.sln.</summary>
-    public static string Root { get; } = FindRoot();
+    /// <exception cref="DirectoryNotFoundException">The tests do not run within it.</exception>
+    public static string Root => Found ?? throw new DirectoryNotFoundException("The tests must run within the project's folder.");
 
     /// <summary>A file or folder of the project.</summary>
     public static string PathOf(params string[] parts) => Path.Combine([Root, .. parts]);
@@ -16,7 +20,7 @@ public static class ProjectFolder
         return Path.Exists(path) ? path : null;
     }
 
-    private static string FindRoot()
+    private static string? FindRoot()
     {
         for (string? folder = AppContext.BaseDirectory; folder is not null; folder = Path.GetDirectoryName(folder))
         {
@@ -26,6 +30,6 @@ public static class ProjectFolder
             }
         }
 
-        throw new DirectoryNotFoundException("The tests must run within the project's folder.");
+        return null;
     }
 }

@@ -34,7 +34,8 @@ public sealed class TestFamily(string name, double alpha, int tests, string null
     /// <summary>Fails if a p-value is too small to be chance.</summary>
     /// <param name="p">The p-value; where it is the smallest of several, times their number. NaN fails.</param>
     /// <param name="what">What was tested, for the message.</param>
-    public void Check(double p, string what)
+    /// <param name="details">Makes further lines of the message; called only on failure.</param>
+    public void Check(double p, string what, Func<string>? details = null)
     {
         if (Interlocked.Increment(ref _checked) > tests)
         {
@@ -43,7 +44,8 @@ public sealed class TestFamily(string name, double alpha, int tests, string null
 
         if (!(p >= Level))
         {
-            Assert.Fail(string.Create(CultureInfo.InvariantCulture, $"{what}: p = {p:G3}, below the level {Level:G3} of \"{name}\" ({nullHypothesis})."));
+            string message = string.Create(CultureInfo.InvariantCulture, $"{what}: p = {p:G3}, below the level {Level:G3} of \"{name}\" ({nullHypothesis}).");
+            Assert.Fail(details is null ? message : $"{message}\n{details()}");
         }
     }
 }
