@@ -71,12 +71,12 @@ public class CameraTests
         LensModel camera = new(s_eye, s_target, s_up, 50, Height, Width, Height, focus);
         Vec3D[] triangle = [camera.PointAt(1.3, 1.2, depth), camera.PointAt(10.4, 2.7, depth), camera.PointAt(5, 6.6, depth)];
         string lens = shape == "eyeJitter"
-            ? """ "shape": "eyeJitter", "jitter": [0.5, 0.3, 0.9] """
-            : $""" "shape": "{shape}", "apertureRadius": 0.25 """;
+            ? """ "shape": "eyeJitter", "jitter": [3, 2, 0.9] """
+            : $""" "shape": "{shape}", "apertureRadius": 1.5 """;
         CheckCoverage(
             $"triangle at {depth} through a lens ({shape}) in focus at {focus}",
             Render("vertical", Width, Height, 50, triangle, $$""", "lens": { {{lens}}, "focusDistance": {{focus}} }"""),
-            Blurred(camera, shape, 0.25, triangle));
+            Blurred(camera, shape, 1.5, triangle));
     }
 
     [Theory]
@@ -123,9 +123,9 @@ public class CameraTests
         double Seen(int x, int y, Vec3D shift) => Polygon.Coverage([.. triangle.Select(p => camera.Project(p, shift))], x, y);
         return (x, y) => shape switch
         {
-            "disk" => Quadrature.Disk(16, (u, v) => Seen(x, y, (camera.Right * (u * radius)) + (camera.Up * (v * radius)))),
-            "square" => Quadrature.Mean(-radius, radius, -radius, radius, 24, (u, v) => Seen(x, y, (camera.Right * u) + (camera.Up * v))),
-            _ => Quadrature.Integrate(-0.45, 0.45, 12, w => Quadrature.Mean(-0.25, 0.25, -0.15, 0.15, 12, (u, v) => Seen(x, y, new(u, v, w)))) / 0.9,
+            "disk" => Quadrature.Disk(24, (u, v) => Seen(x, y, (camera.Right * (u * radius)) + (camera.Up * (v * radius)))),
+            "square" => Quadrature.Mean(-radius, radius, -radius, radius, 40, (u, v) => Seen(x, y, (camera.Right * u) + (camera.Up * v))),
+            _ => Quadrature.Integrate(-0.45, 0.45, 8, w => Quadrature.Mean(-1.5, 1.5, -1, 1, 24, (u, v) => Seen(x, y, new(u, v, w)))) / 0.9,
         };
     }
 
