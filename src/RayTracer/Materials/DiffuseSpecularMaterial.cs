@@ -5,7 +5,7 @@ using RayTracer.Sampling;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="DiffuseSpecularMaterial"/>.</summary>
-[SceneType("diffuseSpecular", "A matt surface under a clear coat: polished stone, plastic, varnish. The coat reflects more at grazing angles.")]
+[SceneType("diffuseSpecular", "A matt surface under a clear coat: polished stone, plastic, varnish. The coat reflects more at grazing angles: with a probability by Schlick's approximation from r0, a ray goes on as from the specular material, and as from the diffuse one otherwise.")]
 public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
 {
     /// <summary>The matt surface.</summary>

@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Plane"/>.</summary>
-[SceneType("plane", "A plane without end, or with a size a rectangle. uv is in scene units from the point; with a size it goes from 0 to 1 across the rectangle.")]
+[SceneType("plane", "A plane without end, or with a size a rectangle. uv is in scene units from the point; with a size it goes from 0 to 1 across the rectangle. For whoever looks at the front with y up, u grows to the right and v upwards; for a level plane (its normal along y), −z takes the place of y.")]
 public sealed record PlaneDescription : ShapeDescription
 {
     /// <summary>A point of the plane; the centre of the rectangle.</summary>
