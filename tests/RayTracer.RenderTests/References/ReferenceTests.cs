@@ -1,3 +1,4 @@
+using System.Text.Json;
 using Xunit.Abstractions;
 
 namespace RayTracer.RenderTests.References;
@@ -24,5 +25,16 @@ public class ReferenceTests(ITestOutputHelper output)
             ImageAssert.SameExpectation(
                 comparison.Images, reference.Mean, comparison.Reference, ErrorBudget.References, comparison.Name, ReplayScene.File(scene.File));
         });
+    }
+
+    [SkippableFact]
+    public void The_page_about_the_tests_says_of_each_scene_whether_it_is_tested()
+    {
+        string? cases = ProjectFolder.Shared("references", "cases.json");
+        Skip.If(cases is null, "the list of the other renderer's images is not here");
+        string page = File.ReadAllText(ProjectFolder.PathOf("docs", "testing.md"));
+        using JsonDocument list = JsonDocument.Parse(File.ReadAllText(cases));
+        Assert.All(list.RootElement.EnumerateArray().Select(c => c.GetProperty("name").GetString()!), name =>
+            Assert.Contains(ReferenceCase.All.Any(c => c.Name == name) ? $"\n| {name} | yes" : $"\n| {name} | no: ", page, StringComparison.Ordinal));
     }
 }
