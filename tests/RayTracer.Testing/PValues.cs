@@ -93,7 +93,7 @@ public static class PValues
         foreach (double p in pValues)
         {
             // NaN, too, is carried on.
-            smallest = p >= smallest ? smallest : p;
+            smallest = double.IsNaN(smallest) || p >= smallest ? smallest : p;
             count++;
         }
 

@@ -45,6 +45,9 @@ public sealed record DielectricMaterialDescription : MaterialDescription
 public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, FresnelModel model) : Material
 {
     /// <inheritdoc/>
+    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
+
+    /// <inheritdoc/>
     public override bool UsesDistance => !extinction.IsBlack;
 
     /// <inheritdoc/>

@@ -48,6 +48,14 @@ public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
 public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular, float r0) : Material
 {
     /// <inheritdoc/>
+    public override ScatteringProperties Scattering { get; } = new()
+    {
+        Specular = specular.Scattering.Specular,
+        ReciprocityException = "the coat is chosen by the angle to one of the two directions only (the report's Schlick choice)",
+        KeepsEnergy = diffuse.Scattering.KeepsEnergy && specular.Scattering.KeepsEnergy,
+    };
+
+    /// <inheritdoc/>
     public override bool IsLit => true;
 
     /// <inheritdoc/>
@@ -73,6 +81,24 @@ public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular,
     {
         diffuse.Brdf(surface, out RgbW below);
         brdf = below * (1f - Fresnel.Schlick(surface.Cosine, r0));
+    }
+
+    /// <inheritdoc/>
+    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        FloatW reflectance = Fresnel.Schlick(surface.Cosine, r0);
+        diffuse.Bsdf(surface, direction, out RgbW below);
+        specular.Bsdf(surface, direction, out RgbW coat);
+        bsdf = coat * reflectance + below * (1f - reflectance);
+    }
+
+    /// <inheritdoc/>
+    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
+    {
+        FloatW reflectance = Fresnel.Schlick(surface.Cosine, r0);
+        diffuse.Pdf(surface, direction, out FloatW below);
+        specular.Pdf(surface, direction, out FloatW coat);
+        pdf = FloatW.MultiplyAdd(coat, reflectance, below * (1f - reflectance));
     }
 
     /// <inheritdoc/>

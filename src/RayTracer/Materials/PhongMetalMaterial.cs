@@ -23,17 +23,42 @@ public sealed record PhongMetalMaterialDescription : MaterialDescription
 
 /// <summary>
 /// A cosine-power lobe around the mirror direction (report, section 6.2.6; Shirley &amp; Morley, Realistic Ray Tracing, 2003).
-/// The weight of every direction is the colour; directions below the surface end the path.
+/// The weight of every direction is the colour; directions below the surface end the path. So the BRDF is colour · pdf / cosine.
 /// </summary>
 /// <param name="texture">Fraction of the light that is reflected.</param>
 /// <param name="exponent">Exponent of the lobe, at least 0.</param>
 public sealed class PhongMetalMaterial(Texture texture, float exponent) : Material
 {
     /// <inheritdoc/>
+    public override ScatteringProperties Scattering { get; } = new()
+    {
+        Specular = SpecularLobe.Glossy,
+        ReciprocityException = "the lobe is divided by the cosine of one of the two directions only (the report's metal)",
+    };
+
+    /// <inheritdoc/>
     public override bool UsesUv => texture.Constant is null;
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response) => texture.Evaluate(surface.U, surface.V, out response);
+
+    /// <inheritdoc/>
+    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        texture.Evaluate(surface.U, surface.V, out RgbW color);
+        FloatW cosine = Vec3W.Dot(direction, surface.Facing);
+        Pdf(surface, direction, out FloatW pdf);
+        bsdf = color * (cosine > 0f).Select(pdf / cosine, 0f);
+    }
+
+    /// <inheritdoc/>
+    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
+    {
+        // Of unit vectors, half the squared distance is 1 − cosine, without cancellation in sharp lobes.
+        Vec3W off = direction - Vec3W.Reflect(surface.Incoming, surface.Facing);
+        FloatW lobe = Warp.CosinePowerLobePdf(Vec3W.Dot(off, off) * 0.5f, exponent);
+        pdf = (Vec3W.Dot(direction, surface.Facing) > 0f).Select(lobe, 0f);
+    }
 
     /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
