@@ -1,79 +1,64 @@
-using System.Diagnostics;
 using System.Text.Json;
+using RayTracer.RenderTests.Bits;
+using RayTracer.Rendering;
 using RayTracer.Tests.Rendering;
 
 namespace RayTracer.RenderTests;
 
 /// <summary>
-/// The same picture, to the bit, whatever instructions and register widths the runtime may use: each case is a child process
-/// with another setting of the runtime.
+/// The same pictures, to the bit, whatever instructions and register widths the runtime may use and however it compiles: each
+/// case is a child process with another setting of the runtime.
 /// </summary>
 public sealed class InstructionSetTests : IDisposable
 {
-    private static readonly string s_program = Path.Combine(AppContext.BaseDirectory, "raytracer.dll");
+    private const string Child = "RayTracer.RenderTests.dll";
     private readonly string _folder = Directory.CreateTempSubdirectory("raytracer-").FullName;
-
-    public static TheoryData<string, string> Samplers() => new()
-    {
-        { "sobol", "16" }, { "jittered", "9" }, { "independent", "5" }, { "regular", "4" },
-    };
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
     [Theory]
-    [MemberData(nameof(Samplers))]
-    public void Pictures_have_the_same_bits_with_every_instruction_set(string sampler, string samples)
+    [InlineData("DOTNET_MaxVectorTBitWidth=128", "lanes=4")]
+    [InlineData("DOTNET_MaxVectorTBitWidth=256", "")]
+    [InlineData("DOTNET_MaxVectorTBitWidth=512", "")]
+    [InlineData("DOTNET_PreferredVectorBitWidth=128", "")]
+    [InlineData("DOTNET_EnableAVX512=0", "avx512=False")]
+    [InlineData("DOTNET_EnableAVX2=0", "avx2=False")]
+    [InlineData("DOTNET_TieredCompilation=0", "")]
+    [InlineData("DOTNET_TieredCompilation=1", "")]
+    [InlineData("DOTNET_TieredPGO=0", "")]
+    public void All_pictures_have_the_committed_bits_with(string setting, string effect)
     {
-        string scene = Path.Combine(_folder, "scene.json");
-        File.WriteAllText(scene, TestScenes.Everything.Replace("SAMPLER", sampler, StringComparison.Ordinal)
-            .Replace("\"samplesPerPixel\": 16", $"\"samplesPerPixel\": {samples}", StringComparison.Ordinal));
-        string expected = FilmHash(scene);
-        Assert.Equal(64, expected.Length);
-        Assert.All(
-            [
-                "DOTNET_MaxVectorTBitWidth=128",
-                "DOTNET_MaxVectorTBitWidth=256",
-                "DOTNET_MaxVectorTBitWidth=512",
-                "DOTNET_EnableAVX512=0",
-                "DOTNET_EnableAVX2=0",
-                "DOTNET_TieredCompilation=1",
-            ],
-            setting => Assert.Equal(expected, FilmHash(scene, setting)));
+        string[] lines = ChildProcess.Run(Child, setting, ["0", .. BitScenes.All]).Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Contains(effect, lines[0], StringComparison.Ordinal);
+        HashList committed = HashList.Read();
+        Assert.Equal(BitScenes.All.Select(name => $"{name} {committed.HashOf(name)}"), lines.Skip(1));
     }
 
     [Fact]
+    [Trait("Category", "Slow")]
     public void Pictures_have_the_same_bits_without_any_vector_instructions()
     {
-        string scene = Path.Combine(_folder, "scene.json");
-        File.WriteAllText(scene, TestScenes.Everything.Replace("SAMPLER", "sobol", StringComparison.Ordinal)
-            .Replace("\"width\": 48, \"height\": 32, \"samplesPerPixel\": 16", "\"width\": 24, \"height\": 16, \"samplesPerPixel\": 2", StringComparison.Ordinal));
-        Assert.Equal(FilmHash(scene), FilmHash(scene, "DOTNET_EnableHWIntrinsic=0"));
+        // Each operation of a lane is a call then: little of each picture must do.
+        string[] scenes = [.. BitScenes.Report, "everything-sobol", "everything-jittered"];
+        string[] lines = ChildProcess.Run(Child, "DOTNET_EnableHWIntrinsic=0", ["4", .. scenes]).Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        Assert.Contains("avx2=False", lines[0], StringComparison.Ordinal);
+        Assert.Equal(scenes.Select(name => $"{name} {Program.Hash(name, 4)}"), lines.Skip(1));
     }
 
-    private static string FilmHash(string scene, string setting = "")
+    [Theory]
+    [InlineData("independent", 5)]
+    [InlineData("jittered", 9)]
+    public void The_command_renders_the_bits_that_the_library_does(string sampler, int samples)
     {
-        ProcessStartInfo start = new("dotnet", [s_program, "render", scene, "--json", "--quiet", "--threads", "2"])
+        string scene = Path.Combine(_folder, "scene.json");
+        string text = TestScenes.Everything.Replace("SAMPLER", sampler, StringComparison.Ordinal)
+            .Replace("\"samplesPerPixel\": 16", $"\"samplesPerPixel\": {samples}", StringComparison.Ordinal);
+        File.WriteAllText(scene, text);
+        string expected = new RTracer(TestScenes.Build(text)).Render().Film.ComputeHash();
+        foreach (string setting in new[] { "", "DOTNET_MaxVectorTBitWidth=128" })
         {
-            UseShellExecute = false,
-            RedirectStandardOutput = true,
-        };
-        start.Environment.Remove("DOTNET_MaxVectorTBitWidth");
-        if (setting.Split('=') is [string name, string value])
-        {
-            start.Environment[name] = value;
-        }
-
-        using Process process = Process.Start(start)!;
-        try
-        {
-            Task<string> output = process.StandardOutput.ReadToEndAsync();
-            Assert.True(process.WaitForExit(TimeSpan.FromMinutes(2)), $"still running with {setting}");
-            Assert.Equal(0, process.ExitCode);
-            return JsonDocument.Parse(output.Result).RootElement.GetProperty("filmHash").GetString()!;
-        }
-        finally
-        {
-            process.Kill(entireProcessTree: true);
+            string output = ChildProcess.Run("raytracer.dll", setting, "render", scene, "--json", "--quiet", "--threads", "2");
+            Assert.Equal(expected, JsonDocument.Parse(output).RootElement.GetProperty("filmHash").GetString());
         }
     }
 }

@@ -21,7 +21,7 @@ public sealed record SceneDescription
     public Rgb Background { get; init; }
 
     /// <summary>Ambient radiance (report, section 4.2): every surface that answers it adds this times its colour.</summary>
-    [Parameter("Ambient light: at every hit, this times the surface's colour is added (a crude stand-in for light not simulated).", Minimum = 0)]
+    [Parameter("Ambient light: at every hit, this times the surface's colour is added; clear glass has none (a crude stand-in for light not simulated).", Minimum = 0)]
     public Rgb Ambient { get; init; }
 
     /// <summary>Named textures.</summary>

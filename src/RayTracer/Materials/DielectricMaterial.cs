@@ -23,11 +23,11 @@ public sealed record DielectricMaterialDescription : MaterialDescription
     public float RefractiveIndex { get; init; } = 1.5f;
 
     /// <summary>Extinction coefficient of the inside.</summary>
-    [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law).", Unit = "1/scene unit", Minimum = 0)]
+    [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). It counts where a ray meets this surface from inside, over the way since the last hit (or the camera): not on a way that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
     public Rgb Extinction { get; init; }
 
     /// <summary>How the reflectance is computed.</summary>
-    [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did.")]
+    [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did (with the angle on the side of the lower index).")]
     public FresnelModel Fresnel { get; init; } = FresnelModel.Exact;
 
     /// <inheritdoc/>
@@ -44,6 +44,9 @@ public sealed record DielectricMaterialDescription : MaterialDescription
 /// <param name="model">How the reflectance is computed.</param>
 public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, FresnelModel model) : Material
 {
+    /// <inheritdoc/>
+    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
+
     /// <inheritdoc/>
     public override bool UsesDistance => !extinction.IsBlack;
 

@@ -22,6 +22,9 @@ public sealed record DiffuseMaterialDescription : MaterialDescription
 public sealed class DiffuseMaterial(Texture texture) : Material
 {
     /// <inheritdoc/>
+    public override ScatteringProperties Scattering { get; } = new() { KeepsEnergy = true };
+
+    /// <inheritdoc/>
     public override bool IsLit => true;
 
     /// <inheritdoc/>
@@ -35,6 +38,17 @@ public sealed class DiffuseMaterial(Texture texture) : Material
 
     /// <inheritdoc/>
     public override void Brdf(in SurfaceW surface, out RgbW brdf) => brdf = surface.DiffuseColor * (1f / float.Pi);
+
+    /// <inheritdoc/>
+    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Brdf(surface, out RgbW above);
+        bsdf = (Vec3W.Dot(direction, surface.Facing) > 0f).Select(above, default);
+    }
+
+    /// <inheritdoc/>
+    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) =>
+        pdf = Warp.CosineHemispherePdf(Vec3W.Dot(direction, surface.Facing));
 
     /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)

@@ -5,7 +5,7 @@ using RayTracer.Sampling;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="DiffuseSpecularMaterial"/>.</summary>
-[SceneType("diffuseSpecular", "A matt surface under a clear coat: polished stone, plastic, varnish. The coat reflects more at grazing angles.")]
+[SceneType("diffuseSpecular", "A matt surface under a clear coat: polished stone, plastic, varnish. The coat reflects more at grazing angles: with a probability by Schlick's approximation from r0, a ray goes on as from the specular material, and as from the diffuse one otherwise.")]
 public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
 {
     /// <summary>The matt surface.</summary>
@@ -48,6 +48,14 @@ public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
 public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular, float r0) : Material
 {
     /// <inheritdoc/>
+    public override ScatteringProperties Scattering { get; } = new()
+    {
+        Specular = specular.Scattering.Specular,
+        ReciprocityException = "the coat is chosen by the angle to one of the two directions only (the report's Schlick choice)",
+        KeepsEnergy = diffuse.Scattering.KeepsEnergy && specular.Scattering.KeepsEnergy,
+    };
+
+    /// <inheritdoc/>
     public override bool IsLit => true;
 
     /// <inheritdoc/>
@@ -73,6 +81,24 @@ public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular,
     {
         diffuse.Brdf(surface, out RgbW below);
         brdf = below * (1f - Fresnel.Schlick(surface.Cosine, r0));
+    }
+
+    /// <inheritdoc/>
+    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        FloatW reflectance = Fresnel.Schlick(surface.Cosine, r0);
+        diffuse.Bsdf(surface, direction, out RgbW below);
+        specular.Bsdf(surface, direction, out RgbW coat);
+        bsdf = coat * reflectance + below * (1f - reflectance);
+    }
+
+    /// <inheritdoc/>
+    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
+    {
+        FloatW reflectance = Fresnel.Schlick(surface.Cosine, r0);
+        diffuse.Pdf(surface, direction, out FloatW below);
+        specular.Pdf(surface, direction, out FloatW coat);
+        pdf = FloatW.MultiplyAdd(coat, reflectance, below * (1f - reflectance));
     }
 
     /// <inheritdoc/>

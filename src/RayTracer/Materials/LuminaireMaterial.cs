@@ -54,6 +54,11 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
 /// <param name="inner">What answers for reflection; null is black.</param>
 public sealed class LuminaireMaterial(Texture texture, float multiplier, float exponent, Material? inner) : Material
 {
+    private static readonly ScatteringProperties s_black = new();
+
+    /// <inheritdoc/>
+    public override ScatteringProperties Scattering => inner?.Scattering ?? s_black;
+
     /// <inheritdoc/>
     public override bool Emits => true;
 
@@ -105,6 +110,20 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     {
         brdf = default;
         inner?.Brdf(surface, out brdf);
+    }
+
+    /// <inheritdoc/>
+    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        bsdf = default;
+        inner?.Bsdf(surface, direction, out bsdf);
+    }
+
+    /// <inheritdoc/>
+    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
+    {
+        pdf = 0f;
+        inner?.Pdf(surface, direction, out pdf);
     }
 
     /// <inheritdoc/>

@@ -11,6 +11,9 @@ namespace RayTracer.Materials;
 /// </summary>
 public abstract class Material
 {
+    /// <summary>Which laws of scattering the material keeps.</summary>
+    public abstract ScatteringProperties Scattering { get; }
+
     /// <summary>Whether light sources are sampled at hits on it: whether <see cref="Brdf"/> may be other than zero.</summary>
     public virtual bool IsLit => false;
 
@@ -47,10 +50,31 @@ public abstract class Material
     /// </summary>
     public virtual void Brdf(in SurfaceW surface, out RgbW brdf) => brdf = default;
 
+    /// <summary>
+    /// The whole BSDF but for delta lobes, in 1/sr without the cosine: what part of the irradiance from <paramref name="direction"/>
+    /// goes back along the ray as radiance. <see cref="Brdf"/> is a part of it.
+    /// </summary>
+    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="direction">Unit direction away from the surface, to where light would come from.</param>
+    /// <param name="bsdf">The BSDF; zero where only a delta lobe scatters.</param>
+    public virtual void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => bsdf = default;
+
+    /// <summary>
+    /// The density, per steradian, with which <see cref="Scatter"/> lets a path go on in a direction. Its integral falls short of 1
+    /// by the share of paths that end (<see cref="ScatterW.Absorbed"/>) and of delta lobes.
+    /// </summary>
+    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="direction">Unit direction away from the surface.</param>
+    /// <param name="pdf">The density.</param>
+    public virtual void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) => pdf = 0f;
+
     /// <summary>Chooses how a path goes on (report: DiffuseDirection).</summary>
     /// <param name="surface">Where the path meets the surface.</param>
     /// <param name="samples">The random numbers of this vertex.</param>
-    /// <param name="scatter">The new direction and its weight: BRDF · cosine / pdf.</param>
+    /// <param name="scatter">
+    /// The new direction and its weight, BSDF · |cosine| / pdf of the chosen lobe: where several lobes may choose one direction, the
+    /// mean of their weights is <see cref="Bsdf"/> · |cosine| / <see cref="Pdf"/>.
+    /// </param>
     public abstract void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter);
 }
 

@@ -24,6 +24,9 @@ public static class Vector3Exact
     /// <summary>The vector scaled to length 1; NaN for the null vector.</summary>
     public static Vector3 Unit(this Vector3 a) => a * (1f / a.Norm());
 
+    /// <summary>The largest of the coordinates.</summary>
+    public static float Largest(this Vector3 a) => float.Max(a.X, float.Max(a.Y, a.Z));
+
     /// <summary>Whether every coordinate is finite.</summary>
     public static bool IsFinite(this Vector3 a) => float.IsFinite(a.X) && float.IsFinite(a.Y) && float.IsFinite(a.Z);
 }

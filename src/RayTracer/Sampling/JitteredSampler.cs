@@ -82,6 +82,7 @@ public class JitteredSampler : Sampler
     /// A permutation of the cells, chosen by the key: a bijection of the next power of two, applied until the result is a cell
     /// (Kensler, Correlated multi-jittered sampling, Pixar technical memo 13-01, 2013, describes such cycle walking).
     /// </summary>
+    /// <remarks>What takes a second walk is no longer uniform, for the key is the same; so, as Kensler does, the cells are turned by a random number at last.</remarks>
     private UIntW Permute(UIntW i, UIntW key)
     {
         // From a number that is no cell (a lane that is not in use) the walk might never arrive.
@@ -100,6 +101,13 @@ public class JitteredSampler : Sampler
             outside &= i > (_count - 1);
         }
         while (outside.Any);
-        return i;
+        return _bits == _count - 1 ? i : Turn(i, key);
+    }
+
+    /// <summary>Adds a random number of cells, modulo their number.</summary>
+    private UIntW Turn(UIntW i, UIntW key)
+    {
+        UIntW turned = i + (((key * Hash.Golden) >> 8).ToFloat() * (_count * (1f / 16777216f))).ToIntInRange();
+        return (turned > (_count - 1)).Select(turned - _count, turned);
     }
 }

@@ -19,7 +19,7 @@ public static class Warp
     }
 
     /// <summary>Pdf of <see cref="CosineHemisphere"/> at the given cosine with z, per steradian.</summary>
-    public static float CosineHemispherePdf(float cosine) => cosine > 0 ? cosine / float.Pi : 0;
+    public static FloatW CosineHemispherePdf(FloatW cosine) => FloatW.Max(cosine, 0f) * (1f / float.Pi);
 
     /// <summary>A direction in the cosine-power lobe around z: pdf = (n+1)/2π · cosⁿ (Lafortune &amp; Willems 1994).</summary>
     /// <param name="u">First random number.</param>
@@ -37,9 +37,16 @@ public static class Warp
         return new(r * cos, r * sin, FloatW.Sqrt(FloatW.Max(1f - sin2, 0f)));
     }
 
-    /// <summary>Pdf of <see cref="CosinePowerLobe"/> at the given cosine with z, per steradian.</summary>
-    public static float CosinePowerLobePdf(float cosine, float exponent) =>
-        cosine > 0 ? (exponent + 1) / (2 * float.Pi) * LaneMath.Pow(cosine, exponent) : 0;
+    /// <summary>Pdf of <see cref="CosinePowerLobe"/> where 1 − cosine with z is <paramref name="height"/>, per steradian.</summary>
+    public static FloatW CosinePowerLobePdf(FloatW height, float exponent)
+    {
+        // ln cos = log1p(−h); a series for small h, for 1 − h would round a sharp lobe to steps.
+        FloatW series = height * FloatW.MultiplyAdd(height, FloatW.MultiplyAdd(height, FloatW.MultiplyAdd(height, FloatW.MultiplyAdd(
+            height, -1f / 5f, -1f / 4f), -1f / 3f), -1f / 2f), -1f);
+        FloatW log = (height < 0.03f).Select(series, LaneMath.Log(1f - height));
+        FloatW pdf = LaneMath.Exp(log * exponent) * ((exponent + 1f) / (2f * float.Pi));
+        return (height < 1f).Select(pdf, 0f);
+    }
 
     /// <summary>A point of the unit sphere: pdf = 1/4π.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

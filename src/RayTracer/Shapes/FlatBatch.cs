@@ -9,7 +9,7 @@ namespace RayTracer.Shapes;
 /// <summary>
 /// All planes, or all triangles, of a scene. An entry is n and d of the plane n·p = d, two affine maps from a point to the
 /// coordinates that the outline is told by (Wald 2004's idea of a precomputed projection, in three dimensions), the maps to
-/// u and v, a scale for offsets, and the outline.
+/// u and v, and the outline.
 /// </summary>
 internal sealed unsafe class FlatBatch : ShapeBatch
 {
@@ -17,9 +17,8 @@ internal sealed unsafe class FlatBatch : ShapeBatch
     public const int Second = 8;
     public const int MapU = 12;
     public const int MapV = 16;
-    public const int OffsetScale = 20;
-    private const int OutlineBits = 21;
-    private const int Constants = 22;
+    private const int OutlineBits = 20;
+    private const int Constants = 21;
 
     public FlatBatch(IReadOnlyList<Shape> shapes)
         : base(shapes.Count, Constants)
@@ -38,7 +37,6 @@ internal sealed unsafe class FlatBatch : ShapeBatch
         entry[1] = normal.Y;
         entry[2] = normal.Z;
         entry[3] = normal.Dot(point);
-        entry[OffsetScale] = point.Norm();
     }
 
     /// <inheritdoc/>
@@ -108,8 +106,10 @@ internal sealed unsafe class FlatBatch : ShapeBatch
         FloatW height = Vec3W.Dot(surface.Normal, surface.Point) - primitives.Read(Table, 3);
         surface.Point = Vec3W.NegatedMultiplyAdd(surface.Normal, height, surface.Point);
         Vec3W p = surface.Point;
-        FloatW size = FloatW.Abs(p.X) + FloatW.Abs(p.Y) + FloatW.Abs(p.Z) + primitives.Read(Table, OffsetScale);
-        surface.Offset = size * RayOffset.Relative;
+
+        // Near the world's origin, the height that was taken off may be more than what is left.
+        FloatW largest = FloatW.Max(FloatW.Abs(p.X), FloatW.Max(FloatW.Abs(p.Y), FloatW.Abs(p.Z)));
+        surface.Offset = (largest + FloatW.Abs(height)) * RayOffset.Relative;
         if (needsUv)
         {
             surface.U = AffineMap.Apply(primitives, Table, MapU, p);

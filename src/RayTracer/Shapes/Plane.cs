@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Plane"/>.</summary>
-[SceneType("plane", "A plane without end, or with a size a rectangle. uv is in scene units from the point; with a size it goes from 0 to 1 across the rectangle.")]
+[SceneType("plane", "A plane without end, or with a size a rectangle. uv is in scene units from the point; with a size it goes from 0 to 1 across the rectangle. For whoever looks at the front with y up, u grows to the right and v upwards; for a level plane (its normal along y), −z takes the place of y.")]
 public sealed record PlaneDescription : ShapeDescription
 {
     /// <summary>A point of the plane; the centre of the rectangle.</summary>
@@ -101,11 +101,13 @@ public sealed unsafe class Plane : FlatShape
         FlatBatch.WritePlane(entry, Normal, Point);
         Vector2 size = Size ?? Vector2.One;
         float center = Size is null ? 0 : 0.5f;
-        foreach (int map in new[] { FlatBatch.First, FlatBatch.MapU })
-        {
-            AffineMap.Write(entry + map, Tangent * (1 / size.X), Point, center);
-            AffineMap.Write(entry + map + (FlatBatch.Second - FlatBatch.First), Bitangent * (1 / size.Y), Point, center);
-        }
+        AffineMap.Write(entry + FlatBatch.MapU, Tangent * (1 / size.X), Point, center);
+        AffineMap.Write(entry + FlatBatch.MapV, Bitangent * (1 / size.Y), Point, center);
+
+        // The outline is moved outwards on all four sides.
+        Vector2 outline = size + new Vector2(2 * OutlineSlack.Distance(Bounds));
+        AffineMap.Write(entry + FlatBatch.First, Tangent * (1 / outline.X), Point, center);
+        AffineMap.Write(entry + FlatBatch.Second, Bitangent * (1 / outline.Y), Point, center);
 
         return Size is null ? Outline.None : Outline.Rectangle;
     }

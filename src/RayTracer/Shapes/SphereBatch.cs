@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 using RayTracer.Acceleration;
 using RayTracer.Materials;
@@ -5,7 +6,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Shapes;
 
-/// <summary>All spheres of a scene: five constants each (centre, squared radius, a scale for offsets), one row after the other.</summary>
+/// <summary>All spheres of a scene: six constants each (centre, squared radius, radius, largest coordinate), one row after the other.</summary>
 internal sealed unsafe class SphereBatch : ShapeBatch
 {
     private const int Constants = 6;
@@ -25,7 +26,7 @@ internal sealed unsafe class SphereBatch : ShapeBatch
             q[2] = sphere.Center.Z;
             q[Radius2] = sphere.Radius * sphere.Radius;
             q[Radius] = sphere.Radius;
-            q[OffsetScale] = sphere.Center.Norm() + sphere.Radius;
+            q[OffsetScale] = Vector3.Abs(sphere.Center).Largest() + sphere.Radius;
         }
     }
 

@@ -84,8 +84,14 @@ public sealed unsafe class Triangle(Material material, string name, Vector3 a, V
         Vector3 towardsC = Normal.Cross(b - a);
         Vector3 gradientB = towardsB * (1 / (b - a).Dot(towardsB));
         Vector3 gradientC = towardsC * (1 / (c - a).Dot(towardsC));
-        AffineMap.Write(entry + FlatBatch.First, gradientB, a, 0);
-        AffineMap.Write(entry + FlatBatch.Second, gradientC, a, 0);
+
+        // The outline, moved outwards on all three sides: scaled so that the sides are still where the maps are 0 or add up to 1.
+        float slack = OutlineSlack.Distance(Bounds);
+        float slackB = slack * gradientB.Norm();
+        float slackC = slack * gradientC.Norm();
+        float scale = 1 / (1 + slack * (gradientB + gradientC).Norm() + slackB + slackC);
+        AffineMap.Write(entry + FlatBatch.First, gradientB * scale, a, slackB * scale);
+        AffineMap.Write(entry + FlatBatch.Second, gradientC * scale, a, slackC * scale);
         AffineMap.Write(entry + FlatBatch.MapU, gradientB * (uvB.X - uvA.X) + gradientC * (uvC.X - uvA.X), a, uvA.X);
         AffineMap.Write(entry + FlatBatch.MapV, gradientB * (uvB.Y - uvA.Y) + gradientC * (uvC.Y - uvA.Y), a, uvA.Y);
         return Outline.Triangle;

@@ -40,11 +40,11 @@ public sealed record ImageTextureDescription : TextureDescription
     public string File { get; init; } = "";
 
     /// <summary>How the colour between texels is found.</summary>
-    [Parameter("How the colour between texels is found.")]
+    [Parameter("How the colour between texels is found: the nearest one's, linear between four, or cubic between sixteen (Catmull–Rom, cut off at zero). Texel i of n has its centre at (i + ½)/n.")]
     public Interpolation Interpolation { get; init; } = Interpolation.Bilinear;
 
     /// <summary>What is shown outside the picture.</summary>
-    [Parameter("What is shown outside the picture, where u or v is below 0 or above 1.")]
+    [Parameter("What is shown outside the picture, where u or v is below 0 or above 1: the picture again, the texels of its edge, or the picture and its mirror image in turn.")]
     public Wrapping Wrapping { get; init; } = Wrapping.Repeat;
 
     /// <summary>Factors on u and v.</summary>

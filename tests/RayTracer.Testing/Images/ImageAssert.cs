@@ -32,7 +32,7 @@ public static class ImageAssert
 
     /// <summary>
     /// An image equals a reference file, by a rule. Where the environment variable <c>RAYTRACER_UPDATE</c> is 1 the file is written,
-    /// anew or for the first time: look at it before it is committed. PFM keeps all bits; PNG and OpenEXR round.
+    /// anew or for the first time: look at it before it is committed. PFM and OpenEXR keep all bits; PNG has 16, of light from 0 to 1.
     /// </summary>
     /// <param name="image">The image to judge; linear RGB.</param>
     /// <param name="path">The reference, a .pfm, .exr or .png file.</param>
@@ -46,7 +46,7 @@ public static class ImageAssert
         if (update ?? Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") == "1")
         {
             Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
-            ImageFile.Write(path, image);
+            ImageFile.Write(path, image, new() { BitDepth = 16, ExrPixelType = ExrPixelType.Float });
         }
 
         Picture reference;

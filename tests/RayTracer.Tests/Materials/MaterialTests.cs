@@ -3,12 +3,17 @@ using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
+using RayTracer.Tests.Statistics;
 using RayTracer.Textures;
 
 namespace RayTracer.Tests.Materials;
 
 public class MaterialTests
 {
+    private const int SideBits = 8;
+    private const int Side = 1 << SideBits;
+    private const int Count = Side * Side;
+
     [Theory]
     [InlineData(1.0)]
     [InlineData(0.6)]
@@ -36,16 +41,16 @@ public class MaterialTests
         Vector3 mirror = Vector3.Reflect(ToVector(surface.Incoming), facing);
         double mean = 0;
         int absorbed = 0;
-        ForEachScatter(material, surface, 4096, s =>
+        ForEachScatter(material, surface, Count, s =>
         {
-            mean += Vector3.Dot(Direction(s), mirror) / 4096;
+            mean += (double)Vector3.Dot(Direction(s), mirror) / Count;
             bool below = Vector3.Dot(Direction(s), facing) <= 0;
             Assert.Equal(below, s.Absorbed.Bits != 0);
             absorbed += below ? 1 : 0;
             Assert.True(s.Specular.Any);
         });
-        Assert.Equal(21.0 / 22, mean, 2);
-        Assert.InRange(absorbed, 1, 2048);
+        Assert.Equal(21.0 / 22, mean, 1e-4);
+        Assert.InRange(absorbed, 1, Count / 2);
     }
 
     [Theory]
@@ -59,6 +64,50 @@ public class MaterialTests
     [InlineData(1.333, 0.8)]
     [InlineData(2.417, 0.2)]
     public void Dielectric_obeys_Snell_and_Fresnel_from_inside(double index, double cosine) => AssertDielectric(index, cosine, inside: true);
+
+    [Theory]
+    [InlineData(FresnelModel.Exact, 1.5, 0.7)]
+    [InlineData(FresnelModel.Exact, 2.417, 0.1)]
+    [InlineData(FresnelModel.Schlick, 1.5, 0.7)]
+    [InlineData(FresnelModel.Schlick, 1.5, 0.2)]
+    [InlineData(FresnelModel.Exact, 0.75, 0.8)]
+    public void Refraction_is_reciprocal_in_radiance_over_the_squared_index(FresnelModel model, double index, double cosine)
+    {
+        Material material = new DielectricMaterial((float)index, Rgb.Black, model);
+        (SurfaceW there, _) = Surface(cosine, inside: false);
+        Vector3 inward = RefractedOf(material, there, out double weightThere, out double shareThere);
+        SurfaceW back = there;
+        SurfaceCase.Turn(ref back, -(Vector3D)inward);
+        Vector3 outward = RefractedOf(material, back, out double weightBack, out double shareBack);
+        AssertNear(-ToVector(there.Incoming), outward);
+        Assert.Equal(shareThere, shareBack, 2.0 / Side);
+        Assert.Equal(weightThere * index * index, weightBack / (index * index), 1e-4);
+    }
+
+    [Theory]
+    [InlineData(1.5, 0.9)]
+    [InlineData(1.5, 0.1)]
+    [InlineData(2.417, 0.5)]
+    public void Schlicks_glass_reflects_by_the_angle_on_the_thinner_side(double index, double cosine)
+    {
+        double r0 = Math.Pow((index - 1) / (index + 1), 2);
+        Material material = new DielectricMaterial((float)index, Rgb.Black, FresnelModel.Schlick);
+        RefractedOf(material, Surface(cosine, inside: false).Surface, out _, out double share);
+        Assert.Equal(1 - r0 - ((1 - r0) * Math.Pow(1 - cosine, 5)), share, 1.0 / Side);
+    }
+
+    [Theory]
+    [InlineData(1.0)]
+    [InlineData(0.4)]
+    [InlineData(0.1)]
+    public void A_cosine_lobe_loses_what_the_surface_cuts_off(double cosine)
+    {
+        // The cosine around the mirror direction, cut by the surface, is a form factor known in closed form: (1 + cos)/2.
+        Material material = new PhongMetalMaterial(new SolidTexture(Rgb.White), 1);
+        double energy = 0;
+        ForEachScatter(material, Surface(cosine, inside: false).Surface, Count, s => energy += s.Absorbed.Bits != 0 ? 0 : Weight(s).G / Count);
+        Assert.Equal((1 + cosine) / 2, energy, 1e-3);
+    }
 
     [Fact]
     public void Light_that_comes_from_inside_was_absorbed_by_Beers_law()
@@ -87,9 +136,8 @@ public class MaterialTests
         (SurfaceW surface, _) = Surface(cosine, inside: false);
         material.Prepare(ref surface);
         int coat = 0;
-        ForEachScatter(material, surface, 4096, s => coat += s.Specular.Any ? 1 : 0);
-        double sigma = Math.Sqrt(reflectance * (1 - reflectance) * 4096);
-        Assert.InRange(coat, (reflectance * 4096) - (5 * sigma) - 1, (reflectance * 4096) + (5 * sigma) + 1);
+        ForEachScatter(material, surface, Count, s => coat += s.Specular.Any ? 1 : 0);
+        Assert.Equal(reflectance, (double)coat / Count, 1e-4);
         material.Brdf(surface, out RgbW brdf);
         Assert.Equal(0.5 / Math.PI * (1 - reflectance), brdf.G[0], 5);
         material.AmbientResponse(surface, out RgbW ambient);
@@ -132,24 +180,47 @@ public class MaterialTests
         double perpendicular = ((eta * cosine) - cosT) / ((eta * cosine) + cosT);
         double reflectance = sinT >= 1 ? 1 : ((parallel * parallel) + (perpendicular * perpendicular)) / 2;
         int reflected = 0;
-        const int count = 4096;
-        ForEachScatter(material, surface, count, s =>
+        ForEachScatter(material, surface, Count, s =>
         {
             double along = Vector3.Dot(Direction(s), facing);
             if (along > 0)
             {
                 reflected++;
                 Assert.Equal(cosine, along, 4);
+                AssertNear(Vector3.Reflect(ToVector(surface.Incoming), facing), Direction(s));
                 Assert.Equal(1, Weight(s).R);
             }
             else
             {
                 Assert.Equal(cosT, -along, 4);
+
+                // Snell's law as vectors: what lies along the surface is scaled by η.
+                Vector3 tangential = ToVector(surface.Incoming) + (facing * (float)cosine);
+                AssertNear((tangential * (float)eta) - (facing * (float)cosT), Direction(s));
                 Assert.Equal(eta * eta, Weight(s).R, 4);
             }
         });
-        double sigma = Math.Sqrt(reflectance * (1 - reflectance) * count);
-        Assert.InRange(reflected, (reflectance * count) - (4 * sigma) - 1, (reflectance * count) + (4 * sigma) + 1);
+
+        // Each of the grid's columns reflects or refracts as a whole.
+        Assert.Equal(reflectance, (double)reflected / Count, 1.0 / Side);
+    }
+
+    private static Vector3 RefractedOf(Material material, in SurfaceW surface, out double weight, out double share)
+    {
+        (Vector3 direction, double sum, int count) = (default, 0, 0);
+        Vector3 facing = ToVector(surface.Facing);
+        ForEachScatter(material, surface, Count, s =>
+        {
+            if (Vector3.Dot(Direction(s), facing) < 0)
+            {
+                direction = Direction(s);
+                sum += Weight(s).R;
+                count++;
+            }
+        });
+        weight = sum / count;
+        share = (double)count / Count;
+        return direction;
     }
 
     private static (SurfaceW Surface, Vector3 Facing) Surface(double cosine, bool inside)
@@ -169,15 +240,19 @@ public class MaterialTests
 
     private static void ForEachScatter(Material material, SurfaceW surface, int count, Action<ScatterW> action)
     {
-        VertexSamples samples = new(new SobolSampler(count));
+        // The first samples of the grid are its first row: those of the first number, evenly spaced.
+        VertexSamples samples = new(new GridSampler(SideBits));
         material.Prepare(ref surface);
         for (int i = 0; i < count; i++)
         {
-            samples.Begin(Hash.PixelKey(1, 1), (uint)i, 0u);
+            samples.Begin(0u, (uint)i, 0u);
             material.Scatter(surface, samples, out ScatterW scatter);
             action(scatter);
         }
     }
+
+    private static void AssertNear(Vector3 expected, Vector3 actual) =>
+        Assert.True((expected - actual).Length() < 1e-5f, $"{actual} is not {expected}");
 
     private static Vector3 Direction(ScatterW s) => ToVector(s.Direction);
 

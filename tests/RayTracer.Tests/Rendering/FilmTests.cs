@@ -86,6 +86,114 @@ public class FilmTests
     public void Films_of_different_sizes_do_not_merge() =>
         Assert.Throws<ArgumentException>(() => new Film(2, 2).Merge(new Film(2, 3)));
 
+    [Fact]
+    public void Sums_are_exact_from_the_smallest_to_the_largest_samples()
+    {
+        // Whole numbers of units only, so that nothing is rounded: the mean of all is known to the last digit.
+        var random = new Random(5);
+        List<Rgb> samples = [];
+        System.Numerics.BigInteger[] sums = new System.Numerics.BigInteger[3];
+        for (int i = 0; i < SampleAccumulator.MaxSamples; i++)
+        {
+            float[] channels = new float[3];
+            for (int c = 0; c < 3; c++)
+            {
+                // 24 digits, anywhere from 2⁻³² to 2²⁴, of either sign.
+                int exponent = random.Next(-32, 1);
+                long digits = random.NextInt64(-(1 << 24), 1 << 24);
+                channels[c] = MathF.ScaleB(digits, exponent);
+                sums[c] += new System.Numerics.BigInteger(digits) << (exponent + 32);
+            }
+
+            samples.Add(new(channels[0], channels[1], channels[2]));
+        }
+
+        Film film = Expose([.. samples]);
+        Rgb mean = film.Mean(0, 0);
+        Assert.Equal((double)sums[0] / 4294967296.0 / samples.Count, mean.R, Math.Abs(mean.R) * 1e-7);
+        Assert.Equal((double)sums[1] / 4294967296.0 / samples.Count, mean.G, Math.Abs(mean.G) * 1e-7);
+        Assert.Equal((double)sums[2] / 4294967296.0 / samples.Count, mean.B, Math.Abs(mean.B) * 1e-7);
+
+        // Their opposites leave nothing at all.
+        film.Merge(Expose([.. samples.Select(c => new Rgb(-c.R, -c.G, -c.B))]));
+        Assert.Equal(Rgb.Black, film.Mean(0, 0));
+    }
+
+    [Theory]
+    [InlineData(15.999999f)]
+    [InlineData(16f)]
+    [InlineData(16.000002f)]
+    [InlineData(1000.123f)]
+    public void Bright_samples_take_another_way_to_the_same_sums(float value)
+    {
+        // Beyond 16, samples go to the film one by one: with a dark one between them, the count and the sums are still whole.
+        Film film = Expose(new(value, 0.5f, 0), new(1, 0.5f, 0), new(-value, 0.5f, 0), new(value, 0.5f, value));
+        Assert.Equal(4u, film.SampleCount(0, 0));
+        Assert.Equal((value + 1.0) / 4, film.Mean(0, 0).R, value * 1e-7);
+        Assert.Equal(0.5f, film.Mean(0, 0).G);
+        Assert.Equal(value / 4, film.Mean(0, 0).B);
+    }
+
+    [Theory]
+    [InlineData(0.01f)]
+    [InlineData(10f)]
+    [InlineData(5000f)]
+    public void Variance_is_the_unbiased_one_at_any_brightness_and_in_any_split(float scale)
+    {
+        var random = new Random(6);
+        Rgb[] samples = [.. Enumerable.Range(0, 50).Select(_ => new Rgb(random.NextSingle() * scale, random.NextSingle() * scale, random.NextSingle() * scale))];
+        double[] luminances = [.. samples.Select(s => (0.2126 * s.R) + (0.7152 * s.G) + (0.0722 * s.B))];
+        double mean = luminances.Average();
+        double variance = luminances.Sum(l => (l - mean) * (l - mean)) / 49;
+        Assert.Equal(variance, Expose(samples).SampleVariance(0, 0), variance * 1e-5);
+        Film merged = Expose(samples[..17]);
+        merged.Merge(Expose(samples[17..]));
+        Assert.Equal(Expose(samples).SampleVariance(0, 0), merged.SampleVariance(0, 0));
+    }
+
+    [Fact]
+    public void Merging_is_commutative_and_associative_and_weighs_films_by_their_samples()
+    {
+        Film[] films = [Expose(new Rgb(1, 2, 3)), Expose(new(5e6f, -1e-8f, 0.1f), new(0.3f, 7, 20)), Expose(new(4, 4, 4), new(5, 5, 5), new(6, 6, 6))];
+        string[] hashes = [.. new[] { "012", "021", "102", "120", "201", "210" }.Select(order => Merged([.. order.Select(c => films[c - '0'])]).ComputeHash())];
+        Assert.Single(hashes.Distinct());
+
+        // (a + b) + c and a + (b + c).
+        Assert.Equal(hashes[0], Merged(Merged(films[0], films[1]), films[2]).ComputeHash());
+        Assert.Equal(hashes[0], Merged(films[0], Merged(films[1], films[2])).ComputeHash());
+        Film few = Merged(films[0], films[2]);
+        Assert.Equal(4u, few.SampleCount(0, 0));
+        Assert.Equal(4, few.Mean(0, 0).R);
+        Assert.Equal(4, few.TotalSamples);
+    }
+
+    [Fact]
+    public void Clamping_is_counted_once_a_sample_and_only_beyond_the_limit()
+    {
+        SampleAccumulator accumulator = new(1);
+        accumulator.Begin(new Film(1, 1), new(0, 0, 1, 1));
+        accumulator.Add(1, 0u, 0u, new(1e30f, 1e30f, -1e30f));
+        accumulator.Add(1, 0u, 1u, new(Film.SampleLimit, -Film.SampleLimit, 100f));
+        accumulator.Add(1, 0u, 2u, new(Film.SampleLimit + 2, 0f, 0f));
+        Assert.Equal(2, accumulator.Clamped);
+        Assert.Equal(0, accumulator.NonFinite);
+    }
+
+    [Fact]
+    public void The_hash_covers_counts_and_size()
+    {
+        // Black samples leave no trace in the sums: the counts are part of the hash.
+        Assert.NotEqual(Expose(Rgb.Black).ComputeHash(), Expose(Rgb.Black, Rgb.Black).ComputeHash());
+        Assert.NotEqual(new Film(2, 3).ComputeHash(), new Film(3, 2).ComputeHash());
+    }
+
+    private static Film Merged(params Film[] films)
+    {
+        Film merged = new(1, 1);
+        Array.ForEach(films, merged.Merge);
+        return merged;
+    }
+
     private static FloatW Nan(int lane)
     {
         float[] values = new float[FloatW.Count];

@@ -183,6 +183,8 @@ public class RTracerTests
 
     private sealed class Faulty(float weight, float direction) : Material
     {
+        public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta };
+
         public override void Scatter(in SurfaceW surface, RayTracer.Sampling.VertexSamples samples, out ScatterW scatter)
         {
             scatter.Direction = surface.Facing + (Vec3W)new System.Numerics.Vector3(direction);

@@ -1,117 +1,131 @@
 using RayTracer.Numerics;
 using RayTracer.Sampling;
+using RayTracer.Tests.Statistics;
 
 namespace RayTracer.Tests.Sampling;
 
+/// <summary>Warps against their distributions: each point is mapped back to the square by the closed form, in double precision.</summary>
 public class WarpTests
 {
-    private const int Side = 512;
-
     [Fact]
-    public void Cosine_hemisphere_has_the_density_of_its_pdf() =>
-        AssertMoments(Warp.CosineHemisphere, c => Warp.CosineHemispherePdf((float)c));
+    public void Cosine_hemisphere_is_distributed_by_the_cosine() =>
+        CheckDirections("cosine hemisphere", Warp.CosineHemisphere, w => 1 - (w.Z * w.Z));
 
     [Theory]
     [InlineData(0)]
+    [InlineData(0.5)]
     [InlineData(1)]
+    [InlineData(2)]
     [InlineData(10)]
+    [InlineData(65)]
     [InlineData(200)]
-    public void Cosine_power_lobe_has_the_density_of_its_pdf(float exponent) =>
-        AssertMoments((u, v) => Warp.CosinePowerLobe(u, v, exponent), c => Warp.CosinePowerLobePdf((float)c, exponent));
+    [InlineData(1e4)]
+    [InlineData(1e5)]
+    [InlineData(1e6)]
+    public void Cosine_power_lobe_is_distributed_by_the_power_of_the_cosine(float exponent) =>
+        CheckDirections($"cosine to the power of {exponent}", (u, v) => Warp.CosinePowerLobe(u, v, exponent), w => 1 - Math.Pow(1 - Height(w), exponent + 1.0));
 
     [Fact]
-    public void A_sharp_lobe_does_not_round_to_steps()
-    {
-        // The half of the samples nearest to the axis lies within acos(0.5^(1/(n+1))), computed here in double precision.
-        const double exponent = 1e6;
-        double expected = Math.Sqrt(1 - Math.Pow(0.5, 2 / (exponent + 1)));
-        Vec3W w = Warp.CosinePowerLobe(0.5f, 0.25f, (float)exponent);
-        double sin = Math.Sqrt((w.X[0] * (double)w.X[0]) + (w.Y[0] * (double)w.Y[0]));
-        Assert.InRange(sin, expected * 0.99999, expected * 1.00001);
-    }
+    public void Uniform_sphere_is_uniform() => CheckDirections("uniform sphere", Warp.UniformSphere, w => (1 - w.Z) / 2);
+
+    [Theory]
+    [InlineData(2)]
+    [InlineData(1)]
+    [InlineData(0.1)]
+    [InlineData(1e-3)]
+    [InlineData(1e-6)]
+    public void Uniform_cone_stays_within_the_cone_and_is_uniform(double height) =>
+        CheckDirections($"cone of height {height}", (u, v) => Warp.UniformCone(u, v, (float)height), w => Height(w) / height);
 
     [Fact]
-    public void Uniform_cone_stays_within_the_cone_and_is_uniform()
+    public void Concentric_disk_is_uniform_and_keeps_neighbours_together()
     {
-        const double height = 0.1;
-        double sum = 0;
-        ForEachCell((u, v) =>
-        {
-            Vec3W w = Warp.UniformCone(u, v, (float)height);
-            Assert.InRange(w.Z[0], 1 - height - 1e-6, 1);
-            sum += w.Z[0];
-        });
-        Assert.Equal(1 - (height / 2), sum / (Side * Side), 5);
-    }
-
-    [Fact]
-    public void Concentric_disk_maps_equal_areas_to_equal_areas()
-    {
-        double inner = 0;
-        double right = 0;
-        ForEachCell((u, v) =>
+        Check("disk", (u, v, lane) =>
         {
             Warp.ConcentricDisk(u, v, out FloatW x, out FloatW y);
-            double r2 = (x[0] * (double)x[0]) + (y[0] * (double)y[0]);
-            Assert.InRange(r2, 0, 1 + 1e-6);
-            inner += r2 < 0.3 ? 1 : 0;
-            right += x[0] > 0 && y[0] > 0 ? 1 : 0;
+            return ((x[lane] * (double)x[lane]) + (y[lane] * (double)y[lane]), Turn(x[lane], y[lane]));
         });
-        Assert.Equal(0.3, inner / (Side * Side), 2);
-        Assert.Equal(0.25, right / (Side * Side), 2);
+
+        // The map's derivative is bounded by π/√2 or so: squares become squares, and do not fall to pieces.
+        const float step = 1 / 64f;
+        for (float u = step / 2; u < 1 - step; u += step)
+        {
+            for (float v = step / 2; v < 1 - step; v += step)
+            {
+                Assert.True((Disk(u + step, v) - Disk(u, v)).Length < 3.2 * step);
+                Assert.True((Disk(u, v + step) - Disk(u, v)).Length < 3.2 * step);
+            }
+        }
     }
 
     [Fact]
-    public void Uniform_triangle_has_the_centroid_as_its_mean()
+    public void Middle_of_the_square_is_the_middle_of_the_disk() => Assert.Equal(0, Disk(0.5f, 0.5f).Length);
+
+    [Fact]
+    public void Uniform_triangle_is_uniform() => Check("triangle", (u, v, lane) =>
     {
-        double b1 = 0;
-        double b2 = 0;
-        ForEachCell((u, v) =>
+        Warp.UniformTriangle(u, v, out FloatW b1, out FloatW b2);
+        double root = 1 - b1[lane];
+        return (root * root, b2[lane] / root);
+    });
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.5)]
+    [InlineData(1)]
+    [InlineData(30)]
+    [InlineData(1000)]
+    [InlineData(1e5)]
+    public void Pdf_of_the_lobe_is_the_closed_form_and_integrates_to_one(float exponent)
+    {
+        double Density(Vector3D w) => Warp.CosinePowerLobePdf((float)Height(w), exponent)[0];
+        Vector3D axis = new(0, 0, 1);
+        Assert.Equal(1, new SphericalGrid(axis, axis, 1 / (exponent + 1.0)).Integrate(Density).Sum(), 5);
+        for (double x = 0.01; x < 8; x *= 1.3)
         {
-            Warp.UniformTriangle(u, v, out FloatW p, out FloatW q);
-            Assert.True(p[0] >= 0 && q[0] >= 0 && p[0] + q[0] <= 1 + 1e-6);
-            b1 += p[0];
-            b2 += q[0];
-        });
-        Assert.Equal(1 / 3.0, b1 / (Side * Side), 3);
-        Assert.Equal(1 / 3.0, b2 / (Side * Side), 3);
+            float height = (float)(x / (exponent + 8));
+            double expected = (exponent + 1.0) / (2 * Math.PI) * Math.Pow(1 - (double)height, exponent);
+            Assert.InRange(Warp.CosinePowerLobePdf(height, exponent)[0], expected * (1 - 2e-6), expected * (1 + 2e-6));
+        }
+
+        Assert.Equal(0, Warp.CosinePowerLobePdf(1.25f, exponent)[0]);
     }
 
-    // Directions are of unit length, and the mean of cos^k over the samples is the integral of pdf · cos^k.
-    private static void AssertMoments(Func<FloatW, FloatW, Vec3W> warp, Func<double, double> pdf)
+    [Fact]
+    public void Pdf_of_the_cosine_hemisphere_is_the_cosine_over_pi_above_and_zero_below()
     {
-        double[] moments = new double[4];
-        ForEachCell((u, v) =>
-        {
-            Vec3W w = warp(u, v);
-            Assert.InRange(Vec3W.Dot(w, w)[0], 1 - 1e-5f, 1 + 1e-5f);
-            for (int k = 0; k < 4; k++)
-            {
-                moments[k] += Math.Pow(w.Z[0], k) / (Side * Side);
-            }
-        });
-        const int steps = 20000;
-        for (int k = 0; k < 4; k++)
-        {
-            double integral = 0;
-            for (int i = 0; i < steps; i++)
-            {
-                double c = (i + 0.5) / steps;
-                integral += 2 * Math.PI * pdf(c) * Math.Pow(c, k) / steps;
-            }
-
-            Assert.Equal(integral, moments[k], 3);
-        }
+        Assert.Equal(1 / Math.PI, Warp.CosineHemispherePdf(1f)[0], 6);
+        Assert.Equal(0.25 / Math.PI, Warp.CosineHemispherePdf(0.25f)[0], 6);
+        Assert.Equal(0, Warp.CosineHemispherePdf(-0.5f)[0]);
     }
 
-    private static void ForEachCell(Action<float, float> action)
+    // A direction is tested by the share of the distribution that is nearer to the axis than it, and its turn around the axis.
+    private static void CheckDirections(string what, Func<FloatW, FloatW, Vec3W> warp, Func<Vector3D, double> share) => Check(what, (u, v, lane) =>
     {
-        for (int i = 0; i < Side; i++)
+        Vector3D w = Vector3D.Of(warp(u, v), lane);
+        Assert.InRange(w.Length, 1 - 1e-6, 1 + 1e-6);
+        return (share(w), Turn(w.X, w.Y));
+    });
+
+    private static void Check(string what, Func<FloatW, FloatW, int, (double S, double T)> sample)
+    {
+        UnitSquareCounts counts = new();
+        UnitSquare.AtRandom(TestSettings.Scale(1 << 18, 1 << 21), (u, v, lane) =>
         {
-            for (int j = 0; j < Side; j++)
-            {
-                action((i + 0.5f) / Side, (j + 0.5f) / Side);
-            }
-        }
+            (double s, double t) = sample(u, v, lane);
+            counts.Add(s, t);
+        });
+        ErrorBudget.Warps.Check(counts.P(), what);
+        UnitSquare.AssertPreservesArea(what, sample);
+    }
+
+    private static double Height(Vector3D w) => (w - new Vector3D(0, 0, 1)).Squared / 2;
+
+    private static double Turn(double x, double y) => (Math.Atan2(y, x) / (2 * Math.PI)) + (y < 0 ? 1 : 0);
+
+    private static Vector3D Disk(float u, float v)
+    {
+        Warp.ConcentricDisk(u, v, out FloatW x, out FloatW y);
+        return new(x[0], y[0], 0);
     }
 }

@@ -1,0 +1,29 @@
+using RayTracer.Description;
+using RayTracer.Rendering;
+using RayTracer.Tests.Rendering;
+
+namespace RayTracer.RenderTests.Bits;
+
+/// <summary>The scenes whose bits are known: the report's, the primer's and the test scene of everything, all small.</summary>
+internal static class BitScenes
+{
+    private const string Everything = "everything-";
+
+    /// <summary>Names of all scenes.</summary>
+    public static IReadOnlyList<string> All { get; } =
+        [.. Report, .. Samplers, .. Directory.GetFiles(ProjectFolder.PathOf("scenes", "primer"), "*.json").Select(f => "primer/" + Path.GetFileNameWithoutExtension(f)).Order(StringComparer.Ordinal)];
+
+    /// <summary>Names of the report's scenes.</summary>
+    public static string[] Report => ["report/scene1", "report/scene2", "report/scene3"];
+
+    /// <summary>The scene of everything, with each sampler.</summary>
+    public static string[] Samplers => [.. new[] { "independent", "jittered", "regular", "sobol" }.Select(s => Everything + s)];
+
+    /// <summary>Loads a scene, at 64×64 pixels and 4 samples (the primer's at 32×24).</summary>
+    public static Scene Load(string name) => name.StartsWith(Everything, StringComparison.Ordinal)
+        ? TestScenes.BuildEverything(name[Everything.Length..])
+        : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));
+
+    private static SceneDescription Small(SceneDescription d, int width, int height) =>
+        d with { Render = d.Render with { Width = width, Height = height, SamplesPerPixel = 4 } };
+}

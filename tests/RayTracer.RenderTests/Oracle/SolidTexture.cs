@@ -1,0 +1,7 @@
+namespace RayTracer.RenderTests.Oracle;
+
+/// <summary>The same colour everywhere.</summary>
+internal sealed class SolidTexture(Vec color) : Texture
+{
+    public override Vec Value((double U, double V) uv) => color;
+}

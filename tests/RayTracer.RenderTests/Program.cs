@@ -1,0 +1,33 @@
+using System.Numerics;
+using System.Runtime.Intrinsics.X86;
+using RayTracer.Rendering;
+using RayTracer.RenderTests.Bits;
+
+namespace RayTracer.RenderTests;
+
+/// <summary>
+/// What a test runs as another process, with other settings of the runtime: prints which instructions there are, then the name
+/// and the hash of each small picture.
+/// </summary>
+internal static class Program
+{
+    /// <param name="args">Tile edge (of the tile in the middle of each picture; 0 for all of it), then names of scenes.</param>
+    public static void Main(string[] args)
+    {
+        Console.WriteLine($"lanes={Vector<float>.Count} avx2={Avx2.IsSupported} avx512={Avx512F.IsSupported}");
+        foreach (string name in args.Skip(1))
+        {
+            Console.WriteLine($"{name} {Hash(name, int.Parse(args[0]))}");
+        }
+    }
+
+    /// <summary>The hash of a picture, or of a tile in its middle.</summary>
+    /// <param name="name">One of <see cref="BitScenes.All"/>.</param>
+    /// <param name="edge">Edge of the tile in pixels; 0 for all of the picture.</param>
+    public static string Hash(string name, int edge)
+    {
+        Scene scene = BitScenes.Load(name);
+        Tile middle = new((scene.Render.Width - edge) / 2, (scene.Render.Height - edge) / 2, edge, edge);
+        return new RTracer(scene, new() { Crop = edge > 0 ? middle : null, Threads = 2 }).Render().Film.ComputeHash();
+    }
+}

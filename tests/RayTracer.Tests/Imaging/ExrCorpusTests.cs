@@ -1,0 +1,58 @@
+using RayTracer.Imaging;
+using RayTracer.Textures;
+
+namespace RayTracer.Tests.Imaging;
+
+/// <summary>The reference implementation's own test pictures: what is read has the values that the reference implementation finds.</summary>
+public class ExrCorpusTests
+{
+    // Files of these, and none other, are within what is read: rows, one part, RGB or Y, lossless by RLE or Deflate.
+    private static readonly string[] s_readable = ["comp_none", "comp_rle", "comp_zip", "comp_zips", "v1.7.test.1", "v1.7.test.planar"];
+
+    [SkippableFact]
+    public void Files_within_what_is_read_have_the_values_of_the_reference_implementation()
+    {
+        string[] files = [.. Corpora.Files(".exr").Where(IsReadable)];
+        ImageMagick.SkipUnlessThere();
+        Assert.Equal(s_readable.Length, files.Length);
+        using TemporaryFolder folder = new();
+        foreach (string file in files)
+        {
+            // We read the data window, and ImageMagick puts it into the display window; where they differ, it begins at 20,20.
+            Picture picture = ImageFile.Read(file);
+            ImageMagick.Convert(file, "-crop", $"{picture.Width}x{picture.Height}+{(picture.Width < 200 ? "20+20" : "0+0")}", "+repage", folder["a.pfm"]);
+            Picture expected = ImageFile.Read(folder["a.pfm"]);
+            ImageAssert.Matches(picture, expected, ImageMagickTests.FloatRounding, $"corpus {Path.GetFileName(file)}");
+        }
+    }
+
+    // Of one picture, four compressions.
+    [SkippableFact]
+    public void Lossless_compressions_of_one_picture_have_the_same_bits()
+    {
+        Picture[] pictures = [.. Corpora.Files(".exr").Where(f => IsReadable(f) && f.Contains("comp_", StringComparison.Ordinal)).Select(f => ImageFile.Read(f))];
+        Assert.Equal(4, pictures.Length);
+        Assert.All(pictures, picture => TestPictures.AssertSameBits(pictures[0], picture));
+    }
+
+    [SkippableTheory]
+    [InlineData("comp_b44.exr", "compression is B44")]
+    [InlineData("comp_dwaa_v2.exr", "compression is DWAA")]
+    [InlineData("comp_dwab_v1.exr", "compression is DWAB")]
+    [InlineData("comp_piz.exr", "compression is PIZ")]
+    [InlineData("invalid_shared_attrs_multipart.exr", "of several parts")]
+    [InlineData("tiled.exr", "of tiles")]
+    [InlineData("v1.7.test.interleaved.exr", "channels R, Z")]
+    public void Files_beyond_what_is_read_are_refused_by_the_name_of_the_feature(string name, string reason)
+    {
+        string file = Assert.Single(Corpora.Files(".exr"), f => Path.GetFileName(f) == name);
+        Assert.Contains(reason, TestPictures.Refusal(File.ReadAllBytes(file)), StringComparison.Ordinal);
+    }
+
+    [SkippableFact]
+    public void All_others_are_refused_with_a_reason() => Assert.All(
+        Corpora.Files(".exr").Where(f => !IsReadable(f)),
+        file => Assert.NotEmpty(TestPictures.Refusal(File.ReadAllBytes(file))));
+
+    private static bool IsReadable(string path) => s_readable.Contains(Path.GetFileNameWithoutExtension(path));
+}

@@ -1,0 +1,228 @@
+using System.Numerics;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Tests.Statistics;
+
+namespace RayTracer.Tests.Materials;
+
+/// <summary>What holds for the sampling of every material: the cases of <see cref="MaterialCase"/>.</summary>
+public class ScatteringTests
+{
+    // 1,048,576 cells: what a horizon cuts off is known to a few in 100,000.
+    private const int GridBits = 10;
+    private static readonly double[] s_everyday = [1, 0.9, 0.6, 0.3, 0.1, 0.01];
+    private static readonly double[] s_thorough = [1, 0.99, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001];
+
+    public static TheoryData<string> Cases() => [.. MaterialCase.All.Select(c => c.Name)];
+
+    [Theory]
+    [MemberData(nameof(Cases))]
+    public void Directions_are_distributed_by_the_pdf(string name) => ForEachSurface(name, (material, at) =>
+    {
+        SurfaceW surface = at.Prepare(material.Material);
+        SphericalGrid grid = new(at.Mirror, at.Facing, 1 / (material.Exponent + 1));
+        int count = TestSettings.Scale(1 << 17, 1 << 20);
+        double[] expected = grid.Integrate(d => Pdf(material, surface, d));
+        double mass = expected.Sum();
+        Assert.True(mass < 1 + 1e-4, $"{material} at {at}: the pdf integrates to {mass}");
+
+        // The last cell counts the paths that end, and those of delta lobes. Rounding may carry a path into any cell.
+        expected = [.. expected.Append(1 - mass).Select(p => Math.Max(p, 1e-7) * count)];
+        double[] observed = new double[expected.Length];
+        bool hasDelta = material.Material.Scattering.Specular == SpecularLobe.Delta;
+        ScatterSamples.AtRandom(material.Material, surface, count, Stream(at), (in ScatterW s, int lane) =>
+        {
+            bool counts = !Has(s.Absorbed, lane) && !(hasDelta && Has(s.Specular, lane));
+            observed[counts ? grid.CellOf(Vector3D.Of(s.Direction, lane)) : SphericalGrid.Count]++;
+        });
+        ErrorBudget.Materials.Check(PValues.ChiSquared(observed, expected), $"directions of {material} at {at}");
+    });
+
+    [Theory]
+    [MemberData(nameof(Cases))]
+    public void The_mean_weight_is_the_integral_of_the_bsdf_and_the_cosine(string name) => ForEachSurface(name, (material, at) =>
+    {
+        SurfaceW surface = at.Prepare(material.Material);
+        SphericalGrid grid = new(at.Mirror, at.Facing, 1 / (material.Exponent + 1));
+        bool hasDelta = material.Material.Scattering.Specular == SpecularLobe.Delta;
+        double[] sampled = new double[4];
+        ScatterSamples.OnGrid(material.Material, surface, GridBits, (in ScatterW s, int lane) =>
+        {
+            if (!Has(s.Absorbed, lane) && !(hasDelta && Has(s.Specular, lane)))
+            {
+                AddMoments(sampled, Vector3D.Of(s.Direction, lane), s.Weight.G[lane] * Cell);
+            }
+        });
+
+        // Not only the energy but also where it goes on the whole: the mean direction.
+        for (int k = 0; k < 4; k++)
+        {
+            double integral = grid.Integrate(d => Moment(k, d) * Bsdf(material, surface, d).Y * Math.Abs(d.Dot(at.Facing))).Sum();
+            AssertNear(integral, sampled[k], 1e-4, $"moment {k} of {material} at {at}");
+        }
+    });
+
+    [Theory]
+    [MemberData(nameof(Cases))]
+    public void No_surface_sends_back_more_than_arrives_and_some_send_all(string name) => ForEachSurface(name, (material, at) =>
+    {
+        SurfaceW surface = at.Prepare(material.Material);
+        Vector3D albedo = default;
+        ScatterSamples.OnGrid(material.Material, surface, GridBits - 2, (in ScatterW s, int lane) =>
+            albedo += Has(s.Absorbed, lane) ? default : Flux(material, at, s, lane) * Cell * 16);
+        Assert.True(Math.Max(albedo.X, Math.Max(albedo.Y, albedo.Z)) < 1 + 1e-5, $"{material} at {at} sends back {albedo}");
+        if (material.Albedo is { } expected)
+        {
+            AssertNear(expected.R, albedo.X, 1e-5, $"red of {material} at {at}");
+            AssertNear(expected.G, albedo.Y, 1e-5, $"green of {material} at {at}");
+            AssertNear(expected.B, albedo.Z, 1e-5, $"blue of {material} at {at}");
+        }
+    });
+
+    [Theory]
+    [MemberData(nameof(Cases))]
+    public void What_lights_are_sampled_for_is_what_choices_that_are_not_specular_weigh(string name) => ForEachSurface(name, (material, at) =>
+    {
+        SurfaceW surface = at.Prepare(material.Material);
+        double sampled = 0;
+        ScatterSamples.OnGrid(material.Material, surface, GridBits - 2, (in ScatterW s, int lane) =>
+            sampled += Has(s.Absorbed, lane) || Has(s.Specular, lane) ? 0 : s.Weight.G[lane] * Cell * 16);
+        material.Material.Brdf(surface, out RgbW brdf);
+        AssertNear(Math.PI * brdf.G[0], sampled, 1e-4, $"{material} at {at}");
+        Assert.True(material.Material.IsLit || brdf.G[0] == 0);
+    });
+
+    [Theory]
+    [MemberData(nameof(Cases))]
+    public void Every_weight_is_the_bsdf_times_the_cosine_over_the_pdf(string name) => ForEachSurface(name, (material, at) =>
+    {
+        SurfaceW surface = at.Prepare(material.Material);
+        ScatterSamples.OnGrid(material.Material, surface, 5, (in ScatterW s, int lane) =>
+        {
+            Vector3D d = Vector3D.Of(s.Direction, lane);
+            AssertNear(1, Has(s.Absorbed, lane) ? 1 : d.Length, 1e-5, $"length of a direction of {material} at {at}");
+            if (material.Material.Scattering.Specular == SpecularLobe.Delta)
+            {
+                return;
+            }
+
+            double pdf = Pdf(material, surface, d);
+            Assert.Equal(Has(s.Absorbed, lane), pdf == 0);
+            if (pdf > 0 && !material.IsMixture)
+            {
+                Vector3D weight = Bsdf(material, surface, d) * (Math.Abs(d.Dot(at.Facing)) / pdf);
+                Assert.True((weight - Weight(s, lane)).Length < 2e-4, $"{material} at {at}: {Weight(s, lane)} is not {weight}");
+            }
+        });
+    });
+
+    [Theory]
+    [MemberData(nameof(Cases))]
+    public void Materials_are_reciprocal_or_declare_with_reason_that_they_are_not(string name)
+    {
+        MaterialCase material = MaterialCase.Of(name);
+        SurfaceCase at = new(0.5);
+        var random = new Random(TestSettings.Seed);
+        double largest = 0;
+        for (int i = 0; i < 4000; i++)
+        {
+            Vector3D a = RandomDirection(random, at.Facing);
+
+            // Half of the pairs are near to mirror images of each other: there the narrow lobes are.
+            Vector3D mirrored = (at.Facing * (2 * a.Dot(at.Facing))) - a + (RandomDirection(random, at.Facing) * (4 / Math.Sqrt(1 + material.Exponent)));
+            Vector3D b = i % 2 == 0 ? RandomDirection(random, at.Facing) : mirrored.Unit;
+            double there = Bsdf(material, at, a, b);
+            double back = Bsdf(material, at, b, a);
+            double difference = Math.Abs(there - back) / Math.Max(1e-6, Math.Max(there, back));
+            largest = Math.Max(largest, b.Dot(at.Facing) > 0.05 ? difference : 0);
+        }
+
+        string? exception = material.Material.Scattering.ReciprocityException;
+        Assert.True(exception is null ? largest < 1e-4 : largest > 0.05, $"{material}: there and back differ by {largest}; declared: {exception ?? "reciprocal"}");
+    }
+
+    [Theory]
+    [MemberData(nameof(Cases))]
+    public void Declared_energy_is_what_the_cases_check(string name)
+    {
+        // A declaration is worth something only if its limit is tested: where all energy is kept, an albedo is known.
+        MaterialCase material = MaterialCase.Of(name);
+        bool isTested = MaterialCase.All.Any(c => c.Material.GetType() == material.Material.GetType() && c.Material.Scattering.KeepsEnergy && c.Albedo is not null);
+        Assert.True(!material.Material.Scattering.KeepsEnergy || isTested, $"no white case of {material.Material.GetType().Name}");
+    }
+
+    private static double Cell => Math.Pow(4, -GridBits);
+
+    private static void ForEachSurface(string name, Action<MaterialCase, SurfaceCase> action)
+    {
+        MaterialCase material = MaterialCase.Of(name);
+        double[] cosines = TestSettings.Thorough ? s_thorough : s_everyday;
+        for (int i = 0; i < cosines.Length; i++)
+        {
+            // Refraction differs by the side; of the others, every second angle is seen from inside.
+            bool both = TestSettings.Thorough || material.Index != 1;
+            foreach (bool inside in both ? [false, true] : new[] { i % 2 == 1 })
+            {
+                action(material, new(cosines[i], inside));
+            }
+        }
+    }
+
+    // Light is counted as radiance over the square of the refractive index: what refraction does not change.
+    private static Vector3D Flux(MaterialCase material, SurfaceCase at, in ScatterW s, int lane)
+    {
+        bool isRefracted = Vector3D.Of(s.Direction, lane).Dot(at.Facing) < 0;
+        double index = at.Inside ? 1 / material.Index : material.Index;
+        return Weight(s, lane) * (isRefracted ? index * index : 1);
+    }
+
+    private static Vector3D Weight(in ScatterW s, int lane) => new(s.Weight.R[lane], s.Weight.G[lane], s.Weight.B[lane]);
+
+    private static void AddMoments(double[] moments, Vector3D direction, double weight)
+    {
+        for (int k = 0; k < moments.Length; k++)
+        {
+            moments[k] += weight * Moment(k, direction);
+        }
+    }
+
+    private static double Moment(int k, Vector3D d) => k switch { 0 => 1, 1 => d.X, 2 => d.Y, _ => d.Z };
+
+    private static double Pdf(MaterialCase material, in SurfaceW surface, Vector3D direction)
+    {
+        material.Material.Pdf(surface, (Vector3)direction, out FloatW pdf);
+        return pdf[0];
+    }
+
+    private static Vector3D Bsdf(MaterialCase material, in SurfaceW surface, Vector3D direction)
+    {
+        material.Material.Bsdf(surface, (Vector3)direction, out RgbW bsdf);
+        return new(bsdf.R[0], bsdf.G[0], bsdf.B[0]);
+    }
+
+    private static double Bsdf(MaterialCase material, SurfaceCase at, Vector3D view, Vector3D light)
+    {
+        SurfaceW surface = at.Prepare(material.Material);
+        SurfaceCase.Turn(ref surface, -view);
+        return Bsdf(material, surface, light).Y;
+    }
+
+    private static Vector3D RandomDirection(Random random, Vector3D normal)
+    {
+        while (true)
+        {
+            Vector3D d = new((2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1, (2 * random.NextDouble()) - 1);
+            if (d.Squared is > 0.01 and < 1 && d.Unit.Dot(normal) > 0.05)
+            {
+                return d.Unit;
+            }
+        }
+    }
+
+    private static int Stream(SurfaceCase at) => (int)(at.Cosine * 10_000) + (at.Inside ? 20_000 : 0);
+
+    private static bool Has(MaskW mask, int lane) => (mask.Bits >> lane & 1) != 0;
+
+    private static void AssertNear(double expected, double actual, double tolerance, string what) =>
+        Assert.True(Math.Abs(expected - actual) <= tolerance, $"{what}: {actual:G7} instead of {expected:G7}");
+}

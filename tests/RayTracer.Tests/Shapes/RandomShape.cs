@@ -1,0 +1,180 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+using RayTracer.Textures;
+using Plane = RayTracer.Shapes.Plane;
+
+namespace RayTracer.Tests.Shapes;
+
+/// <summary>A shape of random form and place, and what is true of it in double precision.</summary>
+internal sealed class RandomShape
+{
+    private static readonly Material s_material = new DiffuseMaterial(new SolidTexture(Rgb.White));
+    private readonly Random _random;
+
+    /// <summary>Makes a shape.</summary>
+    /// <param name="kind">sphere, rectangle, plane or triangle.</param>
+    /// <param name="seed">Selects the random numbers.</param>
+    /// <param name="scale">Size of the scene.</param>
+    /// <param name="away">How many sizes from the world's origin the shape lies.</param>
+    public RandomShape(string kind, int seed, float scale, float away)
+    {
+        _random = new(seed);
+        Vector3 place = Vector() * (scale * away);
+        Shape = kind switch
+        {
+            "sphere" => new Sphere(s_material, "", place, scale * (0.1f + _random.NextSingle())),
+            "rectangle" => new Plane(s_material, "", place, Direction(), new Vector2(0.3f + _random.NextSingle(), 0.3f + _random.NextSingle()) * scale),
+            "plane" => new Plane(s_material, "", place, Direction(), null),
+            _ => new Triangle(s_material, "", place + (Vector() * scale), place + (Vector() * scale), place + (Vector() * scale), new(0, 0), new(1, 0), new(0, 1)),
+        };
+        Batch = Shape.CreateBatch([Shape]);
+        Reach = scale;
+        Center = place;
+        Largest = scale * (1 + away);
+    }
+
+    /// <summary>The shape.</summary>
+    public Shape Shape { get; }
+
+    /// <summary>A batch of this shape alone.</summary>
+    public ShapeBatch Batch { get; }
+
+    /// <summary>Size of the scene.</summary>
+    public float Reach { get; }
+
+    /// <summary>A point near the shape.</summary>
+    public Vector3 Center { get; }
+
+    /// <summary>A bound of all coordinates.</summary>
+    public float Largest { get; }
+
+    /// <summary>A random vector in the cube from −1 to 1.</summary>
+    public Vector3 Vector() => new((2 * _random.NextSingle()) - 1, (2 * _random.NextSingle()) - 1, (2 * _random.NextSingle()) - 1);
+
+    /// <summary>A random unit vector; one in eight is parallel to an axis.</summary>
+    public Vector3 Direction() => _random.Next(8) == 0
+        ? new Vector3[] { Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ }[_random.Next(3)] * (_random.Next(2) == 0 ? 1 : -1)
+        : Vector3.Normalize(Vector() + new Vector3(1e-3f));
+
+    /// <summary>A direction that leaves a surface on the side of a normal, at an angle that is often grazing.</summary>
+    public Vector3 Leaving(Vector3 normal)
+    {
+        float height = MathF.Pow(10, -6 * _random.NextSingle());
+        Vector3 along = Vector3.Normalize(Vector3.Cross(normal, Vector()));
+        Vector3 direction = Vector3.Normalize((normal * height) + along);
+        return Vector3.Dot(direction, normal) > 0 ? direction : normal;
+    }
+
+    /// <summary>A random ray towards the shape's neighbourhood.</summary>
+    public (Vector3 Origin, Vector3 Direction) Ray()
+    {
+        Vector3 origin = Center + (Vector() * (2 * Reach));
+        return (origin, Vector3.Normalize(Center + (Vector() * (0.7f * Reach)) - origin));
+    }
+
+    /// <summary>The nearest hit of a ray; infinite where there is none.</summary>
+    public float Hit(Vector3 origin, Vector3 direction)
+    {
+        FloatW distance = float.PositiveInfinity;
+        UIntW primitive = 99u;
+        Batch.ClosestHit(origin, direction, ref distance, ref primitive);
+        Assert.Equal(float.IsInfinity(distance[0]) ? 99u : 0u, primitive[0]);
+        return distance[0];
+    }
+
+    /// <summary>Whether a segment is free.</summary>
+    public bool IsFree(Vector3 origin, Vector3 direction, float end)
+    {
+        MaskW free = MaskW.All;
+        Batch.Occlude(origin, direction, end, skip: -1, ref free);
+        return free.Any;
+    }
+
+    /// <summary>Describes the surface at a hit.</summary>
+    public (Vector3 Point, Vector3 Normal, float Offset, Vector2 Uv) Describe(Vector3 origin, Vector3 direction, float distance)
+    {
+        SurfaceW surface = default;
+        surface.Point = Vec3W.MultiplyAdd(direction, distance, origin);
+        Batch.Describe(new PrimitiveIndex(0, Batch.Stride), needsUv: true, ref surface);
+        return (At(surface.Point), At(surface.Normal), surface.Offset[0], new(surface.U[0], surface.V[0]));
+    }
+
+    /// <summary>
+    /// In double precision: the distance of a point from the shape's whole surface (sphere or plane), and how far it lies outside the
+    /// outline (negative within).
+    /// </summary>
+    public (double Off, double Outside) Measure(Double3 p)
+    {
+        switch (Shape)
+        {
+            case Sphere s:
+                return ((p - s.Center).Length - s.Radius, double.NegativeInfinity);
+            case Triangle t:
+                Double3 normal = Double3.Cross(new Double3(t.B) - t.A, new Double3(t.C) - t.A).Unit;
+                double Beyond(Vector3 a, Vector3 b) => Double3.Dot(Double3.Cross(new Double3(b) - a, normal).Unit, p - a);
+                return (Double3.Dot(normal, p - t.A), Math.Max(Beyond(t.A, t.B), Math.Max(Beyond(t.B, t.C), Beyond(t.C, t.A))));
+            case Plane q:
+                Double3 offset = p - q.Point;
+                double outside = q.Size is not { } size ? double.NegativeInfinity : Math.Max(
+                    Math.Abs(Double3.Dot(new Double3(q.Tangent).Unit, offset)) - (0.5 * size.X),
+                    Math.Abs(Double3.Dot(new Double3(q.Bitangent).Unit, offset)) - (0.5 * size.Y));
+                return (Double3.Dot(new Double3(q.Normal).Unit, offset), outside);
+            default:
+                throw new NotSupportedException();
+        }
+    }
+
+    /// <summary>In double precision: distance of the nearest hit of a ray (infinite for none), and the cosine there.</summary>
+    public (double Distance, double Cosine, double Outside) Expected(Vector3 origin, Vector3 direction)
+    {
+        Double3 d = new Double3(direction).Unit;
+        if (Shape is Sphere s)
+        {
+            Double3 from = new Double3(origin) - s.Center;
+            double b = Double3.Dot(from, d);
+            Double3 nearest = from - (d * b);
+            double root2 = ((double)s.Radius * s.Radius) - Double3.Dot(nearest, nearest);
+            double root = Math.Sqrt(Math.Max(0, root2));
+            double t = -b - root > 0 ? -b - root : root - b;
+
+            // The cosine's sign tells by how much a ray misses.
+            return (root2 > 0 && t > 0 ? t : double.PositiveInfinity, Math.Sqrt(Math.Abs(root2)) / s.Radius, double.NegativeInfinity);
+        }
+
+        double height = Measure(new(origin)).Off;
+        double climb = Measure(new Double3(origin) + d).Off - height;
+        double distance = -height / climb;
+        double outside = Measure(new Double3(origin) + (d * distance)).Outside;
+        return (distance > 0 && outside <= 0 ? distance : double.PositiveInfinity, Math.Abs(climb), outside);
+    }
+
+    private static Vector3 At(in Vec3W v) => new(v.X[0], v.Y[0], v.Z[0]);
+}
+
+/// <summary>A vector of doubles.</summary>
+internal readonly record struct Double3(double X, double Y, double Z)
+{
+    public Double3(Vector3 v)
+        : this(v.X, v.Y, v.Z)
+    {
+    }
+
+    public double Length => Math.Sqrt(Dot(this, this));
+
+    public Double3 Unit => this * (1 / Length);
+
+    public static Double3 operator +(Double3 a, Double3 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+
+    public static Double3 operator -(Double3 a, Vector3 b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
+
+    public static Double3 operator -(Double3 a, Double3 b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
+
+    public static Double3 operator *(Double3 a, double s) => new(a.X * s, a.Y * s, a.Z * s);
+
+    public static double Dot(Double3 a, Double3 b) => (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z);
+
+    public static Double3 Cross(Double3 a, Double3 b) => new((a.Y * b.Z) - (a.Z * b.Y), (a.Z * b.X) - (a.X * b.Z), (a.X * b.Y) - (a.Y * b.X));
+}

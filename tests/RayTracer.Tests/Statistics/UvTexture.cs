@@ -1,0 +1,11 @@
+using RayTracer.Numerics;
+using RayTracer.Textures;
+
+namespace RayTracer.Tests.Statistics;
+
+/// <summary>A texture whose colour is (u, v, 1): it tells where it was evaluated.</summary>
+internal sealed class UvTexture : Texture
+{
+    /// <inheritdoc/>
+    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color) => color = new(u, v, 1f);
+}
