@@ -6,6 +6,7 @@ namespace RayTracer.RenderTests.Bits;
 /// The very bits of small pictures of all scenes. Whoever changes a picture changes <c>hashes.txt</c> in the same commit and
 /// says there why.
 /// </summary>
+[Trait("Category", "Pinned")]
 public class HashTests
 {
     private static readonly bool s_update = Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") == "1";

@@ -166,7 +166,8 @@ public class RayPropertyTests
             from exponent in Gen.Choose(-15, 15)
             from away in Gen.Elements(0, 0, 1, 30, 1000)
             select (seed, exponent, away);
-        Check.One(Config.QuickThrowOnFailure.WithMaxTest(TestSettings.Scale(4000, 100_000)), Prop.ForAll(cases.ToArbitrary(), c =>
+        Config config = Config.QuickThrowOnFailure.WithReplay((ulong)TestSettings.Seed, 1).WithMaxTest(TestSettings.Scale(4000, 100_000));
+        Check.One(config, Prop.ForAll(cases.ToArbitrary(), c =>
             check(new RandomShape(kind, c.Seed, MathF.ScaleB(1.37f, c.Exponent), c.Away))));
     }
 
@@ -175,7 +176,12 @@ public class RayPropertyTests
         for (int i = 0; i < 4; i++)
         {
             (Vector3 origin, Vector3 direction) = shape.Ray();
-            check(shape, origin, direction);
+
+            // A ray that starts on the surface, as far as floats can tell, may meet it or not.
+            if (Math.Abs(shape.Measure(new(origin)).Off) > 64 * Roundoff * shape.Largest)
+            {
+                check(shape, origin, direction);
+            }
         }
     });
 
