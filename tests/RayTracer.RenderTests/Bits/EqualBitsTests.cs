@@ -109,7 +109,8 @@ public class EqualBitsTests
         Scene scene = SceneRuns.Load(
             ProjectFolder.PathOf("scenes", "report", "scene2.json"),
             d => (what == "ambient" ? d with { Ambient = new(value, value, value) } : d with { Background = new(value, value, value), Ambient = new(value, 0, 0) })
-                with { Render = d.Render with { Width = 32, Height = 32, SamplesPerPixel = 4 } });
+                with
+            { Render = d.Render with { Width = 32, Height = 32, SamplesPerPixel = 4 } });
         (Film one, RenderStatistics counts) = new RTracer(scene, new() { Threads = 1, TileSize = 64 }).Render();
         Assert.True(counts.NonFiniteSamples + counts.ClampedSamples > 0);
         Assert.Equal(Math.Min(counts.NonFiniteSamples, RenderStatistics.MaxBadSamples), counts.BadSamples.Count);
@@ -144,7 +145,11 @@ public class EqualBitsTests
             {
                 yield return new()
                 {
-                    Crop = new(left, 0, right - left, scene.Render.Height), Samples = new(first, end), Threads = random.Next(1, 4), TileSize = random.Next(65), StreamSize = random.Next(1, 3000),
+                    Crop = new(left, 0, right - left, scene.Render.Height),
+                    Samples = new(first, end),
+                    Threads = random.Next(1, 4),
+                    TileSize = random.Next(65),
+                    StreamSize = random.Next(1, 3000),
                 };
             }
         }

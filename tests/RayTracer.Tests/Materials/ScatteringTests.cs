@@ -110,8 +110,10 @@ public class ScatteringTests
             Assert.Equal(Has(s.Absorbed, lane), pdf == 0);
             if (pdf > 0 && !material.IsMixture)
             {
-                Vector3D weight = Bsdf(material, surface, d) * (Math.Abs(d.Dot(at.Facing)) / pdf);
-                Assert.True((weight - Weight(s, lane)).Length < 2e-4, $"{material} at {at}: {Weight(s, lane)} is not {weight}");
+                // A cosine of two directions in single precision is known to a few units in the last place of 1.
+                double cosine = Math.Abs(d.Dot(at.Facing));
+                Vector3D weight = Bsdf(material, surface, d) * (cosine / pdf);
+                Assert.True((weight - Weight(s, lane)).Length < 1e-4 + (4e-7 / cosine), $"{material} at {at}: {Weight(s, lane)} is not {weight}");
             }
         });
     });

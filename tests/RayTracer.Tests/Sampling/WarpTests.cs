@@ -23,7 +23,7 @@ public class WarpTests
     [InlineData(1e5)]
     [InlineData(1e6)]
     public void Cosine_power_lobe_is_distributed_by_the_power_of_the_cosine(float exponent) =>
-        CheckDirections($"cosine to the power of {exponent}", (u, v) => Warp.CosinePowerLobe(u, v, exponent), w => 1 - Math.Pow(1 - Height(w), exponent + 1.0));
+        CheckDirections($"cosine to the power of {exponent}", (u, v) => Warp.CosinePowerLobe(u, v, exponent), w => 1 - Math.Pow(Math.Max(0, 1 - Height(w)), exponent + 1.0));
 
     [Fact]
     public void Uniform_sphere_is_uniform() => CheckDirections("uniform sphere", Warp.UniformSphere, w => (1 - w.Z) / 2);

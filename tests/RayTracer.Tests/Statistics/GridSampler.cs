@@ -4,8 +4,9 @@ using RayTracer.Sampling;
 namespace RayTracer.Tests.Statistics;
 
 /// <summary>
-/// Samples at the middles of a grid's cells, for integrals without noise: sample i has the i-th cell for its direction, and
-/// chooses its lobe by the i-th multiple of the golden ratio.
+/// Samples in a grid's cells, for integrals without noise: sample i has the i-th cell for its direction, and chooses its lobe
+/// by the i-th multiple of the golden ratio. The columns are shifted against each other, lest an edge along the grid be taken
+/// for one a whole cell away.
 /// </summary>
 /// <param name="sideBits">Logarithm to base 2 of the cells along each side.</param>
 internal sealed class GridSampler(int sideBits) : Sampler(1 << (2 * sideBits))
@@ -22,8 +23,10 @@ internal sealed class GridSampler(int sideBits) : Sampler(1 << (2 * sideBits))
     {
         float cell = 1f / (1 << sideBits);
         uint last = (1u << sideBits) - 1;
-        u = ((points.First & last).ToFloat() + 0.5f) * cell;
-        v = ((points.First >> sideBits).ToFloat() + 0.5f) * cell;
+        UIntW column = points.First & last;
+        u = (column.ToFloat() + 0.5f) * cell;
+        FloatW shift = (((column * Hash.Golden) >> 24).ToFloat() + 0.5f) * (1f / 256f);
+        v = ((points.First >> sideBits).ToFloat() + shift) * cell;
         u = UIntW.Equal(points.Key, 0u).Select(u, (points.First * Hash.Golden).ToUnit());
     }
 }

@@ -16,7 +16,7 @@ internal static class UnitSquare
     public static void AtRandom(int count, PointVisitor visit) =>
         ForEach(new IndependentSampler(count), Hash.PixelKey((uint)TestSettings.Seed, 0), visit);
 
-    /// <summary>The middles of a grid's cells, 2^<paramref name="sideBits"/> a side.</summary>
+    /// <summary>One point in each of a grid's cells, 2^<paramref name="sideBits"/> a side: <see cref="GridSampler"/>.</summary>
     public static void OnGrid(int sideBits, PointVisitor visit) => ForEach(new GridSampler(sideBits), 0, visit);
 
     /// <summary>
