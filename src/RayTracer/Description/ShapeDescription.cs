@@ -24,7 +24,9 @@ public abstract record ShapeDescription
     /// <summary>What shapes are made of about which nothing is said: grey, matt.</summary>
     public static MaterialDescription DefaultMaterial { get; } = new Materials.DiffuseMaterialDescription();
 
-    /// <summary>Makes the shape that this record describes, or reports why it cannot be made and returns null.</summary>
+    /// <summary>
+    /// Makes the shape that this record describes, where its own numbers put it, or reports why it cannot be made and returns null.
+    /// </summary>
     /// <param name="builder">Gives access to materials and takes diagnostics.</param>
     public abstract Shape? Build(SceneBuilder builder);
 }

@@ -18,6 +18,7 @@ internal sealed unsafe class Wavefront
     private readonly SampleAccumulator _accumulator;
     private readonly FinishedPaths _finished;
     private readonly PinnedBuffer<uint> _members;
+    private readonly PinnedBuffer<int> _hits;
     private readonly int _membersStride;
     private readonly int[] _memberCounts;
     private PathStream _current;
@@ -32,6 +33,7 @@ internal sealed unsafe class Wavefront
         _accumulator = new(maxTilePixels);
         _finished = new(streamSize, _accumulator);
         _shader = new(scene, _finished);
+        _hits = new(scene.World.IsPlain ? 1 : streamSize + 16);
         _memberCounts = new int[scene.Groups.Length + 1];
         _membersStride = streamSize + (2 * FloatW.Count);
         _members = new((long)_membersStride * _memberCounts.Length);
@@ -85,6 +87,11 @@ internal sealed unsafe class Wavefront
             _scene.Primitives.ClosestHit(origin, direction, out FloatW distance, out UIntW primitive);
             distance.Store(s.Distance + i);
             primitive.Store(s.Primitive + i);
+        }
+
+        if (!_scene.World.IsPlain)
+        {
+            _scene.World.ClosestHit(s, _hits.Pointer);
         }
 
         ClosestHitRays += s.Count;

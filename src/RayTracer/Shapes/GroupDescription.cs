@@ -10,6 +10,6 @@ public sealed record GroupDescription : ShapeDescription
     [Parameter("The shapes, in the group's own space.", Required = true)]
     public IReadOnlyList<ShapeDescription> Shapes { get; init; } = [];
 
-    /// <inheritdoc/>
+    /// <summary>Returns null: it is no single shape.</summary>
     public override Shape? Build(SceneBuilder builder) => null;
 }

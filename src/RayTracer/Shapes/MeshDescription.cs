@@ -38,6 +38,6 @@ public sealed record MeshDescription : ShapeDescription
     /// <summary>The triangles as a program gives them, instead of the file or the lists; null where there are none.</summary>
     public MeshData? Data { get; init; }
 
-    /// <inheritdoc/>
+    /// <summary>Returns null: it is no single shape.</summary>
     public override Shape? Build(SceneBuilder builder) => null;
 }

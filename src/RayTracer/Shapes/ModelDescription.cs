@@ -10,6 +10,6 @@ public sealed record ModelDescription : ShapeDescription
     [Parameter("The model's file.", IsFile = true, Required = true)]
     public string File { get; init; } = "";
 
-    /// <inheritdoc/>
+    /// <summary>Returns null: it is no single shape.</summary>
     public override Shape? Build(SceneBuilder builder) => null;
 }
