@@ -7,7 +7,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Acceleration;
 
 /// <summary>Shapes and triangles in coordinates of their own: the world, or an object that instances show.</summary>
-internal sealed unsafe class Space
+internal sealed class Space
 {
     /// <summary>Packs the contents of a space.</summary>
     /// <param name="contents">What it holds.</param>
@@ -31,7 +31,7 @@ internal sealed unsafe class Space
         {
             Mesh = MeshTable.Create(contents.Meshes);
             Mesh.FirstPrimitive = first;
-            Tree = new(Mesh);
+            Tree = TriangleBvh.Build(Mesh.Positions, Mesh.Indices, Environment.ProcessorCount);
             Bounds = contents.Meshes.Aggregate(Bounds, (all, mesh) => all.Union(MeshTable.BoundsOf(mesh.Data).Transformed(mesh.Place)));
         }
     }
@@ -52,7 +52,7 @@ internal sealed unsafe class Space
     public MeshTable? Mesh { get; }
 
     /// <summary>Meets rays with the triangles.</summary>
-    public TriangleTree? Tree { get; }
+    public TriangleBvh? Tree { get; }
 
     /// <summary>Number of the first primitive.</summary>
     public int FirstPrimitive { get; }
@@ -102,15 +102,7 @@ internal sealed unsafe class Space
 
         if (Tree is not null)
         {
-            int triangle = -1;
-            SpaceRay copy = ray;
-            float shortened = distance;
-            Tree.ClosestHit(copy.AsStream(&copy, &shortened, &triangle));
-            if (triangle >= 0)
-            {
-                found = Mesh!.FirstPrimitive + triangle;
-                distance = shortened;
-            }
+            found = Tree.ClosestHit(ray.Origin, ray.Direction, ref distance, out int triangle) ? Mesh!.FirstPrimitive + triangle : found;
         }
 
         return found;
@@ -133,14 +125,7 @@ internal sealed unsafe class Space
             }
         }
 
-        int hit = -1;
-        if (Tree is not null)
-        {
-            SpaceRay copy = ray;
-            Tree.AnyHit(copy.AsStream(&copy, &distance, &hit));
-        }
-
-        return hit >= 0;
+        return Tree is not null && Tree.AnyHit(ray.Origin, ray.Direction, distance);
     }
 
     // The materials of the meshes' triangles one after the other, without an entry for each.
