@@ -35,13 +35,14 @@ internal static unsafe class TriangleLeaf
         float* x = rows + (MinorX(major) * stride);
         float* y = rows + (MinorY(major) * stride);
         float* z = rows + (major * stride);
-        float* origin = rays->Origin + ray;
-        uint candidates = TriangleTest<TriangleLanes>.Candidates(
+        float* origin = rays->Origin;
+        uint candidates = TriangleTest<TriangleLanes>.Candidates<TSearch>(
             Vector256.Load(x), Vector256.Load(x + (3 * stride)), Vector256.Load(x + (6 * stride)),
             Vector256.Load(y), Vector256.Load(y + (3 * stride)), Vector256.Load(y + (6 * stride)),
             Vector256.Load(z), Vector256.Load(z + (3 * stride)), Vector256.Load(z + (6 * stride)),
-            origin + (RayBlock.Size * MinorX(major)), origin + (RayBlock.Size * MinorY(major)), origin + (RayBlock.Size * major), rays->ShearX + ray, rays->ShearY + ray);
-        return (candidates & ((2u << (count - 1)) - 1)) != 0 && Update<TSearch>(rows, count, rays, ray, major);
+            origin + (RayBlock.Size * MinorX(major)), origin + (RayBlock.Size * MinorY(major)), origin + (RayBlock.Size * major), rays, ray, out uint sure);
+        uint triangles = (2u << (count - 1)) - 1;
+        return (candidates & triangles) != 0 && ((sure & triangles) != 0 || Update<TSearch>(rows, count, rays, ray, major));
     }
 
     /// <summary>All triangles of a leaf and rays with the same major axis, ray by ray.</summary>
@@ -65,21 +66,21 @@ internal static unsafe class TriangleLeaf
         float* originX = rays->Origin + (RayBlock.Size * MinorX(major));
         float* originY = rays->Origin + (RayBlock.Size * MinorY(major));
         float* originZ = rays->Origin + (RayBlock.Size * major);
-        float* shearX = rays->ShearX;
-        float* shearY = rays->ShearY;
         uint triangles = (2u << (count - 1)) - 1;
 
         // No call may stand in this loop: it would throw the triangles out of their registers.
         ulong candidates = 0;
+        ulong certain = 0;
         for (ulong left = set; left != 0; left &= left - 1)
         {
             int ray = BitOperations.TrailingZeroCount(left);
-            uint hits = TriangleTest<TriangleLanes>.Candidates(
-                ax, bx, cx, ay, by, cy, az, bz, cz, originX + ray, originY + ray, originZ + ray, shearX + ray, shearY + ray) & triangles;
-            candidates |= (hits != 0 ? 1ul : 0ul) << ray;
+            uint hits = TriangleTest<TriangleLanes>.Candidates<TSearch>(ax, bx, cx, ay, by, cy, az, bz, cz, originX, originY, originZ, rays, ray, out uint sure);
+            candidates |= ((hits & triangles) != 0 ? 1ul : 0ul) << ray;
+            certain |= ((sure & triangles) != 0 ? 1ul : 0ul) << ray;
         }
 
-        ulong changed = 0;
+        ulong changed = certain;
+        candidates &= ~certain;
         for (; candidates != 0; candidates &= candidates - 1)
         {
             int ray = BitOperations.TrailingZeroCount(candidates);
@@ -110,20 +111,20 @@ internal static unsafe class TriangleLeaf
         float* originX = rays->Origin + (RayBlock.Size * MinorX(major));
         float* originY = rays->Origin + (RayBlock.Size * MinorY(major));
         float* originZ = rays->Origin + (RayBlock.Size * major);
-        float* shearX = rays->ShearX;
-        float* shearY = rays->ShearY;
         ulong candidates = 0;
+        ulong certain = 0;
         for (int lane = 0; lane < RayBlock.Size; lane += 8)
         {
             if ((set >> lane & 0xff) != 0)
             {
-                candidates |= (ulong)TriangleTest<RayLanes>.Candidates(
-                    ax, bx, cx, ay, by, cy, az, bz, cz, originX + lane, originY + lane, originZ + lane, shearX + lane, shearY + lane) << lane;
+                uint hits = TriangleTest<RayLanes>.Candidates<TSearch>(ax, bx, cx, ay, by, cy, az, bz, cz, originX, originY, originZ, rays, lane, out uint sure);
+                candidates |= (ulong)hits << lane;
+                certain |= (ulong)sure << lane;
             }
         }
 
-        candidates &= set;
-        ulong changed = 0;
+        ulong changed = certain & set;
+        candidates &= set & ~certain;
         while (candidates != 0)
         {
             int lane = BitOperations.TrailingZeroCount(candidates) & ~7;

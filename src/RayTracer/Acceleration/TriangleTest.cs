@@ -13,27 +13,51 @@ internal static unsafe class TriangleTest<TLanes>
     where TLanes : ILanes
 {
     /// <summary>Looks where rays run through triangles, forwards or backwards.</summary>
+    /// <param name="sure">For any hit, lanes that are hits for sure, so that no distance need be computed; else none.</param>
     /// <returns>The lanes that pass. It may be one too many: edge functions that are zero after rounding are settled by <see cref="Distance"/>.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static uint Candidates(
+    public static uint Candidates<TSearch>(
         Vector256<float> ax, Vector256<float> bx, Vector256<float> cx, Vector256<float> ay, Vector256<float> by, Vector256<float> cy,
-        Vector256<float> az, Vector256<float> bz, Vector256<float> cz, float* originX, float* originY, float* originZ, float* shearX, float* shearY)
+        Vector256<float> az, Vector256<float> bz, Vector256<float> cz,
+        float* originX, float* originY, float* originZ, RayBlock* rays, int lane, out uint sure)
+        where TSearch : ISearch
     {
-        Vector256<float> origin = TLanes.OfRay(originZ);
+        Vector256<float> origin = TLanes.OfRay(originZ + lane);
         az -= origin;
         bz -= origin;
         cz -= origin;
-        origin = TLanes.OfRay(originX);
-        Vector256<float> shear = TLanes.OfRay(shearX);
+        origin = TLanes.OfRay(originX + lane);
+        Vector256<float> shear = TLanes.OfRay(rays->ShearX + lane);
         ax = Lanes8.NegatedMultiplyAdd(shear, az, ax - origin);
         bx = Lanes8.NegatedMultiplyAdd(shear, bz, bx - origin);
         cx = Lanes8.NegatedMultiplyAdd(shear, cz, cx - origin);
-        origin = TLanes.OfRay(originY);
-        shear = TLanes.OfRay(shearY);
+        origin = TLanes.OfRay(originY + lane);
+        shear = TLanes.OfRay(rays->ShearY + lane);
         ay = Lanes8.NegatedMultiplyAdd(shear, az, ay - origin);
         by = Lanes8.NegatedMultiplyAdd(shear, bz, by - origin);
         cy = Lanes8.NegatedMultiplyAdd(shear, cz, cy - origin);
-        return Lanes8.Bits(SameSign(Edge(cx, by, cy, bx), Edge(ax, cy, ay, cx), Edge(bx, ay, by, ax)));
+        Vector256<float> u = Edge(cx, by, cy, bx);
+        Vector256<float> v = Edge(ax, cy, ay, cx);
+        Vector256<float> w = Edge(bx, ay, by, ax);
+        Vector256<float> least = Lanes8.Min(Lanes8.Min(u, v), w);
+        Vector256<float> most = Lanes8.Max(Lanes8.Max(u, v), w);
+        Vector256<float> zero = Vector256<float>.Zero;
+        uint candidates = Lanes8.Bits(Vector256.GreaterThanOrEqual(least, zero) | Vector256.LessThanOrEqual(most, zero));
+        sure = 0;
+        if (TSearch.EndsAtAnyHit && candidates != 0)
+        {
+            // No edge function is zero, and all of the triangle lies between the ray's start and its limit.
+            Vector256<float> scale = TLanes.OfRay(rays->Scale + lane);
+            Vector256<float> limit = TLanes.OfRay(rays->Distance + lane) * 0.9999f;
+            az *= scale;
+            bz *= scale;
+            cz *= scale;
+            sure = Lanes8.Bits((Vector256.GreaterThan(least, zero) | Vector256.LessThan(most, zero))
+                & Vector256.GreaterThan(Lanes8.Min(Lanes8.Min(az, bz), cz), zero)
+                & Vector256.LessThan(Lanes8.Max(Lanes8.Max(az, bz), cz), limit));
+        }
+
+        return candidates;
     }
 
     /// <summary>
