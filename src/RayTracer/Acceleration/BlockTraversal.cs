@@ -345,63 +345,61 @@ internal unsafe ref struct BlockTraversal<TSearch>(BvhNode* nodes, float* triang
         int groups = BitOperations.PopCount(eights & 0x0101010101010101);
         bool changed = _interval.SameMajor && groups * count < BitOperations.PopCount(visit.Rays)
             ? VisitTriangleByTriangle(rays, visit, count)
-            : VisitRayByRay(rays, visit);
+            : VisitRayByRay(rays, visit, count);
         if (changed && !TSearch.EndsAtAnyHit)
         {
             _farthest = RayInterval.Farthest(rays, _alive);
         }
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private float* Rows(uint leaf) => _triangles + ((nint)BvhNode.LeafFirst(leaf) * TriangleLeaf.Rows);
+
     private bool VisitTriangleByTriangle(RayBlock* rays, in PendingVisit visit, int count)
     {
-        float* rows = _triangles + ((long)BvhNode.LeafFirst(visit.Reference) * TriangleLeaf.Rows);
+        float* rows = Rows(visit.Reference);
         ulong set = visit.Rays;
         ulong changed = 0;
-        int major = _interval.Major;
         for (int triangle = 0; triangle < count; triangle++)
         {
-            for (int lane = 0; lane < RayBlock.Size; lane += 8)
-            {
-                uint eight = (uint)(set >> lane) & 0xff;
-                if (eight != 0)
-                {
-                    changed |= (ulong)TriangleLeaf.Intersect<TSearch>(rows, count, triangle, rays, lane, major, eight) << lane;
-                }
-            }
-
+            changed |= TriangleLeaf.IntersectTriangle<TSearch>(rows, count, triangle, rays, set, _interval.Major);
             if (TSearch.EndsAtAnyHit)
             {
                 set &= ~changed;
             }
         }
 
-        if (TSearch.EndsAtAnyHit)
-        {
-            _alive &= ~changed;
-        }
-
-        return changed != 0;
+        return Changed(changed);
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private bool VisitRayByRay(RayBlock* rays, in PendingVisit visit)
+    private bool VisitRayByRay(RayBlock* rays, in PendingVisit visit, int count)
     {
+        float* rows = Rows(visit.Reference);
+        if (_interval.SameMajor)
+        {
+            return Changed(TriangleLeaf.IntersectRays<TSearch>(rows, count, rays, visit.Rays, _interval.Major));
+        }
+
         ulong changed = 0;
         for (ulong left = visit.Rays; left != 0; left &= left - 1)
         {
             int ray = BitOperations.TrailingZeroCount(left);
-            if (TriangleLeaf.Intersect<TSearch>(_triangles, visit.Reference, rays, ray))
+            if (TriangleLeaf.Intersect<TSearch>(rows, count, rays, ray, rays->Major[ray]))
             {
                 changed |= 1ul << ray;
             }
         }
 
+        return Changed(changed);
+    }
+
+    private bool Changed(ulong rays)
+    {
         if (TSearch.EndsAtAnyHit)
         {
-            _alive &= ~changed;
+            _alive &= ~rays;
         }
 
-        return changed != 0;
+        return rays != 0;
     }
 }

@@ -55,6 +55,14 @@ internal static unsafe class Lanes8
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Bits(Vector256<float> mask) => mask.ExtractMostSignificantBits();
 
+    /// <summary>The comparison that holds in a set of lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> FromBits(uint set)
+    {
+        Vector256<uint> bits = Vector256.Create(1u, 2, 4, 8, 16, 32, 64, 128);
+        return Vector256.Equals(Vector256.Create(set) & bits, bits).AsSingle();
+    }
+
     /// <summary>Lane i of the result is lane indices[i].</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<int> Permute(Vector256<int> lanes, Vector256<int> indices) =>

@@ -9,7 +9,6 @@ namespace RayTracer.Acceleration;
 /// </summary>
 internal unsafe struct RayInterval
 {
-    private static readonly Vector256<uint> s_bits = Vector256.Create(1u, 2, 4, 8, 16, 32, 64, 128);
     private fixed float _inverse[6];
     private fixed float _nearShift[6];
     private fixed float _farShift[6];
@@ -65,14 +64,11 @@ internal unsafe struct RayInterval
         Vector256<float> farthest = Vector256<float>.Zero;
         for (int lane = 0; set != 0; lane += 8, set >>= 8)
         {
-            farthest = Lanes8.Max(Vector256.Load(rays->Distance + lane) & Chosen((uint)set), farthest);
+            farthest = Lanes8.Max(Vector256.Load(rays->Distance + lane) & Lanes8.FromBits((uint)set), farthest);
         }
 
         return Lanes8.Largest(farthest);
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Chosen(uint set) => Vector256.Equals(Vector256.Create(set) & s_bits, s_bits).AsSingle();
 
     private void EncloseAxis(RayBlock* rays, ulong set, int axis)
     {
@@ -88,7 +84,7 @@ internal unsafe struct RayInterval
                 continue;
             }
 
-            Vector256<float> chosen = Chosen((uint)set);
+            Vector256<float> chosen = Lanes8.FromBits((uint)set);
             int at = (RayBlock.Size * axis) + lane;
             Vector256<float> inverse = Vector256.Load(rays->Inverse + at);
             Vector256<float> origin = Vector256.Load(rays->Origin + at);

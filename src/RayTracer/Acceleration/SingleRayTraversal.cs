@@ -8,9 +8,6 @@ namespace RayTracer.Acceleration;
 /// <summary>One ray through a tree of triangles: eight boxes or eight triangles at a time, nearer children first.</summary>
 internal static unsafe class SingleRayTraversal
 {
-    private static readonly Vector256<int> s_forward = Vector256.Create(0, 3, 6, 9, 12, 15, 18, 21);
-    private static readonly Vector256<int> s_backward = Vector256.Create(21, 18, 15, 12, 9, 6, 3, 0);
-
     /// <summary>Follows a ray.</summary>
     /// <param name="nodes">The tree's nodes.</param>
     /// <param name="triangles">The tree's leaves.</param>
@@ -46,9 +43,10 @@ internal static unsafe class SingleRayTraversal
 
         int octant = (negativeX ? 1 : 0) | (negativeY ? 2 : 0);
         octant = negativeZ ? octant ^ 3 : octant;
-        Vector256<int> shifts = negativeZ ? s_backward : s_forward;
+        Vector256<int> shifts = negativeZ ? Vector256.Create(21, 18, 15, 12, 9, 6, 3, 0) : Vector256.Create(0, 3, 6, 9, 12, 15, 18, 21);
         int backward = negativeZ ? 7 : 0;
         float distance = rays->Distance[ray];
+        int major = rays->Major[ray];
         uint* pending = stack->Reference;
         float* entries = stack->Entry;
         int depth = 0;
@@ -117,12 +115,13 @@ internal static unsafe class SingleRayTraversal
                 depth += BitOperations.PopCount(hits);
             }
 
+            int count = BvhNode.LeafCount(current);
             if (TSearch.Counts)
             {
-                stack->Cost += BvhNode.LeafCount(current);
+                stack->Cost += count;
             }
 
-            if (TriangleLeaf.Intersect<TSearch>(triangles, current, rays, ray))
+            if (TriangleLeaf.Intersect<TSearch>(triangles + ((nint)BvhNode.LeafFirst(current) * TriangleLeaf.Rows), count, rays, ray, major))
             {
                 if (TSearch.EndsAtAnyHit)
                 {

@@ -13,15 +13,13 @@ internal static unsafe class TriangleLeaf
     /// <summary>Floats a triangle.</summary>
     public const int Rows = 10;
 
-    /// <summary>The axis after a major axis, two bits each.</summary>
-    private const int NextAxis = 0b00_10_01;
-
-    /// <summary>The axis before a major axis, two bits each.</summary>
+    // The axes after and before each major axis, two bits each.
+    private const int AxisAfter = 0b00_10_01;
     private const int AxisBefore = 0b01_00_10;
 
     /// <summary>The first minor axis.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static int MinorX(int major) => NextAxis >> (2 * major) & 3;
+    public static int MinorX(int major) => AxisAfter >> (2 * major) & 3;
 
     /// <summary>The second minor axis.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -30,142 +28,138 @@ internal static unsafe class TriangleLeaf
     /// <summary>One ray and all triangles of a leaf.</summary>
     /// <returns>Whether the ray's distance or primitive changed, or, for any hit, whether there is one.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Intersect<TSearch>(float* triangles, uint leaf, RayBlock* rays, int ray)
+    public static bool Intersect<TSearch>(float* rows, int count, RayBlock* rays, int ray, int major)
         where TSearch : ISearch
     {
-        int count = BvhNode.LeafCount(leaf);
-        float* rows = triangles + ((long)BvhNode.LeafFirst(leaf) * Rows);
-        int major = rays->Major[ray];
-        int axisX = MinorX(major);
-        int axisY = MinorY(major);
-        float* px = rows + (axisX * count);
-        float* py = rows + (axisY * count);
-        float* pz = rows + (major * count);
-        int toB = 3 * count;
-        int toC = 6 * count;
-
-        Vector256<float> originZ = Lanes8.Broadcast(rays->Origin + (RayBlock.Size * major) + ray);
-        Vector256<float> az = Vector256.Load(pz) - originZ;
-        Vector256<float> bz = Vector256.Load(pz + toB) - originZ;
-        Vector256<float> cz = Vector256.Load(pz + toC) - originZ;
-        Vector256<float> originX = Lanes8.Broadcast(rays->Origin + (RayBlock.Size * axisX) + ray);
-        Vector256<float> shearX = Lanes8.Broadcast(rays->ShearX + ray);
-        Vector256<float> ax = TriangleTest.Shear(Vector256.Load(px) - originX, shearX, az);
-        Vector256<float> bx = TriangleTest.Shear(Vector256.Load(px + toB) - originX, shearX, bz);
-        Vector256<float> cx = TriangleTest.Shear(Vector256.Load(px + toC) - originX, shearX, cz);
-        Vector256<float> originY = Lanes8.Broadcast(rays->Origin + (RayBlock.Size * axisY) + ray);
-        Vector256<float> shearY = Lanes8.Broadcast(rays->ShearY + ray);
-        Vector256<float> ay = TriangleTest.Shear(Vector256.Load(py) - originY, shearY, az);
-        Vector256<float> by = TriangleTest.Shear(Vector256.Load(py + toB) - originY, shearY, bz);
-        Vector256<float> cy = TriangleTest.Shear(Vector256.Load(py + toC) - originY, shearY, cz);
-        Vector256<float> hit = TriangleTest.Edges(ax, ay, bx, by, cx, cy, out Vector256<float> u, out Vector256<float> v, out Vector256<float> w);
-        uint triangleSet = (2u << (count - 1)) - 1;
-        if ((Lanes8.Bits(hit) & triangleSet) == 0)
-        {
-            return false;
-        }
-
-        hit = TriangleTest.Settle(hit, ax, ay, bx, by, cx, cy, ref u, ref v, ref w);
-        Vector256<float> slack = Lanes8.Broadcast(rays->Slack + ray);
-        Vector256<float> t = TriangleTest.Distance(u, v, w, az, bz, cz, Lanes8.Broadcast(rays->Scale + ray));
-        Vector256<float> inverseX = Lanes8.Broadcast(rays->Inverse + (RayBlock.Size * axisX) + ray);
-        Vector256<float> inverseY = Lanes8.Broadcast(rays->Inverse + (RayBlock.Size * axisY) + ray);
-        t = TriangleTest.Clamp(t, Vector256.Load(px) - originX, Vector256.Load(px + toB) - originX, Vector256.Load(px + toC) - originX, inverseX, slack);
-        t = TriangleTest.Clamp(t, Vector256.Load(py) - originY, Vector256.Load(py + toB) - originY, Vector256.Load(py + toC) - originY, inverseY, slack);
-        Vector256<float> limit = Lanes8.Broadcast(rays->Distance + ray);
-        hit &= Vector256.GreaterThan(t, Vector256<float>.Zero);
-        if (TSearch.EndsAtAnyHit)
-        {
-            return (Lanes8.Bits(hit & Vector256.LessThan(t, limit)) & triangleSet) != 0;
-        }
-
-        uint hits = Lanes8.Bits(hit & Vector256.LessThanOrEqual(t, limit)) & triangleSet;
-        return hits != 0 && Nearest(t, hits, (int*)(rows + (9 * count)), rays, ray);
+        nint stride = count;
+        float* x = rows + (MinorX(major) * stride);
+        float* y = rows + (MinorY(major) * stride);
+        float* z = rows + (major * stride);
+        float* origin = rays->Origin;
+        uint candidates = TriangleTest<TriangleLanes>.Candidates<TSearch>(
+            Vector256.Load(x), Vector256.Load(x + (3 * stride)), Vector256.Load(x + (6 * stride)),
+            Vector256.Load(y), Vector256.Load(y + (3 * stride)), Vector256.Load(y + (6 * stride)),
+            Vector256.Load(z), Vector256.Load(z + (3 * stride)), Vector256.Load(z + (6 * stride)),
+            origin + (RayBlock.Size * MinorX(major)), origin + (RayBlock.Size * MinorY(major)), origin + (RayBlock.Size * major), rays, ray, out uint sure);
+        uint triangles = (2u << (count - 1)) - 1;
+        return (candidates & triangles) != 0 && ((sure & triangles) != 0 || Update<TSearch>(rows, count, rays, ray, major));
     }
 
-    /// <summary>One triangle of a leaf and eight rays with the same major axis.</summary>
-    /// <param name="rows">The leaf.</param>
-    /// <param name="count">Triangles in the leaf.</param>
-    /// <param name="triangle">Which of them.</param>
-    /// <param name="rays">The rays.</param>
-    /// <param name="lane">First of the eight.</param>
-    /// <param name="major">Their major axis.</param>
-    /// <param name="rayset">Which of the eight are meant.</param>
+    /// <summary>All triangles of a leaf and rays with the same major axis, ray by ray.</summary>
     /// <returns>The rays whose distance or primitive changed, or, for any hit, those that have one.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static uint Intersect<TSearch>(float* rows, int count, int triangle, RayBlock* rays, int lane, int major, uint rayset)
+    public static ulong IntersectRays<TSearch>(float* rows, int count, RayBlock* rays, ulong set, int major)
         where TSearch : ISearch
     {
-        int axisX = MinorX(major);
-        int axisY = MinorY(major);
-        float* px = rows + (axisX * count) + triangle;
-        float* py = rows + (axisY * count) + triangle;
-        float* pz = rows + (major * count) + triangle;
-        int toB = 3 * count;
-        int toC = 6 * count;
-        float* origin = rays->Origin + lane;
+        nint stride = count;
+        float* x = rows + (MinorX(major) * stride);
+        float* y = rows + (MinorY(major) * stride);
+        float* z = rows + (major * stride);
+        Vector256<float> ax = Vector256.Load(x);
+        Vector256<float> bx = Vector256.Load(x + (3 * stride));
+        Vector256<float> cx = Vector256.Load(x + (6 * stride));
+        Vector256<float> ay = Vector256.Load(y);
+        Vector256<float> by = Vector256.Load(y + (3 * stride));
+        Vector256<float> cy = Vector256.Load(y + (6 * stride));
+        Vector256<float> az = Vector256.Load(z);
+        Vector256<float> bz = Vector256.Load(z + (3 * stride));
+        Vector256<float> cz = Vector256.Load(z + (6 * stride));
+        float* originX = rays->Origin + (RayBlock.Size * MinorX(major));
+        float* originY = rays->Origin + (RayBlock.Size * MinorY(major));
+        float* originZ = rays->Origin + (RayBlock.Size * major);
+        uint triangles = (2u << (count - 1)) - 1;
 
-        Vector256<float> originZ = Vector256.Load(origin + (RayBlock.Size * major));
-        Vector256<float> az = Lanes8.Broadcast(pz) - originZ;
-        Vector256<float> bz = Lanes8.Broadcast(pz + toB) - originZ;
-        Vector256<float> cz = Lanes8.Broadcast(pz + toC) - originZ;
-        Vector256<float> originX = Vector256.Load(origin + (RayBlock.Size * axisX));
-        Vector256<float> shearX = Vector256.Load(rays->ShearX + lane);
-        Vector256<float> ax = TriangleTest.Shear(Lanes8.Broadcast(px) - originX, shearX, az);
-        Vector256<float> bx = TriangleTest.Shear(Lanes8.Broadcast(px + toB) - originX, shearX, bz);
-        Vector256<float> cx = TriangleTest.Shear(Lanes8.Broadcast(px + toC) - originX, shearX, cz);
-        Vector256<float> originY = Vector256.Load(origin + (RayBlock.Size * axisY));
-        Vector256<float> shearY = Vector256.Load(rays->ShearY + lane);
-        Vector256<float> ay = TriangleTest.Shear(Lanes8.Broadcast(py) - originY, shearY, az);
-        Vector256<float> by = TriangleTest.Shear(Lanes8.Broadcast(py + toB) - originY, shearY, bz);
-        Vector256<float> cy = TriangleTest.Shear(Lanes8.Broadcast(py + toC) - originY, shearY, cz);
-        Vector256<float> hit = TriangleTest.Edges(ax, ay, bx, by, cx, cy, out Vector256<float> u, out Vector256<float> v, out Vector256<float> w);
-        if ((Lanes8.Bits(hit) & rayset) == 0)
+        // No call may stand in this loop: it would throw the triangles out of their registers.
+        ulong candidates = 0;
+        ulong certain = 0;
+        for (ulong left = set; left != 0; left &= left - 1)
         {
-            return 0;
+            int ray = BitOperations.TrailingZeroCount(left);
+            uint hits = TriangleTest<TriangleLanes>.Candidates<TSearch>(ax, bx, cx, ay, by, cy, az, bz, cz, originX, originY, originZ, rays, ray, out uint sure);
+            candidates |= ((hits & triangles) != 0 ? 1ul : 0ul) << ray;
+            certain |= ((sure & triangles) != 0 ? 1ul : 0ul) << ray;
         }
 
-        hit = TriangleTest.Settle(hit, ax, ay, bx, by, cx, cy, ref u, ref v, ref w);
-        Vector256<float> slack = Vector256.Load(rays->Slack + lane);
-        Vector256<float> t = TriangleTest.Distance(u, v, w, az, bz, cz, Vector256.Load(rays->Scale + lane));
-        Vector256<float> inverseX = Vector256.Load(rays->Inverse + (RayBlock.Size * axisX) + lane);
-        Vector256<float> inverseY = Vector256.Load(rays->Inverse + (RayBlock.Size * axisY) + lane);
-        t = TriangleTest.Clamp(t, Lanes8.Broadcast(px) - originX, Lanes8.Broadcast(px + toB) - originX, Lanes8.Broadcast(px + toC) - originX, inverseX, slack);
-        t = TriangleTest.Clamp(t, Lanes8.Broadcast(py) - originY, Lanes8.Broadcast(py + toB) - originY, Lanes8.Broadcast(py + toC) - originY, inverseY, slack);
-        Vector256<float> limit = Vector256.Load(rays->Distance + lane);
-        Vector256<float> nearer = Vector256.LessThan(t, limit);
-        hit &= Vector256.GreaterThan(t, Vector256<float>.Zero);
-        if (TSearch.EndsAtAnyHit)
+        ulong changed = certain;
+        candidates &= ~certain;
+        for (; candidates != 0; candidates &= candidates - 1)
         {
-            return Lanes8.Bits(hit & nearer) & rayset;
+            int ray = BitOperations.TrailingZeroCount(candidates);
+            changed |= Update<TSearch>(rows, count, rays, ray, major) ? 1ul << ray : 0;
         }
 
-        Vector256<int> number = Vector256.Create(((int*)rows)[(9 * count) + triangle]);
-        Vector256<int> primitive = Vector256.Load(rays->Primitive + lane);
-        hit &= nearer | (Vector256.Equals(t, limit) & Vector256.LessThan(number, primitive).AsSingle());
-        uint hits = Lanes8.Bits(hit) & rayset;
-        if (hits != 0)
-        {
-            hit &= Vector256.Equals(Vector256.Create(rayset) & s_bits, s_bits).AsSingle();
-            Vector256.ConditionalSelect(hit, t, limit).Store(rays->Distance + lane);
-            Vector256.ConditionalSelect(hit.AsInt32(), number, primitive).Store(rays->Primitive + lane);
-        }
-
-        return hits;
+        return changed;
     }
 
-    private static readonly Vector256<uint> s_bits = Vector256.Create(1u, 2, 4, 8, 16, 32, 64, 128);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool Nearest(Vector256<float> t, uint hits, int* numbers, RayBlock* rays, int ray)
+    /// <summary>One triangle of a leaf and rays with the same major axis, eight rays at a time.</summary>
+    /// <returns>The rays whose distance or primitive changed, or, for any hit, those that have one.</returns>
+    public static ulong IntersectTriangle<TSearch>(float* rows, int count, int triangle, RayBlock* rays, ulong set, int major)
+        where TSearch : ISearch
     {
+        nint stride = count;
+        float* x = rows + (MinorX(major) * stride) + triangle;
+        float* y = rows + (MinorY(major) * stride) + triangle;
+        float* z = rows + (major * stride) + triangle;
+        Vector256<float> ax = Vector256.Create(*x);
+        Vector256<float> bx = Vector256.Create(x[3 * stride]);
+        Vector256<float> cx = Vector256.Create(x[6 * stride]);
+        Vector256<float> ay = Vector256.Create(*y);
+        Vector256<float> by = Vector256.Create(y[3 * stride]);
+        Vector256<float> cy = Vector256.Create(y[6 * stride]);
+        Vector256<float> az = Vector256.Create(*z);
+        Vector256<float> bz = Vector256.Create(z[3 * stride]);
+        Vector256<float> cz = Vector256.Create(z[6 * stride]);
+        float* originX = rays->Origin + (RayBlock.Size * MinorX(major));
+        float* originY = rays->Origin + (RayBlock.Size * MinorY(major));
+        float* originZ = rays->Origin + (RayBlock.Size * major);
+        ulong candidates = 0;
+        ulong certain = 0;
+        for (int lane = 0; lane < RayBlock.Size; lane += 8)
+        {
+            if ((set >> lane & 0xff) != 0)
+            {
+                uint hits = TriangleTest<RayLanes>.Candidates<TSearch>(ax, bx, cx, ay, by, cy, az, bz, cz, originX, originY, originZ, rays, lane, out uint sure);
+                candidates |= (ulong)hits << lane;
+                certain |= (ulong)sure << lane;
+            }
+        }
+
+        ulong changed = certain & set;
+        candidates &= set & ~certain;
+        while (candidates != 0)
+        {
+            int lane = BitOperations.TrailingZeroCount(candidates) & ~7;
+            ulong eight = 0xfful << lane;
+            int number = ((int*)rows)[(9 * count) + triangle];
+            changed |= (ulong)Update<TSearch>(rows + triangle, count, number, rays, lane, major, (uint)((candidates & eight) >> lane)) << lane;
+            candidates &= ~eight;
+        }
+
+        return changed;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool Update<TSearch>(float* rows, int count, RayBlock* rays, int ray, int major)
+        where TSearch : ISearch
+    {
+        uint candidates = (2u << (count - 1)) - 1;
+        Vector256<float> distances = TriangleTest<TriangleLanes>.Distance(rows, count, rays, ray, major);
         float distance = rays->Distance[ray];
+        Vector256<float> near = Vector256.GreaterThan(distances, Vector256<float>.Zero);
+        if (TSearch.EndsAtAnyHit)
+        {
+            return (Lanes8.Bits(near & Vector256.LessThan(distances, Vector256.Create(distance))) & candidates) != 0;
+        }
+
+        uint hits = Lanes8.Bits(near & Vector256.LessThanOrEqual(distances, Vector256.Create(distance))) & candidates;
+        int* numbers = (int*)rows + (9 * count);
         int primitive = rays->Primitive[ray];
         int before = primitive;
         for (; hits != 0; hits &= hits - 1)
         {
             int lane = BitOperations.TrailingZeroCount(hits);
-            float candidate = t[lane];
+            float candidate = distances[lane];
+
+            // With no hit yet the primitive is −1, and a hit at the limit does not count.
             if (candidate < distance || (candidate == distance && numbers[lane] < primitive))
             {
                 distance = candidate;
@@ -176,5 +170,26 @@ internal static unsafe class TriangleLeaf
         rays->Distance[ray] = distance;
         rays->Primitive[ray] = primitive;
         return primitive != before;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static uint Update<TSearch>(float* rows, int count, int number, RayBlock* rays, int lane, int major, uint candidates)
+        where TSearch : ISearch
+    {
+        Vector256<float> distances = TriangleTest<RayLanes>.Distance(rows, count, rays, lane, major);
+        Vector256<float> limits = Vector256.Load(rays->Distance + lane);
+        Vector256<float> near = Vector256.GreaterThan(distances, Vector256<float>.Zero);
+        Vector256<float> nearer = Vector256.LessThan(distances, limits);
+        if (TSearch.EndsAtAnyHit)
+        {
+            return Lanes8.Bits(near & nearer) & candidates;
+        }
+
+        Vector256<int> primitives = Vector256.Load(rays->Primitive + lane);
+        Vector256<int> numbers = Vector256.Create(number);
+        Vector256<float> hit = near & (nearer | (Vector256.Equals(distances, limits) & Vector256.LessThan(numbers, primitives).AsSingle())) & Lanes8.FromBits(candidates);
+        Vector256.ConditionalSelect(hit, distances, limits).Store(rays->Distance + lane);
+        Vector256.ConditionalSelect(hit.AsInt32(), numbers, primitives).Store(rays->Primitive + lane);
+        return Lanes8.Bits(hit);
     }
 }

@@ -30,7 +30,7 @@ internal static unsafe class BruteForce
                     if (triangles.TryGetBounds(triangle, out _))
                     {
                         Pack(mesh, triangle, rows);
-                        TriangleLeaf.Intersect<ClosestSearch>(rows, BvhNode.LeafReference(0, 1), one, 0);
+                        TriangleLeaf.Intersect<ClosestSearch>(rows, 1, one, 0, one->Major[0]);
                     }
                 }
 
