@@ -41,7 +41,7 @@ public static class SceneLoader
         Scene? scene = null;
         if (!diagnostics.Exists(d => d.Line == 0))
         {
-            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load);
+            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load, new ModelFolder(folder).Load);
             scene = builder.Build(description);
             diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read)));
         }

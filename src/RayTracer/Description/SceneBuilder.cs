@@ -20,7 +20,10 @@ public sealed record SceneComplaint(object Subject, string? Property, string Mes
 /// Loads the picture file of the given path (first argument, as in the scene file), decoded from sRGB unless the second
 /// argument says that its numbers are to be taken raw. May throw <see cref="PictureException"/>.
 /// </param>
-public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture)
+/// <param name="loadModel">
+/// Loads the model file of the given path, as in the scene file. May throw <see cref="ModelException"/>. Without it, no model can be read.
+/// </param>
+public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<string, ImportedModel>? loadModel = null)
 {
     private readonly Dictionary<object, object> _built = new(ReferenceEqualityComparer.Instance);
     private readonly List<SceneComplaint> _complaints = [];
@@ -57,6 +60,20 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture)
         {
             Error(subject, property, e.Message);
             return new Picture(1, 1, [0.5f, 0.5f, 0.5f]);
+        }
+    }
+
+    /// <summary>Loads the model that a property of a record names; reports an error and returns null if it cannot be read.</summary>
+    public ImportedModel? Model(object subject, string property, string path)
+    {
+        try
+        {
+            return (loadModel ?? throw new ModelException("there is nothing that reads model files here"))(path);
+        }
+        catch (ModelException e)
+        {
+            Error(subject, property, e.Message);
+            return null;
         }
     }
 
