@@ -15,6 +15,9 @@ public abstract class LightSource(int instance, int primitive)
     /// <summary>The light's number among the scene's primitives, which casts no shadow of this light; −1 where there is none such.</summary>
     public int Primitive => primitive;
 
+    /// <summary>The light's number among the shapes of the world itself; −1 where it is none of them.</summary>
+    internal int OwnPrimitive { get; } = instance == 0 ? primitive : -1;
+
     /// <summary>Chooses a point of the light for each lit point.</summary>
     /// <param name="from">The lit points.</param>
     /// <param name="u">First random number.</param>

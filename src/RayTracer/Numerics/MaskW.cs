@@ -48,19 +48,6 @@ public readonly struct MaskW
         get => Bits != 0;
     }
 
-    /// <summary>The lanes whose bits are set.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static MaskW FromBits(uint bits)
-    {
-        Span<int> set = stackalloc int[Vector<int>.Count];
-        for (int i = 0; i < set.Length; i++)
-        {
-            set[i] = (int)(bits >> i & 1);
-        }
-
-        return new(Vector.Equals(new Vector<int>(set), Vector<int>.One));
-    }
-
     /// <summary>True in the first <paramref name="n"/> lanes (all of them where there are no more).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static MaskW First(int n) => new(Vector.LessThan(Vector.CreateSequence(0, 1), new Vector<int>(n)));

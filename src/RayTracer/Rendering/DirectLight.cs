@@ -9,7 +9,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Rendering;
 
 /// <summary>Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4).</summary>
-internal sealed class DirectLight(Scene scene)
+internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
 {
     // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
@@ -20,7 +20,7 @@ internal sealed class DirectLight(Scene scene)
 
     public long ShadowRays { get; private set; }
 
-    /// <summary>Adds the light of all sources to the radiance of a packet.</summary>
+    /// <summary>Adds the light of all sources to the radiance of a packet, or has its shadow rays wait in the queue.</summary>
     /// <param name="surface">The lit points.</param>
     /// <param name="isSmoothed">Whether the points are shaded with another normal than the surface's own.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
@@ -33,6 +33,7 @@ internal sealed class DirectLight(Scene scene)
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
         Vec3W origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point);
         RgbW arriving = default;
+        queue?.Begin(weight);
         for (int first = 0; first < _lights.Length; first += Batch)
         {
             int count = Math.Min(Batch, _lights.Length - first);
@@ -57,22 +58,21 @@ internal sealed class DirectLight(Scene scene)
                 if (wanted != 0)
                 {
                     ShadowRays += BitOperations.PopCount(wanted);
-                    Occlude(origin, sample, _lights[first + i], time, ref free);
+                    scene.Primitives.Occlude(origin, sample.Direction, sample.Distance, _lights[first + i].OwnPrimitive, ref free);
+                    if (queue is not null)
+                    {
+                        queue.Add(free.Bits, origin, sample, time, first + i, _radiance[i], cosine);
+                        continue;
+                    }
+
                     arriving = RgbW.MultiplyAdd(_radiance[i], free.Select(cosine, 0f), arriving);
                 }
             }
         }
 
-        radiance = RgbW.MultiplyAdd(weight, arriving, radiance);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Occlude(in Vec3W origin, in ShapeSampleW sample, LightSource light, in FloatW time, ref MaskW free)
-    {
-        scene.Primitives.Occlude(origin, sample.Direction, sample.Distance, light.Instance == 0 ? light.Primitive : -1, ref free);
-        if (!scene.World.IsPlain && free.Any)
+        if (queue is null)
         {
-            scene.World.Occlude(origin, sample.Direction, sample.Distance, time, light.Instance, light.Primitive, ref free);
+            radiance = RgbW.MultiplyAdd(weight, arriving, radiance);
         }
     }
 }

@@ -11,9 +11,9 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface (report, listing 6.3): emission, ambient light, light from the sources, and
 /// the choice of the next ray.
 /// </summary>
-internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
+internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, ShadowQueue? queue)
 {
-    private readonly DirectLight _directLight = new(scene);
+    private readonly DirectLight _directLight = new(scene, queue);
     private readonly VertexSamples _vertex = new(scene.Sampler);
     private RayGenerator _generator = null!;
     private SampleRange _samples;
@@ -57,6 +57,9 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
             ShadePacket(group, stream, next, members + i, MaskW.First(count - i));
         }
     }
+
+    /// <summary>Adds what waits to the paths that went on to the next stream, or ended.</summary>
+    public void Flush(PathStream next) => queue?.Flush(finished, next);
 
     private static void Describe(ShadingGroup group, PathStream stream, uint* index, out SurfaceW surface)
     {
@@ -138,6 +141,11 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         if (group.IsLit)
         {
             material.Brdf(surface, out RgbW brdf);
+            if (queue is { IsFull: true })
+            {
+                queue.Flush(finished, next);
+            }
+
             _directLight.Add(surface, group.HasShadingNormals, _vertex, time, active, throughput * brdf, ref radiance);
         }
 
@@ -156,12 +164,17 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         }
 
         uint ended = active.Except(alive).Bits;
+        uint going = alive.Bits;
+        if (queue is not null && group.IsLit)
+        {
+            queue.End(ended, finished.Count, going, next.Count);
+        }
+
         if (ended != 0)
         {
             finished.Append(ended, radiance, path);
         }
 
-        uint going = alive.Bits;
         if (going != 0)
         {
             UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);

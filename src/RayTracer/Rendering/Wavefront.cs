@@ -32,7 +32,7 @@ internal sealed unsafe class Wavefront
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
         _finished = new(streamSize, _accumulator);
-        _shader = new(scene, _finished);
+        _shader = new(scene, _finished, scene.World.IsPlain || scene.Lights.Count == 0 ? null : new(scene));
         _hits = new(scene.World.IsPlain ? 1 : streamSize + 16);
         _memberCounts = new int[scene.Groups.Length + 1];
         _membersStride = streamSize + (2 * FloatW.Count);
@@ -137,5 +137,7 @@ internal sealed unsafe class Wavefront
                 _shader.Shade(_scene.Groups[group], _current, _next, members, count);
             }
         }
+
+        _shader.Flush(_next);
     }
 }
