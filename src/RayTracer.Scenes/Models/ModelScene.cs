@@ -53,9 +53,9 @@ internal static class ModelScene
             {
                 Center = center + (new Vector3(-2.5f, 4, 3) * radius),
                 Radius = radius,
-                Material = new LuminaireMaterialDescription { Multiplier = 16 },
+                Material = new LuminaireMaterialDescription { Multiplier = 30 },
             };
-            scene = scene with { Lights = [lamp], Background = new(0.35f, 0.4f, 0.5f) };
+            scene = scene with { Lights = [lamp], Background = new(0.2f, 0.23f, 0.28f) };
             say($"there is no light in the file: a lamp at {Text(lamp.Center)} and a grey sky were made up");
         }
 

@@ -63,6 +63,9 @@ internal sealed unsafe class InstanceTable
     /// <summary>Whether any instance moves while the shutter is open.</summary>
     public bool Moves => _motions.Length > 0;
 
+    /// <summary>Memory of the tree over the instances.</summary>
+    public long TreeBytes => _tree.MemoryBytes;
+
     /// <summary>Memory of the instances, without that of what they show.</summary>
     public long MemoryBytes => ((long)Stride * sizeof(float) * Count) + (_smallSpaces?.Length * 2L ?? _spaces!.Length * 4L) + (8L * _motions.Length) + _tree.MemoryBytes;
 

@@ -26,6 +26,13 @@ internal sealed unsafe class World
 
         Itself = Spaces[0];
         Instances = contents.Instances.Count > 0 ? new(contents.Instances, Spaces[1..], shutter) : null;
+
+        // The table has them all now, in less memory.
+        foreach (SpaceContents space in all)
+        {
+            space.Instances.Clear();
+            space.Instances.TrimExcess();
+        }
     }
 
     /// <summary>Number of primitives, each counted once however many instances show it; as a primitive number, it means that nothing was hit.</summary>

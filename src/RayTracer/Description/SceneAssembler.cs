@@ -152,6 +152,12 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             builder.Error(description, null, "the area of this light is too large a number to compute with");
         }
 
+        if (shape.Bounds.IsFinite && !shape.Bounds.Transformed(place).IsFinite)
+        {
+            builder.Error(description, nameof(ShapeDescription.Transform), "the transform moves the shape to numbers too large to compute with");
+            return;
+        }
+
         if (place.IsIdentity)
         {
             target.Shapes.Add(shape);

@@ -13,6 +13,7 @@ public readonly record struct Transform(TransformRow X, TransformRow Y, Transfor
 {
     // How far from an exact similarity a map may be: what angles in single precision leave.
     private const double Tolerance = 1e-6;
+    private const double Limit = 1e30;
 
     /// <summary>The map that moves nothing.</summary>
     public static Transform Identity { get; } = Scaling(Vector3.One);
@@ -24,8 +25,11 @@ public readonly record struct Transform(TransformRow X, TransformRow Y, Transfor
     public double Determinant =>
         (X.A * ((Y.B * Z.C) - (Y.C * Z.B))) + (X.B * ((Y.C * Z.A) - (Y.A * Z.C))) + (X.C * ((Y.A * Z.B) - (Y.B * Z.A)));
 
-    /// <summary>Whether all numbers are finite and the map can be undone.</summary>
-    public bool IsInvertible => double.IsFinite(X.Sum + Y.Sum + Z.Sum) && double.IsNormal(Determinant) && double.IsFinite(1 / Determinant);
+    /// <summary>Whether the map can be undone, and neither it nor what undoes it has numbers too large for single precision.</summary>
+    public bool IsInvertible => IsModest && double.IsNormal(Determinant) && double.IsNormal(1 / Determinant) && Inverse().IsModest;
+
+    // Comparisons with NaN are false.
+    private bool IsModest => X.Largest < Limit && Y.Largest < Limit && Z.Largest < Limit;
 
     /// <summary>Factors along the axes.</summary>
     public static Transform Scaling(Vector3 factors) => new(new(factors.X, 0, 0, 0), new(0, factors.Y, 0, 0), new(0, 0, factors.Z, 0));
@@ -109,7 +113,7 @@ public readonly record struct Transform(TransformRow X, TransformRow Y, Transfor
 /// <param name="D">What is added.</param>
 public readonly record struct TransformRow(double A, double B, double C, double D)
 {
-    internal double Sum => A + B + C + D;
+    internal double Largest => double.Abs(A) + double.Abs(B) + double.Abs(C) + double.Abs(D);
 
     internal double Dot(Vector3 v) => (A * v.X) + (B * v.Y) + (C * v.Z);
 
