@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Numerics;
 using RayTracer.Numerics;
+using RayTracer.Shapes;
 
 namespace RayTracer.Scenes;
 
@@ -39,6 +40,37 @@ internal sealed class NumberReader(DiagnosticBag bag)
 
     public object? Vector3(RecordParameter parameter, JsonNode node) =>
         Elements(parameter.Key, node, 3, parameter) is { } v ? new Vector3(v[0], v[1], v[2]) : null;
+
+    /// <summary>Reads three whole numbers.</summary>
+    public TriangleIndices? Triangle(string key, JsonNode node)
+    {
+        if (Elements(key, node, 3) is null)
+        {
+            return null;
+        }
+
+        int?[] corners = [.. node.Items.Select(i => WholeNumber(key, i))];
+        return corners.Contains(null) ? null : new(corners[0]!.Value, corners[1]!.Value, corners[2]!.Value);
+    }
+
+    /// <summary>Reads an element of a list of whole numbers.</summary>
+    public int? WholeNumber(string key, JsonNode node)
+    {
+        if (node.Kind != JsonKind.Number)
+        {
+            bag.Expected(node, "a whole number", key);
+            return null;
+        }
+
+        double value = double.Parse(node.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
+        if (value != Math.Floor(value) || Math.Abs(value) > int.MaxValue)
+        {
+            bag.Error(node, $"expected a whole number for {Quotation.Of(key)}, but found {Quotation.Short(node.Text)}");
+            return null;
+        }
+
+        return (int)value;
+    }
 
     /// <summary>Reads a colour.</summary>
     /// <param name="key">What the colour is for, in messages.</param>

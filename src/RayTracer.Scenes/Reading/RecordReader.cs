@@ -1,3 +1,5 @@
+using System.Collections;
+using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Textures;
 
@@ -14,6 +16,7 @@ internal sealed class RecordReader
     private readonly NumberReader _numbers;
     private readonly NamedThings<TextureDescription> _textures;
     private readonly NamedThings<MaterialDescription> _materials;
+    private readonly NamedThings<ShapeDescription> _objects;
     private int _nesting;
 
     private RecordReader(DiagnosticBag bag, SourceMap map, JsonNode root)
@@ -23,6 +26,7 @@ internal sealed class RecordReader
         _numbers = new(bag);
         _textures = new("texture", bag, root.Find("textures"), NamedTexture);
         _materials = new("material", bag, root.Find("materials"), m => Material(m.Key, m.Value));
+        _objects = new("object", bag, root.Find("objects"), m => Shape(m.Key, m.Value));
     }
 
     /// <summary>Reads a scene. Values with errors keep their defaults, and their records are marked as incomplete.</summary>
@@ -107,14 +111,30 @@ internal sealed class RecordReader
                 return Texture(parameter, node);
             case ParameterKind.Material:
                 return Material(parameter.Key, node);
+            case ParameterKind.Materials:
+                return List(parameter.Key, node, "materials", item => Material(parameter.Key, item));
             case ParameterKind.Shape:
-                return Inline(node, SceneTypes.Shapes, parameter.Key);
+                return Shape(parameter.Key, node);
             case ParameterKind.Shapes:
-                return Shapes(parameter, node);
+                return List(parameter.Key, node, "shapes", item => (ShapeDescription?)Inline(item, SceneTypes.Shapes, parameter.Key));
             case ParameterKind.Record:
                 return Is(node, JsonKind.Object, "an object { … }", parameter.Key) ? Record(node, RecordType.Of(parameter.ValueType)) : null;
+            case ParameterKind.Records:
+                return Records(parameter, node);
+            case ParameterKind.Numbers:
+                return List(parameter.Key, node, "numbers", item => (float?)_numbers.Number(parameter, item));
+            case ParameterKind.Integers:
+                return List(parameter.Key, node, "whole numbers", item => _numbers.WholeNumber(parameter.Key, item));
+            case ParameterKind.Vector2s:
+                return List(parameter.Key, node, "pairs of numbers", item => (Vector2?)_numbers.Vector2(parameter, item));
+            case ParameterKind.Vector3s:
+                return List(parameter.Key, node, "triples of numbers", item => (Vector3?)_numbers.Vector3(parameter, item));
+            case ParameterKind.Triangles:
+                return List(parameter.Key, node, "triples of whole numbers", item => _numbers.Triangle(parameter.Key, item));
             case ParameterKind.NamedTextures:
                 return Is(node, JsonKind.Object, "an object { … }", parameter.Key) ? _textures.All() : null;
+            case ParameterKind.NamedShapes:
+                return Is(node, JsonKind.Object, "an object { … }", parameter.Key) ? _objects.All() : null;
             default:
                 return Is(node, JsonKind.Object, "an object { … }", parameter.Key) ? _materials.All() : null;
         }
@@ -165,23 +185,49 @@ internal sealed class RecordReader
         return null;
     }
 
-    private List<ShapeDescription>? Shapes(RecordParameter parameter, JsonNode node)
+    // A list of those elements that could be read.
+    private List<T>? List<T>(string key, JsonNode node, string things, Func<JsonNode, T?> read)
+        where T : class => Is(node, JsonKind.Array, $"a list [ … ] of {things}", key) ? [.. node.Items.Select(read).OfType<T>()] : null;
+
+    private List<T>? List<T>(string key, JsonNode node, string things, Func<JsonNode, T?> read)
+        where T : struct => Is(node, JsonKind.Array, $"a list [ … ] of {things}", key) ? [.. node.Items.Select(read).OfType<T>()] : null;
+
+    private IList? Records(RecordParameter parameter, JsonNode node)
     {
-        if (!Is(node, JsonKind.Array, "a list [ … ] of shapes", parameter.Key))
+        if (!Is(node, JsonKind.Array, "a list [ … ] of objects { … }", parameter.Key))
         {
             return null;
         }
 
-        List<ShapeDescription> shapes = [];
-        foreach (JsonNode item in node.Items)
+        var records = (IList)Activator.CreateInstance(typeof(List<>).MakeGenericType(parameter.RecordType!))!;
+        foreach (JsonNode item in node.Items.Where(i => Is(i, JsonKind.Object, "an object { … }", parameter.Key)))
         {
-            if (Inline(item, SceneTypes.Shapes, parameter.Key) is ShapeDescription shape)
-            {
-                shapes.Add(shape);
-            }
+            records.Add(Record(item, RecordType.Of(parameter.RecordType!)));
         }
 
-        return shapes;
+        return records;
+    }
+
+    private ShapeDescription? Shape(string key, JsonNode node)
+    {
+        if (node.Kind == JsonKind.String)
+        {
+            if (_objects.Defines(node.Text))
+            {
+                return _objects.Find(node.Text, node);
+            }
+
+            _bag.Unknown(node.Start, $"unknown object {Quotation.Of(node.Text)}", node.Text, _objects.Names, "");
+            return null;
+        }
+
+        if (node.Kind == JsonKind.Object)
+        {
+            return (ShapeDescription?)Inline(node, SceneTypes.Shapes, key);
+        }
+
+        _bag.Expected(node, "a shape { \"type\": … } or the name of an object", key);
+        return null;
     }
 
     // Reads { "type": …, … }.

@@ -8,16 +8,21 @@ namespace RayTracer.Scenes;
 /// <summary>Reads a scene file and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
 public static class SceneLoader
 {
-    /// <summary>Loads a scene.</summary>
-    /// <param name="path">The scene file's path, by which diagnostics call it too; pictures are looked for from its folder.</param>
+    /// <summary>Loads a scene, or a model, which gets a camera and light where it has none.</summary>
+    /// <param name="path">The file's path, by which diagnostics call it too; pictures are looked for from its folder.</param>
     /// <param name="overrides">Changes the description before the scene is built, as options of a command line do.</param>
     /// <param name="readPicture">
     /// Reads the picture file of a path, decoded from sRGB unless the second argument says that its numbers are to be
     /// taken raw; may throw <see cref="PictureException"/>. By default <see cref="ImageFile.Read"/>.
     /// </param>
     public static SceneLoadResult Load(
-        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null) =>
-        Build(SceneReader.Read(path), Path.GetDirectoryName(path) ?? "", overrides, readPicture);
+        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null)
+    {
+        string folder = Path.GetDirectoryName(path) ?? "";
+        ModelFolder models = new(folder);
+        SceneReadResult read = ModelFile.IsModel(path) ? ModelScene.Read(path, models) : SceneReader.Read(path);
+        return Build(read, folder, models, overrides, readPicture);
+    }
 
     /// <summary>Builds the scene of a description that has been read.</summary>
     /// <param name="read">What was read.</param>
@@ -25,7 +30,11 @@ public static class SceneLoader
     /// <param name="overrides">As for <see cref="Load"/>.</param>
     /// <param name="readPicture">As for <see cref="Load"/>.</param>
     public static SceneLoadResult Build(
-        SceneReadResult read, string folder, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null)
+        SceneReadResult read, string folder, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null) =>
+        Build(read, folder, new(folder), overrides, readPicture);
+
+    private static SceneLoadResult Build(
+        SceneReadResult read, string folder, ModelFolder models, Func<SceneDescription, SceneDescription>? overrides, Func<string, bool, Picture>? readPicture)
     {
         if (read.Partial is not { } description)
         {
@@ -39,9 +48,9 @@ public static class SceneLoader
         }
 
         Scene? scene = null;
-        if (!diagnostics.Exists(d => d.Line == 0))
+        if (!diagnostics.Exists(d => d.Line == 0 && d.Severity == Severity.Error))
         {
-            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load);
+            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load, models.Load);
             scene = builder.Build(description);
             diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read)));
         }

@@ -52,6 +52,8 @@ public static class SceneReference
           the lower left corner of a picture, u grows to the right, v upwards. No texture can have the name of a CSS colour.
         - **Materials** are written in place, `{ "type": … }`, or by their names under `materials`. Definitions may stand in
           any order and refer to each other, but not in a circle. Things may be nested 16 deep.
+        - **Objects** are shapes under a name in `objects`. Any number of instances show them at other places, and all share
+          the memory of one. An object may be made of instances of others.
         - **Files** are looked for from the folder of the scene file.
 
         """;
@@ -109,8 +111,16 @@ public static class SceneReference
         ParameterKind.Color => "colour",
         ParameterKind.Texture => "[texture](#textures)",
         ParameterKind.Material => "[material](#materials)",
+        ParameterKind.Materials => "list of [materials](#materials)",
         ParameterKind.Shape => "[shape](#shapes)",
         ParameterKind.Shapes => "list of [shapes](#shapes)",
+        ParameterKind.Records => $"list of [{RecordType.Of(parameter.RecordType!).Name}s](#{RecordType.Of(parameter.RecordType!).Name})",
+        ParameterKind.Numbers => "list of numbers",
+        ParameterKind.Integers => "list of whole numbers",
+        ParameterKind.Vector2s => "list of [number, number]",
+        ParameterKind.Vector3s => "list of [number, number, number]",
+        ParameterKind.Triangles => "list of three whole numbers",
+        ParameterKind.NamedShapes => "object: names and [shapes](#shapes)",
         ParameterKind.NamedTextures => "object: names and [textures](#textures)",
         ParameterKind.NamedMaterials => "object: names and [materials](#materials)",
         _ => $"[{RecordType.Of(parameter.ValueType).Name}](#{RecordType.Of(parameter.ValueType).Name})",

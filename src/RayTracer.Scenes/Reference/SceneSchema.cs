@@ -15,6 +15,12 @@ public static class SceneSchema
     public static string Generate()
     {
         JsonObject definitions = new() { ["color"] = Color(), ["texture"] = Texture(), ["material"] = Material(), ["shape"] = OneOf(SceneTypes.Shapes) };
+        foreach (RecordType listed in SceneTypes.Families.SelectMany(f => f.Types).Concat(SceneTypes.Parts)
+            .SelectMany(t => t.Parameters).Where(p => p.Kind == ParameterKind.Records).Select(p => RecordType.Of(p.RecordType!)).Distinct())
+        {
+            definitions[listed.Name] = Record(listed);
+        }
+
         foreach (TypeFamily family in SceneTypes.Families)
         {
             foreach (RecordType type in family.Types)
@@ -104,7 +110,7 @@ public static class SceneSchema
             json[key] = value?.DeepClone();
         }
 
-        if (!parameter.Required && parameter.Default is { } standard && parameter.Kind is not (ParameterKind.Shapes or ParameterKind.NamedMaterials or ParameterKind.NamedTextures))
+        if (!parameter.Required && parameter.Default is { } standard && standard is not System.Collections.ICollection)
         {
             json["default"] = Json.Parse(SceneWriter.WriteValue(standard));
         }
@@ -125,12 +131,22 @@ public static class SceneSchema
         ParameterKind.Color => Reference("color"),
         ParameterKind.Texture => Reference("texture"),
         ParameterKind.Material => Reference("material"),
-        ParameterKind.Shape => Reference("shape"),
-        ParameterKind.Shapes => new() { ["type"] = "array", ["items"] = Reference("shape") },
+        ParameterKind.Materials => List(Reference("material")),
+        ParameterKind.Shape => new() { ["anyOf"] = new JsonArray(new JsonObject { ["type"] = "string" }, Reference("shape")) },
+        ParameterKind.Shapes => List(Reference("shape")),
+        ParameterKind.Records => List(Reference(RecordType.Of(parameter.RecordType!).Name)),
+        ParameterKind.Numbers => List(Number("number", parameter)),
+        ParameterKind.Integers => List(new() { ["type"] = "integer" }),
+        ParameterKind.Vector2s => List(Numbers(2, Number("number", parameter))),
+        ParameterKind.Vector3s => List(Numbers(3, Number("number", parameter))),
+        ParameterKind.Triangles => List(new() { ["type"] = "array", ["items"] = new JsonObject { ["type"] = "integer" }, ["minItems"] = 3, ["maxItems"] = 3 }),
+        ParameterKind.NamedShapes => new() { ["type"] = "object", ["additionalProperties"] = new JsonObject { ["anyOf"] = new JsonArray(new JsonObject { ["type"] = "string" }, Reference("shape")) } },
         ParameterKind.NamedTextures => new() { ["type"] = "object", ["additionalProperties"] = Reference("texture") },
         ParameterKind.NamedMaterials => new() { ["type"] = "object", ["additionalProperties"] = Reference("material") },
         _ => Record(RecordType.Of(parameter.ValueType)),
     };
+
+    private static JsonObject List(JsonObject item) => new() { ["type"] = "array", ["items"] = item };
 
     private static JsonObject Number(string type, RecordParameter parameter)
     {

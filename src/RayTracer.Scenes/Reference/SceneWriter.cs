@@ -3,6 +3,7 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using RayTracer.Description;
 using RayTracer.Numerics;
+using RayTracer.Shapes;
 using RayTracer.Textures;
 using Json = System.Text.Json.Nodes.JsonNode;
 
@@ -24,7 +25,8 @@ public sealed class SceneWriter
     public static string Write(SceneDescription scene)
     {
         SceneWriter writer = new();
-        foreach ((string name, object thing) in scene.Textures.Select(t => (t.Key, (object)t.Value)).Concat(scene.Materials.Select(m => (m.Key, (object)m.Value))))
+        foreach ((string name, object thing) in scene.Textures.Select(t => (t.Key, (object)t.Value)).Concat(scene.Materials.Select(m => (m.Key, (object)m.Value)))
+            .Concat(scene.Objects.Select(o => (o.Key, (object)o.Value))))
         {
             writer._names.TryAdd(thing, name);
         }
@@ -75,6 +77,15 @@ public sealed class SceneWriter
         Rgb c => new JsonArray(Number(c.R), Number(c.G), Number(c.B)),
         IReadOnlyDictionary<string, TextureDescription> textures => Named(textures),
         IReadOnlyDictionary<string, MaterialDescription> materials => Named(materials),
+        IReadOnlyDictionary<string, ShapeDescription> objects => Named(objects),
+        IEnumerable<float> numbers => new JsonArray([.. numbers.Select(n => Number(n))]),
+        IEnumerable<int> numbers => new JsonArray([.. numbers.Select(n => (Json?)n)]),
+        IEnumerable<Vector2> vectors => new JsonArray([.. vectors.Select(v => Value(v))]),
+        IEnumerable<Vector3> vectors => new JsonArray([.. vectors.Select(v => Value(v))]),
+        IEnumerable<TriangleIndices> triangles => new JsonArray([.. triangles.Select(t => new JsonArray(t.A, t.B, t.C))]),
+        IEnumerable<MaterialDescription> materials => new JsonArray([.. materials.Select(Value)]),
+        IEnumerable<TransformDescription> steps => new JsonArray([.. steps.Select(s => Inline(s))]),
+        IEnumerable<KeyframeDescription> frames => new JsonArray([.. frames.Select(f => Inline(f))]),
         IEnumerable<ShapeDescription> shapes => new JsonArray([.. shapes.Select(s => Inline(s))]),
         _ => _names.TryGetValue(value, out string? name) ? name : Inline(value),
     };

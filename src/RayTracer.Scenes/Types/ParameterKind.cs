@@ -36,7 +36,10 @@ public enum ParameterKind
     /// <summary>A material or a material's name.</summary>
     Material,
 
-    /// <summary>A shape.</summary>
+    /// <summary>A list of materials or their names.</summary>
+    Materials,
+
+    /// <summary>A shape or the name of an object.</summary>
     Shape,
 
     /// <summary>A list of shapes.</summary>
@@ -45,9 +48,30 @@ public enum ParameterKind
     /// <summary>An object of parameters.</summary>
     Record,
 
+    /// <summary>A list of objects of parameters.</summary>
+    Records,
+
+    /// <summary>A list of numbers.</summary>
+    Numbers,
+
+    /// <summary>A list of whole numbers.</summary>
+    Integers,
+
+    /// <summary>A list of pairs of numbers.</summary>
+    Vector2s,
+
+    /// <summary>A list of triples of numbers.</summary>
+    Vector3s,
+
+    /// <summary>A list of triples of whole numbers.</summary>
+    Triangles,
+
     /// <summary>Textures by their names.</summary>
     NamedTextures,
 
     /// <summary>Materials by their names.</summary>
     NamedMaterials,
+
+    /// <summary>Shapes by their names.</summary>
+    NamedShapes,
 }

@@ -3,6 +3,7 @@ using System.Reflection;
 using System.Text.Json;
 using RayTracer.Description;
 using RayTracer.Numerics;
+using RayTracer.Shapes;
 using RayTracer.Textures;
 
 namespace RayTracer.Scenes;
@@ -20,6 +21,12 @@ public sealed class RecordParameter
         Key = JsonNamingPolicy.CamelCase.ConvertName(property.Name);
         ValueType = Nullable.GetUnderlyingType(property.PropertyType) ?? property.PropertyType;
         Kind = KindOf(ValueType, attribute.IsFile);
+        RecordType = Kind switch
+        {
+            ParameterKind.Record => ValueType,
+            ParameterKind.Records => ValueType.GetGenericArguments()[0],
+            _ => null,
+        };
         Choices = Kind == ParameterKind.Choice ? [.. Enum.GetNames(ValueType).Select(JsonNamingPolicy.CamelCase.ConvertName)] : [];
         Default = property.GetValue(defaults);
     }
@@ -53,6 +60,9 @@ public sealed class RecordParameter
 
     /// <summary>The C# type of the value, without the question mark of one that may be missing.</summary>
     public Type ValueType { get; }
+
+    /// <summary>The C# type of the record, or of each record of the list; null for other values.</summary>
+    public Type? RecordType { get; }
 
     /// <summary>The value that a new record has; null where it may be missing.</summary>
     public object? Default { get; }
@@ -127,7 +137,7 @@ public sealed class RecordParameter
     };
 
     // Each texture once, however many paths lead to it: there may be exponentially many.
-    private static IEnumerable<object> WithParts(object texture, HashSet<object> seen) => !seen.Add(texture) ? [] : RecordType.Of(texture.GetType()).Parameters
+    private static IEnumerable<object> WithParts(object texture, HashSet<object> seen) => !seen.Add(texture) ? [] : Scenes.RecordType.Of(texture.GetType()).Parameters
         .Where(p => p.Kind == ParameterKind.Texture)
         .SelectMany(p => WithParts(p.Get(texture)!, seen))
         .Prepend(texture);
@@ -154,8 +164,18 @@ public sealed class RecordParameter
             _ when type == typeof(IReadOnlyList<ShapeDescription>) => ParameterKind.Shapes,
             _ when type == typeof(IReadOnlyDictionary<string, TextureDescription>) => ParameterKind.NamedTextures,
             _ when type == typeof(IReadOnlyDictionary<string, MaterialDescription>) => ParameterKind.NamedMaterials,
-            _ when type.GetProperties().Any(p => p.IsDefined(typeof(ParameterAttribute))) => ParameterKind.Record,
+            _ when type == typeof(IReadOnlyDictionary<string, ShapeDescription>) => ParameterKind.NamedShapes,
+            _ when type == typeof(IReadOnlyList<MaterialDescription>) => ParameterKind.Materials,
+            _ when type == typeof(IReadOnlyList<float>) => ParameterKind.Numbers,
+            _ when type == typeof(IReadOnlyList<int>) => ParameterKind.Integers,
+            _ when type == typeof(IReadOnlyList<Vector2>) => ParameterKind.Vector2s,
+            _ when type == typeof(IReadOnlyList<Vector3>) => ParameterKind.Vector3s,
+            _ when type == typeof(IReadOnlyList<TriangleIndices>) => ParameterKind.Triangles,
+            { IsGenericType: true } when type.GetGenericTypeDefinition() == typeof(IReadOnlyList<>) && HasParameters(type.GetGenericArguments()[0]) => ParameterKind.Records,
+            _ when HasParameters(type) => ParameterKind.Record,
             _ => throw new NotSupportedException($"Scene files have no form for a parameter of type {type}."),
         };
     }
+
+    private static bool HasParameters(Type type) => type.GetProperties().Any(p => p.IsDefined(typeof(ParameterAttribute)));
 }

@@ -35,7 +35,7 @@ public static class SceneTypes
         .OrderBy(t => t.Name, StringComparer.Ordinal)]);
 
     private static IEnumerable<RecordType> WithParts(RecordType type) => type.Parameters
-        .Where(p => p.Kind == ParameterKind.Record)
-        .SelectMany(p => WithParts(RecordType.Of(p.ValueType)))
+        .Where(p => p.RecordType is not null)
+        .SelectMany(p => WithParts(RecordType.Of(p.RecordType!)))
         .Prepend(type);
 }

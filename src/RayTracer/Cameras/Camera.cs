@@ -1,5 +1,6 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
+using RayTracer.Acceleration;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
@@ -17,8 +18,11 @@ public sealed class Camera
     private readonly Vector3 _up;
     private readonly LensDescription _lens;
 
-    private Camera(CameraDescription camera, Vector3 forward, Vector3 right, int width, int height)
+    private readonly Motion _motion;
+
+    private Camera(CameraDescription camera, Vector3 forward, Vector3 right, int width, int height, Motion motion)
     {
+        _motion = motion;
         _eye = camera.Position;
         _right = right;
         _up = right.Cross(forward);
@@ -42,6 +46,12 @@ public sealed class Camera
 
     /// <summary>Whether rays use the lens dimensions.</summary>
     public bool HasLens => _lens.Shape == LensShape.EyeJitter ? _lens.Jitter != Vector3.Zero : _lens.ApertureRadius > 0;
+
+    /// <summary>Whether the camera moves in time.</summary>
+    public bool Moves => !_motion.IsStill;
+
+    /// <summary>Whether the camera moves, or stands elsewhere than its position and target say.</summary>
+    internal bool IsPlaced => !ReferenceEquals(_motion, Motion.None);
 
     /// <summary>Makes the camera that a description describes; reports what is wrong with it and returns null.</summary>
     /// <param name="camera">The description.</param>
@@ -70,7 +80,21 @@ public sealed class Camera
             return null;
         }
 
-        return new Camera(camera, forward, right, width, height);
+        Motion motion = TransformSteps.Motion(camera, camera.Transform, camera.Motion, builder);
+        return new Camera(camera, forward, right, width, height, motion);
+    }
+
+    /// <summary>Takes rays to where the camera is.</summary>
+    /// <param name="time">Their times in seconds.</param>
+    /// <param name="origin">Where they start: in the camera's own space, then in the world.</param>
+    /// <param name="direction">Their unit directions: in the camera's own space, then in the world.</param>
+    internal unsafe void Place(in FloatW time, ref Vec3W origin, ref Vec3W direction)
+    {
+        float* memory = stackalloc float[InstanceMaps.Floats];
+        InstanceMaps maps = new(memory);
+        maps.Fill(_motion, time);
+        origin = maps.Point(origin);
+        direction = Vec3W.Normalize(maps.Vector(direction));
     }
 
     /// <summary>Rays through points of the picture.</summary>

@@ -44,4 +44,12 @@ public sealed record CameraDescription
     /// <summary>The lens.</summary>
     [Parameter("The lens, for depth of field. Without it the camera is a pinhole.")]
     public LensDescription Lens { get; init; } = new();
+
+    /// <summary>How the camera is moved from where its own numbers put it; empty where it is not.</summary>
+    [Parameter("How the camera is moved from where its numbers put it: steps, the first one applied first.")]
+    public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
+
+    /// <summary>How the camera moves in time, after its transform; empty where it rests.</summary>
+    [Parameter("How the camera moves in time, from where it stands otherwise: keyframes in the order of their times.")]
+    public IReadOnlyList<KeyframeDescription> Motion { get; init; } = [];
 }

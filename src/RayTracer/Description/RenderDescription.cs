@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace RayTracer.Description;
 
 /// <summary>How the samples of a pixel are placed.</summary>
@@ -56,6 +58,14 @@ public sealed record RenderDescription
     /// <summary>How sphere lights are sampled.</summary>
     [Parameter("How spheres that shine are sampled: within the cone in which they are seen, or over the whole surface as the report did (noisier).")]
     public SphereLightSampling SphereLightSampling { get; init; } = SphereLightSampling.Cone;
+
+    /// <summary>When the shutter opens and closes, in seconds.</summary>
+    [Parameter("When the shutter opens and closes: what moves in between is blurred. Equal times give a sharp picture of that instant.", Unit = "seconds")]
+    public Vector2 Shutter { get; init; }
+
+    /// <summary>Pictures a second of an animation.</summary>
+    [Parameter("Pictures a second of an animation. A single picture does not depend on it.", Unit = "1/second", Minimum = 0, MinimumIsExclusive = true)]
+    public float FramesPerSecond { get; init; } = 24;
 
     /// <summary>Selects the random numbers.</summary>
     [Parameter("Selects the random numbers: another seed gives another noise of the same picture.", Minimum = 0, Maximum = 4294967295)]

@@ -1,6 +1,5 @@
 using RayTracer.Materials;
 using RayTracer.Rendering;
-using RayTracer.Shapes;
 using RayTracer.Textures;
 
 namespace RayTracer.Description;
@@ -20,10 +19,19 @@ public sealed record SceneComplaint(object Subject, string? Property, string Mes
 /// Loads the picture file of the given path (first argument, as in the scene file), decoded from sRGB unless the second
 /// argument says that its numbers are to be taken raw. May throw <see cref="PictureException"/>.
 /// </param>
-public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture)
+/// <param name="loadModel">
+/// Loads the model file of the given path, as in the scene file. May throw <see cref="ModelException"/>. Without it, no model can be read.
+/// </param>
+public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<string, ImportedModel>? loadModel = null)
 {
     private readonly Dictionary<object, object> _built = new(ReferenceEqualityComparer.Instance);
     private readonly List<SceneComplaint> _complaints = [];
+    private MaterialDescription _inherited = ShapeDescription.DefaultMaterial;
+    private MaterialDescription? _replacement;
+    private (object Subject, string Property)? _source;
+
+    // How many materials are being built, the inner ones of others among them.
+    private int _parts;
 
     /// <summary>How spheres that shine are sampled.</summary>
     public SphereLightSampling SphereLightSampling { get; private set; }
@@ -35,16 +43,18 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture)
     public bool HasErrors => _complaints.Exists(c => c.IsError);
 
     /// <summary>Reports an error about a record's property (by its C# name; null means the whole record).</summary>
-    public void Error(object subject, string? property, string message) => _complaints.Add(new(subject, property, message, IsError: true));
+    public void Error(object subject, string? property, string message) => Complain(subject, property, message, isError: true);
 
     /// <summary>Reports a warning about a record's property (by its C# name; null means the whole record).</summary>
-    public void Warn(object subject, string? property, string message) => _complaints.Add(new(subject, property, message, IsError: false));
+    public void Warn(object subject, string? property, string message) => Complain(subject, property, message, isError: false);
 
     /// <summary>The texture that a record describes; the same record gives the same object.</summary>
     public Texture Texture(TextureDescription description) => Once(description, d => d.Build(this));
 
-    /// <summary>The material that a record describes; the same record gives the same object.</summary>
-    public Material Material(MaterialDescription description) => Once(description, d => d.Build(this));
+    /// <summary>
+    /// The material that a record describes; the same record gives the same object. For a shape that says nothing about its material, that of the group around it.
+    /// </summary>
+    public Material Material(MaterialDescription description) => _parts == 0 ? SurfaceMaterial(description) : Once(description, Describe);
 
     /// <summary>Loads the picture that a property of a record names; reports an error and returns a grey pixel if it cannot be read.</summary>
     public Picture Picture(object subject, string property, string path, bool raw)
@@ -60,45 +70,96 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture)
         }
     }
 
+    /// <summary>Loads the model that a property of a record names; reports an error and returns null if it cannot be read.</summary>
+    public ImportedModel? Model(object subject, string property, string path)
+    {
+        try
+        {
+            return (loadModel ?? throw new ModelException("there is nothing that reads model files here"))(path);
+        }
+        catch (ModelException e)
+        {
+            Error(subject, property, e.Message);
+            return null;
+        }
+    }
+
     /// <summary>Builds the scene, or returns null where <see cref="HasErrors"/> then says that it cannot be built.</summary>
     /// <param name="description">The scene to build.</param>
     public Scene? Build(SceneDescription description)
     {
         SphereLightSampling = description.Render.SphereLightSampling;
-        List<Shape> shapes = [];
+        Shutter = (description.Render.Shutter.X, description.Render.Shutter.Y);
+        SceneAssembler assembler = new(this);
         foreach (ShapeDescription shape in description.Shapes)
         {
-            AddShape(shapes, shape);
+            assembler.Add(shape);
         }
 
         foreach (ShapeDescription light in description.Lights)
         {
-            Shape? built = AddShape(shapes, light);
-            if (built is not null && !built.Material.Emits)
+            int before = assembler.World.CountLights();
+            int complaints = _complaints.Count;
+            assembler.Add(light);
+            if (assembler.World.CountLights() == before && _complaints.Count == complaints)
             {
                 Error(light, nameof(ShapeDescription.Material), "a shape under \"lights\" must shine: its material must be a luminaire");
             }
         }
 
-        Scene? scene = Scene.Create(description, shapes, this);
+        Scene? scene = Scene.Create(description, assembler.World, this);
         return HasErrors ? null : scene;
     }
 
-    private Shape? AddShape(List<Shape> shapes, ShapeDescription description)
+    /// <summary>When the shutter opens and closes, in seconds.</summary>
+    internal (double Open, double Close) Shutter { get; private set; }
+
+    /// <summary>The material of a shape's surface: what the model around it says, or else its own, or else that of the group around it.</summary>
+    internal Material SurfaceMaterial(MaterialDescription description) =>
+        Once(_replacement ?? (ReferenceEquals(description, ShapeDescription.DefaultMaterial) ? _inherited : description), Describe);
+
+    /// <summary>Until the end of the scope, shapes that say nothing are made of this material, unless it says nothing itself.</summary>
+    internal MaterialScope Inherit(MaterialDescription description)
     {
-        Shape? shape = description.Build(this);
-        if (shape is not null)
-        {
-            if (shape.Material.Emits && !float.IsFinite(shape.Area) && !HasErrors)
-            {
-                Error(description, null, "the area of this light is too large a number to compute with");
-            }
-
-            shapes.Add(shape);
-        }
-
-        return shape;
+        MaterialDescription before = _inherited;
+        _inherited = ReferenceEquals(description, ShapeDescription.DefaultMaterial) ? before : description;
+        return new(() => _inherited = before);
     }
+
+    /// <summary>Until the end of the scope, shapes that say nothing are made of the default material.</summary>
+    internal MaterialScope InheritNothing()
+    {
+        (MaterialDescription inherited, MaterialDescription? replacement) = (_inherited, _replacement);
+        (_inherited, _replacement) = (ShapeDescription.DefaultMaterial, null);
+        return new(() => (_inherited, _replacement) = (inherited, replacement));
+    }
+
+    /// <summary>Until the end of the scope, all shapes are made of this material, whatever they say.</summary>
+    internal MaterialScope Replace(MaterialDescription description)
+    {
+        MaterialDescription? before = _replacement;
+        _replacement = before ?? (ReferenceEquals(description, ShapeDescription.DefaultMaterial) ? _inherited : description);
+        return new(() => _replacement = before);
+    }
+
+    /// <summary>Until the end of the scope, complaints are about a property of one record: what they are about comes from a file that it names.</summary>
+    internal MaterialScope Within(object subject, string property)
+    {
+        (object Subject, string Property)? before = _source;
+        _source = before ?? (subject, property);
+        return new(() => _source = before);
+    }
+
+    private Material Describe(MaterialDescription description)
+    {
+        _parts++;
+        Material material = description.Build(this);
+        _parts--;
+        return material;
+    }
+
+    private void Complain(object subject, string? property, string message, bool isError) =>
+        _complaints.Add(_source is { } source ? new(source.Subject, source.Property, message, isError) : new(subject, property, message, isError));
 
     private TBuilt Once<TDescription, TBuilt>(TDescription description, Func<TDescription, TBuilt> build)
         where TDescription : class

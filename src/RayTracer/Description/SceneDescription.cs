@@ -32,6 +32,10 @@ public sealed record SceneDescription
     [Parameter("Materials, by the names under which shapes refer to them.")]
     public IReadOnlyDictionary<string, MaterialDescription> Materials { get; init; } = new Dictionary<string, MaterialDescription>();
 
+    /// <summary>Named shapes that are seen only through their instances.</summary>
+    [Parameter("Shapes by the names under which instances show them; what is listed here is not seen by itself.")]
+    public IReadOnlyDictionary<string, ShapeDescription> Objects { get; init; } = new Dictionary<string, ShapeDescription>();
+
     /// <summary>The shapes; those with a luminaire material shine and are sampled as lights.</summary>
     [Parameter("The things in the scene. Those whose material is a luminaire shine.")]
     public IReadOnlyList<ShapeDescription> Shapes { get; init; } = [];

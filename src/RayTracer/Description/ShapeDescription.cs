@@ -9,11 +9,24 @@ public abstract record ShapeDescription
     [Parameter("A name for messages and editors; it need not be unique.")]
     public string Name { get; init; } = "";
 
-    /// <summary>What the shape is made of.</summary>
-    [Parameter("What the shape is made of: a material, or the name of one.")]
-    public MaterialDescription Material { get; init; } = new Materials.DiffuseMaterialDescription();
+    /// <summary>What the shape is made of; the same object as <see cref="DefaultMaterial"/> where nothing is said.</summary>
+    [Parameter("What the shape is made of: a material, or the name of one. Without it, what the group around it is made of.")]
+    public MaterialDescription Material { get; init; } = DefaultMaterial;
 
-    /// <summary>Makes the shape that this record describes, or reports why it cannot be made and returns null.</summary>
+    /// <summary>How the shape is moved from where its own numbers put it; empty where it is not.</summary>
+    [Parameter("How the shape is moved from where its numbers put it: steps, the first one applied first.")]
+    public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
+
+    /// <summary>How the shape moves in time, after its transform; empty where it rests.</summary>
+    [Parameter("How the shape moves in time, from where it stands otherwise: keyframes in the order of their times. It is blurred by what it moves while the shutter is open.")]
+    public IReadOnlyList<KeyframeDescription> Motion { get; init; } = [];
+
+    /// <summary>What shapes are made of about which nothing is said: grey, matt.</summary>
+    public static MaterialDescription DefaultMaterial { get; } = new Materials.DiffuseMaterialDescription();
+
+    /// <summary>
+    /// Makes the shape that this record describes, where its own numbers put it, or reports why it cannot be made and returns null.
+    /// </summary>
     /// <param name="builder">Gives access to materials and takes diagnostics.</param>
     public abstract Shape? Build(SceneBuilder builder);
 }

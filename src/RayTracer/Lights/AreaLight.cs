@@ -8,7 +8,7 @@ namespace RayTracer.Lights;
 /// <summary>A shape that shines, as a source to be sampled.</summary>
 /// <param name="shape">The shape, of finite area.</param>
 /// <param name="primitive">Its number among the scene's primitives, so that it does not shadow itself.</param>
-public sealed class AreaLight(Shape shape, int primitive)
+public sealed class AreaLight(Shape shape, int primitive) : LightSource(0, primitive)
 {
     private readonly LuminaireMaterial _luminaire = (LuminaireMaterial)shape.Material;
 
@@ -19,8 +19,9 @@ public sealed class AreaLight(Shape shape, int primitive)
     /// <summary>The shape.</summary>
     public Shape Shape => shape;
 
-    /// <summary>The shape's number among the scene's primitives.</summary>
-    public int Primitive => primitive;
+    /// <inheritdoc/>
+    public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance) =>
+        Sample(from, u, v, out sample, out radiance);
 
     /// <summary>Chooses a point of the light for each lit point.</summary>
     /// <param name="from">The lit points.</param>

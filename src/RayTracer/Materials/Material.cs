@@ -87,8 +87,17 @@ public struct SurfaceW
     /// <summary>The shape's own unit normal, outward.</summary>
     public Vec3W Normal;
 
-    /// <summary>The unit normal on the side that the ray comes from.</summary>
+    /// <summary>
+    /// The unit normal with which light is scattered, on the side that the ray comes from: <see cref="Normal"/> or its opposite, unless the surface is shaded
+    /// as if it were smoother than it is.
+    /// </summary>
     public Vec3W Facing;
+
+    /// <summary>The outward unit normal with which the surface is shaded; set only where it may differ from <see cref="Normal"/>.</summary>
+    public Vec3W Shading;
+
+    /// <summary>What the diffuse colour is multiplied by; set only by surfaces that have colours of their own.</summary>
+    public RgbW Tint;
 
     /// <summary>Unit direction of the ray, towards the surface.</summary>
     public Vec3W Incoming;

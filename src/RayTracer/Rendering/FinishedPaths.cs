@@ -22,6 +22,15 @@ internal sealed unsafe class FinishedPaths
         _accumulator = accumulator;
     }
 
+    /// <summary>Number of paths that wait to be added up.</summary>
+    public int Count => _count;
+
+    /// <summary>Their radiance: red, and <see cref="Stride"/> further green, and blue.</summary>
+    public float* Radiance => _radiance.Pointer;
+
+    /// <summary>From one channel to the next.</summary>
+    public int Stride => _stride;
+
     /// <summary>Prepares for a tile.</summary>
     public void Begin(SampleRange samples)
     {

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using RayTracer.Acceleration;
 using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
@@ -9,7 +10,7 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal sealed unsafe class PathStream
 {
-    private const int Columns = 16;
+    private const int Columns = 18;
     private readonly PinnedBuffer<float> _memory;
 
     /// <summary>Makes an empty stream.</summary>
@@ -44,6 +45,8 @@ internal sealed unsafe class PathStream
         Primitive = (uint*)Next();
         Path = (uint*)Next();
         State = (uint*)Next();
+        Instance = (uint*)Next();
+        Time = Next();
     }
 
     public int Capacity { get; }
@@ -68,6 +71,12 @@ internal sealed unsafe class PathStream
     // What the ray met.
     public float* Distance { get; }
     public uint* Primitive { get; }
+
+    /// <summary>The instance that showed the primitive, 0 for the world itself; set only where there are instances.</summary>
+    public uint* Instance { get; }
+
+    /// <summary>The path's time in seconds; set only where something moves.</summary>
+    public float* Time { get; }
 
     /// <summary>Number of the path in the tile: pixel · samples + sample.</summary>
     public uint* Path { get; }
@@ -95,6 +104,28 @@ internal sealed unsafe class PathStream
         state.Compress(State + at, lanes);
         Count = at + System.Numerics.BitOperations.PopCount(lanes);
     }
+
+    /// <summary>The paths' rays, with their distances, as a tree takes them.</summary>
+    /// <param name="hits">Takes what they hit.</param>
+    public RayStream Rays(int* hits) => new()
+    {
+        OriginX = OriginX,
+        OriginY = OriginY,
+        OriginZ = OriginZ,
+        DirectionX = DirectionX,
+        DirectionY = DirectionY,
+        DirectionZ = DirectionZ,
+        Distance = Distance,
+        Primitive = hits,
+        Count = Count,
+    };
+
+    /// <summary>The ray of one path.</summary>
+    public SpaceRay Ray(int path) =>
+        new(new(OriginX[path], OriginY[path], OriginZ[path]), new(DirectionX[path], DirectionY[path], DirectionZ[path]));
+
+    /// <summary>Sets the times of the chosen lanes of a packet that is appended next.</summary>
+    public void SetTime(uint lanes, in FloatW time) => time.Compress(Time + Count, lanes);
 
     /// <summary>Radiance gathered by the paths of a packet.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -51,8 +51,31 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
             scene.Camera.GenerateRays(
                 FloatW.Gather(_x.Pointer, pixel) + u, FloatW.Gather(_y.Pointer, pixel) + v, scene.Sampler, key, sample, out Vec3W origin, out Vec3W direction);
             uint lanes = MaskW.First(count).Bits;
+            if (scene.IsTimed || scene.Camera.IsPlaced)
+            {
+                Place(stream, lanes, key, sample, ref origin, ref direction);
+            }
+
             stream.Append(lanes, origin, direction, Rgb.White, Rgb.Black, path, PathState.CountsEmission);
             _issued += count;
+        }
+    }
+
+    // Gives paths their times, and takes the camera to where it is then.
+    private void Place(PathStream stream, uint lanes, in UIntW key, in UIntW sample, ref Vec3W origin, ref Vec3W direction)
+    {
+        FloatW time = scene.Render.Shutter.X;
+        if (scene.IsTimed)
+        {
+            scene.Sampler.Begin(key, sample, Dimensions.Time, out SamplePoints points);
+            scene.Sampler.Pair(points, 0, out FloatW u, out _);
+            time = FloatW.MultiplyAdd(u, scene.Render.Shutter.Y - scene.Render.Shutter.X, time);
+            stream.SetTime(lanes, time);
+        }
+
+        if (scene.Camera.IsPlaced)
+        {
+            scene.Camera.Place(time, ref origin, ref direction);
         }
     }
 }

@@ -14,26 +14,21 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed class Scene
 {
-    private Scene(RenderDescription render, Camera camera, IReadOnlyList<Shape> shapes, Rgb background, Rgb ambient)
+    private Scene(RenderDescription render, Camera camera, SpaceContents contents, Rgb background, Rgb ambient)
     {
         Render = render;
         Camera = camera;
         Background = background;
         Ambient = ambient;
         Sampler = Sampler.Create(render);
-        Batches = [.. shapes.GroupBy(s => s.GetType()).Select(kind => kind.First().CreateBatch([.. kind]))];
-        Shapes = [.. shapes.GroupBy(s => s.GetType()).SelectMany(kind => kind)];
-        int first = 0;
-        foreach (ShapeBatch batch in Batches)
-        {
-            batch.FirstPrimitive = first;
-            first += batch.Count;
-        }
-
-        Primitives = new([.. Batches]);
-        Groups = ShadingGroup.Create(this, out int[] groupOf);
+        World = new(contents, (render.Shutter.X, render.Shutter.Y));
+        Shapes = World.Itself.Shapes;
+        Batches = World.Itself.Batches;
+        Primitives = World.Itself.Primitives;
+        IsTimed = camera.Moves || World.Instances is { Moves: true };
+        Groups = ShadingGroup.Create(World, out int[] groupOf);
         GroupOfPrimitive = groupOf;
-        Lights = [.. Shapes.Select((shape, i) => (shape, i)).Where(s => s.shape.Material.Emits).Select(s => new AreaLight(s.shape, s.i))];
+        Lights = LightList.Create(World);
     }
 
     /// <summary>Size, samples, depths and sampler.</summary>
@@ -51,17 +46,23 @@ public sealed class Scene
     /// <summary>Ambient radiance.</summary>
     public Rgb Ambient { get; }
 
-    /// <summary>All shapes by primitive number.</summary>
+    /// <summary>The shapes of the world itself by primitive number: those that are neither meshes nor shown by instances.</summary>
     public IReadOnlyList<Shape> Shapes { get; }
 
-    /// <summary>The shapes that shine.</summary>
-    public IReadOnlyList<AreaLight> Lights { get; }
+    /// <summary>What shines.</summary>
+    public IReadOnlyList<LightSource> Lights { get; }
 
-    /// <summary>The shapes packed by kind.</summary>
+    /// <summary>Those shapes packed by kind.</summary>
     public IReadOnlyList<ShapeBatch> Batches { get; }
 
-    /// <summary>Meets rays with the shapes.</summary>
+    /// <summary>Meets rays with those shapes.</summary>
     public PrimitiveList Primitives { get; }
+
+    /// <summary>Everything that rays can meet.</summary>
+    internal World World { get; }
+
+    /// <summary>Whether anything moves while the shutter is open, so that paths have times.</summary>
+    internal bool IsTimed { get; }
 
     /// <summary>What is shaded together.</summary>
     internal ShadingGroup[] Groups { get; }
@@ -70,7 +71,7 @@ public sealed class Scene
     internal int[] GroupOfPrimitive { get; }
 
     /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
-    internal static Scene? Create(SceneDescription description, IReadOnlyList<Shape> shapes, SceneBuilder builder)
+    internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder)
     {
         RenderDescription render = description.Render;
         CheckRange(builder, render, nameof(render.Width), render.Width, 1, 65536);
@@ -83,13 +84,18 @@ public sealed class Scene
             builder.Error(render, nameof(RenderDescription.SamplesPerPixel), complaint);
         }
 
+        if (!(render.Shutter.Y >= render.Shutter.X) || !float.IsFinite(render.Shutter.Y - render.Shutter.X))
+        {
+            builder.Error(render, nameof(RenderDescription.Shutter), $"the shutter must not close before it opens, but it opens at {render.Shutter.X} and closes at {render.Shutter.Y}");
+        }
+
         if (description.Camera.Lens is { Shape: not LensShape.EyeJitter, ApertureRadius: 0, FocusDistance: > 0 })
         {
             builder.Warn(description.Camera.Lens, nameof(LensDescription.FocusDistance), "without an \"apertureRadius\" the lens is a pinhole, and \"focusDistance\" has no effect");
         }
 
         Camera? camera = Camera.Create(description.Camera, render.Width, render.Height, builder);
-        return camera is null || builder.HasErrors ? null : new Scene(render, camera, shapes, description.Background, description.Ambient);
+        return camera is null || builder.HasErrors ? null : new Scene(render, camera, contents, description.Background, description.Ambient);
     }
 
     // Scene files are checked by their reader; descriptions may also be made by programs.

@@ -9,11 +9,18 @@ namespace RayTracer.Rendering;
 /// <param name="material">The material.</param>
 /// <param name="batch">The batch that the shapes belong to.</param>
 /// <param name="onlyIndex">Index in the batch of the group's only shape; −1 if it has several.</param>
-internal sealed class ShadingGroup(Material material, ShapeBatch batch, int onlyIndex)
+/// <param name="isInstanced">Whether the shapes stand in a space that instances show.</param>
+internal sealed class ShadingGroup(Material material, SurfaceTable batch, int onlyIndex, bool isInstanced)
 {
     public Material Material => material;
 
-    public ShapeBatch Batch => batch;
+    public SurfaceTable Batch => batch;
+
+    public bool IsInstanced => isInstanced;
+
+    public bool HasShadingNormals { get; } = batch.HasShadingNormals;
+
+    public bool HasTint { get; } = batch.HasTint;
 
     public int OnlyIndex => onlyIndex;
 
@@ -25,26 +32,47 @@ internal sealed class ShadingGroup(Material material, ShapeBatch batch, int only
     public bool UsesUv { get; } = material.UsesUv;
 
     /// <summary>Makes the groups of a scene, and the table that names the group of each primitive.</summary>
-    public static ShadingGroup[] Create(Scene scene, out int[] groupOf)
+    public static ShadingGroup[] Create(World world, out int[] groupOf)
     {
         List<ShadingGroup> groups = [];
-        groupOf = new int[scene.Shapes.Count + 1];
-        foreach (ShapeBatch batch in scene.Batches)
+        groupOf = new int[world.Count + 1];
+        foreach (Space space in world.Spaces)
         {
-            foreach (IGrouping<Material, int> group in Enumerable.Range(batch.FirstPrimitive, batch.Count).GroupBy(p => scene.Shapes[p].Material))
+            foreach (SurfaceTable table in space.Tables)
             {
-                int[] primitives = [.. group];
-                foreach (int primitive in primitives)
-                {
-                    groupOf[primitive] = groups.Count;
-                }
-
-                groups.Add(new(group.Key, batch, primitives.Length == 1 ? primitives[0] - batch.FirstPrimitive : -1));
+                Add(space, table, space != world.Itself, groupOf, groups);
             }
         }
 
         // Rays that hit nothing come after all groups.
         groupOf[^1] = groups.Count;
         return [.. groups];
+    }
+
+    private static void Add(Space space, SurfaceTable table, bool isInstanced, int[] groupOf, List<ShadingGroup> groups)
+    {
+        Dictionary<Material, int> counts = new(ReferenceEqualityComparer.Instance);
+        Dictionary<Material, int> groupOfMaterial = new(ReferenceEqualityComparer.Instance);
+        int first = groups.Count;
+        (Material? last, int group) = (null, 0);
+        for (int primitive = table.FirstPrimitive; primitive < table.FirstPrimitive + table.Count; primitive++)
+        {
+            Material material = space.MaterialOf(primitive);
+            if (material != last && !groupOfMaterial.TryGetValue(material, out group))
+            {
+                group = first + groupOfMaterial.Count;
+                groupOfMaterial.Add(material, group);
+            }
+
+            last = material;
+            groupOf[primitive] = group;
+            counts[material] = counts.GetValueOrDefault(material) + 1;
+        }
+
+        foreach ((Material material, int number) in groupOfMaterial.OrderBy(g => g.Value))
+        {
+            int only = counts[material] == 1 && table is ShapeBatch ? Array.IndexOf(groupOf, number, table.FirstPrimitive, table.Count) - table.FirstPrimitive : -1;
+            groups.Add(new(material, table, only, isInstanced));
+        }
     }
 }

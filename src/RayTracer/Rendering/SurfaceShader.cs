@@ -11,9 +11,9 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface (report, listing 6.3): emission, ambient light, light from the sources, and
 /// the choice of the next ray.
 /// </summary>
-internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
+internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, ShadowQueue? queue)
 {
-    private readonly DirectLight _directLight = new(scene);
+    private readonly DirectLight _directLight = new(scene, queue);
     private readonly VertexSamples _vertex = new(scene.Sampler);
     private RayGenerator _generator = null!;
     private SampleRange _samples;
@@ -58,17 +58,32 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         }
     }
 
+    /// <summary>Adds what waits to the paths that went on to the next stream, or ended.</summary>
+    public void Flush(PathStream next) => queue?.Flush(finished, next);
+
     private static void Describe(ShadingGroup group, PathStream stream, uint* index, out SurfaceW surface)
     {
         Unsafe.SkipInit(out surface);
         surface.Incoming = stream.PickDirection(index);
         surface.Distance = FloatW.Pick(stream.Distance, index);
         surface.Point = Vec3W.MultiplyAdd(surface.Incoming, surface.Distance, stream.PickOrigin(index));
+        DescribeTable(group, stream, index, ref surface);
+        TurnToRay(ref surface);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void DescribeTable(ShadingGroup group, PathStream stream, uint* index, ref SurfaceW surface)
+    {
         int stride = group.Batch.Stride;
         PrimitiveIndex primitives = group.OnlyIndex >= 0
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
         group.Batch.Describe(primitives, group.UsesUv, ref surface);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void TurnToRay(ref SurfaceW surface)
+    {
         FloatW along = Vec3W.Dot(surface.Incoming, surface.Normal);
         surface.Inside = along > 0f;
         surface.Facing = surface.Inside.Select(-surface.Normal, surface.Normal);
@@ -84,8 +99,28 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         UIntW diffuseDepth = state & PathState.DepthMask;
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
         _vertex.Begin(UIntW.Gather(_generator.PixelKeys, pixel), sample, diffuseDepth + specularDepth);
-        Describe(group, stream, index, out SurfaceW surface);
+        SurfaceW surface;
+        if (group.IsInstanced)
+        {
+            DescribeInstanced(group, stream, index, out surface);
+        }
+        else
+        {
+            Describe(group, stream, index, out surface);
+        }
+
+        if (group.HasShadingNormals)
+        {
+            Smooth(ref surface);
+        }
+
         group.Material.Prepare(ref surface);
+        if (group.HasTint)
+        {
+            surface.DiffuseColor *= surface.Tint;
+        }
+
+        FloatW time = scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         RgbW throughput = stream.PickThroughput(index);
         RgbW radiance = stream.PickRadiance(index);
 
@@ -106,7 +141,12 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         if (group.IsLit)
         {
             material.Brdf(surface, out RgbW brdf);
-            _directLight.Add(surface, _vertex, active, throughput * brdf, ref radiance);
+            if (queue is { IsFull: true })
+            {
+                queue.Flush(finished, next);
+            }
+
+            _directLight.Add(surface, group.HasShadingNormals, _vertex, time, active, throughput * brdf, ref radiance);
         }
 
         // Where the path goes on.
@@ -118,26 +158,76 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished)
         // Written so that a path whose throughput is not a number goes on, and is counted at its end.
         MaskW isDark = (throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f);
         MaskW alive = active.Except(scatter.Absorbed).Except(isDark) & goesOn;
+        if (group.HasShadingNormals)
+        {
+            alive = alive.Except(Leaks(surface, scatter.Direction));
+        }
+
         uint ended = active.Except(alive).Bits;
+        uint going = alive.Bits;
+        if (queue is not null && group.IsLit)
+        {
+            queue.End(ended, finished.Count, going, next.Count);
+        }
+
         if (ended != 0)
         {
             finished.Append(ended, radiance, path);
         }
 
-        uint going = alive.Bits;
         if (going != 0)
         {
             UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);
             UIntW emission = scatter.Specular.Select((UIntW)PathState.CountsEmission, 0u);
             Vec3W origin = Leave(surface, scatter.Direction);
+            if (scene.IsTimed)
+            {
+                next.SetTime(going, time);
+            }
+
             next.Append(going, origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission);
         }
+    }
+
+    // As Describe, in the space that each lane's instance shows.
+    private void DescribeInstanced(ShadingGroup group, PathStream stream, uint* index, out SurfaceW surface)
+    {
+        Unsafe.SkipInit(out surface);
+        float* memory = stackalloc float[InstanceMaps.Floats];
+        InstanceMaps maps = new(memory);
+        maps.Fill(scene.World.Instances!, UIntW.Pick(stream.Instance, index), scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f);
+        surface.Incoming = stream.PickDirection(index);
+        surface.Distance = FloatW.Pick(stream.Distance, index);
+        surface.Point = Vec3W.MultiplyAdd(maps.VectorBack(surface.Incoming), surface.Distance, maps.PointBack(stream.PickOrigin(index)));
+        DescribeTable(group, stream, index, ref surface);
+        maps.Describe(group.HasShadingNormals, ref surface);
+        TurnToRay(ref surface);
+    }
+
+    // Turns to the shading normal on the ray's side of the surface. Where the ray would come from behind it, near outlines, the
+    // normal is mirrored across the plane perpendicular to the ray, so that it does not: it stays a unit vector, on the ray's
+    // side of the surface, and nothing jumps.
+    private static void Smooth(ref SurfaceW surface)
+    {
+        Vec3W shading = surface.Inside.Select(-surface.Shading, surface.Shading);
+        FloatW along = Vec3W.Dot(surface.Incoming, shading);
+        surface.Facing = Vec3W.NegatedMultiplyAdd(surface.Incoming, FloatW.Max(along, 0f) * 2f, shading);
+        surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
+    }
+
+    // Directions that lie on different sides of the surface and of the plane that it is shaded as: what is reflected would come through
+    // it, and what is refracted would not (Veach 1997, section 5.3). They carry no light.
+    private static MaskW Leaks(in SurfaceW surface, in Vec3W direction)
+    {
+        FloatW side = Vec3W.Dot(direction, surface.Inside.Select(-surface.Normal, surface.Normal));
+        return side * Vec3W.Dot(direction, surface.Facing) <= 0f;
     }
 
     private static void AddEmission(Material material, in SurfaceW surface, in RgbW throughput, UIntW state, ref RgbW radiance)
     {
         MaskW counts = ~UIntW.Equal(state & PathState.CountsEmission, 0u);
-        FloatW cosine = surface.Inside.Select(-surface.Cosine, surface.Cosine);
+        FloatW cosine = FloatW.Min(FloatW.Abs(Vec3W.Dot(surface.Incoming, surface.Normal)), 1f);
+        cosine = surface.Inside.Select(-cosine, cosine);
         material.Emission(cosine, surface.U, surface.V, out RgbW emitted);
         radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
     }

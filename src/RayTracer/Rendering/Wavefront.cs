@@ -18,6 +18,7 @@ internal sealed unsafe class Wavefront
     private readonly SampleAccumulator _accumulator;
     private readonly FinishedPaths _finished;
     private readonly PinnedBuffer<uint> _members;
+    private readonly PinnedBuffer<int> _hits;
     private readonly int _membersStride;
     private readonly int[] _memberCounts;
     private PathStream _current;
@@ -31,7 +32,8 @@ internal sealed unsafe class Wavefront
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
         _finished = new(streamSize, _accumulator);
-        _shader = new(scene, _finished);
+        _shader = new(scene, _finished, scene.World.IsPlain || scene.Lights.Count == 0 ? null : new(scene));
+        _hits = new(scene.World.IsPlain ? 1 : streamSize + 16);
         _memberCounts = new int[scene.Groups.Length + 1];
         _membersStride = streamSize + (2 * FloatW.Count);
         _members = new((long)_membersStride * _memberCounts.Length);
@@ -87,6 +89,11 @@ internal sealed unsafe class Wavefront
             primitive.Store(s.Primitive + i);
         }
 
+        if (!_scene.World.IsPlain)
+        {
+            _scene.World.ClosestHit(s, _hits.Pointer);
+        }
+
         ClosestHitRays += s.Count;
     }
 
@@ -130,5 +137,7 @@ internal sealed unsafe class Wavefront
                 _shader.Shade(_scene.Groups[group], _current, _next, members, count);
             }
         }
+
+        _shader.Flush(_next);
     }
 }

@@ -87,6 +87,9 @@ public static class Dimensions
     /// <summary>Group of one pair: what else the camera needs, the third coordinate of the report's eye jitter.</summary>
     public const uint Camera = 2;
 
+    /// <summary>Group of one pair, of which the first number counts: the time while the shutter is open. Beyond the groups of any vertex.</summary>
+    public const uint Time = 1 << 16;
+
     /// <summary>The first group of the first vertex.</summary>
     public const uint FirstVertex = 3;
 

@@ -96,6 +96,30 @@ public sealed unsafe class Plane : FlatShape
     }
 
     /// <inheritdoc/>
+    public override Shape? Transformed(Transform by)
+    {
+        Vector3 normal = by.Inverse().TransposedVector(Normal).Unit();
+        Vector3 point = by.Point(Point);
+        if (!normal.IsFinite() || !point.IsFinite())
+        {
+            return null;
+        }
+
+        // A plane without end is one again; a rectangle, or uv, only where its sides are what the plane's rule makes them.
+        if (Size is null && !Material.UsesUv)
+        {
+            return new Plane(Material, Name, point, normal, null);
+        }
+
+        Vector2 size = Size ?? Vector2.One;
+        Vector3 width = by.Vector(Tangent * size.X);
+        Vector3 height = by.Vector(Bitangent * size.Y);
+        Plane moved = new(Material, Name, point, normal, new(width.Norm(), height.Norm()));
+        bool isSame = (moved.Tangent - width.Unit()).Norm() < 1e-6f && (moved.Bitangent - height.Unit()).Norm() < 1e-6f;
+        return !isSame ? null : Size is not null ? moved : by.UniformScale() is { } scale && double.Abs(scale - 1) < 1e-6 ? new Plane(Material, Name, point, normal, null) : null;
+    }
+
+    /// <inheritdoc/>
     internal override Outline Pack(float* entry)
     {
         FlatBatch.WritePlane(entry, Normal, Point);

@@ -38,6 +38,12 @@ public abstract class Shape(Material material, string name)
     /// <param name="sample">The chosen points.</param>
     public abstract void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample);
 
+    /// <summary>
+    /// The shape that this one becomes by a map, uv and front included; null where it would be of another kind: rays are then transformed instead.
+    /// </summary>
+    /// <param name="by">The map.</param>
+    public virtual Shape? Transformed(Transform by) => null;
+
     /// <summary>Says how a shape is called in messages.</summary>
     public override string ToString() => Name.Length > 0 ? $"{GetType().Name.ToLowerInvariant()} \"{Name}\"" : GetType().Name.ToLowerInvariant();
 }
@@ -74,6 +80,34 @@ public readonly record struct Bounds(Vector3 Minimum, Vector3 Maximum)
 
     /// <summary>Whether all coordinates are finite.</summary>
     public bool IsFinite => Minimum.IsFinite() && Maximum.IsFinite();
+
+    /// <summary>The eight corners.</summary>
+    public IEnumerable<Vector3> Corners()
+    {
+        for (int i = 0; i < 8; i++)
+        {
+            yield return new(
+                (i & 1) == 0 ? Minimum.X : Maximum.X, (i & 2) == 0 ? Minimum.Y : Maximum.Y, (i & 4) == 0 ? Minimum.Z : Maximum.Z);
+        }
+    }
+
+    /// <summary>The smallest box around what the box becomes by a map; infinite where the box is.</summary>
+    public Bounds Transformed(Transform by)
+    {
+        if (!IsFinite)
+        {
+            return Minimum.X > Maximum.X ? Empty : Infinite;
+        }
+
+        Bounds all = Empty;
+        foreach (Vector3 corner in Corners())
+        {
+            Vector3 p = by.Point(corner);
+            all = all.Union(new(p, p));
+        }
+
+        return all;
+    }
 
     /// <summary>The smallest box around both.</summary>
     public Bounds Union(Bounds other) => new(Vector3.Min(Minimum, other.Minimum), Vector3.Max(Maximum, other.Maximum));

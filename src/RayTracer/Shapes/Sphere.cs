@@ -47,6 +47,18 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
     public override float Area => 4 * float.Pi * radius * radius;
 
     /// <inheritdoc/>
+    public override Shape? Transformed(Transform by)
+    {
+        // uv would be turned too.
+        if (by.UniformScale() is not { } scale || (Material.UsesUv && !(by.X.A == scale && by.Y.B == scale && by.Z.C == scale)))
+        {
+            return null;
+        }
+
+        return new Sphere(Material, Name, by.Point(center), (float)(radius * scale)) { LightSampling = LightSampling };
+    }
+
+    /// <inheritdoc/>
     public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new SphereBatch(shapes);
 
     /// <inheritdoc/>

@@ -75,6 +75,15 @@ public sealed unsafe class Triangle(Material material, string name, Vector3 a, V
     public override Bounds Bounds => new(Vector3.Min(a, Vector3.Min(b, c)), Vector3.Max(a, Vector3.Max(b, c)));
 
     /// <inheritdoc/>
+    public override Shape? Transformed(Transform by)
+    {
+        // A map that mirrors changes the direction in which the corners go round: the front stays where it was mirrored to.
+        (Vector3 p, Vector3 q, Vector3 r) = (by.Point(a), by.Point(b), by.Point(c));
+        Triangle moved = by.Determinant < 0 ? new(Material, Name, p, r, q, uvA, uvC, uvB) : new(Material, Name, p, q, r, uvA, uvB, uvC);
+        return moved.Normal.IsFinite() && float.IsFinite(moved.Area) ? moved : null;
+    }
+
+    /// <inheritdoc/>
     internal override Outline Pack(float* entry)
     {
         FlatBatch.WritePlane(entry, Normal, a);

@@ -32,7 +32,7 @@ public enum Wrapping
 }
 
 /// <summary>Describes an <see cref="ImageTexture"/>.</summary>
-[SceneType("image", "A picture from a file (PNG, PFM, OpenEXR).")]
+[SceneType("image", "A picture from a file (PNG, JPEG, PFM, OpenEXR).")]
 public sealed record ImageTextureDescription : TextureDescription
 {
     /// <summary>The picture's file.</summary>
@@ -59,9 +59,12 @@ public sealed record ImageTextureDescription : TextureDescription
     [Parameter("Whether the file's numbers are linear and taken as they are, instead of being decoded from sRGB. Floating-point files are always linear.")]
     public bool Raw { get; init; }
 
+    /// <summary>The picture as a program gives it (decoded, or raw where <see cref="Raw"/>), instead of the file; null where there is none.</summary>
+    public Picture? Picture { get; init; }
+
     /// <inheritdoc/>
     public override Texture Build(SceneBuilder builder) =>
-        new ImageTexture(builder.Picture(this, nameof(File), File, Raw), Interpolation, Wrapping, Scale, Offset);
+        new ImageTexture(Picture ?? builder.Picture(this, nameof(File), File, Raw), Interpolation, Wrapping, Scale, Offset);
 }
 
 /// <summary>

@@ -11,13 +11,19 @@ internal static class BitScenes
 
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, .. Directory.GetFiles(ProjectFolder.PathOf("scenes", "primer"), "*.json").Select(f => "primer/" + Path.GetFileNameWithoutExtension(f)).Order(StringComparer.Ordinal)];
+        [.. Report, .. Samplers, .. Meshes, .. In("primer")];
 
     /// <summary>Names of the report's scenes.</summary>
     public static string[] Report => ["report/scene1", "report/scene2", "report/scene3"];
 
     /// <summary>The scene of everything, with each sampler.</summary>
     public static string[] Samplers => [.. new[] { "independent", "jittered", "regular", "sobol" }.Select(s => Everything + s)];
+
+    /// <summary>Names of the scenes of meshes, instances and motion.</summary>
+    public static IReadOnlyList<string> Meshes => In("meshes");
+
+    private static string[] In(string folder) =>
+        [.. Directory.GetFiles(ProjectFolder.PathOf("scenes", folder), "*.json").Select(f => $"{folder}/{Path.GetFileNameWithoutExtension(f)}").Order(StringComparer.Ordinal)];
 
     /// <summary>Loads a scene, at 64×64 pixels and 4 samples (the primer's at 32×24).</summary>
     public static Scene Load(string name) => name.StartsWith(Everything, StringComparison.Ordinal)

@@ -83,6 +83,18 @@ public class SceneWriterTests
                 ParameterKind.Color => new Rgb(0.3f, 0.4f, 0.5f),
                 ParameterKind.Texture => new SolidTextureDescription { Color = new(0.3f, 0.4f, 0.6f) },
                 ParameterKind.Material => new DielectricMaterialDescription { RefractiveIndex = 2 },
+                ParameterKind.Materials => new MaterialDescription[] { new DielectricMaterialDescription { RefractiveIndex = 3 }, new DiffuseMaterialDescription() },
+                ParameterKind.Shape => new SphereDescription { Radius = 2 },
+                ParameterKind.Shapes => new ShapeDescription[] { new SphereDescription { Radius = 3 }, new SphereDescription() },
+                ParameterKind.Records when parameter.RecordType == typeof(TransformDescription) =>
+                    new TransformDescription[] { new() { Matrix = [1, 2.5f], Rotate = 30 }, new() { Scale = new(2, 3, 4) } },
+                ParameterKind.Records when parameter.RecordType == typeof(KeyframeDescription) =>
+                    new KeyframeDescription[] { new() { Time = 0.5f, Transform = [new() { Translate = new(1, 2, 3) }] }, new() },
+                ParameterKind.Numbers => new float[] { 0.1f, -2 },
+                ParameterKind.Integers => new int[] { 1, -2 },
+                ParameterKind.Vector2s => new Vector2[] { new(0.1f, 2), default },
+                ParameterKind.Vector3s => new Vector3[] { new(0.1f, 2, 3), default },
+                ParameterKind.Triangles => new TriangleIndices[] { new(1, -2, 3) },
                 _ => parameter.Default,
             });
         }
@@ -102,13 +114,13 @@ public class SceneWriterTests
                 Assert.True(dictionary.Keys.Cast<string>().SequenceEqual(((IDictionary)actual!).Keys.Cast<string>()), path);
                 Assert.All(dictionary.Keys.Cast<string>(), k => AssertEqual(dictionary[k], ((IDictionary)actual)[k], $"{path}.{k}"));
                 break;
-            case IEnumerable<ShapeDescription> shapes:
-                IEnumerable<ShapeDescription> others = (IEnumerable<ShapeDescription>)actual!;
-                Assert.Equal(shapes.Count(), others.Count());
-                Assert.All(shapes.Zip(others), pair => AssertEqual(pair.First, pair.Second, path));
+            case IEnumerable things:
+                object[] others = [.. ((IEnumerable)actual!).Cast<object>()];
+                Assert.Equal(things.Cast<object>().Count(), others.Length);
+                Assert.All(things.Cast<object>().Zip(others), pair => AssertEqual(pair.First, pair.Second, path));
                 break;
-            case SceneDescription:
-                Assert.All(SceneTypes.Scene.Parameters, p => AssertEqual(p.Get(expected), p.Get(actual!), $"{path}.{p.Key}"));
+            case SceneDescription or CameraDescription or ShapeDescription or TransformDescription or KeyframeDescription:
+                Assert.All(RecordType.Of(expected.GetType()).Parameters, p => AssertEqual(p.Get(expected), p.Get(actual!), $"{path}.{p.Key}"));
                 break;
             default:
                 Assert.True(Equals(expected, actual), $"{path}: {actual} is not {expected}");

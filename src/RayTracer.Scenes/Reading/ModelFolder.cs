@@ -1,0 +1,39 @@
+using RayTracer.Description;
+
+namespace RayTracer.Scenes;
+
+/// <summary>Loads models by paths relative to a folder, each only once.</summary>
+internal sealed class ModelFolder(string folder)
+{
+    private readonly Dictionary<string, ImportedModel> _models = new(StringComparer.Ordinal);
+
+    /// <summary>Loads a model.</summary>
+    /// <param name="path">The path as it is written in the scene file.</param>
+    /// <exception cref="ModelException">It cannot be read.</exception>
+    public ImportedModel Load(string path)
+    {
+        if (_models.TryGetValue(path, out ImportedModel? model))
+        {
+            return model;
+        }
+
+        try
+        {
+            // Whole, so that the paths of pictures beside the model do not depend on the scene's folder.
+            string full = Path.GetFullPath(Path.Combine(folder, path));
+            if (FileSearch.Complaint(full) is { } complaint)
+            {
+                throw new ModelException(complaint);
+            }
+
+            model = ModelFile.Read(full);
+        }
+        catch (Exception e) when (e is ModelException or IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            throw new ModelException($"cannot read {Quotation.Of(path)}: {e.Message.TrimEnd('.')}", e);
+        }
+
+        _models.Add(path, model);
+        return model;
+    }
+}

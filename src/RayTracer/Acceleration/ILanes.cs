@@ -1,0 +1,34 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayTracer.Acceleration;
+
+/// <summary>What the eight lanes of a register stand for; the triangle test is written once for both ways.</summary>
+internal unsafe interface ILanes
+{
+    /// <summary>Reads a quantity of the triangles.</summary>
+    static abstract Vector256<float> OfTriangle(float* from);
+
+    /// <summary>Reads a quantity of the rays.</summary>
+    static abstract Vector256<float> OfRay(float* from);
+}
+
+/// <summary>Eight triangles and one ray.</summary>
+internal readonly unsafe struct TriangleLanes : ILanes
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> OfTriangle(float* from) => Vector256.Load(from);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> OfRay(float* from) => Vector256.Create(*from);
+}
+
+/// <summary>One triangle and eight rays.</summary>
+internal readonly unsafe struct RayLanes : ILanes
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> OfTriangle(float* from) => Vector256.Create(*from);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> OfRay(float* from) => Vector256.Load(from);
+}

@@ -1,0 +1,186 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Acceleration;
+
+/// <summary>Shapes and triangles in coordinates of their own: the world, or an object that instances show.</summary>
+internal sealed class Space
+{
+    /// <summary>Packs the contents of a space.</summary>
+    /// <param name="contents">What it holds.</param>
+    /// <param name="first">Number of its first primitive among the scene's.</param>
+    /// <param name="nothing">What stands for no primitive.</param>
+    public Space(SpaceContents contents, int first, int nothing)
+    {
+        Contents = contents;
+        Batches = [.. contents.Shapes.GroupBy(s => s.GetType()).Select(kind => kind.First().CreateBatch([.. kind]))];
+        Shapes = [.. contents.Shapes.GroupBy(s => s.GetType()).SelectMany(kind => kind)];
+        FirstPrimitive = first;
+        foreach (ShapeBatch batch in Batches)
+        {
+            batch.FirstPrimitive = first;
+            first += batch.Count;
+        }
+
+        Primitives = new(Batches, nothing);
+        Bounds = Shapes.Aggregate(Bounds.Empty, (all, shape) => all.Union(shape.Bounds));
+        if (contents.Meshes.Count > 0)
+        {
+            Mesh = MeshTable.Create(contents.Meshes);
+            Mesh.FirstPrimitive = first;
+            Tree = TriangleBvh.Build(Mesh.Positions, Mesh.Indices, Environment.ProcessorCount);
+            Bounds = contents.Meshes.Aggregate(Bounds, (all, mesh) => all.Union(MeshTable.BoundsOf(mesh.Data).Transformed(mesh.Place)));
+        }
+    }
+
+    /// <summary>What it was made from.</summary>
+    public SpaceContents Contents { get; }
+
+    /// <summary>The shapes in the order of their primitive numbers.</summary>
+    public Shape[] Shapes { get; }
+
+    /// <summary>The shapes packed by kind.</summary>
+    public ShapeBatch[] Batches { get; }
+
+    /// <summary>Meets rays with the shapes.</summary>
+    public PrimitiveList Primitives { get; }
+
+    /// <summary>The triangles, whose numbers follow those of the shapes; null where there are none.</summary>
+    public MeshTable? Mesh { get; }
+
+    /// <summary>Meets rays with the triangles.</summary>
+    public TriangleBvh? Tree { get; }
+
+    /// <summary>Number of the first primitive.</summary>
+    public int FirstPrimitive { get; }
+
+    /// <summary>Number of primitives.</summary>
+    public int Count => Shapes.Length + (Mesh?.Count ?? 0);
+
+    /// <summary>The box around everything; infinite where something is.</summary>
+    public Bounds Bounds { get; }
+
+    /// <summary>Whether anything in it shines.</summary>
+    public bool Shines => Array.Exists(Shapes, s => s.Material.Emits) || Contents.Meshes.Exists(m => m.Materials.Any(material => material.Emits));
+
+    /// <summary>The tables of all surfaces.</summary>
+    public IEnumerable<SurfaceTable> Tables => Mesh is null ? Batches : [.. Batches, Mesh];
+
+    /// <summary>The material of a primitive of the space, by its number among the scene's.</summary>
+    public Material MaterialOf(int primitive)
+    {
+        int index = primitive - FirstPrimitive;
+        return index < Shapes.Length ? Shapes[index].Material : MaterialOfTriangle[index - Shapes.Length];
+    }
+
+    /// <summary>The material of each triangle.</summary>
+    public IReadOnlyList<Material> MaterialOfTriangle => field ??= new TriangleMaterials(Contents.Meshes);
+
+    /// <summary>The nearest hit of one ray, whose direction may be of any length.</summary>
+    /// <param name="ray">The ray, in coordinates of the space.</param>
+    /// <param name="distance">In: how far hits count; out: that of the hit, if there is one. In multiples of the direction.</param>
+    /// <returns>The primitive; −1 where nothing is hit.</returns>
+    public int ClosestHit(in SpaceRay ray, ref float distance)
+    {
+        int found = -1;
+        if (Shapes.Length > 0)
+        {
+            float length = ray.Direction.Norm();
+            Vector3 unit = ray.Direction * (1 / length);
+            FloatW shortened = distance * length;
+            UIntW primitive = uint.MaxValue;
+            Primitives.Shorten(ray.Origin, unit, ref shortened, ref primitive);
+            if (primitive[0] != uint.MaxValue)
+            {
+                found = (int)primitive[0];
+                distance = float.Min(distance, shortened[0] / length);
+            }
+        }
+
+        if (Tree is not null)
+        {
+            found = Tree.ClosestHit(ray.Origin, ray.Direction, ref distance, out int triangle) ? Mesh!.FirstPrimitive + triangle : found;
+        }
+
+        return found;
+    }
+
+    /// <summary>Whether anything stands in the way of one ray.</summary>
+    /// <param name="ray">The ray, in coordinates of the space.</param>
+    /// <param name="distance">How far it must be free, in multiples of the direction.</param>
+    /// <param name="skip">A primitive that does not count; −1 for none.</param>
+    public bool AnyHit(in SpaceRay ray, float distance, int skip)
+    {
+        if (Shapes.Length > 0)
+        {
+            float length = ray.Direction.Norm();
+            MaskW free = MaskW.All;
+            Primitives.Occlude(ray.Origin, ray.Direction * (1 / length), distance * length, skip, ref free);
+            if (!free.Any)
+            {
+                return true;
+            }
+        }
+
+        return Tree is not null && Tree.AnyHit(ray.Origin, ray.Direction, distance);
+    }
+
+    // The materials of the meshes' triangles one after the other, without an entry for each.
+    private sealed class TriangleMaterials(IReadOnlyList<PlacedMesh> meshes) : IReadOnlyList<Material>
+    {
+        private readonly int[] _first = [.. meshes.Select((_, i) => meshes.Take(i).Sum(m => m.Data.TriangleCount))];
+
+        public int Count => meshes.Sum(m => m.Data.TriangleCount);
+
+        public Material this[int index]
+        {
+            get
+            {
+                int mesh = Array.BinarySearch(_first, index);
+                mesh = mesh >= 0 ? mesh : ~mesh - 1;
+                return Of(meshes[mesh], index - _first[mesh]);
+            }
+        }
+
+        public IEnumerator<Material> GetEnumerator() =>
+            meshes.SelectMany(m => Enumerable.Range(0, m.Data.TriangleCount).Select(t => Of(m, t))).GetEnumerator();
+
+        System.Collections.IEnumerator System.Collections.IEnumerable.GetEnumerator() => GetEnumerator();
+
+        private static Material Of(PlacedMesh mesh, int triangle)
+        {
+            int material = mesh.Data.MaterialOfTriangle?[triangle] ?? 0;
+            return mesh.Materials[(uint)material < (uint)mesh.Materials.Length ? material : 0];
+        }
+    }
+}
+
+/// <summary>A ray in the coordinates of a space.</summary>
+/// <param name="Origin">Where it starts.</param>
+/// <param name="Direction">Its direction, of any length, in which distances are measured.</param>
+internal readonly unsafe record struct SpaceRay(Vector3 Origin, Vector3 Direction)
+{
+    /// <summary>The ray as a stream of one.</summary>
+    /// <param name="self">This ray, where it stays.</param>
+    /// <param name="distance">How far hits count.</param>
+    /// <param name="primitive">Takes the hit.</param>
+    public RayStream AsStream(SpaceRay* self, float* distance, int* primitive)
+    {
+        float* numbers = (float*)self;
+        return new()
+        {
+            OriginX = numbers,
+            OriginY = numbers + 1,
+            OriginZ = numbers + 2,
+            DirectionX = numbers + 3,
+            DirectionY = numbers + 4,
+            DirectionZ = numbers + 5,
+            Distance = distance,
+            Primitive = primitive,
+            Count = 1,
+        };
+    }
+}

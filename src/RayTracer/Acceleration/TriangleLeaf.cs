@@ -1,0 +1,195 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayTracer.Acceleration;
+
+/// <summary>
+/// The triangles of a leaf: ten rows with as many entries as triangles: x, y and z of the first corner, of the second, of the third, and the
+/// triangles' numbers.
+/// </summary>
+internal static unsafe class TriangleLeaf
+{
+    /// <summary>Floats a triangle.</summary>
+    public const int Rows = 10;
+
+    // The axes after and before each major axis, two bits each.
+    private const int AxisAfter = 0b00_10_01;
+    private const int AxisBefore = 0b01_00_10;
+
+    /// <summary>The first minor axis.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int MinorX(int major) => AxisAfter >> (2 * major) & 3;
+
+    /// <summary>The second minor axis.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int MinorY(int major) => AxisBefore >> (2 * major) & 3;
+
+    /// <summary>One ray and all triangles of a leaf.</summary>
+    /// <returns>Whether the ray's distance or primitive changed, or, for any hit, whether there is one.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool Intersect<TSearch>(float* rows, int count, RayBlock* rays, int ray, int major)
+        where TSearch : ISearch
+    {
+        nint stride = count;
+        float* x = rows + (MinorX(major) * stride);
+        float* y = rows + (MinorY(major) * stride);
+        float* z = rows + (major * stride);
+        float* origin = rays->Origin;
+        uint candidates = TriangleTest<TriangleLanes>.Candidates<TSearch>(
+            Vector256.Load(x), Vector256.Load(x + (3 * stride)), Vector256.Load(x + (6 * stride)),
+            Vector256.Load(y), Vector256.Load(y + (3 * stride)), Vector256.Load(y + (6 * stride)),
+            Vector256.Load(z), Vector256.Load(z + (3 * stride)), Vector256.Load(z + (6 * stride)),
+            origin + (RayBlock.Size * MinorX(major)), origin + (RayBlock.Size * MinorY(major)), origin + (RayBlock.Size * major), rays, ray, out uint sure);
+        uint triangles = (2u << (count - 1)) - 1;
+        return (candidates & triangles) != 0 && ((sure & triangles) != 0 || Update<TSearch>(rows, count, rays, ray, major));
+    }
+
+    /// <summary>All triangles of a leaf and rays with the same major axis, ray by ray.</summary>
+    /// <returns>The rays whose distance or primitive changed, or, for any hit, those that have one.</returns>
+    public static ulong IntersectRays<TSearch>(float* rows, int count, RayBlock* rays, ulong set, int major)
+        where TSearch : ISearch
+    {
+        nint stride = count;
+        float* x = rows + (MinorX(major) * stride);
+        float* y = rows + (MinorY(major) * stride);
+        float* z = rows + (major * stride);
+        Vector256<float> ax = Vector256.Load(x);
+        Vector256<float> bx = Vector256.Load(x + (3 * stride));
+        Vector256<float> cx = Vector256.Load(x + (6 * stride));
+        Vector256<float> ay = Vector256.Load(y);
+        Vector256<float> by = Vector256.Load(y + (3 * stride));
+        Vector256<float> cy = Vector256.Load(y + (6 * stride));
+        Vector256<float> az = Vector256.Load(z);
+        Vector256<float> bz = Vector256.Load(z + (3 * stride));
+        Vector256<float> cz = Vector256.Load(z + (6 * stride));
+        float* originX = rays->Origin + (RayBlock.Size * MinorX(major));
+        float* originY = rays->Origin + (RayBlock.Size * MinorY(major));
+        float* originZ = rays->Origin + (RayBlock.Size * major);
+        uint triangles = (2u << (count - 1)) - 1;
+
+        // No call may stand in this loop: it would throw the triangles out of their registers.
+        ulong candidates = 0;
+        ulong certain = 0;
+        for (ulong left = set; left != 0; left &= left - 1)
+        {
+            int ray = BitOperations.TrailingZeroCount(left);
+            uint hits = TriangleTest<TriangleLanes>.Candidates<TSearch>(ax, bx, cx, ay, by, cy, az, bz, cz, originX, originY, originZ, rays, ray, out uint sure);
+            candidates |= ((hits & triangles) != 0 ? 1ul : 0ul) << ray;
+            certain |= ((sure & triangles) != 0 ? 1ul : 0ul) << ray;
+        }
+
+        ulong changed = certain;
+        candidates &= ~certain;
+        for (; candidates != 0; candidates &= candidates - 1)
+        {
+            int ray = BitOperations.TrailingZeroCount(candidates);
+            changed |= Update<TSearch>(rows, count, rays, ray, major) ? 1ul << ray : 0;
+        }
+
+        return changed;
+    }
+
+    /// <summary>One triangle of a leaf and rays with the same major axis, eight rays at a time.</summary>
+    /// <returns>The rays whose distance or primitive changed, or, for any hit, those that have one.</returns>
+    public static ulong IntersectTriangle<TSearch>(float* rows, int count, int triangle, RayBlock* rays, ulong set, int major)
+        where TSearch : ISearch
+    {
+        nint stride = count;
+        float* x = rows + (MinorX(major) * stride) + triangle;
+        float* y = rows + (MinorY(major) * stride) + triangle;
+        float* z = rows + (major * stride) + triangle;
+        Vector256<float> ax = Vector256.Create(*x);
+        Vector256<float> bx = Vector256.Create(x[3 * stride]);
+        Vector256<float> cx = Vector256.Create(x[6 * stride]);
+        Vector256<float> ay = Vector256.Create(*y);
+        Vector256<float> by = Vector256.Create(y[3 * stride]);
+        Vector256<float> cy = Vector256.Create(y[6 * stride]);
+        Vector256<float> az = Vector256.Create(*z);
+        Vector256<float> bz = Vector256.Create(z[3 * stride]);
+        Vector256<float> cz = Vector256.Create(z[6 * stride]);
+        float* originX = rays->Origin + (RayBlock.Size * MinorX(major));
+        float* originY = rays->Origin + (RayBlock.Size * MinorY(major));
+        float* originZ = rays->Origin + (RayBlock.Size * major);
+        ulong candidates = 0;
+        ulong certain = 0;
+        for (int lane = 0; lane < RayBlock.Size; lane += 8)
+        {
+            if ((set >> lane & 0xff) != 0)
+            {
+                uint hits = TriangleTest<RayLanes>.Candidates<TSearch>(ax, bx, cx, ay, by, cy, az, bz, cz, originX, originY, originZ, rays, lane, out uint sure);
+                candidates |= (ulong)hits << lane;
+                certain |= (ulong)sure << lane;
+            }
+        }
+
+        ulong changed = certain & set;
+        candidates &= set & ~certain;
+        while (candidates != 0)
+        {
+            int lane = BitOperations.TrailingZeroCount(candidates) & ~7;
+            ulong eight = 0xfful << lane;
+            int number = ((int*)rows)[(9 * count) + triangle];
+            changed |= (ulong)Update<TSearch>(rows + triangle, count, number, rays, lane, major, (uint)((candidates & eight) >> lane)) << lane;
+            candidates &= ~eight;
+        }
+
+        return changed;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static bool Update<TSearch>(float* rows, int count, RayBlock* rays, int ray, int major)
+        where TSearch : ISearch
+    {
+        uint candidates = (2u << (count - 1)) - 1;
+        Vector256<float> distances = TriangleTest<TriangleLanes>.Distance(rows, count, rays, ray, major);
+        float distance = rays->Distance[ray];
+        Vector256<float> near = Vector256.GreaterThan(distances, Vector256<float>.Zero);
+        if (TSearch.EndsAtAnyHit)
+        {
+            return (Lanes8.Bits(near & Vector256.LessThan(distances, Vector256.Create(distance))) & candidates) != 0;
+        }
+
+        uint hits = Lanes8.Bits(near & Vector256.LessThanOrEqual(distances, Vector256.Create(distance))) & candidates;
+        int* numbers = (int*)rows + (9 * count);
+        int primitive = rays->Primitive[ray];
+        int before = primitive;
+        for (; hits != 0; hits &= hits - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(hits);
+            float candidate = distances[lane];
+
+            // With no hit yet the primitive is −1, and a hit at the limit does not count.
+            if (candidate < distance || (candidate == distance && numbers[lane] < primitive))
+            {
+                distance = candidate;
+                primitive = numbers[lane];
+            }
+        }
+
+        rays->Distance[ray] = distance;
+        rays->Primitive[ray] = primitive;
+        return primitive != before;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static uint Update<TSearch>(float* rows, int count, int number, RayBlock* rays, int lane, int major, uint candidates)
+        where TSearch : ISearch
+    {
+        Vector256<float> distances = TriangleTest<RayLanes>.Distance(rows, count, rays, lane, major);
+        Vector256<float> limits = Vector256.Load(rays->Distance + lane);
+        Vector256<float> near = Vector256.GreaterThan(distances, Vector256<float>.Zero);
+        Vector256<float> nearer = Vector256.LessThan(distances, limits);
+        if (TSearch.EndsAtAnyHit)
+        {
+            return Lanes8.Bits(near & nearer) & candidates;
+        }
+
+        Vector256<int> primitives = Vector256.Load(rays->Primitive + lane);
+        Vector256<int> numbers = Vector256.Create(number);
+        Vector256<float> hit = near & (nearer | (Vector256.Equals(distances, limits) & Vector256.LessThan(numbers, primitives).AsSingle())) & Lanes8.FromBits(candidates);
+        Vector256.ConditionalSelect(hit, distances, limits).Store(rays->Distance + lane);
+        Vector256.ConditionalSelect(hit.AsInt32(), numbers, primitives).Store(rays->Primitive + lane);
+        return Lanes8.Bits(hit);
+    }
+}

@@ -1,0 +1,78 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Rendering;
+using RayTracer.Shapes;
+
+namespace RayTracer.Acceleration;
+
+/// <summary>Everything that rays can meet: the shapes and triangles of the world itself, and the instances that stand in it.</summary>
+internal sealed unsafe class World
+{
+    /// <summary>Packs what a builder has put together.</summary>
+    /// <param name="contents">The world's contents.</param>
+    /// <param name="shutter">When the shutter opens and closes, in seconds.</param>
+    public World(SpaceContents contents, (double Open, double Close) shutter)
+    {
+        SpaceContents[] all = [contents, .. contents.Instances.Select(i => i.Contents).Distinct<SpaceContents>(ReferenceEqualityComparer.Instance)];
+        Count = checked(all.Sum(s => s.Shapes.Count + s.Meshes.Sum(m => m.Data.TriangleCount)));
+        Spaces = new Space[all.Length];
+        int first = 0;
+        for (int i = 0; i < all.Length; i++)
+        {
+            Spaces[i] = new(all[i], first, Count);
+            first += Spaces[i].Count;
+        }
+
+        Itself = Spaces[0];
+        Instances = contents.Instances.Count > 0 ? new(contents.Instances, Spaces[1..], shutter) : null;
+
+        // The table has them all now, in less memory.
+        foreach (SpaceContents space in all)
+        {
+            space.Instances.Clear();
+            space.Instances.TrimExcess();
+        }
+    }
+
+    /// <summary>Number of primitives, each counted once however many instances show it; as a primitive number, it means that nothing was hit.</summary>
+    public int Count { get; }
+
+    /// <summary>The world itself, and then the spaces of what instances show.</summary>
+    public Space[] Spaces { get; }
+
+    /// <summary>What stands in the world itself.</summary>
+    public Space Itself { get; }
+
+    /// <summary>The instances; null where there are none.</summary>
+    public InstanceTable? Instances { get; }
+
+    /// <summary>Whether there is nothing but shapes in the world itself.</summary>
+    public bool IsPlain => Itself.Tree is null && Instances is null;
+
+    /// <summary>Shortens rays, which have met the shapes of the world itself, to what else they meet.</summary>
+    /// <param name="paths">The rays.</param>
+    /// <param name="hits">Room for a number for each.</param>
+    public void ClosestHit(PathStream paths, int* hits)
+    {
+        if (Itself.Tree is not null)
+        {
+            Itself.Tree.ClosestHit(paths.Rays(hits));
+            uint first = (uint)Itself.Mesh!.FirstPrimitive;
+            for (int i = 0; i < paths.Count; i++)
+            {
+                paths.Primitive[i] = hits[i] >= 0 ? first + (uint)hits[i] : paths.Primitive[i];
+            }
+        }
+
+        if (Instances is not null)
+        {
+            for (int i = 0; i < paths.Count; i++)
+            {
+                InstanceHit hit = new(paths.Distance[i], (int)paths.Primitive[i], 0);
+                Instances.ClosestHit(paths.Ray(i), Instances.Moves ? paths.Time[i] : 0, ref hit);
+                (paths.Distance[i], paths.Primitive[i], paths.Instance[i]) = (hit.Distance, (uint)hit.Primitive, (uint)hit.Instance);
+            }
+        }
+    }
+}

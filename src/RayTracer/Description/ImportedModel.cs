@@ -1,0 +1,44 @@
+namespace RayTracer.Description;
+
+/// <summary>What a model file holds, in the terms of scenes.</summary>
+/// <param name="Scene">Shapes (groups, meshes, instances) with their materials, and lights as shapes that shine.</param>
+/// <param name="Notes">What could not be represented exactly, one sentence each without a final stop: shown as warnings, once a file.</param>
+public sealed record ImportedModel(SceneDescription Scene, IReadOnlyList<string> Notes)
+{
+    /// <summary>The file's first camera; null where there is none.</summary>
+    public CameraDescription? Camera { get; init; }
+}
+
+/// <summary>A model file that cannot be read; the message says what is wrong and where (line or byte offset), for the user.</summary>
+public sealed class ModelException : Exception
+{
+    /// <summary>Says what is wrong.</summary>
+    public ModelException(string message) : base(message)
+    {
+    }
+
+    /// <summary>Says what is wrong in a line of a text file.</summary>
+    /// <param name="reason">What is wrong and what was expected: one sentence without a final stop.</param>
+    /// <param name="line">The line, from 1.</param>
+    public ModelException(string reason, int line) : base($"line {line}: {reason}")
+    {
+        Line = line;
+        Reason = reason;
+    }
+
+    /// <summary>Says what is wrong, and what caused it.</summary>
+    public ModelException(string message, Exception innerException) : base(message, innerException)
+    {
+    }
+
+    /// <summary>An unnamed fault.</summary>
+    public ModelException()
+    {
+    }
+
+    /// <summary>The line of the model's file, from 1; 0 where the fault is in no line.</summary>
+    public int Line { get; }
+
+    /// <summary>What is wrong, without the line; null where there is no line.</summary>
+    public string? Reason { get; }
+}

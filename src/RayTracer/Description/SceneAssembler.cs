@@ -1,0 +1,292 @@
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Description;
+
+/// <summary>
+/// Takes descriptions of shapes apart into what rays meet: transforms are worked into the numbers of triangles, and of other shapes where that
+/// makes a shape of the same kind; what cannot be so placed, moves, or is shown as an instance, gets a space of its own.
+/// </summary>
+internal sealed class SceneAssembler(SceneBuilder builder)
+{
+    /// <summary>The largest number of instances in a scene.</summary>
+    public const int MaximumInstances = 1 << 24;
+
+    private readonly Dictionary<ShapeDescription, SpaceContents> _objects = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<object, MeshData> _mended = new(ReferenceEqualityComparer.Instance);
+    private readonly HashSet<ImportedModel> _noted = new(ReferenceEqualityComparer.Instance);
+    private int _nesting;
+
+    /// <summary>The world that some shapes make.</summary>
+    public SpaceContents World { get; } = new();
+
+    /// <summary>Adds a shape and all that it consists of.</summary>
+    public void Add(ShapeDescription description) => Add(description, Motion.None, World);
+
+    private void Add(ShapeDescription description, Motion outer, SpaceContents target)
+    {
+        Motion motion = outer * TransformSteps.Motion(description, description.Transform, description.Motion, builder);
+        if (motion.IsStill)
+        {
+            AddStill(description, motion.At(0), target);
+            return;
+        }
+
+        SpaceContents own = new();
+        AddStill(description, Transform.Identity, own);
+        AddInstance(description, own, motion, target);
+    }
+
+    private void AddStill(ShapeDescription description, in Transform place, SpaceContents target)
+    {
+        // Objects of objects, and models of models that a program made, could go round in a circle.
+        if (++_nesting > 200)
+        {
+            builder.Error(description, null, "things within things are nested too deep");
+        }
+        else
+        {
+            switch (description)
+            {
+                case GroupDescription group:
+                    AddAll(group, group.Shapes, place, target);
+                    break;
+                case InstanceDescription instance:
+                    AddObject(instance, place, target);
+                    break;
+                case MeshDescription mesh:
+                    AddMesh(mesh, place, target);
+                    break;
+                case ModelDescription model:
+                    AddModel(model, place, target);
+                    break;
+                default:
+                    AddShape(description, place, target);
+                    break;
+            }
+        }
+
+        _nesting--;
+    }
+
+    private void AddAll(ShapeDescription parent, IEnumerable<ShapeDescription> shapes, in Transform place, SpaceContents target)
+    {
+        Motion still = Motion.Still(place);
+        using (builder.Inherit(parent.Material))
+        {
+            foreach (ShapeDescription shape in shapes)
+            {
+                Add(shape, still, target);
+            }
+        }
+    }
+
+    private void AddObject(InstanceDescription instance, in Transform place, SpaceContents target)
+    {
+        if (instance.Of is null)
+        {
+            builder.Error(instance, nameof(InstanceDescription.Of), "an instance needs a shape to show");
+            return;
+        }
+
+        if (!ReferenceEquals(instance.Material, ShapeDescription.DefaultMaterial))
+        {
+            builder.Warn(instance, nameof(ShapeDescription.Material), "an instance is made of its object's materials: this one has no effect");
+        }
+
+        if (!_objects.TryGetValue(instance.Of, out SpaceContents? contents))
+        {
+            contents = new();
+            using (builder.InheritNothing())
+            {
+                Add(instance.Of, Motion.None, contents);
+            }
+
+            _objects.Add(instance.Of, contents);
+        }
+
+        AddInstance(instance, contents, Motion.Still(place), target);
+    }
+
+    private void AddInstance(ShapeDescription subject, SpaceContents contents, Motion motion, SpaceContents target)
+    {
+        if ((long)contents.Instances.Count + target.Instances.Count >= MaximumInstances)
+        {
+            if (!builder.HasErrors)
+            {
+                builder.Error(subject, null, $"instances of instances make more than {MaximumInstances} of them");
+            }
+
+            return;
+        }
+
+        (double open, double close) = builder.Shutter;
+        if (!motion.IsInvertible(open, close))
+        {
+            builder.Error(subject, nameof(ShapeDescription.Transform), "the transforms together make numbers too large or too small to compute with");
+            return;
+        }
+
+        if (contents.HasSurfaces)
+        {
+            target.Instances.Add(new(contents, motion));
+        }
+
+        foreach (PlacedSpace inner in contents.Instances.ToArray())
+        {
+            target.Instances.Add(inner with { Motion = motion * inner.Motion });
+        }
+    }
+
+    private void AddShape(ShapeDescription description, in Transform place, SpaceContents target)
+    {
+        Shape? shape = description.Build(builder);
+        if (shape is null)
+        {
+            return;
+        }
+
+        if (shape.Material.Emits && !float.IsFinite(shape.Area) && !builder.HasErrors)
+        {
+            builder.Error(description, null, "the area of this light is too large a number to compute with");
+        }
+
+        if (shape.Bounds.IsFinite && !shape.Bounds.Transformed(place).IsFinite)
+        {
+            builder.Error(description, nameof(ShapeDescription.Transform), "the transform moves the shape to numbers too large to compute with");
+            return;
+        }
+
+        if (place.IsIdentity)
+        {
+            target.Shapes.Add(shape);
+        }
+        else if (shape.Transformed(place) is { } moved)
+        {
+            target.Shapes.Add(moved);
+        }
+        else
+        {
+            SpaceContents own = new();
+            own.Shapes.Add(shape);
+            AddInstance(description, own, Motion.Still(place), target);
+        }
+    }
+
+    private void AddMesh(MeshDescription mesh, in Transform place, SpaceContents target)
+    {
+        if (mesh.File.Length > 0)
+        {
+            if (builder.Model(mesh, nameof(MeshDescription.File), mesh.File) is { } model)
+            {
+                using (builder.Within(mesh, nameof(MeshDescription.File)))
+                using (builder.Replace(mesh.Material))
+                {
+                    AddMeshesOf(mesh, model.Scene.Shapes, Motion.Still(place), target);
+                }
+            }
+
+            return;
+        }
+
+        Material[] materials = mesh.Materials.Count > 0 ? [.. mesh.Materials.Select(builder.SurfaceMaterial)] : [builder.SurfaceMaterial(mesh.Material)];
+        AddTriangles(mesh, materials, place, target);
+    }
+
+    // Only the triangles of a file, made of what the mesh says.
+    private void AddMeshesOf(MeshDescription parent, IEnumerable<ShapeDescription> shapes, Motion outer, SpaceContents target)
+    {
+        foreach (ShapeDescription shape in shapes)
+        {
+            Motion place = outer * TransformSteps.Motion(shape, shape.Transform, shape.Motion, builder);
+            switch (shape)
+            {
+                case MeshDescription mesh:
+                    Material[] materials = parent.Materials.Count > 0 ? [.. parent.Materials.Select(builder.SurfaceMaterial)] : [builder.SurfaceMaterial(parent.Material)];
+                    AddTriangles(mesh, materials, place.At(builder.Shutter.Open), target);
+                    break;
+                case GroupDescription group:
+                    AddMeshesOf(parent, group.Shapes, place, target);
+                    break;
+                case InstanceDescription { Of: { } of }:
+                    AddMeshesOf(parent, [of], place, target);
+                    break;
+            }
+        }
+    }
+
+    private void AddTriangles(MeshDescription mesh, Material[] materials, in Transform place, SpaceContents target)
+    {
+        MeshData? data = Mended(mesh);
+        if (data is null || data.TriangleCount == 0)
+        {
+            return;
+        }
+
+        if (!MeshTable.BoundsOf(data).Transformed(place).IsFinite)
+        {
+            builder.Error(mesh, nameof(ShapeDescription.Transform), "the transform moves the mesh to numbers too large to compute with");
+            return;
+        }
+
+        if (data.Uv is null && materials.Any(m => m.UsesUv))
+        {
+            builder.Warn(mesh, null, $"{Name(mesh)} has no uv, so its texture shows the colour at (0, 0) everywhere");
+        }
+
+        target.Meshes.Add(new(data, materials, place));
+    }
+
+    private MeshData? Mended(MeshDescription mesh)
+    {
+        object key = (object?)mesh.Data ?? mesh;
+        if (!_mended.TryGetValue(key, out MeshData? data))
+        {
+            data = MeshDoctor.Mend(mesh.Data ?? Inline(mesh), out string report);
+            _mended.Add(key, data);
+            if (report.Length > 0)
+            {
+                builder.Warn(mesh, null, $"{Name(mesh)}: {report}");
+            }
+        }
+
+        return data;
+    }
+
+    private static MeshData Inline(MeshDescription mesh) => new([.. mesh.Positions], [.. mesh.Triangles.SelectMany(t => new[] { t.A, t.B, t.C })])
+    {
+        Normals = mesh.Normals.Count > 0 ? [.. mesh.Normals] : null,
+        Uv = mesh.Uv.Count > 0 ? [.. mesh.Uv] : null,
+        MaterialOfTriangle = mesh.MaterialOfTriangle.Count > 0 ? [.. mesh.MaterialOfTriangle] : null,
+    };
+
+    private static string Name(MeshDescription mesh) => mesh.Name.Length > 0 ? $"mesh \"{mesh.Name}\"" : "the mesh";
+
+    private void AddModel(ModelDescription model, in Transform place, SpaceContents target)
+    {
+        if (builder.Model(model, nameof(ModelDescription.File), model.File) is not { } imported)
+        {
+            return;
+        }
+
+        if (_noted.Add(imported))
+        {
+            foreach (string note in imported.Notes)
+            {
+                builder.Warn(model, nameof(ModelDescription.File), $"\"{model.File}\": {note}");
+            }
+        }
+
+        bool isGiven = !ReferenceEquals(model.Material, ShapeDescription.DefaultMaterial);
+        using (builder.Within(model, nameof(ModelDescription.File)))
+        using (isGiven ? builder.Replace(model.Material) : builder.InheritNothing())
+        {
+            Motion still = Motion.Still(place);
+            foreach (ShapeDescription shape in imported.Scene.Shapes.Concat(imported.Scene.Lights))
+            {
+                Add(shape, still, target);
+            }
+        }
+    }
+}

@@ -1,0 +1,37 @@
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Description;
+
+/// <summary>What a builder has put into one space: the world, or that of an object which instances show.</summary>
+internal sealed class SpaceContents
+{
+    /// <summary>Shapes, in coordinates of the space.</summary>
+    public List<Shape> Shapes { get; } = [];
+
+    /// <summary>Meshes at their places.</summary>
+    public List<PlacedMesh> Meshes { get; } = [];
+
+    /// <summary>Other spaces, none of which holds instances of its own that are seen: those are listed here too.</summary>
+    public List<PlacedSpace> Instances { get; } = [];
+
+    /// <summary>Whether there is anything but instances.</summary>
+    public bool HasSurfaces => Shapes.Count + Meshes.Count > 0;
+
+    /// <summary>Number of things that shine.</summary>
+    public int CountLights() => Shapes.Count(s => s.Material.Emits)
+        + Meshes.Sum(m => m.Materials.Count(material => material.Emits))
+        + Instances.Sum(i => i.Contents.Shapes.Count(s => s.Material.Emits) + i.Contents.Meshes.Sum(m => m.Materials.Count(material => material.Emits)));
+}
+
+/// <summary>A mesh in a space.</summary>
+/// <param name="Data">The triangles, checked and mended.</param>
+/// <param name="Materials">What they are made of; at least one.</param>
+/// <param name="Place">Where the mesh stands.</param>
+internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place);
+
+/// <summary>A space in another one.</summary>
+/// <param name="Contents">What it holds.</param>
+/// <param name="Motion">Where it is.</param>
+internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion);

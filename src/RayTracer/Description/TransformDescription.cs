@@ -1,0 +1,30 @@
+using System.Numerics;
+
+namespace RayTracer.Description;
+
+/// <summary>
+/// One step of moving a thing. Of several parameters in one step the matrix is applied first, then scale, rotation and
+/// translation; of several steps in a list, the first one first.
+/// </summary>
+public sealed record TransformDescription
+{
+    /// <summary>A matrix, row by row: 12 numbers, or 16 whose last four are 0, 0, 0, 1.</summary>
+    [Parameter("A matrix, row by row: 3 rows of 4 numbers, or 4 rows, whose last one is 0, 0, 0, 1. The fourth column is the translation. Applied before the other parameters of the step.")]
+    public IReadOnlyList<float> Matrix { get; init; } = [];
+
+    /// <summary>Factors along the axes; negative ones mirror.</summary>
+    [Parameter("Factors along x, y and z, from the origin; a negative one mirrors. None may be 0.")]
+    public Vector3 Scale { get; init; } = Vector3.One;
+
+    /// <summary>Angle of rotation about <see cref="Axis"/>, by the right-hand rule.</summary>
+    [Parameter("Angle of a rotation about the axis, through the origin: counter-clockwise for whoever sees the axis point at him. Applied after the scale.", Unit = "degrees")]
+    public float Rotate { get; init; }
+
+    /// <summary>Axis of the rotation, of any length.</summary>
+    [Parameter("Axis of the rotation, of any length.")]
+    public Vector3 Axis { get; init; } = new(0, 1, 0);
+
+    /// <summary>Added last.</summary>
+    [Parameter("How far the thing is moved along x, y and z, after the other parameters of the step.", Unit = "scene units")]
+    public Vector3 Translate { get; init; }
+}

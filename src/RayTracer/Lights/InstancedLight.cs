@@ -1,0 +1,50 @@
+using RayTracer.Acceleration;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Lights;
+
+/// <summary>
+/// A shape that shines inside an instance. It is sampled in its own space, from where the lit point lies in it. Directions, and the
+/// solid angles around them, are then mapped into the world: for a map A, by |det A| / |A·ω|³.
+/// </summary>
+/// <param name="shape">The shape, of finite area.</param>
+/// <param name="table">The batch that the shape is in.</param>
+/// <param name="primitive">The shape's number among the scene's primitives.</param>
+/// <param name="instances">The scene's instances.</param>
+/// <param name="instance">The instance in which it stands.</param>
+internal sealed unsafe class InstancedLight(Shape shape, SurfaceTable table, int primitive, InstanceTable instances, int instance)
+    : LightSource(instance, primitive)
+{
+    private readonly LuminaireMaterial _luminaire = (LuminaireMaterial)shape.Material;
+
+    /// <inheritdoc/>
+    public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
+    {
+        float* memory = stackalloc float[InstanceMaps.Floats];
+        InstanceMaps maps = new(memory);
+        maps.Fill(instances, Instance, time);
+        Vec3W inside = maps.PointBack(from);
+        shape.SamplePoint(inside, u, v, out sample);
+
+        // The point chosen, and the normal there as the world sees it.
+        Vec3W normal = NormalAt(Vec3W.MultiplyAdd(sample.Direction, sample.Distance, inside));
+        Vec3W along = maps.Vector(sample.Direction);
+        FloatW stretch = FloatW.Sqrt(Vec3W.Dot(along, along));
+        sample.InversePdf *= FloatW.Abs(maps.Determinant()) / (stretch * stretch * stretch);
+        sample.Direction = along * (1f / stretch);
+        sample.Distance *= stretch;
+        sample.Cosine = -Vec3W.Dot(sample.Direction, Vec3W.Normalize(maps.NormalOut(normal)));
+        _luminaire.Emission(sample.Cosine, sample.U, sample.V, out RgbW emitted);
+        radiance = emitted * sample.InversePdf;
+    }
+
+    private Vec3W NormalAt(Vec3W point)
+    {
+        SurfaceW surface = default;
+        surface.Point = point;
+        table.Describe(new PrimitiveIndex(Primitive - table.FirstPrimitive, table.Stride), needsUv: false, ref surface);
+        return surface.Normal;
+    }
+}

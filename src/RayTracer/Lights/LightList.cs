@@ -1,0 +1,73 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Lights;
+
+/// <summary>Finds what shines in a scene.</summary>
+internal static class LightList
+{
+    /// <summary>All sources: shapes of the world, its meshes, and then those that instances show.</summary>
+    public static LightSource[] Create(World world)
+    {
+        List<LightSource> lights =
+            [.. world.Itself.Shapes.Select((shape, i) => (shape, i)).Where(s => s.shape.Material.Emits).Select(s => new AreaLight(s.shape, s.i))];
+        AddMeshes(lights, world.Itself, world.Itself.Contents, null, 0, Transform.Identity);
+        for (int instance = 1; instance <= (world.Instances?.Count ?? 0); instance++)
+        {
+            AddInstance(lights, world.Instances!, instance);
+        }
+
+        return [.. lights];
+    }
+
+    private static unsafe void AddInstance(List<LightSource> lights, InstanceTable instances, int instance)
+    {
+        Space space = instances.SpaceOf(instance);
+        if (!space.Shines)
+        {
+            return;
+        }
+
+        foreach (ShapeBatch batch in space.Batches)
+        {
+            for (int primitive = batch.FirstPrimitive; primitive < batch.FirstPrimitive + batch.Count; primitive++)
+            {
+                Shape shape = space.Shapes[primitive - space.FirstPrimitive];
+                if (shape.Material.Emits)
+                {
+                    lights.Add(new InstancedLight(shape, batch, primitive, instances, instance));
+                }
+            }
+        }
+
+        AddMeshes(lights, space, space.Contents, instances, instance, instances.PlaceOf(instance));
+    }
+
+    // One source for the triangles of each luminaire. Their areas are those at the place where the shutter opens.
+    private static void AddMeshes(List<LightSource> lights, Space space, SpaceContents contents, InstanceTable? instances, int instance, Transform place)
+    {
+        if (space.Mesh is not { } mesh || !contents.Meshes.Exists(m => m.Materials.Any(material => material.Emits)))
+        {
+            return;
+        }
+
+        foreach (IGrouping<Material, int> triangles in space.MaterialOfTriangle.Select((material, i) => (material, i)).Where(t => t.material.Emits).GroupBy(t => t.material, t => t.i))
+        {
+            TriangleChoice choice = new([.. triangles], t => Area(mesh, t, place));
+            if (choice.IsFinite)
+            {
+                lights.Add(new MeshLight(mesh, (LuminaireMaterial)triangles.Key, choice, instances, instance));
+            }
+        }
+    }
+
+    private static double Area(MeshTable mesh, int triangle, in Transform place)
+    {
+        (Vector3 a, Vector3 b, Vector3 c) = mesh.Corners(triangle);
+        return 0.5 * place.Vector(b - a).Cross(place.Vector(c - a)).Norm();
+    }
+}

@@ -1,0 +1,93 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+using RayTracer.Shapes;
+
+namespace RayTracer.Lights;
+
+/// <summary>
+/// The triangles of a space that are made of one luminaire, as one source: a triangle is chosen by area, and a point of it uniformly. The points
+/// are moved off their triangles by the offset that rays start with, so that neighbours which bend away from the light cast no shadow on it,
+/// while all others may.
+/// </summary>
+/// <param name="mesh">The table that the triangles are in.</param>
+/// <param name="luminaire">What they are made of.</param>
+/// <param name="choice">Chooses a triangle.</param>
+/// <param name="instances">The scene's instances; null where the light stands in the world itself.</param>
+/// <param name="instance">The instance in which it stands; 0 for the world itself.</param>
+internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminaire, TriangleChoice choice, InstanceTable? instances, int instance)
+    : LightSource(instance, -1)
+{
+    // Of each lane: nine coordinates of the corners, six of uv, the probability, the number left for the point.
+    private const int Uv = 9;
+    private const int Probability = 15;
+    private const int Rest = 16;
+    private const int Numbers = 17;
+
+    /// <inheritdoc/>
+    public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
+    {
+        float* chosen = stackalloc float[Numbers * 16];
+        for (int lane = 0; lane < FloatW.Count; lane++)
+        {
+            Choose(u[lane], chosen + lane);
+        }
+
+        Vec3W a = Corner(chosen, 0);
+        Vec3W b = Corner(chosen, 3);
+        Vec3W c = Corner(chosen, 6);
+        FloatW mirrors = 1f;
+        if (instances is not null)
+        {
+            float* memory = stackalloc float[InstanceMaps.Floats];
+            InstanceMaps maps = new(memory);
+            maps.Fill(instances, Instance, time);
+            (a, b, c) = (maps.Point(a), maps.Point(b), maps.Point(c));
+            mirrors = FloatW.CopySign(1f, maps.Determinant());
+        }
+
+        Vec3W toB = b - a;
+        Vec3W toC = c - a;
+        Vec3W normal = Vec3W.Cross(toB, toC) * mirrors;
+        FloatW doubled = FloatW.Sqrt(Vec3W.Dot(normal, normal));
+        normal *= 1f / doubled;
+        Warp.UniformTriangle(Load(chosen, Rest), v, out FloatW atB, out FloatW atC);
+        Vec3W point = Vec3W.MultiplyAdd(toC, atC, Vec3W.MultiplyAdd(toB, atB, a));
+        FloatW offset = FloatW.Max(Largest(a), FloatW.Max(Largest(b), Largest(c))) * (2f * RayOffset.Relative);
+        Vec3W to = Vec3W.MultiplyAdd(normal, offset, point) - from;
+        FloatW distance2 = Vec3W.Dot(to, to);
+        FloatW inverse = 1f / FloatW.Sqrt(distance2);
+        sample.Direction = to * inverse;
+        sample.Distance = distance2 * inverse;
+        sample.Cosine = -Vec3W.Dot(sample.Direction, normal);
+        FloatW weight = sample.Cosine * doubled * 0.5f * inverse * inverse / Load(chosen, Probability);
+        sample.InversePdf = (sample.Cosine > 0f).Select(weight, 0f);
+        sample.U = Mix(chosen, Uv, atB, atC);
+        sample.V = Mix(chosen, Uv + 1, atB, atC);
+        luminaire.Emission(sample.Cosine, sample.U, sample.V, out RgbW emitted);
+        radiance = emitted * sample.InversePdf;
+    }
+
+    private static FloatW Load(float* chosen, int number) => FloatW.Load(chosen + (number * FloatW.Count));
+
+    private static Vec3W Corner(float* chosen, int number) => new(Load(chosen, number), Load(chosen, number + 1), Load(chosen, number + 2));
+
+    private static FloatW Mix(float* chosen, int number, FloatW b, FloatW c) =>
+        FloatW.MultiplyAdd(Load(chosen, number + 4), c, FloatW.MultiplyAdd(Load(chosen, number + 2), b, Load(chosen, number) * (1f - b - c)));
+
+    private static FloatW Largest(Vec3W p) => FloatW.Max(FloatW.Abs(p.X), FloatW.Max(FloatW.Abs(p.Y), FloatW.Abs(p.Z)));
+
+    private void Choose(float u, float* to)
+    {
+        int triangle = choice.Choose(ref u, out float probability);
+        (Vector3 a, Vector3 b, Vector3 c) = mesh.Corners(triangle);
+        (Vector2 uvA, Vector2 uvB, Vector2 uvC) = mesh.UvOf(triangle);
+        ReadOnlySpan<float> numbers = [a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z, uvA.X, uvA.Y, uvB.X, uvB.Y, uvC.X, uvC.Y, probability, u];
+        for (int i = 0; i < Numbers; i++)
+        {
+            to[i * FloatW.Count] = numbers[i];
+        }
+    }
+}

@@ -1,0 +1,192 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Lights;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Shadow rays that wait to be traced together, for a tree is searched faster by many rays than by few. What they bring is added to the radiance
+/// of their paths where those have gone meanwhile, in the same order and with the same roundings as if it had been at once.
+/// </summary>
+internal sealed unsafe class ShadowQueue
+{
+    private const int MaxPackets = 1024;
+    private const int Columns = 12;
+    private const uint IsFinished = 0x80000000;
+    private const uint IsNowhere = uint.MaxValue;
+    private readonly Scene _scene;
+    private readonly LightSource[] _lights;
+    private readonly int _capacity;
+    private readonly int _stride;
+
+    // Of rays: origin, direction, distance, time, radiance, cosine; then the lane that each is for, the light it comes from, and what it hits.
+    private readonly PinnedBuffer<float> _rays;
+    private readonly PinnedBuffer<uint> _lanes;
+    private readonly PinnedBuffer<uint> _lightOf;
+    private readonly PinnedBuffer<int> _hits;
+
+    // Of packets, six numbers a lane: what arriving light is multiplied by, and what has arrived; and where the lane's path went.
+    private readonly PinnedBuffer<float> _weights;
+    private readonly PinnedBuffer<float> _arrived;
+    private readonly PinnedBuffer<uint> _slots;
+    private int _count;
+    private int _packets;
+
+    public ShadowQueue(Scene scene)
+    {
+        _scene = scene;
+        _lights = [.. scene.Lights];
+        _capacity = Math.Max(8192, _lights.Length * FloatW.Count);
+        _stride = _capacity + 48;
+        _rays = new((long)Columns * _stride);
+        _lanes = new(_stride);
+        _lightOf = new(_stride);
+        _hits = new(_stride);
+        _weights = new(3L * MaxPackets * FloatW.Count);
+        _arrived = new(3L * MaxPackets * FloatW.Count);
+        _slots = new((long)MaxPackets * FloatW.Count);
+    }
+
+    /// <summary>Whether a packet more has room.</summary>
+    public bool IsFull => _packets == MaxPackets || _count + (_lights.Length * FloatW.Count) > _capacity;
+
+    /// <summary>Starts a packet.</summary>
+    /// <param name="weight">Throughput times BRDF.</param>
+    public void Begin(in RgbW weight)
+    {
+        Store(_weights.Pointer, weight);
+        Store(_arrived.Pointer, default);
+        _packets++;
+    }
+
+    /// <summary>Adds rays of the packet.</summary>
+    /// <param name="lanes">Which lanes.</param>
+    /// <param name="origin">Where they start.</param>
+    /// <param name="sample">Where they end.</param>
+    /// <param name="time">Their times in seconds; used only where something moves.</param>
+    /// <param name="light">Number of the light.</param>
+    /// <param name="radiance">What they bring, if they are free.</param>
+    /// <param name="cosine">What that is multiplied by.</param>
+    public void Add(uint lanes, in Vec3W origin, in Shapes.ShapeSampleW sample, in FloatW time, int light, in RgbW radiance, in FloatW cosine)
+    {
+        float* to = _rays.Pointer + _count;
+        origin.X.Compress(to, lanes);
+        origin.Y.Compress(to + _stride, lanes);
+        origin.Z.Compress(to + (2 * _stride), lanes);
+        sample.Direction.X.Compress(to + (3 * _stride), lanes);
+        sample.Direction.Y.Compress(to + (4 * _stride), lanes);
+        sample.Direction.Z.Compress(to + (5 * _stride), lanes);
+        sample.Distance.Compress(to + (6 * _stride), lanes);
+        time.Compress(to + (7 * _stride), lanes);
+        radiance.R.Compress(to + (8 * _stride), lanes);
+        radiance.G.Compress(to + (9 * _stride), lanes);
+        radiance.B.Compress(to + (10 * _stride), lanes);
+        cosine.Compress(to + (11 * _stride), lanes);
+        (UIntW.Iota + (uint)((_packets - 1) * FloatW.Count)).Compress(_lanes.Pointer + _count, lanes);
+        ((UIntW)(uint)light).Store(_lightOf.Pointer + _count);
+        _count += BitOperations.PopCount(lanes);
+    }
+
+    /// <summary>Says where the paths of the packet went.</summary>
+    /// <param name="ended">The lanes that ended.</param>
+    /// <param name="firstFinished">Where among the finished paths the first of them is.</param>
+    /// <param name="going">The lanes that go on.</param>
+    /// <param name="firstNext">Where in the next stream the first of them is.</param>
+    public void End(uint ended, int firstFinished, uint going, int firstNext)
+    {
+        uint* slots = _slots.Pointer + ((_packets - 1) * FloatW.Count);
+        for (int lane = 0; lane < FloatW.Count; lane++)
+        {
+            slots[lane] = (ended >> lane & 1) != 0 ? (uint)firstFinished++ | IsFinished : (going >> lane & 1) != 0 ? (uint)firstNext++ : IsNowhere;
+        }
+    }
+
+    /// <summary>Traces all rays, and adds what they bring.</summary>
+    public void Flush(FinishedPaths finished, PathStream next)
+    {
+        Trace();
+        float* rays = _rays.Pointer;
+        for (int i = 0; i < _count; i++)
+        {
+            if (_hits.Pointer[i] < 0)
+            {
+                float cosine = rays[(11 * _stride) + i];
+                uint lane = _lanes.Pointer[i];
+                float* arrived = _arrived.Pointer + (lane / (uint)FloatW.Count * 3 * (uint)FloatW.Count) + (lane % (uint)FloatW.Count);
+                for (int channel = 0; channel < 3; channel++, arrived += FloatW.Count)
+                {
+                    *arrived = float.FusedMultiplyAdd(rays[((8 + channel) * _stride) + i], cosine, *arrived);
+                }
+            }
+        }
+
+        for (int lane = 0; lane < _packets * FloatW.Count; lane++)
+        {
+            uint slot = _slots.Pointer[lane];
+            if (slot != IsNowhere)
+            {
+                AddTo(finished, next, slot, lane);
+            }
+        }
+
+        (_count, _packets) = (0, 0);
+    }
+
+    private void AddTo(FinishedPaths finished, PathStream next, uint slot, int lane)
+    {
+        bool isFinished = (slot & IsFinished) != 0;
+        int index = (int)(slot & ~IsFinished);
+        float* radiance = isFinished ? finished.Radiance + index : next.RadianceR + index;
+        long stride = isFinished ? finished.Stride : next.RadianceG - next.RadianceR;
+        int at = (lane / FloatW.Count * 3 * FloatW.Count) + (lane % FloatW.Count);
+        for (int channel = 0; channel < 3; channel++, radiance += stride, at += FloatW.Count)
+        {
+            *radiance = float.FusedMultiplyAdd(_weights.Pointer[at], _arrived.Pointer[at], *radiance);
+        }
+    }
+
+    private void Store(float* to, in RgbW color)
+    {
+        to += _packets * 3 * FloatW.Count;
+        color.R.Store(to);
+        color.G.Store(to + FloatW.Count);
+        color.B.Store(to + (2 * FloatW.Count));
+    }
+
+    private void Trace()
+    {
+        float* rays = _rays.Pointer;
+        World world = _scene.World;
+        if (world.Itself.Tree is null)
+        {
+            new Span<int>(_hits.Pointer, _count).Fill(-1);
+        }
+        else
+        {
+            world.Itself.Tree.AnyHit(new()
+            {
+                OriginX = rays,
+                OriginY = rays + _stride,
+                OriginZ = rays + (2 * _stride),
+                DirectionX = rays + (3 * _stride),
+                DirectionY = rays + (4 * _stride),
+                DirectionZ = rays + (5 * _stride),
+                Distance = rays + (6 * _stride),
+                Primitive = _hits.Pointer,
+                Count = _count,
+            });
+        }
+
+        for (int i = 0; world.Instances is not null && i < _count; i++)
+        {
+            if (_hits.Pointer[i] < 0)
+            {
+                SpaceRay ray = new(
+                    new(rays[i], rays[_stride + i], rays[(2 * _stride) + i]), new(rays[(3 * _stride) + i], rays[(4 * _stride) + i], rays[(5 * _stride) + i]));
+                LightSource light = _lights[_lightOf.Pointer[i]];
+                _hits.Pointer[i] = world.Instances.AnyHit(ray, rays[(7 * _stride) + i], rays[(6 * _stride) + i], light.Instance, light.Primitive) ? 0 : -1;
+            }
+        }
+    }
+}

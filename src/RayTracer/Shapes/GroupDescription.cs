@@ -1,0 +1,15 @@
+using RayTracer.Description;
+
+namespace RayTracer.Shapes;
+
+/// <summary>Describes several shapes that are placed together.</summary>
+[SceneType("group", "Shapes that are moved together. What nothing is said about is made of the group's material.")]
+public sealed record GroupDescription : ShapeDescription
+{
+    /// <summary>The shapes.</summary>
+    [Parameter("The shapes, in the group's own space.", Required = true)]
+    public IReadOnlyList<ShapeDescription> Shapes { get; init; } = [];
+
+    /// <summary>Returns null: it is no single shape.</summary>
+    public override Shape? Build(SceneBuilder builder) => null;
+}

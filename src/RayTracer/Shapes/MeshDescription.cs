@@ -1,0 +1,43 @@
+using System.Numerics;
+using RayTracer.Description;
+
+namespace RayTracer.Shapes;
+
+/// <summary>Describes a mesh of triangles, from a file, from numbers in the scene file, or from a program.</summary>
+[SceneType("mesh", "Triangles that share corners, from a model file or from numbers written here. Their front, which shines if they are a luminaire, is where the corners are seen counter-clockwise. What is wrong with a mesh is mended where possible, and reported.")]
+public sealed record MeshDescription : ShapeDescription
+{
+    /// <summary>A model file, of which only the triangles are taken.</summary>
+    [Parameter("A model file, of which only the triangles are taken: not its materials, lights and cameras (a model takes all).", IsFile = true)]
+    public string File { get; init; } = "";
+
+    /// <summary>The corners.</summary>
+    [Parameter("The corners.", Unit = "scene units")]
+    public IReadOnlyList<Vector3> Positions { get; init; } = [];
+
+    /// <summary>Three corners a triangle.</summary>
+    [Parameter("The triangles: for each, the numbers of three corners, from 0, counter-clockwise as seen from its front.")]
+    public IReadOnlyList<TriangleIndices> Triangles { get; init; } = [];
+
+    /// <summary>A shading normal for each corner; empty for flat triangles.</summary>
+    [Parameter("A normal for each corner, of any length, with which the surface is shaded as if it were smooth. Without them each triangle is flat.")]
+    public IReadOnlyList<Vector3> Normals { get; init; } = [];
+
+    /// <summary>uv for each corner.</summary>
+    [Parameter("uv for each corner.")]
+    public IReadOnlyList<Vector2> Uv { get; init; } = [];
+
+    /// <summary>Materials for <see cref="MaterialOfTriangle"/>; empty where all triangles are of the mesh's material.</summary>
+    [Parameter("Materials to choose from for each triangle. Without them, all are made of the mesh's material.")]
+    public IReadOnlyList<MaterialDescription> Materials { get; init; } = [];
+
+    /// <summary>Which of <see cref="Materials"/> each triangle is made of; empty where all are made of the first.</summary>
+    [Parameter("For each triangle, which of the materials it is made of, from 0.")]
+    public IReadOnlyList<int> MaterialOfTriangle { get; init; } = [];
+
+    /// <summary>The triangles as a program gives them, instead of the file or the lists; null where there are none.</summary>
+    public MeshData? Data { get; init; }
+
+    /// <summary>Returns null: it is no single shape.</summary>
+    public override Shape? Build(SceneBuilder builder) => null;
+}

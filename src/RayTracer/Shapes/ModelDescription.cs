@@ -1,0 +1,15 @@
+using RayTracer.Description;
+
+namespace RayTracer.Shapes;
+
+/// <summary>Describes all shapes and lights of a model file, made of the file's own materials.</summary>
+[SceneType("model", "All that a model file shows, with its own materials and lights. A material given here takes the place of all of them.")]
+public sealed record ModelDescription : ShapeDescription
+{
+    /// <summary>The model's file.</summary>
+    [Parameter("The model's file.", IsFile = true, Required = true)]
+    public string File { get; init; } = "";
+
+    /// <summary>Returns null: it is no single shape.</summary>
+    public override Shape? Build(SceneBuilder builder) => null;
+}
