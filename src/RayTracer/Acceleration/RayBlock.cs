@@ -10,7 +10,7 @@ namespace RayTracer.Acceleration;
 /// <remarks>
 /// Boxes are tested a little enlarged: by 13 uR, with u = 2⁻²⁴ and R the largest distance of coordinates that occurs between the ray's
 /// start and the tree's bounds, plus the start's own. Of that, 4 uR cover the rounding of the box test, as it is done anywhere; 3 uR that of the limits
-/// that <see cref="TriangleTest"/> puts on a hit; the rest is more than the 4 uR by which a corner moves in the plane of the
+/// that <see cref="TriangleTest{TLanes}"/> puts on a hit; the rest is more than the 4 uR by which a corner moves in the plane of the
 /// triangle test (Woop, Benthin &amp; Wald 2013, section 3.3, have the same idea).
 /// </remarks>
 internal unsafe struct RayBlock

@@ -12,8 +12,10 @@ namespace RayTracer.Acceleration;
 internal static unsafe class TriangleTest<TLanes>
     where TLanes : ILanes
 {
-    /// <summary>Looks where rays run through triangles, forwards or backwards.</summary>
-    /// <param name="sure">For any hit, lanes that are hits for sure, so that no distance need be computed; else none.</param>
+    /// <summary>
+    /// Looks where rays run through triangles, forwards or backwards. For any hit, <c>sure</c> receives the lanes that are hits in any case, so that no
+    /// distance need be computed.
+    /// </summary>
     /// <returns>The lanes that pass. It may be one too many: edge functions that are zero after rounding are settled by <see cref="Distance"/>.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Candidates<TSearch>(
