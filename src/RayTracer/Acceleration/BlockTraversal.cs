@@ -331,6 +331,7 @@ internal unsafe ref struct BlockTraversal<TSearch>(BvhNode* nodes, float* triang
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Push(ulong rays, uint reference, float entry)
     {
+        TriangleLeaf.Prefetch(_nodes, _triangles, reference);
         *_top = new() { Rays = rays, Reference = reference, Entry = entry };
         _top += rays != 0 ? 1 : 0;
     }

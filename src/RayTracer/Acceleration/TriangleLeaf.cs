@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 
 namespace RayTracer.Acceleration;
 
@@ -24,6 +25,20 @@ internal static unsafe class TriangleLeaf
     /// <summary>The second minor axis.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int MinorY(int major) => AxisBefore >> (2 * major) & 3;
+
+    /// <summary>Asks for the memory of a node or leaf that will be visited soon.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Prefetch(BvhNode* nodes, float* triangles, uint reference)
+    {
+        if (Sse.IsSupported)
+        {
+            byte* leaf = (byte*)(triangles + ((nint)BvhNode.LeafFirst(reference) * Rows));
+            byte* place = (reference & BvhNode.LeafBit) != 0 ? leaf : (byte*)(nodes + reference);
+            Sse.Prefetch0(place);
+            Sse.Prefetch0(place + 64);
+            Sse.Prefetch0(place + 128);
+        }
+    }
 
     /// <summary>One ray and all triangles of a leaf.</summary>
     /// <returns>Whether the ray's distance or primitive changed, or, for any hit, whether there is one.</returns>
