@@ -1,10 +1,17 @@
 using BenchmarkDotNet.Running;
 using RayTracer.Benchmarks;
+using RayTracer.Benchmarks.Embree;
 
-// "ratios [SCENE…]" compares whole renders in one run; anything else goes to BenchmarkDotNet ("--filter *").
+// "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle tree with Embree; anything else goes to
+// BenchmarkDotNet ("--filter *").
 if (args.Length > 0 && args[0] == "ratios")
 {
     return Ratios.Run(args[1..]);
+}
+
+if (args.Length > 0 && args[0] == "embree")
+{
+    return EmbreeBenchmark.Run(args[1..]);
 }
 
 BenchmarkSwitcher.FromAssembly(typeof(Ratios).Assembly).Run(args);

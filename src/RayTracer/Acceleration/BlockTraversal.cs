@@ -331,75 +331,58 @@ internal unsafe ref struct BlockTraversal<TSearch>(BvhNode* nodes, float* triang
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Push(ulong rays, uint reference, float entry)
     {
+        TriangleLeaf.Prefetch(_nodes, _triangles, reference);
         *_top = new() { Rays = rays, Reference = reference, Entry = entry };
         _top += rays != 0 ? 1 : 0;
     }
 
     private void VisitLeaf(in PendingVisit visit)
     {
-        RayBlock* rays = &_workspace->Rays;
         int count = BvhNode.LeafCount(visit.Reference);
-        ulong eights = visit.Rays | (visit.Rays >> 4);
-        eights |= eights >> 2;
-        eights |= eights >> 1;
-        int groups = BitOperations.PopCount(eights & 0x0101010101010101);
-        bool changed = _interval.SameMajor && groups * count < BitOperations.PopCount(visit.Rays)
-            ? VisitTriangleByTriangle(rays, visit, count)
-            : VisitRayByRay(rays, visit, count);
-        if (changed && !TSearch.EndsAtAnyHit)
+        float* rows = _triangles + ((nint)BvhNode.LeafFirst(visit.Reference) * TriangleLeaf.Rows);
+        ulong changed = 0;
+        for (int major = 0; major < 3; major++)
         {
-            _farthest = RayInterval.Farthest(rays, _alive);
+            ulong set = visit.Rays & _interval.ByMajor[major];
+            if (set != 0)
+            {
+                changed |= Intersect(rows, count, set, major);
+            }
+        }
+
+        if (TSearch.EndsAtAnyHit)
+        {
+            _alive &= ~changed;
+        }
+        else if (changed != 0)
+        {
+            _farthest = RayInterval.Farthest(&_workspace->Rays, _alive);
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private float* Rows(uint leaf) => _triangles + ((nint)BvhNode.LeafFirst(leaf) * TriangleLeaf.Rows);
-
-    private bool VisitTriangleByTriangle(RayBlock* rays, in PendingVisit visit, int count)
+    /// <summary>Tests a leaf against rays with the same major axis, in whichever way fills the registers better.</summary>
+    private ulong Intersect(float* rows, int count, ulong set, int major)
     {
-        float* rows = Rows(visit.Reference);
-        ulong set = visit.Rays;
+        RayBlock* rays = &_workspace->Rays;
+        ulong eights = set | (set >> 4);
+        eights |= eights >> 2;
+        eights |= eights >> 1;
+        int groups = BitOperations.PopCount(eights & 0x0101010101010101);
+        if (groups * count >= BitOperations.PopCount(set))
+        {
+            return TriangleLeaf.IntersectRays<TSearch>(rows, count, rays, set, major);
+        }
+
         ulong changed = 0;
         for (int triangle = 0; triangle < count; triangle++)
         {
-            changed |= TriangleLeaf.IntersectTriangle<TSearch>(rows, count, triangle, rays, set, _interval.Major);
+            changed |= TriangleLeaf.IntersectTriangle<TSearch>(rows, count, triangle, rays, set, major);
             if (TSearch.EndsAtAnyHit)
             {
                 set &= ~changed;
             }
         }
 
-        return Changed(changed);
-    }
-
-    private bool VisitRayByRay(RayBlock* rays, in PendingVisit visit, int count)
-    {
-        float* rows = Rows(visit.Reference);
-        if (_interval.SameMajor)
-        {
-            return Changed(TriangleLeaf.IntersectRays<TSearch>(rows, count, rays, visit.Rays, _interval.Major));
-        }
-
-        ulong changed = 0;
-        for (ulong left = visit.Rays; left != 0; left &= left - 1)
-        {
-            int ray = BitOperations.TrailingZeroCount(left);
-            if (TriangleLeaf.Intersect<TSearch>(rows, count, rays, ray, rays->Major[ray]))
-            {
-                changed |= 1ul << ray;
-            }
-        }
-
-        return Changed(changed);
-    }
-
-    private bool Changed(ulong rays)
-    {
-        if (TSearch.EndsAtAnyHit)
-        {
-            _alive &= ~rays;
-        }
-
-        return rays != 0;
+        return changed;
     }
 }

@@ -32,3 +32,13 @@ internal readonly unsafe struct RayLanes : ILanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> OfRay(float* from) => Vector256.Load(from);
 }
+
+/// <summary>Eight pairs of a ray and a triangle.</summary>
+internal readonly unsafe struct PairLanes : ILanes
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> OfTriangle(float* from) => Vector256.Load(from);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> OfRay(float* from) => Vector256.Load(from);
+}

@@ -61,6 +61,15 @@ internal unsafe struct RayBlock
     /// <summary>The axis along which each ray moves fastest.</summary>
     public fixed int Major[Size];
 
+    /// <summary>For each ray the triangles of a leaf that it may hit.</summary>
+    public fixed byte Candidates[Size];
+
+    /// <summary>Rows of a leaf in which triangle i is the one that ray i may hit.</summary>
+    public fixed float Paired[9 * 8];
+
+    /// <summary>Spare, so that what follows begins at a cache line.</summary>
+    public fixed float Spare[8];
+
     /// <summary>Takes rays of a stream.</summary>
     /// <param name="block">Where to.</param>
     /// <param name="rays">The stream.</param>
@@ -71,20 +80,22 @@ internal unsafe struct RayBlock
     /// <returns>The rays that can hit something.</returns>
     public static ulong Load(RayBlock* block, in RayStream rays, int first, int count, ulong* order, in Box4 bounds)
     {
-        for (int i = 0; i < (count + 7 & ~7); i++)
+        if (order == null && count == Size)
         {
-            int place = first + Math.Min(i, count - 1);
-            int ray = order == null ? place : (int)(uint)order[place];
-            block->Origin[i] = rays.OriginX[ray];
-            block->Origin[Size + i] = rays.OriginY[ray];
-            block->Origin[(2 * Size) + i] = rays.OriginZ[ray];
-            block->Inverse[i] = rays.DirectionX[ray];
-            block->Inverse[Size + i] = rays.DirectionY[ray];
-            block->Inverse[(2 * Size) + i] = rays.DirectionZ[ray];
-            block->Distance[i] = rays.Distance[ray];
-            block->Primitive[i] = -1;
+            Copy(rays.OriginX + first, block->Origin);
+            Copy(rays.OriginY + first, block->Origin + Size);
+            Copy(rays.OriginZ + first, block->Origin + (2 * Size));
+            Copy(rays.DirectionX + first, block->Inverse);
+            Copy(rays.DirectionY + first, block->Inverse + Size);
+            Copy(rays.DirectionZ + first, block->Inverse + (2 * Size));
+            Copy(rays.Distance + first, block->Distance);
+        }
+        else
+        {
+            Gather(block, rays, first, count, order);
         }
 
+        new Span<int>(block->Primitive, Size).Fill(-1);
         ulong alive = 0;
         for (int lane = 0; lane < count; lane += 8)
         {
@@ -92,6 +103,26 @@ internal unsafe struct RayBlock
         }
 
         return count == Size ? alive : alive & ((1ul << count) - 1);
+    }
+
+    private static void Copy(float* from, float* to) => new ReadOnlySpan<float>(from, Size).CopyTo(new(to, Size));
+
+    /// <summary>Takes rays one by one; the last one fills its register.</summary>
+    private static void Gather(RayBlock* block, in RayStream rays, int first, int count, ulong* order)
+    {
+        RayStream from = rays;
+        for (int i = 0; i < (count + 7 & ~7); i++)
+        {
+            int place = first + Math.Min(i, count - 1);
+            int ray = order == null ? place : (int)(uint)order[place];
+            block->Origin[i] = from.OriginX[ray];
+            block->Origin[Size + i] = from.OriginY[ray];
+            block->Origin[(2 * Size) + i] = from.OriginZ[ray];
+            block->Inverse[i] = from.DirectionX[ray];
+            block->Inverse[Size + i] = from.DirectionY[ray];
+            block->Inverse[(2 * Size) + i] = from.DirectionZ[ray];
+            block->Distance[i] = from.Distance[ray];
+        }
     }
 
     /// <summary>Computes what follows from origin and direction, which stands where the inverse will.</summary>

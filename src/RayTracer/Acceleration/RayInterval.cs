@@ -13,29 +13,26 @@ internal unsafe struct RayInterval
     private fixed float _nearShift[6];
     private fixed float _farShift[6];
 
-    /// <summary>Whether all rays point into the same octant; else nothing but <see cref="SameMajor"/> and <see cref="Major"/> means anything.</summary>
+    /// <summary>Whether all rays point into the same octant; else nothing but <see cref="ByMajor"/> means anything.</summary>
     public bool SameOctant;
 
     /// <summary>Bits of the axes along which the rays run backwards.</summary>
     public int Octant;
 
-    /// <summary>Whether all rays move fastest along the same axis.</summary>
-    public bool SameMajor;
-
-    /// <summary>That axis.</summary>
-    public int Major;
+    /// <summary>The rays that move fastest along each axis.</summary>
+    public fixed ulong ByMajor[3];
 
     /// <summary>Finds what is common to the rays of a set, which is not empty.</summary>
     public void Enclose(RayBlock* rays, ulong set)
     {
-        int first = System.Numerics.BitOperations.TrailingZeroCount(set);
-        Major = rays->Major[first];
-        SameMajor = true;
+        ByMajor[0] = ByMajor[1] = ByMajor[2] = 0;
         for (int lane = 0; lane < RayBlock.Size; lane += 8)
         {
-            uint eight = (uint)(set >> lane) & 0xff;
-            uint same = eight == 0 ? 0xff : Vector256.Equals(Vector256.Load(rays->Major + lane), Vector256.Create(Major)).ExtractMostSignificantBits();
-            SameMajor &= (eight & ~same) == 0;
+            Vector256<int> majors = Vector256.Load(rays->Major + lane);
+            for (int axis = 0; axis < 3; axis++)
+            {
+                ByMajor[axis] |= (ulong)Vector256.Equals(majors, Vector256.Create(axis)).ExtractMostSignificantBits() << lane & set;
+            }
         }
 
         SameOctant = true;

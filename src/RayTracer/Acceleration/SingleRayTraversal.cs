@@ -113,6 +113,7 @@ internal static unsafe class SingleRayTraversal
                 }
 
                 depth += BitOperations.PopCount(hits);
+                TriangleLeaf.Prefetch(nodes, triangles, pending[depth - 1]);
             }
 
             int count = BvhNode.LeafCount(current);

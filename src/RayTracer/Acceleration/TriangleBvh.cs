@@ -189,19 +189,23 @@ public sealed unsafe class TriangleBvh
     private static void Store<TSearch>(in RayStream rays, RayBlock* block, int first, int count, ulong* order, ulong hit)
         where TSearch : ISearch
     {
-        for (int i = 0; i < count; i++)
+        RayStream to = rays;
+        if (TSearch.EndsAtAnyHit)
         {
-            int ray = order == null ? first + i : (int)(uint)order[first + i];
-            if (TSearch.EndsAtAnyHit)
+            for (int i = 0; i < count; i++)
             {
-                rays.Primitive[ray] = (int)(hit >> i & 1) - 1;
-                continue;
+                int ray = order == null ? first + i : (int)(uint)order[first + i];
+                to.Primitive[ray] = (int)(hit >> i & 1) - 1;
             }
-
-            rays.Primitive[ray] = block->Primitive[i];
-            if (block->Primitive[i] >= 0)
+        }
+        else
+        {
+            for (int i = 0; i < count; i++)
             {
-                rays.Distance[ray] = block->Distance[i];
+                // The distance is the limit still where nothing was hit.
+                int ray = order == null ? first + i : (int)(uint)order[first + i];
+                to.Primitive[ray] = block->Primitive[i];
+                to.Distance[ray] = block->Distance[i];
             }
         }
     }

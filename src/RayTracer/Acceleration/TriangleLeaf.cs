@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 
 namespace RayTracer.Acceleration;
 
@@ -24,6 +25,20 @@ internal static unsafe class TriangleLeaf
     /// <summary>The second minor axis.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int MinorY(int major) => AxisBefore >> (2 * major) & 3;
+
+    /// <summary>Asks for the memory of a node or leaf that will be visited soon.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Prefetch(BvhNode* nodes, float* triangles, uint reference)
+    {
+        if (Sse.IsSupported)
+        {
+            byte* leaf = (byte*)(triangles + ((nint)BvhNode.LeafFirst(reference) * Rows));
+            byte* place = (reference & BvhNode.LeafBit) != 0 ? leaf : (byte*)(nodes + reference);
+            Sse.Prefetch0(place);
+            Sse.Prefetch0(place + 64);
+            Sse.Prefetch0(place + 128);
+        }
+    }
 
     /// <summary>One ray and all triangles of a leaf.</summary>
     /// <returns>Whether the ray's distance or primitive changed, or, for any hit, whether there is one.</returns>
@@ -69,25 +84,30 @@ internal static unsafe class TriangleLeaf
         uint triangles = (2u << (count - 1)) - 1;
 
         // No call may stand in this loop: it would throw the triangles out of their registers.
+        byte* met = rays->Candidates;
+        Vector256<byte>.Zero.Store(met);
+        Vector256<byte>.Zero.Store(met + 32);
         ulong candidates = 0;
         ulong certain = 0;
         for (ulong left = set; left != 0; left &= left - 1)
         {
             int ray = BitOperations.TrailingZeroCount(left);
             uint hits = TriangleTest<TriangleLanes>.Candidates<TSearch>(ax, bx, cx, ay, by, cy, az, bz, cz, originX, originY, originZ, rays, ray, out uint sure);
+            met[ray] = (byte)(hits & triangles);
             candidates |= ((hits & triangles) != 0 ? 1ul : 0ul) << ray;
             certain |= ((sure & triangles) != 0 ? 1ul : 0ul) << ray;
         }
 
         ulong changed = certain;
         candidates &= ~certain;
-        for (; candidates != 0; candidates &= candidates - 1)
+        while (candidates != 0)
         {
-            int ray = BitOperations.TrailingZeroCount(candidates);
-            changed |= Update<TSearch>(rows, count, rays, ray, major) ? 1ul << ray : 0;
+            int lane = BitOperations.TrailingZeroCount(candidates) & ~7;
+            changed |= (ulong)UpdatePairs<TSearch>(rows, count, rays, lane, major) << lane;
+            candidates &= ~(0xfful << lane);
         }
 
-        return changed;
+        return changed & set;
     }
 
     /// <summary>One triangle of a leaf and rays with the same major axis, eight rays at a time.</summary>
@@ -172,11 +192,44 @@ internal static unsafe class TriangleLeaf
         return primitive != before;
     }
 
+    /// <summary>Eight rays, each with the triangles that it may hit, one after another.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static uint Update<TSearch>(float* rows, int count, int number, RayBlock* rays, int lane, int major, uint candidates)
+    private static uint UpdatePairs<TSearch>(float* rows, int count, RayBlock* rays, int lane, int major)
         where TSearch : ISearch
     {
-        Vector256<float> distances = TriangleTest<RayLanes>.Distance(rows, count, rays, lane, major);
+        uint changed = 0;
+        Vector256<int> left = Vector256.ConvertToInt32(Lanes8.FromBytes(rays->Candidates + lane));
+        while (left != Vector256<int>.Zero)
+        {
+            // The lowest bit's place, from the exponent of its value.
+            Vector256<int> lowest = left & -left;
+            uint active = ~Vector256.Equals(left, Vector256<int>.Zero).ExtractMostSignificantBits() & 0xff;
+            Vector256<int> triangle = (Vector256.ConvertToSingle(lowest).AsInt32() >>> 23) - Vector256.Create(127);
+            triangle &= Vector256.Create(7);
+            left ^= lowest;
+            for (int row = 0; row < 9; row++)
+            {
+                Lanes8.Permute(Vector256.Load(rows + (row * count)), triangle).Store(rays->Paired + (8 * row));
+            }
+
+            Vector256<int> numbers = Lanes8.Permute(Vector256.Load((int*)rows + (9 * count)), triangle);
+            Vector256<float> distances = TriangleTest<PairLanes>.Distance(rays->Paired, 8, rays, lane, major);
+            changed |= Shorten<TSearch>(distances, numbers, rays, lane, active);
+        }
+
+        return changed;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static uint Update<TSearch>(float* rows, int count, int number, RayBlock* rays, int lane, int major, uint candidates)
+        where TSearch : ISearch =>
+        Shorten<TSearch>(TriangleTest<RayLanes>.Distance(rows, count, rays, lane, major), Vector256.Create(number), rays, lane, candidates);
+
+    /// <summary>Shortens those of eight rays for which a hit is nearer, or as near and of a lower number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static uint Shorten<TSearch>(Vector256<float> distances, Vector256<int> numbers, RayBlock* rays, int lane, uint candidates)
+        where TSearch : ISearch
+    {
         Vector256<float> limits = Vector256.Load(rays->Distance + lane);
         Vector256<float> near = Vector256.GreaterThan(distances, Vector256<float>.Zero);
         Vector256<float> nearer = Vector256.LessThan(distances, limits);
@@ -185,8 +238,8 @@ internal static unsafe class TriangleLeaf
             return Lanes8.Bits(near & nearer) & candidates;
         }
 
+        // With no hit yet the primitive is −1, and a hit at the limit does not count.
         Vector256<int> primitives = Vector256.Load(rays->Primitive + lane);
-        Vector256<int> numbers = Vector256.Create(number);
         Vector256<float> hit = near & (nearer | (Vector256.Equals(distances, limits) & Vector256.LessThan(numbers, primitives).AsSingle())) & Lanes8.FromBits(candidates);
         Vector256.ConditionalSelect(hit, distances, limits).Store(rays->Distance + lane);
         Vector256.ConditionalSelect(hit.AsInt32(), numbers, primitives).Store(rays->Primitive + lane);

@@ -68,7 +68,7 @@ internal static unsafe class TriangleTest<TLanes>
     /// a box is skipped because of a nearer hit cannot change which hit is found.
     /// </summary>
     /// <returns>Distances; NaN where there is no hit.</returns>
-    [MethodImpl(MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Distance(float* rows, int stride, RayBlock* rays, int lane, int major)
     {
         int minorX = TriangleLeaf.MinorX(major);
