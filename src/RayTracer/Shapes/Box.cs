@@ -63,8 +63,8 @@ public sealed class Box(Material material, string name, Vector3 a, Vector3 b) : 
         FloatW areaY = FloatW.Abs(signY) * (_size.Z * _size.X);
         FloatW area = FloatW.MultiplyAdd(FloatW.Abs(signZ), _size.X * _size.Y, areaX + areaY);
 
-        // u chooses the face, and what is left of it a point. From inside there is no face, and the minimum takes care of 0/0.
-        FloatW rest = u * area;
+        // v chooses the face, and what is left of it a point. From inside there is no face, and the minimum takes care of 0/0.
+        FloatW rest = v * area;
         MaskW isX = rest < areaX;
         MaskW isY = (rest < areaX + areaY).Except(isX);
         FloatW within = isX.Select(rest / areaX, isY.Select((rest - areaX) / areaY, (rest - areaX - areaY) / (area - areaX - areaY)));
@@ -74,8 +74,8 @@ public sealed class Box(Material material, string name, Vector3 a, Vector3 b) : 
         // The coordinate across the face, from 0 to 1, and the two along it.
         Vec3W place = new(
             isX.Select(Across(signX), first),
-            isY.Select(Across(signY), isX.Select(first, v)),
-            (isX | isY).Select(v, Across(signZ)));
+            isY.Select(Across(signY), isX.Select(first, u)),
+            (isX | isY).Select(u, Across(signZ)));
         Vec3W corner = Bounds.Minimum;
         Vec3W to = new Vec3W(
             FloatW.MultiplyAdd(place.X, _size.X, corner.X - from.X),

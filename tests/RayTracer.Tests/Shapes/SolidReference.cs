@@ -81,11 +81,11 @@ internal sealed class SolidReference(Shape shape)
         // Behind the surface there must be some depth.
         double behind = Walk(origin, direction, t + margin, reach, margin, out _);
         double last = double.IsInfinity(behind) ? t + (10 * margin) : behind;
-        double depth = Enumerable.Range(1, 9).Max(i => Near(origin + (direction * (t + ((last - t) * i / 10)))));
+        double depth = Enumerable.Range(1, 9).Select(i => origin + (direction * (t + ((last - t) * i / 10)))).Max(p => IsClosed ? -Signed(p) : ToSide(p));
         Double3 p = origin + (direction * t);
         double step = margin / 8;
         double cosine = Math.Abs(Signed(p + (direction * step)) - Signed(p + (direction * -step))) / (2 * step);
-        return (t, depth < margin ? 0 : IsClosed ? cosine : OpenCosine(p, direction, step), Measure(p).Outside);
+        return (t, depth < margin || closest < margin ? 0 : IsClosed ? cosine : OpenCosine(p, direction, step), Measure(p).Outside);
     }
 
     private double OpenCosine(Double3 p, Double3 direction, double step) =>
@@ -104,8 +104,8 @@ internal sealed class SolidReference(Shape shape)
                 return t;
             }
 
-            // Only where it comes nearer again, or slowly.
-            closest = distance < before || step > 1000 ? Math.Min(closest, distance) : closest;
+            // What was the nearest is known when it grows again.
+            closest = distance > before ? Math.Min(closest, before) : closest;
             before = distance;
             if (step > 2000)
             {
