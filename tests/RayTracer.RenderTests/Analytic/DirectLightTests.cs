@@ -106,6 +106,32 @@ public class DirectLightTests
     }
 
     [Theory]
+    [InlineData(1.9, 0.7, -0.9, 0.8)]
+    [InlineData(2.5, 0.4, 1.0, 1.5)]
+    [InlineData(-3.0, 20.0, 5.0, 4.0)]
+    public void A_level_disk_lights_the_floor_by_its_closed_form(double x, double y, double z, double radius) => Check(
+        $"disk light at {x}, {y}, {z}",
+        Render($$"""{ "type": "disk", "center": {{new Vec3D(x, y, z)}}, "normal": [0, -1, 0], "radius": {{radius}}, "material": { "type": "luminaire", "multiplier": 5 } }"""),
+        (p, _) => 5 * Irradiance.FromLevelDisk(p, new(x, y, z), radius));
+
+    [Theory]
+    [InlineData(1.5, 1.2, -0.4)]
+    [InlineData(-1.6, 1.6, -1.2)]
+    [InlineData(-2.5, -0.3, 1.8)]
+    public void A_box_lights_the_floor_by_the_faces_that_are_seen(double x, double y, double z)
+    {
+        (Vec3D low, Vec3D size) = (new(x, y, z), new(0.7, 0.9, 0.5));
+        (Vec3D a, Vec3D b, Vec3D c) = (new(size.X, 0, 0), new(0, size.Y, 0), new(0, 0, size.Z));
+        (Vec3D Corner, Vec3D U, Vec3D V)[] faces = [(low, c, b), (low + a, b, c), (low, a, c), (low + b, c, a), (low, b, a), (low + c, a, b)];
+        double FromFaces(Vec3D p) => faces.Where(f => f.U.Cross(f.V).Dot(p - f.Corner) > 0)
+            .Sum(f => Irradiance.FromPolygon(p, s_up, f.Corner, f.Corner + f.U, f.Corner + f.U + f.V, f.Corner + f.V));
+        Check(
+            $"box light at {x}, {y}, {z}",
+            Render($$"""{ "type": "box", "a": {{low}}, "b": {{low + size}}, "material": { "type": "luminaire", "multiplier": 5 } }"""),
+            (p, _) => 5 * FromFaces(p));
+    }
+
+    [Theory]
     [InlineData(2.0)]
     [InlineData(0.2)]
     public void A_triangle_lights_the_floor_by_Lamberts_sum_over_its_edges_part_by_part(double height)

@@ -37,6 +37,15 @@ internal static class Irradiance
         return Math.Abs(sum) / 2;
     }
 
+    /// <summary>From a level disk above that faces down, onto a level place (Howell 2010's catalogue has it as the factor of a disk and a parallel element).</summary>
+    public static double FromLevelDisk(Vec3D point, Vec3D center, double radius)
+    {
+        Vec3D to = center - point;
+        double far = to.Dot(to) + (radius * radius);
+        double aside = to.Dot(to) - (to.Y * to.Y);
+        return Math.PI / 2 * (1 - ((far - (2 * radius * radius)) / Math.Sqrt((far * far) - (4 * radius * radius * aside))));
+    }
+
     /// <summary>From a rectangle that shines by a power of the cosine with its normal; it must be above the horizon.</summary>
     public static double FromSpot(Vec3D point, Vec3D normal, Vec3D center, Vec3D edgeU, Vec3D edgeV, double exponent)
     {

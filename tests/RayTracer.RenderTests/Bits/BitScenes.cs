@@ -4,14 +4,14 @@ using RayTracer.Tests.Rendering;
 
 namespace RayTracer.RenderTests.Bits;
 
-/// <summary>The scenes whose bits are known: the report's, the primer's and the test scene of everything, all small.</summary>
+/// <summary>The scenes whose bits are known: the report's, the primer's, that of all shapes and the test scene of everything, all small.</summary>
 internal static class BitScenes
 {
     private const string Everything = "everything-";
 
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, .. Meshes, .. In("primer")];
+        [.. Report, .. Samplers, "shapes", .. Meshes, .. In("primer")];
 
     /// <summary>Names of the report's scenes.</summary>
     public static string[] Report => ["report/scene1", "report/scene2", "report/scene3"];

@@ -102,7 +102,9 @@ internal sealed class RecursiveTracer(Scene scene, RandomNumbers random)
     {
         foreach (Shape shape in scene.Shapes)
         {
-            if (shape != light && !double.IsNaN(shape.Hit(origin, toLight, Epsilon, 1)))
+            // The light itself is met at the end, if it is not met before.
+            double end = shape == light ? 1 - 1e-6 : 1;
+            if ((shape != light || light.MayHideItself) && !double.IsNaN(shape.Hit(origin, toLight, Epsilon, end)))
             {
                 return true;
             }

@@ -103,6 +103,18 @@ internal sealed class SceneFile
             case "triangle":
                 Vec[] corners = [.. new[] { "a", "b", "c" }.Select(corner => Vector(shape, corner, default))];
                 return new Triangle(material, corners[0], corners[1], corners[2], [Pair(shape, "uvA", 0, 0), Pair(shape, "uvB", 1, 0), Pair(shape, "uvC", 0, 1)]);
+            case "disk":
+                return new Disk(material, Vector(shape, "center", default), Vector(shape, "normal", default), Number(shape, "radius", 1));
+            case "rectangle":
+                return new Parallelogram(material, Vector(shape, "corner", default), Vector(shape, "edgeU", default), Vector(shape, "edgeV", default));
+            case "box":
+                return new Box(material, Vector(shape, "a", default), Vector(shape, "b", default));
+            case "cylinder" or "cone":
+                double radius = Number(shape, "radius", 1);
+                double topRadius = Word(shape, "type", "") == "cone" ? Number(shape, "topRadius", 0) : radius;
+                return new Cone(material, Vector(shape, "bottom", default), Vector(shape, "top", default), radius, topRadius);
+            case "torus":
+                return new Torus(material, Vector(shape, "center", default), Vector(shape, "axis", new(0, 1, 0)), Number(shape, "radius", 1), Number(shape, "tubeRadius", 0.25));
             default:
                 throw new FormatException($"shape {shape}");
         }

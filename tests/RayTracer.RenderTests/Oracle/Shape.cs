@@ -6,6 +6,9 @@ internal abstract class Shape(Material material)
 {
     public Material Material => material;
 
+    /// <summary>Whether a part whose front is seen may lie behind another part.</summary>
+    public virtual bool MayHideItself => false;
+
     /// <summary>The smallest t in (tMin, tMax) at which a ray meets the shape, or NaN.</summary>
     public abstract double Hit(Vec origin, Vec direction, double tMin, double tMax);
 
