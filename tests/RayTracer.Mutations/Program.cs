@@ -39,7 +39,7 @@ return caught == mutants.Length ? 0 : 1;
 
 IReadOnlyList<string> Try(Mutant mutant)
 {
-    // Committed hashes see that anything changed at all, which says little: they do not count.
+    // Committed hashes, and the check of the list of mutants, see that anything changed at all, which says little: they do not count.
     const string honest = "Category!=Pinned";
     string file = workshop.PathOf(mutant.File);
     string original = File.ReadAllText(file);

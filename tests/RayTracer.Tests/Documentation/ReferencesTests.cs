@@ -48,11 +48,14 @@ public partial class ReferencesTests
 
     private static string Before(string text, int index) => text[Math.Max(0, index - LongestCitation)..index];
 
+    private static IEnumerable<string> SourceFiles() => new[] { "src", "tests" }
+        .SelectMany(folder => Directory.EnumerateFiles(ProjectFolder.PathOf(folder), "*.cs", SearchOption.AllDirectories))
+        .Where(p => !BuildOutput().IsMatch(p) && !p.EndsWith($"{nameof(ReferencesTests)}.cs", StringComparison.Ordinal));
+
     // Runs of comment lines, each as one text without slashes and tags.
     private static IEnumerable<(string File, string Text)> Comments()
     {
-        string root = ProjectFolder.PathOf("src");
-        foreach (string path in Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories).Where(p => !BuildOutput().IsMatch(p)))
+        foreach (string path in SourceFiles())
         {
             string file = Path.GetRelativePath(ProjectFolder.Root, path);
             List<string> run = [];
@@ -72,7 +75,7 @@ public partial class ReferencesTests
         }
     }
 
-    [GeneratedRegex(@"^- \*\*(?<surname>[\p{Lu}]\p{L}+)[^*]* (?<year>\d{4})\*\*", RegexOptions.Multiline | RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
+    [GeneratedRegex(@"^- \*\*(van )?(?<surname>[\p{Lu}]\p{L}+)[^*]* (?<year>\d{4})\*\*", RegexOptions.Multiline | RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Entry();
 
     [GeneratedRegex(@"(?<![\d.,\-]|RFC )\b(1[89]\d\d|20[0-2]\d)\b(?![-.]?\d)", RegexOptions.CultureInvariant, 1000)]

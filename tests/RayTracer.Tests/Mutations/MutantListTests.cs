@@ -2,6 +2,8 @@ using RayTracer.Mutations;
 
 namespace RayTracer.Tests.Mutations;
 
+/// <summary>The list of mutants fits the source. It is left out where mutants are tried: it would see each of them in the text.</summary>
+[Trait("Category", "Pinned")]
 public class MutantListTests
 {
     private static readonly string[] s_areas = ["sampling", "pdf", "material", "light", "geometry", "texture", "camera", "depth", "film", "threading"];
