@@ -7,6 +7,7 @@ public static class ModelFile
 {
     private static readonly Dictionary<string, Func<string, ImportedModel>> Readers = new(StringComparer.OrdinalIgnoreCase)
     {
+        [".obj"] = ObjReader.Read,
         [".ply"] = PlyReader.Read,
         [".stl"] = StlReader.Read,
     };

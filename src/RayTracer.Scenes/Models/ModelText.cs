@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Globalization;
 using System.Runtime.CompilerServices;
 using System.Text;
@@ -15,6 +16,8 @@ internal ref struct ModelText
     private const int LargestExactPower = 22;
 
     private static readonly Encoding s_strictUtf8 = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false, throwOnInvalidBytes: true);
+
+    private static readonly SearchValues<byte> s_numberCharacters = SearchValues.Create("0123456789+-.eE"u8);
 
     // Powers of ten that are doubles exactly.
     private static readonly double[] s_powers =
@@ -36,6 +39,12 @@ internal ref struct ModelText
     /// <summary>The byte that comes next.</summary>
     public int Position { get; set; }
 
+    /// <summary>Whether of words such as 3.1+e2, which are none but consist of what numbers consist of, the number that they begin with counts.</summary>
+    public bool AcceptsOddNumbers { get; init; }
+
+    /// <summary>Where the first such word was; −1 where there was none.</summary>
+    public int OddNumber { get; private set; } = -1;
+
     /// <summary>Whether nothing is left.</summary>
     public readonly bool IsAtEnd => Position >= _text.Length;
 
@@ -52,12 +61,19 @@ internal ref struct ModelText
         while (Position < _text.Length)
         {
             byte next = _text[Position];
-            if (next is not ((byte)' ' or (byte)'\t') && !(next == '\\' && SkipContinuation()))
+            if (next is (byte)'\n' or (byte)'\r' or (byte)'#')
             {
-                return next is (byte)'\n' or (byte)'\r' or (byte)'#';
+                return true;
             }
 
-            Position += next == '\\' ? 0 : 1;
+            if (next <= ' ')
+            {
+                Position++;
+            }
+            else if (next != '\\' || !SkipContinuation())
+            {
+                return false;
+            }
         }
 
         return true;
@@ -116,7 +132,19 @@ internal ref struct ModelText
         }
 
         int begin = Position;
-        return TryNumber(TakeWord(), out float value) ? value : throw ExpectedAt(begin, "a number");
+        ReadOnlySpan<byte> word = TakeWord();
+        if (TryNumber(word, out float value))
+        {
+            return value;
+        }
+
+        if (AcceptsOddNumbers && TryBeginning(word, out value))
+        {
+            OddNumber = OddNumber < 0 ? begin : OddNumber;
+            return value;
+        }
+
+        throw ExpectedAt(begin, "a number");
     }
 
     /// <summary>Takes a whole number; goes on over blanks and line ends.</summary>
@@ -141,6 +169,19 @@ internal ref struct ModelText
 
     /// <summary>The error that something else was expected in the current line.</summary>
     public readonly ModelException Expected(string what, ReadOnlySpan<byte> found) => ErrorAt(Position, Otherwise(what, found));
+
+    /// <summary>Takes a number if one comes next in the line.</summary>
+    public float? TryNumber()
+    {
+        int begin = Position;
+        if (!IsAtLineEnd() && TryNumber(TakeWord(), out float value))
+        {
+            return value;
+        }
+
+        Position = begin;
+        return null;
+    }
 
     /// <summary>An error at a position.</summary>
     public readonly ModelException ErrorAt(int position, string reason) => new(reason, LineOf(position));
@@ -206,6 +247,23 @@ internal ref struct ModelText
         }
 
         return TrySlowly(word, out value);
+    }
+
+    private static bool TryBeginning(ReadOnlySpan<byte> word, out float value)
+    {
+        value = 0;
+        if (word.Length > 100 || word.ContainsAnyExcept(s_numberCharacters))
+        {
+            return false;
+        }
+
+        int length = word.Length - 1;
+        while (length > 0 && !TryNumber(word[..length], out value))
+        {
+            length--;
+        }
+
+        return length > 0;
     }
 
     private static bool TryExponent(ReadOnlySpan<byte> word, ref int power)

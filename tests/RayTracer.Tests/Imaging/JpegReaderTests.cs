@@ -88,7 +88,11 @@ public class JpegReaderTests
     {
         TestJpeg jpeg = new()
         {
-            Width = 24, Height = 17, Factors = [(2, 2), (1, 1), (1, 1), (2, 2)], Sample = Pattern, Segments = transform < 0 ? [] : TestJpeg.Adobe((byte)transform),
+            Width = 24,
+            Height = 17,
+            Factors = [(2, 2), (1, 1), (1, 1), (2, 2)],
+            Sample = Pattern,
+            Segments = transform < 0 ? [] : TestJpeg.Adobe((byte)transform),
         };
         AssertPixels(jpeg, c =>
         {
