@@ -1,4 +1,6 @@
+using System.Numerics;
 using RayTracer.Materials;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
@@ -47,6 +49,18 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
 
     /// <summary>Reports a warning about a record's property (by its C# name; null means the whole record).</summary>
     public void Warn(object subject, string? property, string message) => Complain(subject, property, message, isError: false);
+
+    /// <summary>Whether a vector tells a direction; where it does not, that is reported as an error about the property.</summary>
+    public bool HasDirection(object subject, string property, Vector3 vector)
+    {
+        bool has = vector.Norm() > 0 && vector.Unit().IsFinite();
+        if (!has)
+        {
+            Error(subject, property, $"the {property.ToLowerInvariant()} must have a length, but it is (or rounds to) [0, 0, 0]");
+        }
+
+        return has;
+    }
 
     /// <summary>The texture that a record describes; the same record gives the same object.</summary>
     public Texture Texture(TextureDescription description) => Once(description, d => d.Build(this));

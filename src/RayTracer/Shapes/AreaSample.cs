@@ -6,7 +6,7 @@ namespace RayTracer.Shapes;
 internal static class AreaSample
 {
     /// <summary>A light sample from the vector to a point that was chosen uniformly by area.</summary>
-    public static void Sample(in Vec3W to, in Vec3W normal, float area, out ShapeSampleW sample)
+    public static void Sample(in Vec3W to, in Vec3W normal, FloatW area, out ShapeSampleW sample)
     {
         FloatW distance2 = Vec3W.Dot(to, to);
         FloatW inverse = 1f / FloatW.Sqrt(distance2);

@@ -7,7 +7,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>
-/// All planes, or all triangles, of a scene. An entry is n and d of the plane n·p = d, two affine maps from a point to the
+/// All flat shapes of one kind in a scene. An entry is n and d of the plane n·p = d, two affine maps from a point to the
 /// coordinates that the outline is told by (Wald 2004's idea of a precomputed projection, in three dimensions), the maps to
 /// u and v, and the outline.
 /// </summary>
@@ -122,6 +122,11 @@ internal sealed unsafe class FlatBatch : ShapeBatch
     {
         FloatW first = AffineMap.Apply(q + First, p);
         FloatW second = AffineMap.Apply(q + Second, p);
+        if (outline == Outline.Disk)
+        {
+            return FloatW.MultiplyAdd(first, first, second * second) <= 1f;
+        }
+
         MaskW positive = (first >= 0f) & (second >= 0f);
         return outline == Outline.Triangle ? positive & (first + second <= 1f) : positive & (first <= 1f) & (second <= 1f);
     }

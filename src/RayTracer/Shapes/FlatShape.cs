@@ -26,4 +26,7 @@ internal enum Outline
 
     /// <summary>Where both maps are at least 0, and their sum at most 1.</summary>
     Triangle,
+
+    /// <summary>Where the squares of both maps add up to at most 1.</summary>
+    Disk,
 }

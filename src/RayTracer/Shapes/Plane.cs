@@ -25,9 +25,8 @@ public sealed record PlaneDescription : ShapeDescription
     public override Shape? Build(SceneBuilder builder)
     {
         Material material = builder.Material(Material);
-        if (!(Normal.Norm() > 0) || !Normal.Unit().IsFinite())
+        if (!builder.HasDirection(this, nameof(Normal), Normal))
         {
-            builder.Error(this, nameof(Normal), "the normal must have a length, but it is (or rounds to) [0, 0, 0]");
             return null;
         }
 

@@ -53,7 +53,7 @@ public class AreaLightTests
             }
             else
             {
-                double inversePdf = cosine <= 0 ? 0 : light.Shape.Area * cosine / (distance * distance);
+                double inversePdf = cosine <= 0 ? 0 : light.SampledArea * cosine / (distance * distance);
 
                 // From afar, a float direction and distance tell the point, and so the normal, less exactly.
                 double tolerance = (2e-5 + (1e-6 * distance)) * light.Shape.Area / (distance * distance);
@@ -101,6 +101,18 @@ public class AreaLightTests
             Assert.Equal(emitted * uv.U, radiance.R[lane], tolerance);
             Assert.Equal(emitted * uv.V, radiance.G[lane], tolerance);
             Assert.Equal(emitted, radiance.B[lane], tolerance);
+        });
+    }
+
+    [Fact]
+    public void No_face_of_a_box_is_seen_from_inside()
+    {
+        LightCase light = LightCase.Of("box");
+        AreaLight area = new(light.Shape, 0);
+        UnitSquare.OnGrid(3, (u, v, lane) =>
+        {
+            area.Sample(new Vec3W(0.1f, 0.1f, 0f), u, v, out ShapeSampleW sample, out RgbW radiance);
+            Assert.Equal((0, 0, 0, 0), (sample.InversePdf[lane], radiance.R[lane], radiance.G[lane], radiance.B[lane]));
         });
     }
 

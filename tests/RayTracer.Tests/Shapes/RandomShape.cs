@@ -13,9 +13,16 @@ internal sealed class RandomShape
 {
     private static readonly Material s_material = new DiffuseMaterial(new SolidTexture(Rgb.White));
     private readonly Random _random;
+    private readonly SolidReference? _solid;
+
+    /// <summary>All kinds of shapes.</summary>
+    public static string[] Kinds { get; } =
+    [
+        "sphere", "rectangle", "plane", "triangle", "disk", "parallelogram", "box", "cylinder", "cone", "frustum", "pipe", "funnel", "torus",
+    ];
 
     /// <summary>Makes a shape.</summary>
-    /// <param name="kind">sphere, rectangle, plane or triangle.</param>
+    /// <param name="kind">One of <see cref="Kinds"/>.</param>
     /// <param name="seed">Selects the random numbers.</param>
     /// <param name="scale">Size of the scene.</param>
     /// <param name="away">How many sizes from the world's origin the shape lies.</param>
@@ -28,9 +35,19 @@ internal sealed class RandomShape
             "sphere" => new Sphere(s_material, "", place, scale * (0.1f + _random.NextSingle())),
             "rectangle" => new Plane(s_material, "", place, Direction(), new Vector2(0.3f + _random.NextSingle(), 0.3f + _random.NextSingle()) * scale),
             "plane" => new Plane(s_material, "", place, Direction(), null),
+            "disk" => new Disk(s_material, "", place, Direction(), Size(scale)),
+            "parallelogram" => Parallelogram(place, scale),
+            "box" => new Box(s_material, "", place + (new Vector3(Size(scale), Size(scale), Size(scale)) * 0.7f), place - new Vector3(Size(scale), Size(scale), Size(scale))),
+            "cylinder" => new Cylinder(s_material, "", place, place + (Direction() * Size(scale)), Size(scale), caps: true),
+            "pipe" => new Cylinder(s_material, "", place, place + (Direction() * Size(scale)), Size(scale), caps: false),
+            "cone" => new Cone(s_material, "", place, place + (Direction() * Size(scale)), Size(scale), 0, caps: true),
+            "frustum" => new Cone(s_material, "", place, place + (Direction() * Size(scale)), Size(scale), Size(scale), caps: true),
+            "funnel" => new Cone(s_material, "", place, place + (Direction() * Size(scale)), Size(scale), Size(scale), caps: false),
+            "torus" => Ring(place, Size(scale)),
             _ => new Triangle(s_material, "", place + (Vector() * scale), place + (Vector() * scale), place + (Vector() * scale), new(0, 0), new(1, 0), new(0, 1)),
         };
         Batch = Shape.CreateBatch([Shape]);
+        _solid = Shape is Box or ConicalShape or Torus ? new(Shape) : null;
         Reach = scale;
         Center = place;
         Largest = scale * (1 + away);
@@ -50,6 +67,19 @@ internal sealed class RandomShape
 
     /// <summary>A bound of all coordinates.</summary>
     public float Largest { get; }
+
+    /// <summary>The shape in double precision, if it has an inside that only that knows.</summary>
+    public SolidReference? Solid => _solid;
+
+    /// <summary>What the offset of rays is in proportion to.</summary>
+    public float OffsetScale(Vector3 point) => Shape switch
+    {
+        Sphere s => Vector3.Abs(s.Center).Largest() + s.Radius,
+        ConicalShape s => Vector3.Abs((s.Bottom + s.Top) / 2).Largest() + new Vector2(s.Height / 2, Math.Max(s.Radius, s.TopRadius)).Length(),
+        Torus t => Vector3.Abs(t.Center).Largest() + t.Radius + t.TubeRadius,
+        Box b => Vector3.Max(Vector3.Abs(b.Bounds.Minimum), Vector3.Abs(b.Bounds.Maximum)).Largest(),
+        _ => Vector3.Abs(point).Largest(),
+    };
 
     /// <summary>A random vector in the cube from −1 to 1.</summary>
     public Vector3 Vector() => new((2 * _random.NextSingle()) - 1, (2 * _random.NextSingle()) - 1, (2 * _random.NextSingle()) - 1);
@@ -122,8 +152,18 @@ internal sealed class RandomShape
                     Math.Abs(Double3.Dot(new Double3(q.Tangent).Unit, offset)) - (0.5 * size.X),
                     Math.Abs(Double3.Dot(new Double3(q.Bitangent).Unit, offset)) - (0.5 * size.Y));
                 return (Double3.Dot(new Double3(q.Normal).Unit, offset), outside);
+            case Disk d:
+                Double3 fromCenter = p - d.Center;
+                double height = Double3.Dot(new Double3(d.Normal).Unit, fromCenter);
+                return (height, (fromCenter - (new Double3(d.Normal).Unit * height)).Length - d.Radius);
+            case Rectangle r:
+                Double3 up = Double3.Cross(new(r.EdgeU), new(r.EdgeV)).Unit;
+                double Past(Vector3 corner, Vector3 edge, int turn) => turn * Double3.Dot(Double3.Cross(new Double3(edge), up).Unit, p - corner);
+                return (Double3.Dot(up, p - r.Corner), Math.Max(
+                    Math.Max(Past(r.Corner, r.EdgeU, 1), Past(r.Corner + r.EdgeV, r.EdgeU, -1)),
+                    Math.Max(Past(r.Corner, r.EdgeV, -1), Past(r.Corner + r.EdgeU, r.EdgeV, 1))));
             default:
-                throw new NotSupportedException();
+                return _solid!.Measure(p);
         }
     }
 
@@ -144,12 +184,28 @@ internal sealed class RandomShape
             return (root2 > 0 && t > 0 ? t : double.PositiveInfinity, Math.Sqrt(Math.Abs(root2)) / s.Radius, double.NegativeInfinity);
         }
 
+        if (_solid is not null)
+        {
+            return _solid.Meet(new(origin), d, Reach, 64 * Largest / (1 << 24) * 10);
+        }
+
         double height = Measure(new(origin)).Off;
         double climb = Measure(new Double3(origin) + d).Off - height;
         double distance = -height / climb;
         double outside = Measure(new Double3(origin) + (d * distance)).Outside;
         return (distance > 0 && outside <= 0 ? distance : double.PositiveInfinity, Math.Abs(climb), outside);
     }
+
+    private float Size(float scale) => scale * (0.3f + (0.7f * _random.NextSingle()));
+
+    private Rectangle Parallelogram(Vector3 place, float scale)
+    {
+        Vector3 u = Direction();
+        Vector3 across = Vector3.Normalize(Vector3.Cross(u, Vector()));
+        return new(s_material, "", place, u * Size(scale), (across + (u * (_random.NextSingle() - 0.5f))) * Size(scale));
+    }
+
+    private Torus Ring(Vector3 place, float radius) => new(s_material, "", place, Direction(), radius, radius * (0.1f + (0.85f * _random.NextSingle())));
 
     private static Vector3 At(in Vec3W v) => new(v.X[0], v.Y[0], v.Z[0]);
 }

@@ -17,6 +17,8 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
 
     private static readonly Material s_material = new LuminaireMaterial(new UvTexture(), Multiplier, Exponent, null);
     private static readonly Vector3 s_center = new(0.2f, -0.3f, 0.1f);
+    private static readonly Vector3 s_bottom = new(-0.2f, -0.6f, 0.1f);
+    private static readonly Vector3 s_top = new(0.3f, 0.7f, -0.2f);
     private static readonly Triangle s_triangle =
         new(s_material, "", new(-1, 0, 1), new(1.5f, 0.3f, 1), new(0.1f, 0.2f, -1.5f), new(0, 0), new(0.9f, 0.1f), new(0.3f, 1));
 
@@ -42,6 +44,23 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
         new("triangle, near", s_triangle, new(0.4f, 0.6f, 0.2f)),
         new("triangle, far and aslant", s_triangle, new(30, 6, -40)),
         new("triangle, from behind", s_triangle, new(0.5f, -3, 1)),
+        .. Around("disk", new Disk(s_material, "", new(0.1f, 0.2f, -0.3f), Vector3.Normalize(new(0.2f, 1, 0.3f)), 1.3f)),
+        .. Around("parallelogram", new Rectangle(s_material, "", new(-1, 0.1f, 1), new(2, 0.3f, 0.5f), new(0.4f, 0.2f, -1.7f))),
+        .. Around("box", new Box(s_material, "", new(-0.8f, 0.6f, 0.8f), new(0.9f, -0.5f, -0.7f))),
+        .. Around("cylinder", new Cylinder(s_material, "", s_bottom, s_top, 0.8f, caps: true)),
+        .. Around("pipe", new Cylinder(s_material, "", s_bottom, s_top, 0.8f, caps: false)),
+        .. Around("cone", new Cone(s_material, "", s_bottom, s_top, 0.8f, 0, caps: true)),
+        .. Around("frustum", new Cone(s_material, "", s_bottom, s_top, 0.5f, 0.9f, caps: true)),
+        .. Around("torus", new Torus(s_material, "", new(0.1f, -0.1f, 0.2f), new(0.8f, 1, 0.4f), 1.1f, 0.35f)),
+        .. Around("fat torus", new Torus(s_material, "", new(0.1f, -0.1f, 0.2f), new(0.8f, 1, 0.4f), 0.9f, 0.75f)),
+    ];
+
+    // From the side, from above and below, from afar and from inside.
+    private static IEnumerable<LightCase> Around(string name, Shape shape) =>
+    [
+        new(name, shape, new(0.5f, 3, 1)), new(name + ", from the side", shape, new(2.6f, 0.3f, -0.7f)),
+        new(name + ", from below", shape, new(-0.4f, -2.5f, 0.3f)), new(name + ", far", shape, new(40, 25, -20)),
+        .. shape is Box ? Array.Empty<LightCase>() : [new(name + ", from inside", shape, new(0.1f, 0.1f, 0))],
     ];
 
     /// <summary>Unit direction to a sphere's centre.</summary>
@@ -67,6 +86,11 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
                 return 2 * Math.PI * ConeHeight;
             }
 
+            if (Surface is not null)
+            {
+                return Surface.SolidAngle;
+            }
+
             Vector3D[] corners = Corners();
             return Enumerable.Range(2, corners.Length - 2).Sum(i => Math.Max(0, TriangleAngle(corners[0], corners[i - 1], corners[i])));
         }
@@ -86,6 +110,11 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
                 return Axis * (Math.PI * ConeHeight * (2 - ConeHeight));
             }
 
+            if (Surface is not null)
+            {
+                return Surface.VectorIrradiance;
+            }
+
             Vector3D[] corners = Corners();
             Vector3D sum = default;
             for (int i = 0; i < corners.Length; i++)
@@ -98,6 +127,12 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
         }
     }
 
+    /// <summary>The part of the surface that is sampled, in formulas; null for the shapes that have closed forms.</summary>
+    public LightSurface? Surface { get; } = Shape is Sphere { } or Plane or Triangle ? null : new(Shape, From);
+
+    /// <summary>The area that points are chosen from.</summary>
+    public double SampledArea => Surface?.Area ?? Shape.Area;
+
     /// <summary>The case of a name.</summary>
     public static LightCase Of(string name) => All.Single(c => c.Name == name);
 
@@ -106,6 +141,7 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
     {
         Sphere s => (p - s.Center).Unit,
         Plane r => (Vector3D)r.Normal,
+        not Triangle => Surface!.NormalAt(p),
         _ => ((Vector3D)s_triangle.B - s_triangle.A).Cross((Vector3D)s_triangle.C - s_triangle.A).Unit,
     };
 
@@ -119,6 +155,8 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
                 return ((1 - n.Z) / 2, Turn(n.Y, n.X));
             case Plane r:
                 return (0.5 + ((p - r.Point).Dot(r.Tangent) / r.Size!.Value.X), 0.5 + ((p - r.Point).Dot(r.Bitangent) / r.Size!.Value.Y));
+            case not Triangle:
+                return Surface!.SquareOf(p);
             default:
                 (double b, double c) = Barycentric(p);
                 return ((1 - b) * (1 - b), c / (1 - b));
@@ -135,6 +173,8 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
                 return (0.5 + (Math.Atan2(n.X, n.Z) / (2 * Math.PI)), Math.Acos(-n.Y) / Math.PI);
             case Plane:
                 return SquareOf(p);
+            case not Triangle:
+                return Surface!.UvOf(p);
             default:
                 (double b, double c) = Barycentric(p);
                 return ((0.9 * b) + (0.3 * c), (0.1 * b) + c);

@@ -1,0 +1,82 @@
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Acceleration;
+
+/// <summary>How shapes of one kind are met by rays: what <see cref="KernelBatch{TKernel}"/> needs to know of them.</summary>
+internal unsafe interface IShapeKernel
+{
+    /// <summary>Floats a shape in the packed table.</summary>
+    static abstract int Constants { get; }
+
+    /// <summary>Writes a shape's entry.</summary>
+    static abstract void Pack(Shape shape, float* entry);
+
+    /// <summary>The smallest distance above zero at which rays meet the shape of an entry; where they do not, NaN, infinity, or anything not above zero.</summary>
+    static abstract FloatW Meet(float* q, in Vec3W origin, in Vec3W direction);
+
+    /// <summary>
+    /// Which segments that end on the shape, on a side that faces them, cross it before. Only shapes that are not convex can hide a part of themselves.
+    /// </summary>
+    static virtual MaskW HidesItself(float* q, in Vec3W origin, in Vec3W direction, in FloatW distance) => MaskW.None;
+
+    /// <summary>As <see cref="ShapeBatch.Describe"/>.</summary>
+    static abstract void Describe(in PrimitiveIndex primitives, float* table, bool needsUv, ref SurfaceW surface);
+}
+
+/// <summary>Shapes whose occlusion is told by the nearest hit.</summary>
+/// <typeparam name="TKernel">How they are met.</typeparam>
+internal sealed unsafe class KernelBatch<TKernel> : ShapeBatch
+    where TKernel : struct, IShapeKernel
+{
+    public KernelBatch(IReadOnlyList<Shape> shapes)
+        : base(shapes.Count, TKernel.Constants)
+    {
+        for (int i = 0; i < shapes.Count; i++)
+        {
+            TKernel.Pack(shapes[i], Table + (i * TKernel.Constants));
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void ClosestHit(in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive)
+    {
+        FloatW nearest = distance;
+        UIntW hitPrimitive = primitive;
+        float* q = Table;
+        for (int i = 0; i < Count; i++, q += TKernel.Constants)
+        {
+            FloatW t = TKernel.Meet(q, origin, direction);
+            MaskW hit = (t > 0f) & (t < nearest);
+            nearest = hit.Select(t, nearest);
+            hitPrimitive = hit.Select((uint)(FirstPrimitive + i), hitPrimitive);
+        }
+
+        distance = nearest;
+        primitive = hitPrimitive;
+    }
+
+    /// <inheritdoc/>
+    public override void Occlude(in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free)
+    {
+        int skipped = skip - FirstPrimitive;
+        float* q = Table;
+        for (int i = 0; i < Count && free.Any; i++, q += TKernel.Constants)
+        {
+            if (i == skipped)
+            {
+                free = free.Except(TKernel.HidesItself(q, origin, direction, distance));
+            }
+            else
+            {
+                FloatW t = TKernel.Meet(q, origin, direction);
+                free = free.Except((t > 0f) & (t < distance));
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Describe(in PrimitiveIndex primitives, bool needsUv, ref SurfaceW surface) =>
+        TKernel.Describe(primitives, Table, needsUv, ref surface);
+}

@@ -1,0 +1,93 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Shapes;
+
+/// <summary>Describes a <see cref="Box"/>.</summary>
+[SceneType("box", "A box parallel to the axes, given by two opposite corners. On each of its faces uv goes from 0 to 1, as on a plane with a size: for whoever looks at the face from outside with y up, u grows to the right and v upwards; on top and bottom, −z takes the place of y.")]
+public sealed record BoxDescription : ShapeDescription
+{
+    /// <summary>One corner.</summary>
+    [Parameter("One corner.", Unit = "scene units", Required = true)]
+    public Vector3 A { get; init; }
+
+    /// <summary>The opposite corner.</summary>
+    [Parameter("The opposite corner.", Unit = "scene units", Required = true)]
+    public Vector3 B { get; init; } = Vector3.One;
+
+    /// <inheritdoc/>
+    public override Shape? Build(SceneBuilder builder)
+    {
+        Material material = builder.Material(Material);
+        for (int axis = 0; axis < 3; axis++)
+        {
+            if (A[axis] == B[axis])
+            {
+                builder.Error(this, nameof(B), $"the box is flat: both corners have the same {"xyz"[axis]}");
+                return null;
+            }
+        }
+
+        return new Box(material, Name, A, B);
+    }
+}
+
+/// <summary>A box parallel to the axes.</summary>
+/// <param name="material">What it is made of.</param>
+/// <param name="name">A name for messages.</param>
+/// <param name="a">One corner.</param>
+/// <param name="b">The opposite corner.</param>
+public sealed class Box(Material material, string name, Vector3 a, Vector3 b) : Shape(material, name)
+{
+    private readonly Vector3 _size = Vector3.Abs(b - a);
+
+    /// <inheritdoc/>
+    public override Bounds Bounds { get; } = new(Vector3.Min(a, b), Vector3.Max(a, b));
+
+    /// <inheritdoc/>
+    public override float Area => 2 * (_size.X * _size.Y + _size.Y * _size.Z + _size.Z * _size.X);
+
+    /// <inheritdoc/>
+    public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new KernelBatch<BoxKernel>(shapes);
+
+    /// <summary>Uniformly by area over the faces, three at the most, that are seen from the point.</summary>
+    public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    {
+        FloatW signX = Side(from.X, 0);
+        FloatW signY = Side(from.Y, 1);
+        FloatW signZ = Side(from.Z, 2);
+        FloatW areaX = FloatW.Abs(signX) * (_size.Y * _size.Z);
+        FloatW areaY = FloatW.Abs(signY) * (_size.Z * _size.X);
+        FloatW area = FloatW.MultiplyAdd(FloatW.Abs(signZ), _size.X * _size.Y, areaX + areaY);
+
+        // v chooses the face, and what is left of it a point. From inside there is no face, and the minimum takes care of 0/0.
+        FloatW rest = v * area;
+        MaskW isX = rest < areaX;
+        MaskW isY = (rest < areaX + areaY).Except(isX);
+        FloatW within = isX.Select(rest / areaX, isY.Select((rest - areaX) / areaY, (rest - areaX - areaY) / (area - areaX - areaY)));
+        FloatW first = FloatW.Min(within, FloatBits.OneMinusEpsilon);
+        Vec3W normal = new(isX.Select(signX, 0f), isY.Select(signY, 0f), (isX | isY).Select(0f, signZ));
+
+        // The coordinate across the face, from 0 to 1, and the two along it.
+        Vec3W place = new(
+            isX.Select(Across(signX), first),
+            isY.Select(Across(signY), isX.Select(first, u)),
+            (isX | isY).Select(u, Across(signZ)));
+        Vec3W corner = Bounds.Minimum;
+        Vec3W to = new Vec3W(
+            FloatW.MultiplyAdd(place.X, _size.X, corner.X - from.X),
+            FloatW.MultiplyAdd(place.Y, _size.Y, corner.Y - from.Y),
+            FloatW.MultiplyAdd(place.Z, _size.Z, corner.Z - from.Z));
+        AreaSample.Sample(to, normal, area, out sample);
+        BoxKernel.Uv(place, normal, out sample.U, out sample.V);
+
+        static FloatW Across(FloatW sign) => FloatW.MultiplyAdd(sign, 0.5f, 0.5f);
+    }
+
+    // Which of an axis's two faces is seen: the upper one, the lower one, or none.
+    private FloatW Side(FloatW coordinate, int axis) =>
+        (coordinate > Bounds.Maximum[axis]).Select(1f, (coordinate < Bounds.Minimum[axis]).Select(-1f, 0f));
+}

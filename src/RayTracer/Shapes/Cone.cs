@@ -1,0 +1,53 @@
+using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Description;
+using RayTracer.Materials;
+
+namespace RayTracer.Shapes;
+
+/// <summary>Describes a <see cref="Cone"/>.</summary>
+[SceneType("cone", "A cone, or, with a topRadius, the frustum of one. u goes once around the axis, as on a sphere (of an upright one, u = 0.5 faces +z), v from the bottom (0) to the top (1). On the caps, uv goes from 0 to 1 across the square around them, as on disks.")]
+public sealed record ConeDescription : ShapeDescription
+{
+    /// <summary>The middle of the bottom.</summary>
+    [Parameter("The middle of the bottom.", Unit = "scene units", Required = true)]
+    public Vector3 Bottom { get; init; }
+
+    /// <summary>The apex, or the middle of the top.</summary>
+    [Parameter("The apex; with a topRadius, the middle of the top.", Unit = "scene units", Required = true)]
+    public Vector3 Top { get; init; } = new(0, 1, 0);
+
+    /// <summary>The radius of the bottom.</summary>
+    [Parameter("The radius of the bottom.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
+    public float Radius { get; init; } = 1;
+
+    /// <summary>The radius of the top.</summary>
+    [Parameter("The radius of the top: 0 for a cone, more for a frustum.", Unit = "scene units", Minimum = 0)]
+    public float TopRadius { get; init; }
+
+    /// <summary>Whether the ends are closed.</summary>
+    [Parameter("Whether the ends are closed by disks. Without them the inside is seen, but does not shine.")]
+    public bool Caps { get; init; } = true;
+
+    /// <inheritdoc/>
+    public override Shape? Build(SceneBuilder builder)
+    {
+        Material material = builder.Material(Material);
+        return ConicalShape.HasAxis(builder, this, Bottom, Top) ? new Cone(material, Name, Bottom, Top, Radius, TopRadius, Caps) : null;
+    }
+}
+
+/// <summary>A cone or the frustum of one.</summary>
+/// <param name="material">What it is made of.</param>
+/// <param name="name">A name for messages.</param>
+/// <param name="bottom">The middle of the bottom.</param>
+/// <param name="top">The apex, or the middle of the top.</param>
+/// <param name="radius">The radius of the bottom, above zero.</param>
+/// <param name="topRadius">The radius of the top, not below zero.</param>
+/// <param name="caps">Whether the ends are closed.</param>
+public sealed class Cone(Material material, string name, Vector3 bottom, Vector3 top, float radius, float topRadius, bool caps)
+    : ConicalShape(material, name, bottom, top, radius, topRadius, caps)
+{
+    /// <inheritdoc/>
+    public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new KernelBatch<ConicalKernel>(shapes);
+}

@@ -1,0 +1,105 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Shapes;
+
+/// <summary>A frustum of a cone, with cylinder and cone as its limits.</summary>
+public abstract class ConicalShape : Shape
+{
+    private readonly float _slant;
+
+    /// <summary>From both ends.</summary>
+    private protected ConicalShape(Material material, string name, Vector3 bottom, Vector3 top, float radius, float topRadius, bool caps)
+        : base(material, name)
+    {
+        (Bottom, Top, Radius, TopRadius, HasCaps) = (bottom, top, radius, topRadius, caps);
+        Vector3 axis = top - bottom;
+        Frame = LocalFrame.Around((0.5f * bottom) + (0.5f * top), axis);
+        Height = axis.Norm();
+        _slant = new Vector3(Height, radius - topRadius, 0).Norm();
+    }
+
+    /// <summary>The middle of the bottom.</summary>
+    public Vector3 Bottom { get; }
+
+    /// <summary>The middle of the top.</summary>
+    public Vector3 Top { get; }
+
+    /// <summary>The radius of the bottom.</summary>
+    public float Radius { get; }
+
+    /// <summary>The radius of the top.</summary>
+    public float TopRadius { get; }
+
+    /// <summary>Whether the ends are closed.</summary>
+    public bool HasCaps { get; }
+
+    /// <inheritdoc/>
+    public override float Area => SideArea + (HasCaps ? float.Pi * ((Radius * Radius) + (TopRadius * TopRadius)) : 0);
+
+    /// <inheritdoc/>
+    public override Bounds Bounds
+    {
+        get
+        {
+            (Vector3 low, Vector3 high) = (Frame.DiskReach(Radius), Frame.DiskReach(TopRadius));
+            return new Bounds(Bottom - low, Bottom + low).Union(new(Top - high, Top + high));
+        }
+    }
+
+    /// <summary>From bottom to top.</summary>
+    internal float Height { get; }
+
+    /// <summary>The space of <see cref="ConicalKernel"/>, with its origin in the middle of the axis.</summary>
+    internal LocalFrame Frame { get; }
+
+    private float SideArea => float.Pi * (Radius + TopRadius) * _slant;
+
+    /// <summary>Whether two points tell an axis; where they do not, that is reported as an error.</summary>
+    internal static bool HasAxis(SceneBuilder builder, ShapeDescription subject, Vector3 bottom, Vector3 top)
+    {
+        Vector3 axis = top - bottom;
+        bool has = axis.Norm() > 0 && axis.Unit().IsFinite();
+        if (!has)
+        {
+            builder.Error(subject, nameof(Top), "bottom and top must be different points, or there is no axis");
+        }
+
+        return has;
+    }
+
+    /// <summary>Uniformly by area over the side and the cap, one at the most, that is seen from the point.</summary>
+    public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
+    {
+        Vec3W to = (Vec3W)Frame.Origin - from;
+        FloatW height = -Vec3W.Dot(to, Frame.Axis);
+        float half = 0.5f * Height;
+        MaskW above = HasCaps ? height > half : MaskW.None;
+        MaskW below = HasCaps ? height < -half : MaskW.None;
+        FloatW radius = above.Select(TopRadius, Radius);
+        FloatW capArea = (above | below).Select(radius * radius * float.Pi, 0f);
+        FloatW area = capArea + SideArea;
+
+        // v chooses side or cap, and what is left of it a height or a distance from the axis: both are denser where the circle is longer.
+        FloatW rest = v * area;
+        MaskW isSide = rest < SideArea;
+        FloatW part = FloatW.Min(rest / SideArea, 1f);
+        float difference = (TopRadius * TopRadius) - (Radius * Radius);
+        FloatW ring = FloatW.Sqrt(FloatW.Max(FloatW.MultiplyAdd(part, difference, Radius * Radius), 0f));
+        FloatW along = part * (Radius + TopRadius) / (ring + Radius);
+        FloatW capPart = FloatW.Sqrt(FloatW.Max(FloatW.Min((rest - SideArea) / capArea, 1f), 0f));
+
+        LocalFrame.AtTurn(u, out FloatW x, out FloatW y);
+        FloatW sign = above.Select(1f, -1f);
+        FloatW distance = isSide.Select(ring, capPart * radius);
+        Vec3W point = new(x * distance, y * distance, isSide.Select(FloatW.MultiplyAdd(along, Height, -half), sign * half));
+        FloatW across = Height / _slant;
+        Vec3W normal = new(isSide.Select(x * across, 0f), isSide.Select(y * across, 0f), isSide.Select((Radius - TopRadius) / _slant, sign));
+        AreaSample.Sample(to + Frame.ToWorld(point), Frame.ToWorld(normal), area, out sample);
+        ConicalKernel.CapUv(x * capPart, y * capPart, sign, out FloatW capU, out FloatW capV);
+        sample.U = isSide.Select(u, capU);
+        sample.V = isSide.Select(along, capV);
+    }
+}
