@@ -3,22 +3,22 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Picture files of every format that is known: PNG, PFM and OpenEXR.</summary>
+/// <summary>Picture files of every format that is known: PNG, PFM and OpenEXR; and JPEG, which is read only.</summary>
 public static class ImageFile
 {
-    private const string Formats = "PNG, PFM and OpenEXR";
+    private const string Formats = "PNG, JPEG, PFM and OpenEXR";
     private static readonly string[] Extensions = [".png", ".pfm", ".exr"];
 
     /// <summary>Reads a picture file; its format is told by its first bytes, not by its name.</summary>
     /// <param name="path">The file, of at most 2 GiB.</param>
-    /// <param name="raw">Whether a PNG's values are data (0 to 1) rather than sRGB-encoded colours. PFM and OpenEXR are linear in any case.</param>
+    /// <param name="raw">Whether a PNG's or JPEG's values are data (0 to 1) rather than sRGB-encoded colours. PFM and OpenEXR are linear in any case.</param>
     /// <returns>Linear RGB.</returns>
     /// <exception cref="PictureException">The file is missing, of no known format, damaged or too large; the message names it.</exception>
     public static Picture Read(string path, bool raw = false) => OfFile(path, file => Decode(file, raw));
 
     /// <summary>Reads a picture file that is in memory; its format is told by its first bytes.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="raw">Whether a PNG's values are data (0 to 1) rather than sRGB-encoded colours.</param>
+    /// <param name="raw">Whether a PNG's or JPEG's values are data (0 to 1) rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB.</returns>
     /// <exception cref="PictureException">The file is of no known format, damaged or too large; the message is a clause to follow the file's name and a colon.</exception>
     public static Picture Decode(ReadOnlySpan<byte> file, bool raw = false)
@@ -26,6 +26,11 @@ public static class ImageFile
         if (file.StartsWith(PngReader.Signature))
         {
             return PngReader.Read(file, raw);
+        }
+
+        if (file.StartsWith(JpegReader.Signature))
+        {
+            return JpegReader.Read(file, raw);
         }
 
         if (file.StartsWith(ExrReader.Signature))
@@ -36,13 +41,13 @@ public static class ImageFile
         return PfmReader.IsPfm(file) ? PfmReader.Read(file) : throw Unknown();
     }
 
-    /// <summary>Reads the texts that a picture file carries, in their order; a PFM has none.</summary>
+    /// <summary>Reads the texts that a picture file carries, in their order; of a PFM or JPEG, none.</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, file =>
         file.StartsWith(PngReader.Signature) ? PngReader.ReadText(file)
         : file.StartsWith(ExrReader.Signature) ? ExrReader.ReadText(file)
-        : PfmReader.IsPfm(file) ? []
+        : PfmReader.IsPfm(file) || file.StartsWith(JpegReader.Signature) ? []
         : throw Unknown());
 
     /// <summary>

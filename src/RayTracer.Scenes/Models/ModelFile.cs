@@ -7,6 +7,8 @@ public static class ModelFile
 {
     private static readonly Dictionary<string, Func<string, ImportedModel>> Readers = new(StringComparer.OrdinalIgnoreCase)
     {
+        [".ply"] = PlyReader.Read,
+        [".stl"] = StlReader.Read,
     };
 
     /// <summary>The extensions of the formats that are read, with their dots.</summary>

@@ -17,6 +17,15 @@ public sealed class ModelException : Exception
     {
     }
 
+    /// <summary>Says what is wrong in a line of a text file.</summary>
+    /// <param name="reason">What is wrong and what was expected: one sentence without a final stop.</param>
+    /// <param name="line">The line, from 1.</param>
+    public ModelException(string reason, int line) : base($"line {line}: {reason}")
+    {
+        Line = line;
+        Reason = reason;
+    }
+
     /// <summary>Says what is wrong, and what caused it.</summary>
     public ModelException(string message, Exception innerException) : base(message, innerException)
     {
@@ -26,4 +35,10 @@ public sealed class ModelException : Exception
     public ModelException()
     {
     }
+
+    /// <summary>The line of the model's file, from 1; 0 where the fault is in no line.</summary>
+    public int Line { get; }
+
+    /// <summary>What is wrong, without the line; null where there is no line.</summary>
+    public string? Reason { get; }
 }

@@ -78,7 +78,7 @@ public partial class ReferencesTests
     [GeneratedRegex(@"(?<![\d.,\-]|RFC )\b(1[89]\d\d|20[0-2]\d)\b(?![-.]?\d)", RegexOptions.CultureInvariant, 1000)]
     private static partial Regex Year();
 
-    [GeneratedRegex(@"RFC \d+|IEC \d[\d-]*\d|ITU-R BT\.\d+-\d+|IEEE \d+|W3C PNG|CSS Color Module Level \d|ISO C\b|OpenEXR File Layout|draft 20\d\d-\d\d|portable float map", RegexOptions.CultureInvariant, 1000)]
+    [GeneratedRegex(@"RFC \d+|IEC \d[\d-]*\d|ITU-R BT\.\d+-\d+|ITU-T T\.\d+|IEEE \d+|W3C PNG|CSS Color Module Level \d|ISO C\b|OpenEXR File Layout|draft 20\d\d-\d\d|portable float map", RegexOptions.CultureInvariant, 1000)]
     private static partial Regex Standard();
 
     [GeneratedRegex(@"(?<![:""])//+(?<text>.*)$", RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, 1000)]

@@ -6,11 +6,11 @@ internal static class Corpora
     private static readonly string? s_folder = Environment.GetEnvironmentVariable("RAYTRACER_CORPORA");
 
     /// <summary>The files with an extension, in the order of their names. Skips the test where there is no folder.</summary>
-    public static string[] Files(string extension)
+    public static string[] Files(string extension, int atLeast = 21)
     {
         Skip.If(string.IsNullOrEmpty(s_folder), "RAYTRACER_CORPORA names no folder of public test pictures (.ci/fetch-corpora makes one)");
         string[] files = [.. Directory.GetFiles(s_folder!, "*" + extension, SearchOption.AllDirectories).Order(StringComparer.Ordinal)];
-        Assert.True(files.Length > 20, $"'{s_folder}' holds {files.Length} files of {extension} only");
+        Assert.True(files.Length >= atLeast, $"'{s_folder}' holds {files.Length} files of {extension} only");
         return files;
     }
 }

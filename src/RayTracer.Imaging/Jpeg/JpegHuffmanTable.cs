@@ -1,0 +1,66 @@
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>A table of Huffman codes (ITU-T T.81, annex C): short codes are looked up at once, longer ones by their length.</summary>
+internal sealed class JpegHuffmanTable
+{
+    /// <summary>Bits of the codes that are looked up at once.</summary>
+    public const int FastBits = 9;
+
+    /// <summary>Bits of the longest code.</summary>
+    public const int LongestCode = 16;
+
+    private readonly ushort[] _fast = new ushort[1 << FastBits];
+    private readonly byte[] _symbols;
+
+    // For each length: one more than the largest code (0: none), and what to add to a code to get the place of its symbol.
+    private readonly int[] _codeEnd = new int[LongestCode + 1];
+    private readonly int[] _symbolOffset = new int[LongestCode + 1];
+
+    /// <summary>Makes the codes of a table.</summary>
+    /// <param name="counts">How many codes there are of each length from 1 to 16.</param>
+    /// <param name="symbols">What the codes stand for, in the order of the codes.</param>
+    /// <exception cref="PictureException">There are more codes of a length than there can be.</exception>
+    public JpegHuffmanTable(ReadOnlySpan<byte> counts, ReadOnlySpan<byte> symbols)
+    {
+        _symbols = symbols.ToArray();
+        int code = 0;
+        int place = 0;
+        for (int length = 1; length <= LongestCode; length++, code <<= 1)
+        {
+            _symbolOffset[length] = place - code;
+            int count = counts[length - 1];
+            if (code + count > 1 << length)
+            {
+                throw new PictureException($"one of its Huffman tables has too many codes of {length} bits");
+            }
+
+            for (int i = 0; i < count && length <= FastBits; i++)
+            {
+                int shift = FastBits - length;
+                _fast.AsSpan((code + i) << shift, 1 << shift).Fill((ushort)((length << 8) | _symbols[place + i]));
+            }
+
+            code += count;
+            place += count;
+            _codeEnd[length] = count == 0 ? 0 : code;
+        }
+    }
+
+    /// <summary>The code that 16 bits begin with: its length times 256, plus its symbol; 0 where no code begins so.</summary>
+    public int Find(int bits)
+    {
+        int found = _fast[bits >> (LongestCode - FastBits)];
+        for (int length = FastBits + 1; found == 0 && length <= LongestCode; length++)
+        {
+            int code = bits >> (LongestCode - length);
+            if (code < _codeEnd[length])
+            {
+                found = (length << 8) | _symbols[code + _symbolOffset[length]];
+            }
+        }
+
+        return found;
+    }
+}
