@@ -5,11 +5,11 @@ using RayTracer.Textures;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Reads a scene file and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
+/// <summary>Reads a scene file, or a model file as a scene of its own, and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
 public static class SceneLoader
 {
     /// <summary>Loads a scene.</summary>
-    /// <param name="path">The scene file's path, by which diagnostics call it too; pictures are looked for from its folder.</param>
+    /// <param name="path">The scene or model file's path, by which diagnostics call it too; pictures are looked for from its folder.</param>
     /// <param name="overrides">Changes the description before the scene is built, as options of a command line do.</param>
     /// <param name="readPicture">
     /// Reads the picture file of a path, decoded from sRGB unless the second argument says that its numbers are to be
@@ -17,7 +17,7 @@ public static class SceneLoader
     /// </param>
     public static SceneLoadResult Load(
         string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null) =>
-        Build(SceneReader.Read(path), Path.GetDirectoryName(path) ?? "", overrides, readPicture);
+        Build(ModelFile.IsModel(path) ? ModelScene.Read(path) : SceneReader.Read(path), Path.GetDirectoryName(path) ?? "", overrides, readPicture);
 
     /// <summary>Builds the scene of a description that has been read.</summary>
     /// <param name="read">What was read.</param>
@@ -39,7 +39,7 @@ public static class SceneLoader
         }
 
         Scene? scene = null;
-        if (!diagnostics.Exists(d => d.Line == 0))
+        if (!diagnostics.Exists(d => d.Line == 0 && d.Severity == Severity.Error))
         {
             SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load, new ModelFolder(folder).Load);
             scene = builder.Build(description);
