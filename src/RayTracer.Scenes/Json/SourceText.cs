@@ -65,6 +65,9 @@ public sealed class SourceText
         return (line + 1, offset - _lineStarts[line] + 1);
     }
 
+    /// <summary>The offset of a line and column, both from 1, that are in the text.</summary>
+    public int Offset(int line, int column) => _lineStarts[line - 1] + column - 1;
+
     /// <summary>An error at an offset.</summary>
     public Diagnostic Error(int offset, string message) => At(offset, Severity.Error, message);
 

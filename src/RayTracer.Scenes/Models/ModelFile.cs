@@ -7,6 +7,8 @@ public static class ModelFile
 {
     private static readonly Dictionary<string, Func<string, ImportedModel>> Readers = new(StringComparer.OrdinalIgnoreCase)
     {
+        [".glb"] = GltfReader.Read,
+        [".gltf"] = GltfReader.Read,
         [".obj"] = ObjReader.Read,
         [".ply"] = PlyReader.Read,
         [".stl"] = StlReader.Read,

@@ -5,7 +5,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Reads a scene file and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
+/// <summary>Reads a scene file, or a model file as a scene of its own, and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
 public static class SceneLoader
 {
     /// <summary>Loads a scene, or a model, which gets a camera and light where it has none.</summary>

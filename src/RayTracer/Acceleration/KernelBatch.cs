@@ -21,7 +21,7 @@ internal unsafe interface IShapeKernel
     /// </summary>
     static virtual MaskW HidesItself(float* q, in Vec3W origin, in Vec3W direction, in FloatW distance) => MaskW.None;
 
-    /// <summary>As <see cref="ShapeBatch.Describe"/>.</summary>
+    /// <summary>As <see cref="SurfaceTable.Describe"/>.</summary>
     static abstract void Describe(in PrimitiveIndex primitives, float* table, bool needsUv, ref SurfaceW surface);
 }
 

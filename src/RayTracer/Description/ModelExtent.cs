@@ -12,10 +12,11 @@ public static class ModelExtent
     public static Bounds Of(IEnumerable<ShapeDescription> shapes)
     {
         SceneBuilder builder = new((_, _) => new(1, 1));
-        return shapes.Aggregate(Bounds.Empty, (all, shape) => all.Union(Of(shape, Transform.Identity, builder, 0)));
+        Dictionary<object, Bounds> known = new(ReferenceEqualityComparer.Instance);
+        return shapes.Aggregate(Bounds.Empty, (all, shape) => all.Union(Of(shape, Transform.Identity, builder, known, 0)));
     }
 
-    private static Bounds Of(ShapeDescription shape, in Transform outer, SceneBuilder builder, int nesting)
+    private static Bounds Of(ShapeDescription shape, in Transform outer, SceneBuilder builder, Dictionary<object, Bounds> known, int nesting)
     {
         Transform place = outer * TransformSteps.Motion(shape, shape.Transform, shape.Motion, builder).At(0);
         if (nesting > 200)
@@ -30,14 +31,14 @@ public static class ModelExtent
                 Bounds all = Bounds.Empty;
                 foreach (ShapeDescription inner in group.Shapes)
                 {
-                    all = all.Union(Of(inner, place, builder, nesting + 1));
+                    all = all.Union(Of(inner, place, builder, known, nesting + 1));
                 }
 
                 return all;
             case InstanceDescription instance:
-                return instance.Of is null ? Bounds.Empty : Of(instance.Of, place, builder, nesting + 1);
+                return instance.Of is null ? Bounds.Empty : Of(instance.Of, place, builder, known, nesting + 1);
             case MeshDescription mesh:
-                box = Of((IReadOnlyList<Vector3>?)mesh.Data?.Positions ?? mesh.Positions);
+                box = Of((IReadOnlyList<Vector3>?)mesh.Data?.Positions ?? mesh.Positions, known);
                 break;
             default:
                 box = shape.Build(builder)?.Bounds ?? Bounds.Empty;
@@ -48,12 +49,13 @@ public static class ModelExtent
         return box.IsFinite ? box : Bounds.Empty;
     }
 
-    private static Bounds Of(IReadOnlyList<Vector3> positions)
+    // Meshes that are shown many times are measured once.
+    private static Bounds Of(IReadOnlyList<Vector3> positions, Dictionary<object, Bounds> known)
     {
-        Bounds all = Bounds.Empty;
-        foreach (Vector3 p in positions)
+        if (!known.TryGetValue(positions, out Bounds all))
         {
-            all = p.IsFinite() ? all.Union(new(p, p)) : all;
+            all = positions.Where(p => p.IsFinite()).Aggregate(Bounds.Empty, (box, p) => box.Union(new(p, p)));
+            known.Add(positions, all);
         }
 
         return all;

@@ -47,6 +47,10 @@ public sealed record ImageTextureDescription : TextureDescription
     [Parameter("What is shown outside the picture, where u or v is below 0 or above 1: the picture again, the texels of its edge, or the picture and its mirror image in turn.")]
     public Wrapping Wrapping { get; init; } = Wrapping.Repeat;
 
+    /// <summary>What is shown above and below the picture; null where it is <see cref="Wrapping"/> there too.</summary>
+    [Parameter("What is shown above and below the picture, where v is below 0 or above 1, if not the same as beside it.")]
+    public Wrapping? VerticalWrapping { get; init; }
+
     /// <summary>Factors on u and v.</summary>
     [Parameter("Factors on u and v: 2 shows the picture twice as often, half as large; −1 mirrors it.")]
     public Vector2 Scale { get; init; } = Vector2.One;
@@ -64,7 +68,7 @@ public sealed record ImageTextureDescription : TextureDescription
 
     /// <inheritdoc/>
     public override Texture Build(SceneBuilder builder) =>
-        new ImageTexture(Picture ?? builder.Picture(this, nameof(File), File, Raw), Interpolation, Wrapping, Scale, Offset);
+        new ImageTexture(Picture ?? builder.Picture(this, nameof(File), File, Raw), Interpolation, Wrapping, Scale, Offset, VerticalWrapping);
 }
 
 /// <summary>
@@ -79,21 +83,24 @@ public sealed unsafe class ImageTexture : Texture
     private readonly int _height;
     private readonly Interpolation _interpolation;
     private readonly Wrapping _wrapping;
+    private readonly Wrapping _verticalWrapping;
     private readonly Vector2 _scale;
     private readonly Vector2 _offset;
 
     /// <summary>Copies the picture's texels.</summary>
     /// <param name="picture">The picture, at most 2³¹/12 texels.</param>
     /// <param name="interpolation">How the colour between texels is found.</param>
-    /// <param name="wrapping">What is shown outside the picture.</param>
+    /// <param name="wrapping">What is shown beside the picture.</param>
     /// <param name="scale">Factors on u and v.</param>
     /// <param name="offset">Added after scaling.</param>
-    public ImageTexture(Picture picture, Interpolation interpolation, Wrapping wrapping, Vector2 scale, Vector2 offset)
+    /// <param name="verticalWrapping">What is shown above and below the picture; null for the same.</param>
+    public ImageTexture(Picture picture, Interpolation interpolation, Wrapping wrapping, Vector2 scale, Vector2 offset, Wrapping? verticalWrapping = null)
     {
         _width = picture.Width;
         _height = picture.Height;
         _interpolation = interpolation;
         _wrapping = wrapping;
+        _verticalWrapping = verticalWrapping ?? wrapping;
         _scale = scale;
         _offset = offset;
         _memory = new(picture.Pixels.LongLength);
@@ -187,15 +194,15 @@ public sealed unsafe class ImageTexture : Texture
     // Where a column and a row begin, in floats. Indices are whole numbers in floats; the clamp also catches NaN, so no lane can
     // read outside the picture.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private UIntW Column(FloatW i) => FloatW.Max(0f, FloatW.Min(Wrap(i, _width), _width - 1)).ToIntInRange() * 3u;
+    private UIntW Column(FloatW i) => FloatW.Max(0f, FloatW.Min(Wrap(i, _width, _wrapping), _width - 1)).ToIntInRange() * 3u;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private UIntW Row(FloatW i) => FloatW.Max(0f, FloatW.Min(Wrap(i, _height), _height - 1)).ToIntInRange() * (3u * (uint)_width);
+    private UIntW Row(FloatW i) => FloatW.Max(0f, FloatW.Min(Wrap(i, _height, _verticalWrapping), _height - 1)).ToIntInRange() * (3u * (uint)_width);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private FloatW Wrap(FloatW i, int n)
+    private static FloatW Wrap(FloatW i, int n, Wrapping wrapping)
     {
-        switch (_wrapping)
+        switch (wrapping)
         {
             case Wrapping.Repeat:
                 return FloatW.NegatedMultiplyAdd(FloatW.Floor(i / n), n, i);

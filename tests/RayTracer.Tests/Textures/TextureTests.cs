@@ -62,6 +62,41 @@ public class TextureTests
         Assert.Equal(expected, Red(Texture(Interpolation.Nearest, wrapping), u, 0.75f), 5);
 
     [Fact]
+    public void Above_and_below_the_picture_another_wrapping_may_hold()
+    {
+        ImageTexture texture = new(s_four, Interpolation.Nearest, Wrapping.Repeat, Vector2.One, Vector2.Zero, Wrapping.Clamp);
+        Assert.Equal(1, Red(texture, 1.25f, 1.25f));
+        Assert.Equal(3, Red(texture, 1.25f, -0.25f));
+    }
+
+    [Fact]
+    public void A_product_multiplies_channel_by_channel_and_is_constant_where_both_factors_are()
+    {
+        Texture half = new SolidTexture(new(0.5f, 1, 2));
+        Assert.Equal(1.5f, Red(new ProductTexture(Texture(Interpolation.Nearest, Wrapping.Repeat), half), 0.25f, 0.25f));
+        Assert.Equal(new Rgb(0.25f, 1, 4), new ProductTexture(half, half).Constant);
+        Assert.Null(new ProductTexture(Texture(Interpolation.Nearest, Wrapping.Repeat), half).Constant);
+    }
+
+    [Theory]
+    [InlineData(0, 0.25f, 0.25f, 3)]
+    [InlineData(90, 0.25f, 0.25f, 4)]
+    [InlineData(180, 0.25f, 0.25f, 2)]
+    [InlineData(270, 0.25f, 0.25f, 1)]
+    [InlineData(-90, 0.25f, 0.25f, 1)]
+    [InlineData(90, 0.75f, 0.25f, 2)]
+    public void A_placed_texture_turns_uv_counter_clockwise_about_its_origin(float degrees, float u, float v, float expected) =>
+        Assert.Equal(expected, Red(new PlacedTexture(Texture(Interpolation.Nearest, Wrapping.Repeat), Vector2.One, degrees, Vector2.Zero), u, v));
+
+    [Fact]
+    public void A_placed_texture_is_scaled_then_turned_then_moved()
+    {
+        // (0.3, 0.1) → (0.6, −0.1) → (0.1, 0.6) → (0.6, 0.6).
+        PlacedTexture texture = new(Texture(Interpolation.Nearest, Wrapping.Clamp), new(2, -1), 90, new(0.5f, 0));
+        Assert.Equal(2, Red(texture, 0.3f, 0.1f));
+    }
+
+    [Fact]
     public void Scale_and_offset_move_uv()
     {
         ImageTexture texture = new(s_four, Interpolation.Nearest, Wrapping.Repeat, new(2, 1), new(0.5f, 0));

@@ -1,0 +1,110 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Textures;
+
+namespace RayTracer.Scenes;
+
+/// <summary>Describes the textures that a glTF file's materials use.</summary>
+internal sealed class GltfTextures(GltfDocument document, GltfImages images)
+{
+    private const int Nearest = 9728;
+    private const int NearestMipmapNearest = 9984;
+    private const int NearestMipmapLinear = 9986;
+    private const int ClampToEdge = 33071;
+    private const int MirroredRepeat = 33648;
+    private const int Repeat = 10497;
+
+    private readonly Dictionary<GltfTextureUse, TextureDescription> _described = [];
+
+    /// <summary>A colour times a texture; the colour alone where there is none, or none that can be shown.</summary>
+    /// <param name="factor">The colour, linear.</param>
+    /// <param name="use">The texture; may be null.</param>
+    /// <param name="uvSet">The set of uv that the mesh has; a texture on another one is averaged.</param>
+    public TextureDescription Colour(Rgb factor, GltfTextureUse? use, int uvSet)
+    {
+        TextureDescription solid = new SolidTextureDescription { Color = factor };
+        if (use is null || factor.IsBlack || Source(use.Texture) is not { } image)
+        {
+            return solid;
+        }
+
+        if (use.UvSet != uvSet)
+        {
+            document.Notes.Add("a texture that uses another set of uv than the base colour is averaged");
+            return new SolidTextureDescription { Color = factor * images.Mean(image) };
+        }
+
+        TextureDescription texture = Described(use, image);
+
+        return factor == Rgb.White ? texture : new ProductTextureDescription { First = texture, Second = solid };
+    }
+
+    /// <summary>The mean of each channel of a texture that holds data rather than colours; 1 where there is none.</summary>
+    public IReadOnlyList<float> Mean(GltfTextureUse? use) =>
+        use is not null && Source(use.Texture) is { } image ? images.RawMean(image) : [1, 1, 1];
+
+    private TextureDescription Described(GltfTextureUse use, int image)
+    {
+        if (!_described.TryGetValue(use, out TextureDescription? description))
+        {
+            description = Placed(Image(use.Texture, image), use);
+            _described.Add(use, description);
+        }
+
+        return description;
+    }
+
+    private int? Source(int texture)
+    {
+        GltfObject described = document.List("textures")[texture];
+        int? source = document.Reference(described, "source", "images");
+        if (source is null)
+        {
+            document.Notes.Add("a texture without a PNG or JPEG picture is left out");
+        }
+
+        return source;
+    }
+
+    private ImageTextureDescription Image(int texture, int image)
+    {
+        GltfObject described = document.List("textures")[texture];
+        GltfObject? sampler = document.Reference(described, "sampler", "samplers") is { } index ? document.List("samplers")[index] : null;
+        int filter = sampler?.Integer("magFilter") ?? sampler?.Integer("minFilter") ?? 0;
+        return new()
+        {
+            Picture = images.Picture(image),
+            Interpolation = filter is Nearest or NearestMipmapNearest or NearestMipmapLinear ? Interpolation.Nearest : Interpolation.Bilinear,
+            Wrapping = Wrap(sampler, "wrapS"),
+            VerticalWrapping = Wrap(sampler, "wrapT"),
+        };
+    }
+
+    private static Wrapping Wrap(GltfObject? sampler, string key) => (sampler?.Integer(key) ?? Repeat) switch
+    {
+        ClampToEdge => Wrapping.Clamp,
+        MirroredRepeat => Wrapping.Mirror,
+        Repeat => Wrapping.Repeat,
+        _ => throw sampler!.Error(key, "expected 33071 (clamp to edge), 33648 (mirrored repeat) or 10497 (repeat)"),
+    };
+
+    // In glTF, s′ = offset + R·(scale·(s, t)), with t downwards; with u = s and v = 1 − t, the same turn is counter-clockwise.
+    private static TextureDescription Placed(ImageTextureDescription image, GltfTextureUse use)
+    {
+        if (use.Scale == Vector2.One && use.Rotation == 0 && use.Offset == Vector2.Zero)
+        {
+            return image;
+        }
+
+        float turns = use.Rotation / (2 * float.Pi);
+        LaneMath.SinCosTurn(turns - float.Floor(turns), out float sin, out float cos);
+        return new PlacedTextureDescription
+        {
+            Texture = image,
+            Scale = use.Scale,
+            Rotate = 360 * turns,
+            Offset = new(use.Offset.X + (sin * use.Scale.Y), 1 - use.Offset.Y - (cos * use.Scale.Y)),
+        };
+    }
+}
