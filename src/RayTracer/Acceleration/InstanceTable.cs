@@ -136,7 +136,7 @@ internal sealed unsafe class InstanceTable
     {
         (Vector3 o, Vector3 d) = (ray.Origin, ray.Direction);
         return new(
-            new(Row(m, o) , Row(m + 4, o), Row(m + 8, o)),
+            new(Row(m, o), Row(m + 4, o), Row(m + 8, o)),
             new(new Vector3(m[0], m[1], m[2]).Dot(d), new Vector3(m[4], m[5], m[6]).Dot(d), new Vector3(m[8], m[9], m[10]).Dot(d)));
     }
 
