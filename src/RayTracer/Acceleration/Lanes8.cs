@@ -63,12 +63,12 @@ internal static unsafe class Lanes8
         return Vector256.Equals(Vector256.Create(set) & bits, bits).AsSingle();
     }
 
-    /// <summary>Lane i of the result is lane indices[i], of which only the lower three bits count.</summary>
+    /// <summary>Lane i of the result is lane indices[i]; only the lowest three bits of an index count.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<int> Permute(Vector256<int> lanes, Vector256<int> indices) =>
         Avx2.IsSupported ? Avx2.PermuteVar8x32(lanes, indices) : Vector256.Shuffle(lanes, indices & Vector256.Create(7));
 
-    /// <summary>Lane i of the result is lane indices[i], of which only the lower three bits count.</summary>
+    /// <summary>Lane i of the result is lane indices[i]; only the lowest three bits of an index count.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Permute(Vector256<float> lanes, Vector256<int> indices) =>
         Avx2.IsSupported ? Avx2.PermuteVar8x32(lanes, indices) : Vector256.Shuffle(lanes, indices & Vector256.Create(7));
