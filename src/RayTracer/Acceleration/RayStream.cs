@@ -1,0 +1,34 @@
+namespace RayTracer.Acceleration;
+
+/// <summary>Many rays, one array a quantity. The pointers need no alignment; the caller keeps the memory where it is.</summary>
+public unsafe struct RayStream
+{
+    /// <summary>Where the rays start.</summary>
+    public float* OriginX;
+
+    /// <summary>Where the rays start.</summary>
+    public float* OriginY;
+
+    /// <summary>Where the rays start.</summary>
+    public float* OriginZ;
+
+    /// <summary>Directions of any length; distances count in multiples of it.</summary>
+    public float* DirectionX;
+
+    /// <summary>Directions of any length; distances count in multiples of it.</summary>
+    public float* DirectionY;
+
+    /// <summary>Directions of any length; distances count in multiples of it.</summary>
+    public float* DirectionZ;
+
+    /// <summary>In: hits count above zero and below this distance. Out of a search for closest hits: that of the hit, if there is one.</summary>
+    public float* Distance;
+
+    /// <summary>
+    /// Out: −1 where nothing was hit; else the primitive of the closest hit, or 0 where any hit was asked for. What it holds before does not matter.
+    /// </summary>
+    public int* Primitive;
+
+    /// <summary>Number of rays.</summary>
+    public int Count;
+}
