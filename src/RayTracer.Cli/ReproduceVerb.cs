@@ -1,33 +1,37 @@
 using System.CommandLine;
+using RayTracer.Cli.Complexity;
 using RayTracer.Cli.Reproduce;
 using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer reproduce report -o FOLDER</c></summary>
+/// <summary><c>raytracer reproduce report|complexity -o FOLDER</c></summary>
 internal static class ReproduceVerb
 {
     private const string Report = "report";
+    private const string Complexity = "complexity";
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string> what = new("WHAT") { Description = $"What is reproduced: {Report}, the figures and tables of its section 6.3." };
-        Option<string?> output = new("-o", "--output") { Description = "The folder for pictures, chart and pages; made if it is missing.", HelpName = "FOLDER" };
-        Option<bool> quick = new("--quick") { Description = "Smaller pictures and fewer samples: some seconds." };
+        Argument<string> what = new("WHAT") { Description = $"What is reproduced: {Report}, the figures and tables of its section 6.3, or {Complexity}, time a ray against the number of triangles." };
+        Option<string?> output = new("-o", "--output") { Description = "The folder for pictures, charts and pages; made if it is missing.", HelpName = "FOLDER" };
+        Option<bool> quick = new("--quick") { Description = "Smaller pictures, fewer samples and triangles: some seconds." };
         command.Arguments.Add(what);
         command.Options.Add(output);
         command.Options.Add(quick);
         command.SetAction(result =>
         {
             string word = result.GetValue(what)!;
-            if (word != Report)
+            if (word is not Report and not Complexity)
             {
-                throw new CommandException(ExitStatus.Usage, $"unknown word {Quotation.Of(word)}{Spelling.DidYouMean(word, [Report])}: expected {Report}");
+                throw new CommandException(ExitStatus.Usage, $"unknown word {Quotation.Of(word)}{Spelling.DidYouMean(word, [Report, Complexity])}: expected {Report} or {Complexity}");
             }
 
             string folder = result.GetValue(output) ?? throw new CommandException(ExitStatus.Usage, "where to? Give -o FOLDER");
-            ReproductionPlan plan = result.GetValue(quick) ? ReproductionPlan.Quick : ReproductionPlan.Full;
-            return new Reproduction(plan, folder, Shell.Command(result.Tokens.Select(t => t.Value)), streams).Run();
+            bool isQuick = result.GetValue(quick);
+            return word == Complexity
+                ? new ComplexityRun(isQuick ? ComplexityPlan.Quick : ComplexityPlan.Full, folder, streams).Run()
+                : new Reproduction(isQuick ? ReproductionPlan.Quick : ReproductionPlan.Full, folder, Shell.Command(result.Tokens.Select(t => t.Value)), streams).Run();
         });
     }
 }

@@ -1,7 +1,7 @@
 namespace RayTracer.Cli.Reproduce;
 
 /// <summary>An axis from 0, with ticks at multiples of 1, 2 or 5 times a power of ten.</summary>
-internal sealed class ChartAxis
+internal sealed class ChartAxis : IChartAxis
 {
     private const int MostTicks = 6;
 
@@ -33,6 +33,15 @@ internal sealed class ChartAxis
 
     /// <summary>The value at the end.</summary>
     public double End => Step * Count;
+
+    /// <inheritdoc/>
+    public IEnumerable<(double Value, string Label)> Ticks => Enumerable.Range(0, Count + 1).Select(i => (Step * i, Label(i)));
+
+    /// <inheritdoc/>
+    public double Place(double value) => value / End;
+
+    /// <inheritdoc/>
+    public double ValueAt(double place) => place * End;
 
     /// <summary>A tick's value, without the rounding errors of the multiplication.</summary>
     public string Label(int tick) => ((decimal)(Step * tick)).ToString("0.#########", null);

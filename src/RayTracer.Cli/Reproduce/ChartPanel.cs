@@ -5,4 +5,5 @@ namespace RayTracer.Cli.Reproduce;
 /// <param name="XTitle">The horizontal axis and its unit.</param>
 /// <param name="YTitle">The vertical axis and its unit.</param>
 /// <param name="Series">What is drawn; at least one point is not at zero in x, and one in y.</param>
-internal sealed record ChartPanel(string Title, string XTitle, string YTitle, IReadOnlyList<ChartSeries> Series);
+/// <param name="IsLogarithmic">Whether both axes are logarithmic.</param>
+internal sealed record ChartPanel(string Title, string XTitle, string YTitle, IReadOnlyList<ChartSeries> Series, bool IsLogarithmic = false);

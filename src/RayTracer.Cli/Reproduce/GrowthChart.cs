@@ -23,7 +23,7 @@ internal static class GrowthChart
         {
             int degree = Math.Min(Degree, points(s).Count - 1);
             string name = $"scene {s.Scene.Number}, {(degree == Degree ? "cubic" : "parabola")}";
-            return new ChartSeries(name, Colours[s.Scene.Number - 1], points(s), PolynomialFit.Of(degree, points(s)));
+            return new ChartSeries(name, Colours[s.Scene.Number - 1], points(s), PolynomialFit.Of(degree, points(s)).At);
         });
         return new(title, "samples a pixel", "time in seconds", [.. series]);
     }

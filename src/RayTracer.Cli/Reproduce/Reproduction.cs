@@ -1,6 +1,4 @@
 using System.Diagnostics;
-using System.Text;
-using System.Xml.Linq;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
@@ -17,6 +15,7 @@ namespace RayTracer.Cli.Reproduce;
 internal sealed class Reproduction(ReproductionPlan plan, string folder, string commandText, Streams streams)
 {
     private const int WarmUpSamples = 16;
+    private readonly OutputFolder _output = new(folder, streams);
     private readonly Dictionary<(ReportScene Scene, int Samples, int Threads), Measurement> _best = [];
     private readonly List<ReproducedScene> _scenes = [];
     private int _pictures;
@@ -58,29 +57,14 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, string 
 
     private void PrepareFolder()
     {
-        if (File.Exists(folder))
-        {
-            throw new CommandException(ExitStatus.InputOutput, $"{folder} is a file, but a folder is expected");
-        }
-
-        try
-        {
-            Directory.CreateDirectory(folder);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
-        {
-            throw new CommandException(ExitStatus.InputOutput, $"the folder {folder} cannot be made: {e.Message.ReplaceLineEndings(" ").TrimEnd('.')}");
-        }
-
+        _output.Prepare(ReproductionPage.ChartFile);
         foreach (ReportScene scene in ReportScene.All)
         {
             foreach (ReportPicture picture in scene.Pictures)
             {
-                ImageOutputs.Check(InFolder(scene.PictureFile(picture)));
+                ImageOutputs.Check(_output[scene.PictureFile(picture)]);
             }
         }
-
-        Array.ForEach(["index.md", "index.html", ReproductionPage.ChartFile], name => AtomicFile.Check(InFolder(name)));
     }
 
     private static string ScenePath(ReportScene scene) => ReportScenes.Find().FirstOrDefault(p => Path.GetFileName(p) == scene.File)
@@ -181,25 +165,14 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, string 
             new("Samples", $"{samples}"),
             new("FilmHash", film.ComputeHash()),
         ];
-        ImageFile.Write(InFolder(file), film, new() { Metadata = texts });
+        ImageFile.Write(_output[file], film, new() { Metadata = texts });
         _pictures++;
     }
 
     private void WritePages()
     {
-        XDocument chart = GrowthChart.Draw(_scenes);
-        AtomicFile.Write(InFolder(ReproductionPage.ChartFile), stream => chart.Save(stream));
+        _output.Write(ReproductionPage.ChartFile, GrowthChart.Draw(_scenes));
         ReproductionPage page = new(plan, _scenes);
-        WritePage(page, new MarkdownPage(ReproductionPage.Title), "index.md");
-        WritePage(page, new HtmlPage(ReproductionPage.Title), "index.html");
+        _output.WritePages(ReproductionPage.Title, page.Write);
     }
-
-    private void WritePage(ReproductionPage page, PageWriter writer, string name)
-    {
-        page.Write(writer);
-        AtomicFile.Write(InFolder(name), stream => stream.Write(Encoding.UTF8.GetBytes(writer.Finish())));
-        streams.Output.WriteLine($"wrote {InFolder(name)}");
-    }
-
-    private string InFolder(string name) => Path.Combine(folder, name);
 }

@@ -34,36 +34,42 @@ internal static class SvgChart
 
     private static XElement Panel(ChartPanel panel, int index)
     {
-        ChartAxis x = new(panel.Series.Max(s => s.Points.Max(p => p.X)));
-        ChartAxis y = new(panel.Series.Max(s => s.Points.Max(p => p.Y)));
+        IChartAxis x = Axis(panel, p => p.X);
+        IChartAxis y = Axis(panel, p => p.Y);
         string clip = $"plot-{index}";
         return new(
             Svg + "g",
             new XAttribute("transform", $"translate({index * PanelWidth} 0)"),
             new XElement(Svg + "clipPath", new XAttribute("id", clip), Element("rect", ("x", Left), ("y", Top), ("width", Right - Left), ("height", Bottom - Top))),
             Text(panel.Title, (Left + Right) / 2, Top - 20, "middle", ("font-weight", "bold"), ("font-size", 15)),
-            Axis(x, y, panel),
+            Axes(x, y, panel),
             panel.Series.Select(s => Curve(s, x, y, clip)),
             panel.Series.SelectMany(s => s.Points.Select(p => Point(X(p.X, x), Y(p.Y, y), s.Colour))),
             panel.Series.SelectMany(LegendEntry));
     }
 
-    private static IEnumerable<XElement> Axis(ChartAxis x, ChartAxis y, ChartPanel panel)
+    private static IChartAxis Axis(ChartPanel panel, Func<(double X, double Y), double> coordinate)
     {
-        for (int i = 0; i <= x.Count; i++)
+        double[] values = [.. panel.Series.SelectMany(s => s.Points).Select(coordinate)];
+        return panel.IsLogarithmic ? new LogarithmicAxis(values.Min(), values.Max()) : new ChartAxis(values.Max());
+    }
+
+    private static IEnumerable<XElement> Axes(IChartAxis x, IChartAxis y, ChartPanel panel)
+    {
+        foreach ((double value, string label) in x.Ticks)
         {
-            double at = X(x.Step * i, x);
-            yield return Line(at, Top, at, Bottom + 5, i == 0 ? Ink : GridColour);
+            double at = X(value, x);
+            yield return Line(at, Top, at, Bottom + 5, at <= Left ? Ink : GridColour);
             yield return Line(at, Bottom, at, Bottom + 5, Ink);
-            yield return Text(x.Label(i), at, Bottom + 20, "middle");
+            yield return Text(label, at, Bottom + 20, "middle");
         }
 
-        for (int i = 0; i <= y.Count; i++)
+        foreach ((double value, string label) in y.Ticks)
         {
-            double at = Y(y.Step * i, y);
-            yield return Line(Left - 5, at, Right, at, i == 0 ? Ink : GridColour);
+            double at = Y(value, y);
+            yield return Line(Left - 5, at, Right, at, at >= Bottom ? Ink : GridColour);
             yield return Line(Left - 5, at, Left, at, Ink);
-            yield return Text(y.Label(i), Left - 9, at + 4.5, "end");
+            yield return Text(label, Left - 9, at + 4.5, "end");
         }
 
         yield return Text(panel.XTitle, (Left + Right) / 2, Bottom + 44, "middle");
@@ -71,16 +77,16 @@ internal static class SvgChart
         yield return Text(panel.YTitle, 20, middle, "middle", ("transform", $"rotate(-90 20 {middle})"));
     }
 
-    private static XElement? Curve(ChartSeries series, ChartAxis x, ChartAxis y, string clip)
+    private static XElement? Curve(ChartSeries series, IChartAxis x, IChartAxis y, string clip)
     {
         if (series.Fit is not { } fit)
         {
             return null;
         }
 
-        double start = series.Points.Min(p => p.X);
-        double step = (series.Points.Max(p => p.X) - start) / CurveSteps;
-        IEnumerable<string> corners = Enumerable.Range(0, CurveSteps + 1).Select(i => start + (i * step)).Select(v => $"{X(v, x):0.##},{Y(fit.At(v), y):0.##}");
+        double start = x.Place(series.Points.Min(p => p.X));
+        double step = (x.Place(series.Points.Max(p => p.X)) - start) / CurveSteps;
+        IEnumerable<string> corners = Enumerable.Range(0, CurveSteps + 1).Select(i => x.ValueAt(start + (i * step))).Select(v => $"{X(v, x):0.##},{Y(fit(v), y):0.##}");
         return Element("polyline", ("points", string.Join(' ', corners)), ("fill", "none"), ("stroke", series.Colour), ("stroke-width", 1.5), ("clip-path", $"url(#{clip})"));
     }
 
@@ -93,9 +99,9 @@ internal static class SvgChart
         yield return Text(series.Name, X + 34, y + 4.5, "start");
     }
 
-    private static double X(double value, ChartAxis axis) => Left + ((Right - Left) * value / axis.End);
+    private static double X(double value, IChartAxis axis) => Left + ((Right - Left) * axis.Place(value));
 
-    private static double Y(double value, ChartAxis axis) => Bottom - ((Bottom - Top) * value / axis.End);
+    private static double Y(double value, IChartAxis axis) => Bottom - ((Bottom - Top) * axis.Place(value));
 
     private static XElement Point(double x, double y, string colour) =>
         Element("circle", ("cx", Round(x)), ("cy", Round(y)), ("r", 3.5), ("fill", colour));

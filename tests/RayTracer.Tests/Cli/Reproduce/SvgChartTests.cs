@@ -11,7 +11,7 @@ public sealed class SvgChartTests
     [Fact]
     public void Chart_is_well_formed_and_has_every_point_in_its_place()
     {
-        ChartSeries series = new("a < b & c", "#123456", Points, PolynomialFit.Of(3, Points));
+        ChartSeries series = new("a < b & c", "#123456", Points, PolynomialFit.Of(3, Points).At);
         using MemoryStream file = new();
         SvgChart.Draw([new("Title", "x", "y", [series]), new("Second", "x", "y", [series with { Fit = null }])]).Save(file);
         file.Position = 0;
