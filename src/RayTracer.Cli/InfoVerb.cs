@@ -74,7 +74,7 @@ internal static class InfoVerb
 
     private static long ShapeBytes(Scene scene)
     {
-        long bytes = 0;
+        long bytes = scene.Primitives.TreeBytes;
         foreach (ShapeBatch batch in scene.Batches)
         {
             bytes += batch.MemoryBytes;

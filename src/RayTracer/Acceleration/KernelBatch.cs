@@ -40,12 +40,12 @@ internal sealed unsafe class KernelBatch<TKernel> : ShapeBatch
     }
 
     /// <inheritdoc/>
-    public override void ClosestHit(in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive)
+    public override void ClosestHit(int from, int to, in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive)
     {
         FloatW nearest = distance;
         UIntW hitPrimitive = primitive;
-        float* q = Table;
-        for (int i = 0; i < Count; i++, q += TKernel.Constants)
+        float* q = Table + ((long)from * TKernel.Constants);
+        for (int i = from; i < to; i++, q += TKernel.Constants)
         {
             FloatW t = TKernel.Meet(q, origin, direction);
             MaskW hit = (t > 0f) & (t < nearest);
@@ -58,11 +58,11 @@ internal sealed unsafe class KernelBatch<TKernel> : ShapeBatch
     }
 
     /// <inheritdoc/>
-    public override void Occlude(in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free)
+    public override void Occlude(int from, int to, in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free)
     {
         int skipped = skip - FirstPrimitive;
-        float* q = Table;
-        for (int i = 0; i < Count && free.Any; i++, q += TKernel.Constants)
+        float* q = Table + ((long)from * TKernel.Constants);
+        for (int i = from; i < to && free.Any; i++, q += TKernel.Constants)
         {
             if (i == skipped)
             {

@@ -13,7 +13,8 @@ internal sealed class Space
     /// <param name="contents">What it holds.</param>
     /// <param name="first">Number of its first primitive among the scene's.</param>
     /// <param name="nothing">What stands for no primitive.</param>
-    public Space(SpaceContents contents, int first, int nothing)
+    /// <param name="largestLoop">The most shapes that rays are tested against one after the other.</param>
+    public Space(SpaceContents contents, int first, int nothing, int largestLoop)
     {
         Contents = contents;
         Batches = [.. contents.Shapes.GroupBy(s => s.GetType()).Select(kind => kind.First().CreateBatch([.. kind]))];
@@ -25,7 +26,7 @@ internal sealed class Space
             first += batch.Count;
         }
 
-        Primitives = new(Batches, nothing);
+        Primitives = new(Shapes, Batches, nothing, largestLoop);
         Bounds = Shapes.Aggregate(Bounds.Empty, (all, shape) => all.Union(shape.Bounds));
         if (contents.Meshes.Count > 0)
         {
@@ -92,7 +93,7 @@ internal sealed class Space
             Vector3 unit = ray.Direction * (1 / length);
             FloatW shortened = distance * length;
             UIntW primitive = uint.MaxValue;
-            Primitives.Shorten(ray.Origin, unit, ref shortened, ref primitive);
+            Primitives.Shorten(ray.Origin, unit, ref shortened, ref primitive, lanes: 1);
             if (primitive[0] != uint.MaxValue)
             {
                 found = (int)primitive[0];
@@ -117,7 +118,7 @@ internal sealed class Space
         if (Shapes.Length > 0)
         {
             float length = ray.Direction.Norm();
-            MaskW free = MaskW.All;
+            MaskW free = MaskW.First(1);
             Primitives.Occlude(ray.Origin, ray.Direction * (1 / length), distance * length, skip, ref free);
             if (!free.Any)
             {

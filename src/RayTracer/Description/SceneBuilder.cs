@@ -125,6 +125,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
         return HasErrors ? null : scene;
     }
 
+    /// <summary>The most shapes that rays are tested against one after the other, without a tree; null for what is fastest. Pictures are the same.</summary>
+    internal int? LargestLoop { get; init; }
+
     /// <summary>When the shutter opens and closes, in seconds.</summary>
     internal (double Open, double Close) Shutter { get; private set; }
 

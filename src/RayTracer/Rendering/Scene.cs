@@ -14,14 +14,14 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed class Scene
 {
-    private Scene(RenderDescription render, Camera camera, SpaceContents contents, Rgb background, Rgb ambient)
+    private Scene(RenderDescription render, Camera camera, SpaceContents contents, Rgb background, Rgb ambient, int? largestLoop)
     {
         Render = render;
         Camera = camera;
         Background = background;
         Ambient = ambient;
         Sampler = Sampler.Create(render);
-        World = new(contents, (render.Shutter.X, render.Shutter.Y));
+        World = new(contents, (render.Shutter.X, render.Shutter.Y), largestLoop);
         Shapes = World.Itself.Shapes;
         Batches = World.Itself.Batches;
         Primitives = World.Itself.Primitives;
@@ -95,7 +95,7 @@ public sealed class Scene
         }
 
         Camera? camera = Camera.Create(description.Camera, render.Width, render.Height, builder);
-        return camera is null || builder.HasErrors ? null : new Scene(render, camera, contents, description.Background, description.Ambient);
+        return camera is null || builder.HasErrors ? null : new Scene(render, camera, contents, description.Background, description.Ambient, builder.LargestLoop);
     }
 
     // Scene files are checked by their reader; descriptions may also be made by programs.

@@ -84,7 +84,7 @@ internal sealed unsafe class Wavefront
         {
             Vec3W origin = new(FloatW.Load(s.OriginX + i), FloatW.Load(s.OriginY + i), FloatW.Load(s.OriginZ + i));
             Vec3W direction = new(FloatW.Load(s.DirectionX + i), FloatW.Load(s.DirectionY + i), FloatW.Load(s.DirectionZ + i));
-            _scene.Primitives.ClosestHit(origin, direction, out FloatW distance, out UIntW primitive);
+            _scene.Primitives.ClosestHit(origin, direction, out FloatW distance, out UIntW primitive, s.Count - i);
             distance.Store(s.Distance + i);
             primitive.Store(s.Primitive + i);
         }

@@ -40,14 +40,14 @@ internal sealed unsafe class FlatBatch : ShapeBatch
     }
 
     /// <inheritdoc/>
-    public override void ClosestHit(in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive)
+    public override void ClosestHit(int from, int to, in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive)
     {
         Vec3W o = origin;
         Vec3W d = direction;
         FloatW nearest = distance;
         UIntW hitPrimitive = primitive;
-        float* q = Table;
-        for (int i = 0; i < Count; i++, q += Constants)
+        float* q = Table + ((long)from * Constants);
+        for (int i = from; i < to; i++, q += Constants)
         {
             var normal = new Vec3W(q[0], q[1], q[2]);
             FloatW t = (q[3] - Vec3W.Dot(normal, o)) / Vec3W.Dot(normal, d);
@@ -67,15 +67,15 @@ internal sealed unsafe class FlatBatch : ShapeBatch
     }
 
     /// <inheritdoc/>
-    public override void Occlude(in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free)
+    public override void Occlude(int from, int to, in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free)
     {
         Vec3W o = origin;
         Vec3W d = direction;
         FloatW end = distance;
         MaskW open = free;
         int skipped = skip - FirstPrimitive;
-        float* q = Table;
-        for (int i = 0; i < Count; i++, q += Constants)
+        float* q = Table + ((long)from * Constants);
+        for (int i = from; i < to; i++, q += Constants)
         {
             if (i == skipped)
             {

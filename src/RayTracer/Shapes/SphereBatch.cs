@@ -31,14 +31,14 @@ internal sealed unsafe class SphereBatch : ShapeBatch
     }
 
     /// <inheritdoc/>
-    public override void ClosestHit(in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive)
+    public override void ClosestHit(int from, int to, in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive)
     {
         Vec3W o = origin;
         Vec3W d = direction;
         FloatW nearest = distance;
         UIntW hitPrimitive = primitive;
-        float* q = Table;
-        for (int i = 0; i < Count; i++, q += Constants)
+        float* q = Table + ((long)from * Constants);
+        for (int i = from; i < to; i++, q += Constants)
         {
             // The ray's point nearest to the centre gives the discriminant without cancellation (Haines et al., Precision
             // improvements for ray/sphere intersection, Ray Tracing Gems 2019, eq. 7.5).
@@ -61,15 +61,15 @@ internal sealed unsafe class SphereBatch : ShapeBatch
     }
 
     /// <inheritdoc/>
-    public override void Occlude(in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free)
+    public override void Occlude(int from, int to, in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free)
     {
         Vec3W o = origin;
         Vec3W d = direction;
         FloatW end = distance;
         MaskW open = free;
         int skipped = skip - FirstPrimitive;
-        float* q = Table;
-        for (int i = 0; i < Count; i++, q += Constants)
+        float* q = Table + ((long)from * Constants);
+        for (int i = from; i < to; i++, q += Constants)
         {
             if (i == skipped)
             {
