@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Diagnostics;
 using System.Text.Json;
 using RayTracer.Acceleration;
 using RayTracer.Description;
@@ -13,6 +14,8 @@ namespace RayTracer.Cli;
 /// <summary><c>raytracer info SCENE</c></summary>
 internal static class InfoVerb
 {
+    private const int MostTrees = 6;
+
     public static void Build(Command command, Streams streams)
     {
         Argument<string> scene = new("SCENE") { Description = "The scene file." };
@@ -40,19 +43,20 @@ internal static class InfoVerb
         SceneContent content = SceneContent.Of(result.Description!);
         string folder = Path.GetDirectoryName(path) ?? "";
         long textures = content.Images.Sum(i => pictures.GetValueOrDefault(Path.Combine(folder, i.File)));
+        SceneStatistics statistics = new(scene);
         if (json)
         {
-            WriteJson(scene, content, textures, streams);
+            WriteJson(scene, content, statistics, textures, streams);
         }
         else
         {
-            Write(path, scene, content, textures, streams.Output);
+            Write(path, scene, content, statistics, textures, streams.Output);
         }
 
         return ExitStatus.Fine;
     }
 
-    private static void Write(string path, Scene scene, SceneContent content, long textures, TextWriter output)
+    private static void Write(string path, Scene scene, SceneContent content, SceneStatistics statistics, long textures, TextWriter output)
     {
         RenderDescription render = scene.Render;
         output.WriteLine(path);
@@ -60,9 +64,36 @@ internal static class InfoVerb
         output.WriteLine($"materials  {Counts(content.Materials)}");
         output.WriteLine($"textures   {Counts(content.Textures)}");
         output.WriteLine($"lights     {scene.Lights.Count}");
-        output.WriteLine(FiniteBounds(scene) is { } box ? $"bounds     {Text(box.Minimum)} to {Text(box.Maximum)}" : "bounds     no finite shape");
+        output.WriteLine($"triangles  {statistics.Triangles:N0} in {statistics.Meshes} {(statistics.Meshes == 1 ? "mesh" : "meshes")}{(statistics.Instances > 0 ? $", {statistics.TrianglesShown:N0} shown" : "")}");
+        output.WriteLine($"instances  {statistics.Instances:N0}");
+        output.WriteLine(FiniteBounds(statistics) is { } box ? $"bounds     {Text(box.Minimum)} to {Text(box.Maximum)}" : "bounds     no finite shape");
         output.WriteLine($"picture    {render.Width}×{render.Height} pixels, {render.SamplesPerPixel} samples each ({render.Sampler.ToString().ToLowerInvariant()})");
-        output.WriteLine($"memory     film {FilmMemory.Text(FilmBytes(render))}, textures {FilmMemory.Text(textures)}, shapes {FilmMemory.Text(ShapeBytes(scene))}");
+        string memory = string.Join(", ", Memory(render, statistics, textures).Select(m => $"{m.Kind} {FilmMemory.Text(m.Bytes)}"));
+        output.WriteLine($"memory     {memory}");
+        foreach (SceneTree tree in statistics.Trees.OrderByDescending(t => t.Statistics.Primitives).Take(MostTrees))
+        {
+            BvhStatistics t = tree.Statistics;
+            output.WriteLine($"tree       {t.Primitives:N0} {tree.Holds}: {t.Nodes:N0} nodes, {t.Leaves:N0} leaves, depth {t.Depth}, SAH cost {t.SahCost:F2}, built in {BuildSeconds(tree):F3} s");
+        }
+
+        if (statistics.Trees.Count > MostTrees)
+        {
+            output.WriteLine($"           and {statistics.Trees.Count - MostTrees} smaller trees");
+        }
+    }
+
+    private static IEnumerable<(string Kind, long Bytes)> Memory(RenderDescription render, SceneStatistics statistics, long textures) =>
+    [
+        ("film", FilmBytes(render)), ("textures", textures), ("shapes", statistics.ShapeBytes),
+        ("triangles", statistics.TriangleBytes), ("nodes", statistics.NodeBytes), ("instances", statistics.InstanceBytes),
+    ];
+
+    // Measured by building once more: the scene does not look at the clock while it is made.
+    private static double BuildSeconds(SceneTree tree)
+    {
+        long start = Stopwatch.GetTimestamp();
+        tree.Build();
+        return Stopwatch.GetElapsedTime(start).TotalSeconds;
     }
 
     private static string Counts(IReadOnlyDictionary<string, int> counts) => counts.Count == 0 ? "0" :
@@ -72,44 +103,51 @@ internal static class InfoVerb
 
     private static long FilmBytes(RenderDescription render) => FilmMemory.Bytes(render.Width, render.Height);
 
-    private static long ShapeBytes(Scene scene)
-    {
-        long bytes = scene.Primitives.TreeBytes;
-        foreach (ShapeBatch batch in scene.Batches)
-        {
-            bytes += batch.MemoryBytes;
-        }
+    private static Bounds? FiniteBounds(SceneStatistics statistics) => statistics.FiniteBounds is { IsFinite: true } box ? box : null;
 
-        return bytes;
-    }
-
-    private static Bounds? FiniteBounds(Scene scene)
-    {
-        Bounds box = Bounds.Empty;
-        foreach (Shape shape in scene.Shapes)
-        {
-            box = shape.Bounds.IsFinite ? box.Union(shape.Bounds) : box;
-        }
-
-        return box.IsFinite ? box : null;
-    }
-
-    private static void WriteJson(Scene scene, SceneContent content, long textures, Streams streams) => JsonText.Write(streams, json =>
+    private static void WriteJson(Scene scene, SceneContent content, SceneStatistics statistics, long textures, Streams streams) => JsonText.Write(streams, json =>
     {
         WriteCounts(json, "shapes", content.Shapes);
         WriteCounts(json, "materials", content.Materials);
         WriteCounts(json, "textures", content.Textures);
         json.WriteNumber("lights", scene.Lights.Count);
-        Bounds? box = FiniteBounds(scene);
+        Bounds? box = FiniteBounds(statistics);
         WriteCorner(json, "boundsMinimum", box?.Minimum);
         WriteCorner(json, "boundsMaximum", box?.Maximum);
         json.WriteNumber("width", scene.Render.Width);
         json.WriteNumber("height", scene.Render.Height);
         json.WriteNumber("samplesPerPixel", scene.Render.SamplesPerPixel);
-        json.WriteNumber("filmBytes", FilmBytes(scene.Render));
-        json.WriteNumber("textureBytes", textures);
-        json.WriteNumber("shapeBytes", ShapeBytes(scene));
+        json.WriteNumber("meshes", statistics.Meshes);
+        json.WriteNumber("triangles", statistics.Triangles);
+        json.WriteNumber("trianglesShown", statistics.TrianglesShown);
+        json.WriteNumber("instances", statistics.Instances);
+        foreach ((string kind, long bytes) in Memory(scene.Render, statistics, textures))
+        {
+            json.WriteNumber($"{kind.TrimEnd('s')}Bytes", bytes);
+        }
+
+        json.WriteStartArray("trees");
+        foreach (SceneTree tree in statistics.Trees)
+        {
+            WriteTree(json, tree);
+        }
+
+        json.WriteEndArray();
     });
+
+    private static void WriteTree(Utf8JsonWriter json, SceneTree tree)
+    {
+        json.WriteStartObject();
+        json.WriteString("holds", tree.Holds);
+        json.WriteNumber("primitives", tree.Statistics.Primitives);
+        json.WriteNumber("nodes", tree.Statistics.Nodes);
+        json.WriteNumber("leaves", tree.Statistics.Leaves);
+        json.WriteNumber("depth", tree.Statistics.Depth);
+        json.WriteNumber("sahCost", tree.Statistics.SahCost);
+        json.WriteNumber("bytes", tree.Statistics.MemoryBytes);
+        json.WriteNumber("buildSeconds", BuildSeconds(tree));
+        json.WriteEndObject();
+    }
 
     private static void WriteCounts(Utf8JsonWriter json, string key, IReadOnlyDictionary<string, int> counts)
     {

@@ -41,6 +41,14 @@ internal static class OptionValues
         Array.IndexOf(words, word) is >= 0 and int i ? values[i]
         : throw new FormatException($"unknown value {Quotation.Of(word)}{Spelling.DidYouMean(word, words)}, expected one of {string.Join(", ", words)}"));
 
+    /// <summary>Some of the values of an enumeration, with commas between their words.</summary>
+    public static ParsedOption<TEnum[]?> Words<TEnum>(string name, string description, Func<TEnum, string> word, TEnum[] values)
+    {
+        string[] words = [.. values.Select(word)];
+        return new(name, string.Join(',', words), description, list => [.. list.Split(',').Select(part => Array.IndexOf(words, part) is >= 0 and int i ? values[i]
+            : throw new FormatException($"unknown image {Quotation.Of(part)}{Spelling.DidYouMean(part, words)}, expected some of {string.Join(", ", words)}"))]);
+    }
+
     /// <summary>Whole numbers with commas between them, none negative.</summary>
     public static ParsedOption<int[]?> Integers(string name, string form, string description) => new(name, form, description, word =>
     {

@@ -27,6 +27,9 @@ internal sealed record RenderRequest
     /// <summary>The only sample to render; null for all.</summary>
     public long? Sample { get; init; }
 
+    /// <summary>The auxiliary images to write.</summary>
+    public IReadOnlyList<Aov> Aovs { get; init; } = [];
+
     /// <summary>Whether nothing but errors and warnings is printed.</summary>
     public bool Quiet { get; init; }
 

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using RayTracer.Description;
+using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 
@@ -17,7 +18,8 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public int Run()
     {
-        foreach (string output in request.Outputs)
+        AovOutputs aovs = new(request);
+        foreach (string output in request.Outputs.Concat(aovs.Files))
         {
             ImageOutputs.Check(output);
         }
@@ -30,6 +32,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         RenderOptions options = Options(scene.Render);
         Film film = FilmFor(scene.Render);
+        AovFilm auxiliary = TraceFirstHits(scene, film, options, signals.Token);
         RenderOutcome outcome = Render(scene, film, options, signals.Token);
         if (request.Pixel is not null)
         {
@@ -37,7 +40,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             return signals.Status;
         }
 
-        IReadOnlyList<string> written = film.TotalSamples > 0 ? Write(outcome) : [];
+        IReadOnlyList<string> written = film.TotalSamples > 0 ? Write(outcome, aovs, auxiliary) : [];
         if (film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
         {
             streams.Fail("no sample came to a finite number, so there is no picture to write");
@@ -45,7 +48,23 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         RenderReport report = new(request, outcome, written, _total.Elapsed.TotalSeconds);
         report.Write(streams);
-        return signals.Status != 0 ? signals.Status : written.Count < request.Outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+        return signals.Status != 0 ? signals.Status : written.Count < request.Outputs.Count + aovs.Files.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+    }
+
+    // First, so that they are whole even where the picture is stopped early.
+    private AovFilm TraceFirstHits(Scene scene, Film film, RenderOptions options, CancellationToken cancellation)
+    {
+        AovFilm auxiliary = new(film, request.Aovs);
+        try
+        {
+            new FirstHitPass(scene, options).Render(auxiliary, cancellation);
+        }
+        catch (OperationCanceledException)
+        {
+            // The picture's rendering ends at once then, says so, and nothing is written.
+        }
+
+        return auxiliary;
     }
 
     private RenderOutcome Render(Scene scene, Film film, RenderOptions options, CancellationToken cancellation)
@@ -84,16 +103,16 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     private static CommandException Misplaced(string option, RenderDescription render) =>
         new(ExitStatus.Usage, $"{option}: does not lie within the picture of {render.Width}×{render.Height} pixels");
 
-    private static Film FilmFor(RenderDescription render)
+    private Film FilmFor(RenderDescription render)
     {
-        long bytes = FilmMemory.Bytes(render.Width, render.Height);
+        long bytes = FilmMemory.Bytes(render.Width, render.Height) + AovFilm.Bytes(request.Aovs, render.Width, render.Height);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         bool fits = bytes <= available && (long)render.Width * render.Height <= Film.MaxPixels;
         return fits ? new(render.Width, render.Height) : throw new CommandException(
             ExitStatus.InputOutput, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than can be had ({FilmMemory.Text(available)})");
     }
 
-    private IReadOnlyList<string> Write(RenderOutcome outcome)
+    private IReadOnlyList<string> Write(RenderOutcome outcome, AovOutputs aovs, AovFilm auxiliary)
     {
         KeyValuePair<string, string>[] texts =
         [
@@ -103,7 +122,9 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new("Samples", $"{outcome.Scene.Render.SamplesPerPixel}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
             new("FilmHash", outcome.Hash),
         ];
-        return ImageOutputs.Write(request.Outputs, outcome.Film, request.Writing with { Metadata = texts }, streams);
+        ImageWriteOptions writing = request.Writing with { Metadata = texts };
+        IReadOnlyList<string> pictures = ImageOutputs.Write(request.Outputs, outcome.Film, writing with { ExrLayers = AovFiles.Layers(auxiliary) }, streams);
+        return [.. pictures, .. aovs.Write(auxiliary, writing, streams)];
     }
 }
 

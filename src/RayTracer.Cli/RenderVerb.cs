@@ -1,5 +1,6 @@
 using System.CommandLine;
 using RayTracer.Imaging;
+using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
 
@@ -15,6 +16,8 @@ internal sealed class RenderVerb
     private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
     private readonly ParsedOption<int[]?> _pixel = OptionValues.Integers("--pixel", "x,y", "Renders only this pixel and prints its radiance.");
     private readonly ParsedOption<long?> _sample = OptionValues.Integer("--sample", "With --pixel: renders only this sample, from 0.", 0, int.MaxValue - 1);
+    private readonly ParsedOption<Aov[]?> _aovs = OptionValues.Words(
+        "--aov", "Writes auxiliary images too, of what camera rays meet first: as layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", AovFiles.Name, Enum.GetValues<Aov>());
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
     private readonly SceneOverrides _overrides;
@@ -25,7 +28,7 @@ internal sealed class RenderVerb
         command.Arguments.Add(_scene);
         command.Options.Add(_outputs);
         _overrides = new(command);
-        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _quiet, _json })
+        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _quiet, _json })
         {
             command.Options.Add(option);
         }
@@ -53,6 +56,7 @@ internal sealed class RenderVerb
             Crop = _crop.Value(result),
             Pixel = _pixel.Value(result),
             Sample = _sample.Value(result),
+            Aovs = _aovs.Value(result) ?? [],
             Quiet = result.GetValue(_quiet),
             Json = result.GetValue(_json),
             OverrideWords = [.. _overrides.Words(result)],
@@ -66,6 +70,8 @@ internal sealed class RenderVerb
         { Outputs.Count: 0, Pixel: null, Json: false } => "where to? Give -o FILE (or --json alone for the numbers, or --pixel x,y)",
         { Outputs.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave -o out",
         { Crop: not null, Pixel: not null } => "--pixel and --crop cannot go together",
+        { Aovs.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave --aov out",
+        { Aovs.Count: > 0, Outputs.Count: 0 } => "--aov writes images: where to? Give -o FILE",
         { Sample: not null, Pixel: null } => "--sample needs --pixel",
         _ => null,
     };

@@ -94,7 +94,7 @@ public static class ImageFile
                 PfmWriter.Write(stream, image);
                 break;
             default:
-                ExrWriter.Write(stream, image, options.ExrPixelType, options.ExrCompression, options.Metadata);
+                ExrWriter.Write(stream, image, options.ExrPixelType, options.ExrCompression, options.Metadata, options.ExrLayers);
                 break;
         }
     }

@@ -20,4 +20,7 @@ public sealed record ImageWriteOptions
 
     /// <summary>PNG and OpenEXR: texts to keep in the file, such as the command that made it; see <see cref="PngWriter"/> for what a key may be. PFM has no place for them.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Metadata { get; init; } = [];
+
+    /// <summary>OpenEXR: channels to write beside those of the image.</summary>
+    public IReadOnlyList<ExrLayerChannel> ExrLayers { get; init; } = [];
 }

@@ -12,7 +12,7 @@ namespace RayTracer.RenderTests;
 public sealed class InstructionSetTests : IDisposable
 {
     private const string Child = "RayTracer.RenderTests.dll";
-    private static readonly Lazy<string[]> s_expected = new(() => [.. BitScenes.All.Select(name => $"{name} {Program.Hash(name, 0)}")]);
+    private static readonly Lazy<string[]> s_expected = new(() => [.. BitScenes.All.Concat(BitScenes.Auxiliary).Select(name => $"{name} {Program.Hash(name, 0)}")]);
     private readonly string _folder = Directory.CreateTempSubdirectory("raytracer-").FullName;
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
@@ -29,7 +29,7 @@ public sealed class InstructionSetTests : IDisposable
     [InlineData("DOTNET_TieredPGO=0", "")]
     public void All_pictures_have_the_same_bits_with(string setting, string effect)
     {
-        string[] lines = ChildProcess.Run(Child, setting, ["0", .. BitScenes.All]).Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        string[] lines = ChildProcess.Run(Child, setting, ["0", .. BitScenes.All, .. BitScenes.Auxiliary]).Split('\n', StringSplitOptions.RemoveEmptyEntries);
         Assert.Contains(effect, lines[0], StringComparison.Ordinal);
         Assert.Equal(s_expected.Value, lines.Skip(1));
     }

@@ -1,5 +1,7 @@
 using System.Numerics;
+using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics.X86;
+using System.Security.Cryptography;
 using RayTracer.Rendering;
 using RayTracer.RenderTests.Bits;
 
@@ -22,12 +24,35 @@ internal static class Program
     }
 
     /// <summary>The hash of a picture, or of a tile in its middle.</summary>
-    /// <param name="name">One of <see cref="BitScenes.All"/>.</param>
+    /// <param name="name">One of <see cref="BitScenes.All"/>, or of <see cref="BitScenes.Auxiliary"/>.</param>
     /// <param name="edge">Edge of the tile in pixels; 0 for all of the picture.</param>
     public static string Hash(string name, int edge)
     {
+        if (BitScenes.Auxiliary.Contains(name))
+        {
+            return HashOfAuxiliaryImages(BitScenes.Load(name["aov/".Length..]));
+        }
+
         Scene scene = BitScenes.Load(name);
         Tile middle = new((scene.Render.Width - edge) / 2, (scene.Render.Height - edge) / 2, edge, edge);
         return new RTracer(scene, new() { Crop = edge > 0 ? middle : null, Threads = 2 }).Render().Film.ComputeHash();
+    }
+
+    private static string HashOfAuxiliaryImages(Scene scene)
+    {
+        AovFilm film = new(new(scene.Render.Width, scene.Render.Height), Enum.GetValues<Aov>().Where(k => k != Aov.Samples));
+        new FirstHitPass(scene, new() { Threads = 2 }).Render(film);
+        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        foreach (Aov kind in film.Kinds)
+        {
+            double[] row = new double[film.Width * AovFilm.Channels(kind)];
+            for (int y = 0; y < film.Height; y++)
+            {
+                film.ReadRow(kind, y, row);
+                hash.AppendData(MemoryMarshal.AsBytes(row.AsSpan()));
+            }
+        }
+
+        return Convert.ToHexStringLower(hash.GetHashAndReset());
     }
 }

@@ -3,7 +3,7 @@ namespace RayTracer.Imaging;
 /// <summary>What one value of an OpenEXR channel is; the values are the file format's.</summary>
 public enum ExrPixelType
 {
-    /// <summary>32-bit unsigned integer; read only.</summary>
+    /// <summary>32-bit unsigned integer; written in layers only.</summary>
     Uint = 0,
 
     /// <summary>16-bit float: 11 bits of precision, up to 65504.</summary>

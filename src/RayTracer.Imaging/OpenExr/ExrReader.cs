@@ -22,17 +22,41 @@ public static class ExrReader
         int[] targets = Targets(header);
         ExrBlock[] blocks = ExrBlock.Find(file, header);
         Picture picture = PictureLimits.Allocate(header.Width, header.Height);
-        foreach (ExrBlock block in blocks)
+        ReadRows(file, header, blocks, (values, channel, y) =>
         {
-            ReadOnlySpan<byte> packed = file.Slice(block.Offset, block.PackedBytes);
-            ReadOnlySpan<byte> values = ExrBlockCodec.Decompress(header.Compression, packed, block.Bytes);
-            for (int y = block.FirstRow; y < block.FirstRow + block.Rows; y++)
+            if (targets[channel] >= 0)
             {
-                values = ReadRow(values, header, targets, y, picture.Pixels.AsSpan(3 * y * header.Width, 3 * header.Width));
+                ReadChannel(values, header.Channels[channel], targets[channel], picture.Pixels.AsSpan(3 * y * header.Width, 3 * header.Width));
             }
+        });
+        return picture;
+    }
+
+    /// <summary>Reads one channel of a file by its name, such as <c>depth.Z</c>.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <param name="name">The channel's name.</param>
+    /// <returns>Its values, rows from top to bottom; every type's are exact.</returns>
+    /// <exception cref="PictureException">As for <see cref="Read"/>, or there is no such channel with a value for every pixel.</exception>
+    public static double[] ReadChannel(ReadOnlySpan<byte> file, string name)
+    {
+        ExrHeader header = ExrHeader.Parse(file);
+        int wanted = header.Channels.ToList().FindIndex(c => c.Name == name && c is { StepX: 1, StepY: 1 });
+        if (wanted < 0)
+        {
+            throw new PictureException($"it has no channel {name} with a value for every pixel");
         }
 
-        return picture;
+        ExrChannel channel = header.Channels[wanted];
+        ExrBlock[] blocks = ExrBlock.Find(file, header);
+        double[] all = new double[(long)header.Width * header.Height];
+        ReadRows(file, header, blocks, (values, number, y) =>
+        {
+            for (int x = 0; number == wanted && x < header.Width; x++)
+            {
+                all[((long)y * header.Width) + x] = Value(values[(x * channel.ValueBytes)..], channel.Type);
+            }
+        });
+        return all;
     }
 
     /// <summary>Reads the string attributes of a file that are not the format's own, in their order.</summary>
@@ -68,34 +92,32 @@ public static class ExrReader
         return targets;
     }
 
-    // Returns what is left of the block after the row.
-    private static ReadOnlySpan<byte> ReadRow(ReadOnlySpan<byte> values, ExrHeader header, int[] targets, int y, Span<float> row)
+    // The bytes of a channel in a row, the channel's number, and the row.
+    private delegate void RowOfChannel(ReadOnlySpan<byte> values, int channel, int y);
+
+    private static void ReadRows(ReadOnlySpan<byte> file, ExrHeader header, ExrBlock[] blocks, RowOfChannel take)
     {
-        for (int c = 0; c < targets.Length; c++)
+        foreach (ExrBlock block in blocks)
         {
-            ExrChannel channel = header.Channels[c];
-            int bytes = (int)channel.RowBytes(header.Top + y, header.Left, header.Left + header.Width - 1);
-            if (targets[c] >= 0)
+            ReadOnlySpan<byte> packed = file.Slice(block.Offset, block.PackedBytes);
+            ReadOnlySpan<byte> values = ExrBlockCodec.Decompress(header.Compression, packed, block.Bytes);
+            for (int y = block.FirstRow; y < block.FirstRow + block.Rows; y++)
             {
-                ReadChannel(values[..bytes], channel, targets[c], row);
+                for (int c = 0; c < header.Channels.Count; c++)
+                {
+                    int bytes = (int)header.Channels[c].RowBytes(header.Top + y, header.Left, header.Left + header.Width - 1);
+                    take(values[..bytes], c, y);
+                    values = values[bytes..];
+                }
             }
-
-            values = values[bytes..];
         }
-
-        return values;
     }
 
     private static void ReadChannel(ReadOnlySpan<byte> values, ExrChannel channel, int target, Span<float> row)
     {
         for (int i = 0; i < row.Length; i += 3)
         {
-            float value = channel.Type switch
-            {
-                ExrPixelType.Half => (float)BinaryPrimitives.ReadHalfLittleEndian(values),
-                ExrPixelType.Float => BinaryPrimitives.ReadSingleLittleEndian(values),
-                _ => BinaryPrimitives.ReadUInt32LittleEndian(values),
-            };
+            float value = (float)Value(values, channel.Type);
             values = values[channel.ValueBytes..];
             if (target < 3)
             {
@@ -107,4 +129,11 @@ public static class ExrReader
             }
         }
     }
+
+    private static double Value(ReadOnlySpan<byte> at, ExrPixelType type) => type switch
+    {
+        ExrPixelType.Half => (double)BinaryPrimitives.ReadHalfLittleEndian(at),
+        ExrPixelType.Float => BinaryPrimitives.ReadSingleLittleEndian(at),
+        _ => BinaryPrimitives.ReadUInt32LittleEndian(at),
+    };
 }

@@ -4,7 +4,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Writes OpenEXR files: one part, rows from top to bottom, channels B, G and R, Rec. 709 primaries (the format's default).</summary>
+/// <summary>
+/// Writes OpenEXR files: one part, rows from top to bottom, channels B, G and R, Rec. 709 primaries (the format's default), and further
+/// layers beside them.
+/// </summary>
 public static class ExrWriter
 {
     /// <summary>Writes an image, a block of at most 16 rows at a time: no more is in memory.</summary>
@@ -13,13 +16,15 @@ public static class ExrWriter
     /// <param name="type">Half or float. Floats are kept bit for bit; for halves, finite values are rounded to the nearest and cut off at ±65504.</param>
     /// <param name="compression">Compression, without loss.</param>
     /// <param name="metadata">Text to keep with the image as string attributes: keys of 1 to 255 bytes without NUL, each once, that are not attributes of the format itself.</param>
-    /// <exception cref="ArgumentException">A stream that cannot seek, the type <see cref="ExrPixelType.Uint"/>, or metadata that OpenEXR cannot hold.</exception>
+    /// <param name="layers">Channels to write beside the image's own, each in its own type.</param>
+    /// <exception cref="ArgumentException">A stream that cannot seek, the type <see cref="ExrPixelType.Uint"/> for the image, or metadata or names of channels that OpenEXR cannot hold.</exception>
     public static void Write(
         Stream output,
         IImageRows image,
         ExrPixelType type = ExrPixelType.Half,
         ExrCompression compression = ExrCompression.Zip,
-        IEnumerable<KeyValuePair<string, string>>? metadata = null)
+        IEnumerable<KeyValuePair<string, string>>? metadata = null,
+        IEnumerable<ExrLayerChannel>? layers = null)
     {
         if (!output.CanSeek)
         {
@@ -31,8 +36,9 @@ public static class ExrWriter
             throw new ArgumentException($"OpenEXR is written as half or float with one of four compressions, not as {type} with {compression}.", nameof(type));
         }
 
+        ExrChannelRows channels = new(image, type, layers ?? []);
         long start = output.Position;
-        output.Write(Header(image, type, compression, metadata ?? []));
+        output.Write(Header(image, channels, compression, metadata ?? []));
         long tableAt = output.Position;
         int rows = ExrFormat.RowsOfBlock(compression);
         var table = new byte[8 * ((image.Height + rows - 1) / rows)];
@@ -40,7 +46,7 @@ public static class ExrWriter
         for (int block = 0; block < table.Length / 8; block++)
         {
             BinaryPrimitives.WriteInt64LittleEndian(table.AsSpan(8 * block), output.Position - start);
-            WriteBlock(output, image, type, compression, block * rows, Math.Min(rows, image.Height - (block * rows)));
+            WriteBlock(output, channels, compression, block * rows, Math.Min(rows, image.Height - (block * rows)));
         }
 
         long end = output.Position;
@@ -49,23 +55,12 @@ public static class ExrWriter
         output.Position = end;
     }
 
-    private static void WriteBlock(Stream output, IImageRows image, ExrPixelType type, ExrCompression compression, int firstRow, int rows)
+    private static void WriteBlock(Stream output, ExrChannelRows channels, ExrCompression compression, int firstRow, int rows)
     {
-        int valueBytes = type == ExrPixelType.Half ? 2 : 4;
-        var row = new float[3 * image.Width];
-        var block = new byte[checked(row.Length * valueBytes * rows)];
-        Span<byte> rest = block;
-        for (int y = firstRow; y < firstRow + rows; y++)
+        var block = new byte[checked(channels.RowBytes * rows)];
+        for (int row = 0; row < rows; row++)
         {
-            image.ReadRow(y, row);
-            for (int channel = 2; channel >= 0; channel--)
-            {
-                for (int i = channel; i < row.Length; i += 3)
-                {
-                    Put(rest, row[i], type);
-                    rest = rest[valueBytes..];
-                }
-            }
+            channels.Write(firstRow + row, block.AsSpan(channels.RowBytes * row, channels.RowBytes));
         }
 
         ReadOnlySpan<byte> packed = ExrBlockCodec.Compress(compression, block);
@@ -76,28 +71,15 @@ public static class ExrWriter
         output.Write(packed);
     }
 
-    private static void Put(Span<byte> at, float value, ExrPixelType type)
-    {
-        if (type == ExrPixelType.Float)
-        {
-            BinaryPrimitives.WriteSingleLittleEndian(at, value);
-            return;
-        }
-
-        const float Largest = 65504;
-        float kept = float.IsFinite(value) ? Math.Clamp(value, -Largest, Largest) : value;
-        BinaryPrimitives.WriteHalfLittleEndian(at, (Half)kept);
-    }
-
-    private static byte[] Header(IImageRows image, ExrPixelType type, ExrCompression compression, IEnumerable<KeyValuePair<string, string>> metadata)
+    private static byte[] Header(IImageRows image, ExrChannelRows channels, ExrCompression compression, IEnumerable<KeyValuePair<string, string>> metadata)
     {
         using var bytes = new MemoryStream();
         using var writer = new BinaryWriter(bytes); // little-endian, as OpenEXR is
         KeyValuePair<string, string>[] texts = [.. metadata];
-        bool longNames = texts.Any(text => Encoding.UTF8.GetByteCount(text.Key) > ExrFormat.ShortName);
+        bool longNames = texts.Any(text => Encoding.UTF8.GetByteCount(text.Key) > ExrFormat.ShortName) || channels.Channels.Any(c => c.Name.Length > ExrFormat.ShortName);
         writer.Write(ExrFormat.Magic);
         writer.Write(ExrFormat.Version | (longNames ? ExrFormat.LongNamesFlag : 0));
-        Attribute(writer, "channels", "chlist", [.. Channel("B", type), .. Channel("G", type), .. Channel("R", type), 0]);
+        Attribute(writer, "channels", "chlist", [.. channels.Channels.SelectMany(c => Channel(c.Name, c.Type)), 0]);
         Attribute(writer, "compression", "compression", [(byte)compression]);
         Attribute(writer, "dataWindow", "box2i", Words(0, 0, image.Width - 1, image.Height - 1));
         Attribute(writer, "displayWindow", "box2i", Words(0, 0, image.Width - 1, image.Height - 1));

@@ -12,6 +12,9 @@ internal interface IBoxSearch
     /// <param name="distance">How far hits still count.</param>
     /// <returns>Whether the search is over.</returns>
     bool Visit(int thing, ref float distance);
+
+    /// <summary>Told of each node.</summary>
+    void Enter();
 }
 
 /// <summary>Leads one ray by itself through a tree over boxes of one thing each, nearer children first.</summary>
@@ -50,6 +53,7 @@ internal static unsafe class BoxTraversal
 
             if ((current & BvhNode.LeafBit) == 0)
             {
+                search.Enter();
                 depth = Push(tree.Nodes + current, &block, distance, pending, entries, depth);
             }
             else if (search.Visit(order[BvhNode.LeafFirst(current)], ref distance))

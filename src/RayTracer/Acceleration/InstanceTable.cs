@@ -49,9 +49,7 @@ internal sealed unsafe class InstanceTable
         {
             WriteMaps(instances[i].Motion.At(shutter.Open), _maps.Pointer + ((long)Stride * i));
             Bounds box = instances[i].Motion.Bound(spaces[shown[i]].Bounds, shutter.Open, shutter.Close);
-            Vector3 slack = box.IsFinite ? new(BoxSlack * Vector3.Max(Vector3.Abs(box.Minimum), Vector3.Abs(box.Maximum)).Largest()) : default;
-            (box.Minimum - slack).CopyTo(boxes.AsSpan(6 * i));
-            (box.Maximum + slack).CopyTo(boxes.AsSpan((6 * i) + 3));
+            Write(box, boxes.AsSpan(6 * i));
         }
 
         _tree = new(this, boxes);
@@ -68,6 +66,21 @@ internal sealed unsafe class InstanceTable
 
     /// <summary>Memory of the instances, without that of what they show.</summary>
     public long MemoryBytes => ((long)Stride * sizeof(float) * Count) + (_smallSpaces?.Length * 2L ?? _spaces!.Length * 4L) + (8L * _motions.Length) + _tree.MemoryBytes;
+
+    /// <summary>What the tree over the instances looks like.</summary>
+    public BvhStatistics TreeStatistics => _tree.Statistics;
+
+    /// <summary>Builds a tree again as it is where the shutter opens, to measure how long that takes; the table keeps its own.</summary>
+    public void BuildTree()
+    {
+        float[] boxes = new float[6L * Count];
+        for (int i = 0; i < Count; i++)
+        {
+            Write(SpaceOf(i + 1).Bounds.Transformed(PlaceOf(i + 1)), boxes.AsSpan(6 * i));
+        }
+
+        _ = new InstanceTree(this, boxes);
+    }
 
     /// <summary>What an instance shows.</summary>
     /// <param name="instance">Its number, from 1.</param>
@@ -107,6 +120,19 @@ internal sealed unsafe class InstanceTable
     /// <param name="skip">That primitive.</param>
     public bool AnyHit(in SpaceRay ray, float time, float distance, int skipped, int skip) => _tree.AnyHit(ray, time, distance, skipped, skip);
 
+    /// <summary>What it costs a ray to find the nearest hit of all instances: nodes visited plus triangles tested.</summary>
+    /// <param name="ray">The ray, in the world.</param>
+    /// <param name="time">Its time in seconds.</param>
+    /// <param name="hit">The nearest hit so far.</param>
+    public long Cost(in SpaceRay ray, float time, in InstanceHit hit) => _tree.Cost(ray, time, hit);
+
+    /// <summary>What it costs to find the nearest hit of one instance.</summary>
+    internal long CostOf(int instance, in SpaceRay ray, float time, float distance)
+    {
+        float* scratch = stackalloc float[Stride];
+        return SpaceOf(instance).Cost(Inside(ray, MapsAt(instance, time, scratch) + Back), distance);
+    }
+
     /// <summary>The nearest hit of one instance.</summary>
     internal void Meet(int instance, in SpaceRay ray, float time, ref InstanceHit hit)
     {
@@ -124,6 +150,13 @@ internal sealed unsafe class InstanceTable
     {
         float* scratch = stackalloc float[Stride];
         return SpaceOf(instance).AnyHit(Inside(ray, MapsAt(instance, time, scratch) + Back), distance, skip);
+    }
+
+    private static void Write(in Bounds box, Span<float> to)
+    {
+        Vector3 slack = box.IsFinite ? new(BoxSlack * Vector3.Max(Vector3.Abs(box.Minimum), Vector3.Abs(box.Maximum)).Largest()) : default;
+        (box.Minimum - slack).CopyTo(to);
+        (box.Maximum + slack).CopyTo(to[3..]);
     }
 
     private static void WriteMaps(in Transform place, float* to)

@@ -97,6 +97,10 @@ internal sealed class ShapeTree
 
             return false;
         }
+
+        public readonly void Enter()
+        {
+        }
     }
 
     private readonly struct Any(ShapeBatch[] batches, in SpaceRay ray, float limit, int skip) : IBoxSearch
@@ -110,6 +114,10 @@ internal sealed class ShapeTree
             MaskW free = MaskW.All;
             batch.Occlude(thing, thing + 1, _origin, _direction, limit, skip, ref free);
             return !free.Any;
+        }
+
+        public void Enter()
+        {
         }
     }
 }

@@ -86,27 +86,22 @@ internal sealed class Space
     /// <returns>The primitive; −1 where nothing is hit.</returns>
     public int ClosestHit(in SpaceRay ray, ref float distance)
     {
-        int found = -1;
-        if (Shapes.Length > 0)
-        {
-            float length = ray.Direction.Norm();
-            Vector3 unit = ray.Direction * (1 / length);
-            FloatW shortened = distance * length;
-            UIntW primitive = uint.MaxValue;
-            Primitives.Shorten(ray.Origin, unit, ref shortened, ref primitive, lanes: 1);
-            if (primitive[0] != uint.MaxValue)
-            {
-                found = (int)primitive[0];
-                distance = float.Min(distance, shortened[0] / length);
-            }
-        }
-
+        int found = MeetShapes(ray, ref distance);
         if (Tree is not null)
         {
             found = Tree.ClosestHit(ray.Origin, ray.Direction, ref distance, out int triangle) ? Mesh!.FirstPrimitive + triangle : found;
         }
 
         return found;
+    }
+
+    /// <summary>What it costs to find the nearest hit of one ray: nodes visited plus triangles tested.</summary>
+    /// <param name="ray">The ray, in coordinates of the space.</param>
+    /// <param name="distance">How far hits count, in multiples of the direction.</param>
+    public long Cost(in SpaceRay ray, float distance)
+    {
+        MeetShapes(ray, ref distance);
+        return Tree?.Cost(ray.Origin, ray.Direction, distance) ?? 0;
     }
 
     /// <summary>Whether anything stands in the way of one ray.</summary>
@@ -127,6 +122,28 @@ internal sealed class Space
         }
 
         return Tree is not null && Tree.AnyHit(ray.Origin, ray.Direction, distance);
+    }
+
+    // Shortens a ray to the nearest of the shapes, and says which one it is; -1 for none.
+    private int MeetShapes(in SpaceRay ray, ref float distance)
+    {
+        if (Shapes.Length == 0)
+        {
+            return -1;
+        }
+
+        float length = ray.Direction.Norm();
+        Vector3 unit = ray.Direction * (1 / length);
+        FloatW shortened = distance * length;
+        UIntW primitive = uint.MaxValue;
+        Primitives.Shorten(ray.Origin, unit, ref shortened, ref primitive, lanes: 1);
+        if (primitive[0] == uint.MaxValue)
+        {
+            return -1;
+        }
+
+        distance = float.Min(distance, shortened[0] / length);
+        return (int)primitive[0];
     }
 
     // The materials of the meshes' triangles one after the other, without an entry for each.

@@ -20,16 +20,7 @@ public sealed class AreaLight(Shape shape, int primitive) : LightSource(0, primi
     public Shape Shape => shape;
 
     /// <inheritdoc/>
-    public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance) =>
-        Sample(from, u, v, out sample, out radiance);
-
-    /// <summary>Chooses a point of the light for each lit point.</summary>
-    /// <param name="from">The lit points.</param>
-    /// <param name="u">First random number.</param>
-    /// <param name="v">Second random number.</param>
-    /// <param name="sample">Direction and distance; an inverse pdf of zero where the light cannot be seen.</param>
-    /// <param name="radiance">Radiance from the chosen point over the pdf per solid angle.</param>
-    public void Sample(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample, out RgbW radiance)
+    public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
     {
         if (_plainSphere is null)
         {
@@ -42,4 +33,13 @@ public sealed class AreaLight(Shape shape, int primitive) : LightSource(0, primi
         _plainSphere.SampleDirection(from, u, v, out sample);
         radiance = (RgbW)_plainColor * (_luminaire.Falloff(sample.Cosine) * sample.InversePdf);
     }
+
+    /// <summary>Chooses a point of the light for each lit point.</summary>
+    /// <param name="from">The lit points.</param>
+    /// <param name="u">First random number.</param>
+    /// <param name="v">Second random number.</param>
+    /// <param name="sample">Direction and distance; an inverse pdf of zero where the light cannot be seen.</param>
+    /// <param name="radiance">Radiance from the chosen point over the pdf per solid angle.</param>
+    public void Sample(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample, out RgbW radiance) =>
+        Sample(from, u, v, 0f, out sample, out radiance);
 }

@@ -51,6 +51,9 @@ public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, Fr
     public override bool UsesDistance => !extinction.IsBlack;
 
     /// <inheritdoc/>
+    public override void Albedo(in SurfaceW surface, out RgbW albedo) => albedo = Rgb.White;
+
+    /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         FloatW eta = surface.Inside.Select(refractiveIndex, 1f / refractiveIndex);

@@ -106,6 +106,13 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     }
 
     /// <inheritdoc/>
+    public override void Albedo(in SurfaceW surface, out RgbW albedo)
+    {
+        albedo = default;
+        inner?.Albedo(surface, out albedo);
+    }
+
+    /// <inheritdoc/>
     public override void Brdf(in SurfaceW surface, out RgbW brdf)
     {
         brdf = default;

@@ -45,6 +45,12 @@ public abstract class Material
     public virtual void AmbientResponse(in SurfaceW surface, out RgbW response) => response = default;
 
     /// <summary>
+    /// The fraction of the light that the surface sends on, for the auxiliary image of that name: what ambient light is multiplied by, unless the
+    /// material is clear.
+    /// </summary>
+    public virtual void Albedo(in SurfaceW surface, out RgbW albedo) => AmbientResponse(surface, out albedo);
+
+    /// <summary>
     /// The part of the BRDF that light sources are sampled for (report: ExplicitBRDF), the same for all directions of
     /// light on the ray's side of the surface. Light that arrives through any other part is met by scattered rays only.
     /// </summary>

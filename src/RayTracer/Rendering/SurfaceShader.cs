@@ -61,24 +61,55 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
     /// <summary>Adds what waits to the paths that went on to the next stream, or ended.</summary>
     public void Flush(PathStream next) => queue?.Flush(finished, next);
 
-    private static void Describe(ShadingGroup group, PathStream stream, uint* index, out SurfaceW surface)
+    /// <summary>Describes where paths met the surfaces of a group: all that a material needs.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="group">The group.</param>
+    /// <param name="stream">The paths.</param>
+    /// <param name="index">Indices of a packet of paths in the stream.</param>
+    /// <param name="needsUv">Whether uv is wanted.</param>
+    /// <param name="surface">The surfaces.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Describe(Scene scene, ShadingGroup group, PathStream stream, uint* index, bool needsUv, out SurfaceW surface)
+    {
+        if (group.IsInstanced)
+        {
+            DescribeInstanced(scene, group, stream, index, needsUv, out surface);
+        }
+        else
+        {
+            DescribePlain(group, stream, index, needsUv, out surface);
+        }
+
+        if (group.HasShadingNormals)
+        {
+            Smooth(ref surface);
+        }
+
+        group.Material.Prepare(ref surface);
+        if (group.HasTint)
+        {
+            surface.DiffuseColor *= surface.Tint;
+        }
+    }
+
+    private static void DescribePlain(ShadingGroup group, PathStream stream, uint* index, bool needsUv, out SurfaceW surface)
     {
         Unsafe.SkipInit(out surface);
         surface.Incoming = stream.PickDirection(index);
         surface.Distance = FloatW.Pick(stream.Distance, index);
         surface.Point = Vec3W.MultiplyAdd(surface.Incoming, surface.Distance, stream.PickOrigin(index));
-        DescribeTable(group, stream, index, ref surface);
+        DescribeTable(group, stream, index, needsUv, ref surface);
         TurnToRay(ref surface);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void DescribeTable(ShadingGroup group, PathStream stream, uint* index, ref SurfaceW surface)
+    private static void DescribeTable(ShadingGroup group, PathStream stream, uint* index, bool needsUv, ref SurfaceW surface)
     {
         int stride = group.Batch.Stride;
         PrimitiveIndex primitives = group.OnlyIndex >= 0
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
-        group.Batch.Describe(primitives, group.UsesUv, ref surface);
+        group.Batch.Describe(primitives, needsUv, ref surface);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -99,27 +130,7 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
         UIntW diffuseDepth = state & PathState.DepthMask;
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
         _vertex.Begin(UIntW.Gather(_generator.PixelKeys, pixel), sample, diffuseDepth + specularDepth);
-        SurfaceW surface;
-        if (group.IsInstanced)
-        {
-            DescribeInstanced(group, stream, index, out surface);
-        }
-        else
-        {
-            Describe(group, stream, index, out surface);
-        }
-
-        if (group.HasShadingNormals)
-        {
-            Smooth(ref surface);
-        }
-
-        group.Material.Prepare(ref surface);
-        if (group.HasTint)
-        {
-            surface.DiffuseColor *= surface.Tint;
-        }
-
+        Describe(scene, group, stream, index, group.UsesUv, out SurfaceW surface);
         FloatW time = scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         RgbW throughput = stream.PickThroughput(index);
         RgbW radiance = stream.PickRadiance(index);
@@ -189,8 +200,8 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
         }
     }
 
-    // As Describe, in the space that each lane's instance shows.
-    private void DescribeInstanced(ShadingGroup group, PathStream stream, uint* index, out SurfaceW surface)
+    // As DescribePlain, in the space that each lane's instance shows.
+    private static void DescribeInstanced(Scene scene, ShadingGroup group, PathStream stream, uint* index, bool needsUv, out SurfaceW surface)
     {
         Unsafe.SkipInit(out surface);
         float* memory = stackalloc float[InstanceMaps.Floats];
@@ -199,7 +210,7 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
         surface.Incoming = stream.PickDirection(index);
         surface.Distance = FloatW.Pick(stream.Distance, index);
         surface.Point = Vec3W.MultiplyAdd(maps.VectorBack(surface.Incoming), surface.Distance, maps.PointBack(stream.PickOrigin(index)));
-        DescribeTable(group, stream, index, ref surface);
+        DescribeTable(group, stream, index, needsUv, ref surface);
         maps.Describe(group.HasShadingNormals, ref surface);
         TurnToRay(ref surface);
     }

@@ -1,6 +1,3 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-using RayTracer.Materials;
 using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
@@ -17,10 +14,8 @@ internal sealed unsafe class Wavefront
     private readonly SurfaceShader _shader;
     private readonly SampleAccumulator _accumulator;
     private readonly FinishedPaths _finished;
-    private readonly PinnedBuffer<uint> _members;
+    private readonly GroupMembers _members;
     private readonly PinnedBuffer<int> _hits;
-    private readonly int _membersStride;
-    private readonly int[] _memberCounts;
     private PathStream _current;
     private PathStream _next;
 
@@ -33,10 +28,8 @@ internal sealed unsafe class Wavefront
         _accumulator = new(maxTilePixels);
         _finished = new(streamSize, _accumulator);
         _shader = new(scene, _finished, scene.World.IsPlain || scene.Lights.Count == 0 ? null : new(scene));
-        _hits = new(scene.World.IsPlain ? 1 : streamSize + 16);
-        _memberCounts = new int[scene.Groups.Length + 1];
-        _membersStride = streamSize + (2 * FloatW.Count);
-        _members = new((long)_membersStride * _memberCounts.Length);
+        _hits = new(scene.World.RoomForHits(streamSize));
+        _members = new(scene, streamSize);
     }
 
     public SampleAccumulator Accumulator => _accumulator;
@@ -66,8 +59,9 @@ internal sealed unsafe class Wavefront
                 break;
             }
 
-            Intersect();
-            SortByGroup();
+            _scene.World.ClosestHit(_current, _hits.Pointer);
+            ClosestHitRays += _current.Count;
+            _members.Sort(_current);
             Shade();
             _finished.Drain();
             (_current, _next) = (_next, _current);
@@ -77,57 +71,17 @@ internal sealed unsafe class Wavefront
         Paths += (long)tile.Pixels * samples.Count;
     }
 
-    private void Intersect()
-    {
-        PathStream s = _current;
-        for (int i = 0; i < s.Count; i += FloatW.Count)
-        {
-            Vec3W origin = new(FloatW.Load(s.OriginX + i), FloatW.Load(s.OriginY + i), FloatW.Load(s.OriginZ + i));
-            Vec3W direction = new(FloatW.Load(s.DirectionX + i), FloatW.Load(s.DirectionY + i), FloatW.Load(s.DirectionZ + i));
-            _scene.Primitives.ClosestHit(origin, direction, out FloatW distance, out UIntW primitive, s.Count - i);
-            distance.Store(s.Distance + i);
-            primitive.Store(s.Primitive + i);
-        }
-
-        if (!_scene.World.IsPlain)
-        {
-            _scene.World.ClosestHit(s, _hits.Pointer);
-        }
-
-        ClosestHitRays += s.Count;
-    }
-
-    private void SortByGroup()
-    {
-        Array.Clear(_memberCounts);
-        uint* primitive = _current.Primitive;
-        uint* members = _members.Pointer;
-        nint stride = _membersStride;
-        int pathCount = _current.Count;
-        fixed (int* groupOf = _scene.GroupOfPrimitive, counts = _memberCounts)
-        {
-            for (int i = 0; i < pathCount; i++)
-            {
-                nint group = groupOf[primitive[i]];
-                members[(group * stride) + counts[group]++] = (uint)i;
-            }
-        }
-    }
-
     private void Shade()
     {
         _next.Count = 0;
-        for (int group = 0; group < _memberCounts.Length; group++)
+        for (int group = 0; group < _members.Count; group++)
         {
-            int count = _memberCounts[group];
+            uint* members = _members.Of(group, out int count);
             if (count == 0)
             {
                 continue;
             }
 
-            // The last packet's idle lanes repeat a valid path.
-            uint* members = _members.Pointer + ((long)group * _membersStride);
-            new Span<uint>(members + count, FloatW.Count).Fill(members[0]);
             if (group == _scene.Groups.Length)
             {
                 _shader.Miss(_current, members, count);

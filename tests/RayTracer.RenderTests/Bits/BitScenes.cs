@@ -13,6 +13,9 @@ internal static class BitScenes
     public static IReadOnlyList<string> All { get; } =
         [.. Report, .. Samplers, "shapes", .. Meshes, .. In("primer")];
 
+    /// <summary>Names of scenes whose auxiliary images are looked at.</summary>
+    public static string[] Auxiliary => ["aov/everything-sobol", "aov/meshes/01-cube", "aov/meshes/02-smooth", "aov/meshes/04-motion-blur"];
+
     /// <summary>Names of the report's scenes.</summary>
     public static string[] Report => ["report/scene1", "report/scene2", "report/scene3"];
 

@@ -6,6 +6,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Tests.Rendering;
 
+[Collection(MeasuredMemory.Name)]
 public class InstanceMemoryTests
 {
     private const int Many = 10_000;

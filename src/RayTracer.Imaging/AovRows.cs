@@ -1,0 +1,30 @@
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>An auxiliary image as numbers in three channels, in a PFM of its own: one number three times, or two and a zero.</summary>
+/// <param name="film">The images.</param>
+/// <param name="kind">Which of them.</param>
+public sealed class AovRows(AovFilm film, Aov kind) : IImageRows
+{
+    private readonly double[] _values = new double[film.Width * AovFilm.Channels(kind)];
+
+    /// <inheritdoc/>
+    public int Width => film.Width;
+
+    /// <inheritdoc/>
+    public int Height => film.Height;
+
+    /// <inheritdoc/>
+    public void ReadRow(int y, Span<float> rgb)
+    {
+        int channels = AovFilm.Channels(kind);
+        film.ReadRow(kind, y, _values);
+        for (int i = 0; i < 3 * Width; i++)
+        {
+            int channel = i % 3;
+            rgb[i] = channels == 1 ? (float)_values[i / 3] : channel < channels ? (float)_values[(i / 3 * channels) + channel] : 0;
+        }
+    }
+}
