@@ -66,9 +66,6 @@ internal sealed class SolidReference(Shape shape)
         return shape is ConicalShape && (distance < 50 * margin || (Math.Abs(ToCone(p)) < margin && Math.Abs(Math.Abs(height) - _axis.Half) < margin));
     }
 
-    /// <summary>Whether a point is where a cone is narrower than a radius.</summary>
-    public bool IsNearTip(Double3 p, double radius) => shape is ConicalShape && Cylindrical(p).Distance < radius;
-
     /// <summary>
     /// The nearest hit of a ray (infinite for none), the cosine there, and how far beyond the rims it is. Where the ray comes nearer than a margin to the
     /// surface or goes no deeper, the cosine is 0.
