@@ -10,6 +10,7 @@ internal sealed unsafe partial class NativeMemoryBlock : SafeHandle
 {
     private const nuint LargePage = 2 << 20;
     private const int AdviseLargePages = 14;
+    private static long s_inUse;
 
     /// <summary>Takes memory, whose contents are undefined.</summary>
     /// <param name="bytes">How much; a cache line more may be read behind it.</param>
@@ -29,7 +30,11 @@ internal sealed unsafe partial class NativeMemoryBlock : SafeHandle
         }
 
         GC.AddMemoryPressure(Math.Max(1, bytes));
+        Interlocked.Add(ref s_inUse, bytes);
     }
+
+    /// <summary>Bytes in all blocks that have not been freed.</summary>
+    public static long InUse => Interlocked.Read(ref s_inUse);
 
     /// <summary>The first byte, at the beginning of a cache line.</summary>
     public byte* Pointer => (byte*)handle;
@@ -43,6 +48,7 @@ internal sealed unsafe partial class NativeMemoryBlock : SafeHandle
     {
         NativeMemory.AlignedFree((void*)handle);
         GC.RemoveMemoryPressure(Math.Max(1, Bytes));
+        Interlocked.Add(ref s_inUse, -Bytes);
         return true;
     }
 

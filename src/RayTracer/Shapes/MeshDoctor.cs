@@ -76,9 +76,13 @@ internal sealed class MeshDoctor
 
     private bool HasArea(int a, int b, int c)
     {
-        Vector3 normal = (At(b) - At(a)).Cross(At(c) - At(a));
-        return normal.Norm() > 0 && normal.Unit().IsFinite();
+        (Vector3 ab, Vector3 ac) = (At(b) - At(a), At(c) - At(a));
+        return !AreParallel(ab, ac) && ab.Cross(ac).Unit().IsFinite();
     }
+
+    // Exact: doubles hold products of floats, while a fused cross product of parallel vectors leaves what one of its products was rounded by.
+    private static bool AreParallel(Vector3 a, Vector3 b) =>
+        (double)a.Y * b.Z == (double)a.Z * b.Y && (double)a.Z * b.X == (double)a.X * b.Z && (double)a.X * b.Y == (double)a.Y * b.X;
 
     private void Drop(string which, Func<int, int, int, bool> isGood)
     {

@@ -1,6 +1,9 @@
 using System.Numerics;
 using System.Runtime.InteropServices;
 using RayTracer.Acceleration;
+using RayTracer.Description;
+using RayTracer.Scenes;
+using RayTracer.Shapes;
 
 namespace RayTracer.Benchmarks.Embree;
 
@@ -32,6 +35,12 @@ internal sealed unsafe class BenchmarkMesh
     public Vector3 Corner(int triangle, int corner) => _positions[_indices[(3 * triangle) + corner]];
 
     public TriangleBvh Build(int threads) => TriangleBvh.Build(new(_positions, 0, PositionCount), _indices, threads);
+
+    /// <summary>The mesh of a file that holds nothing else, as PLY and STL files do.</summary>
+    /// <exception cref="ModelException">It cannot be read.</exception>
+    public static BenchmarkMesh OfFile(string path) => ModelFile.Read(path).Scene.Shapes is [MeshDescription { Data: MeshData mesh }]
+        ? new(mesh.Positions, mesh.Indices)
+        : throw new ModelException($"{path} does not hold one mesh and nothing else");
 
     /// <summary>The landscape: 35 % ground, 35 % boulders, 30 % trees.</summary>
     public static BenchmarkMesh Landscape(int triangles)

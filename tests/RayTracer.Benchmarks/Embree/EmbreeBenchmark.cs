@@ -12,9 +12,13 @@ namespace RayTracer.Benchmarks.Embree;
 /// </summary>
 internal static unsafe class EmbreeBenchmark
 {
+    private static readonly JsonSerializerOptions s_json = new() { Converters = { new FiniteNumberConverter() } };
     private static readonly TraversalMode[] s_modes = [TraversalMode.Single, TraversalMode.Blocks, TraversalMode.Sorted, TraversalMode.Automatic];
 
-    /// <param name="args">--triangles N, --mesh FILE.ply, --rounds N, --peer SETTINGS, --json.</param>
+    /// <param name="args">
+    /// --triangles N of a landscape, or --mesh FILE.ply; --rounds N; --peer SETTINGS of Embree's device (isa=avx2 where the runtime's
+    /// DOTNET_EnableAVX512 is 0: both sides must have the same instructions); --json for figures on standard output and the rest on the other.
+    /// </param>
     public static int Run(string[] args)
     {
         string? Option(string name) => Array.IndexOf(args, name) is int i and >= 0 && i + 1 < args.Length ? args[i + 1] : null;
@@ -24,7 +28,7 @@ internal static unsafe class EmbreeBenchmark
         string? file = Option("--mesh");
         BenchmarkMesh mesh = file is null
             ? BenchmarkMesh.Landscape(int.Parse(Option("--triangles") ?? "1000000", CultureInfo.InvariantCulture))
-            : PlyMesh.Read(file);
+            : BenchmarkMesh.OfFile(file);
         string settings = Option("--peer") is string more ? $",{more}" : "";
         using EmbreePeer? peer = EmbreePeer.Load(threads, settings, out string why);
         TextWriter log = json ? Console.Error : Console.Out;
@@ -45,7 +49,7 @@ internal static unsafe class EmbreeBenchmark
         Array.ForEach(scenes, scene => scene?.Dispose());
         if (json)
         {
-            Console.WriteLine(JsonSerializer.Serialize(figures));
+            Console.WriteLine(JsonSerializer.Serialize(figures, s_json));
         }
         else
         {

@@ -39,46 +39,53 @@ internal sealed unsafe class EmbreePeer : IDisposable
     /// <summary>Loads the peer.</summary>
     /// <param name="threads">Threads that it builds with.</param>
     /// <param name="settings">Further settings of its device, each with a comma before it.</param>
-    /// <param name="why">Why there is none.</param>
+    /// <param name="why">Where it comes from, or why there is none.</param>
     /// <returns>Null where it is missing.</returns>
     public static EmbreePeer? Load(int threads, string settings, out string why)
     {
-        string? embree = Find();
-        if (embree is null)
-        {
-            why = "no Embree: neither in PEERS_SITE (see peers/setup.sh) nor as Debian's libembree-dev";
-            return null;
-        }
-
         string folder = Directory.CreateTempSubdirectory("raytracer-embree-").FullName;
-        string library = Path.Combine(folder, "peer.so");
-        string directory = Path.GetDirectoryName(embree)!;
-        string source = Path.Combine(AppContext.BaseDirectory, "Embree", "peer.c");
         try
         {
-            using Process compiler = Process.Start("gcc", ["-O3", "-mavx2", "-mfma", "-shared", "-fPIC", source, "-o", library, embree, $"-Wl,-rpath,{directory}"]);
-            compiler.WaitForExit();
-            if (compiler.ExitCode == 0)
+            if (EmbreeLibrary.Find(folder) is not EmbreeLibrary embree)
+            {
+                why = "no Embree: no PEERS_SITE (see peers/setup.sh), no wheel in shared/peers/wheels, and no libembree-dev";
+            }
+            else if (Compile(embree, folder) is not string library)
+            {
+                why = "gcc could not compile the peer";
+            }
+            else
             {
                 // The wheel's other libraries lie beside it, but the loader does not know.
-                foreach (string other in Directory.GetFiles(directory, "libtbb*.so*"))
+                foreach (string other in Directory.GetFiles(Path.GetDirectoryName(embree.Path)!, "libtbb-*.so*"))
                 {
                     NativeLibrary.Load(other);
                 }
 
-                why = embree;
+                why = embree.Label;
                 return new(NativeLibrary.Load(library), folder, threads, settings);
             }
-
-            why = "gcc could not compile the peer";
         }
-        catch (Exception e) when (e is System.ComponentModel.Win32Exception or DllNotFoundException)
+        catch (Exception e) when (e is System.ComponentModel.Win32Exception or DllNotFoundException or InvalidDataException)
         {
             why = e.Message;
         }
 
         Directory.Delete(folder, recursive: true);
         return null;
+    }
+
+    private static string? Compile(EmbreeLibrary embree, string folder)
+    {
+        string library = Path.Combine(folder, "peer.so");
+        string source = Path.Combine(AppContext.BaseDirectory, "Embree", "peer.c");
+        using Process compiler = Process.Start("gcc",
+        [
+            "-O3", "-mavx2", "-mfma", "-shared", "-fPIC", $"-DEMBREE={embree.Major}", source, "-o", library,
+            embree.Path, $"-Wl,-rpath,{Path.GetDirectoryName(embree.Path)}",
+        ]);
+        compiler.WaitForExit();
+        return compiler.ExitCode == 0 ? library : null;
     }
 
     /// <summary>Builds a scene.</summary>
@@ -96,18 +103,6 @@ internal sealed unsafe class EmbreePeer : IDisposable
         ((delegate* unmanaged<void*, void>)NativeLibrary.GetExport(_library, "peer_release_device"))(_device);
         NativeLibrary.Free(_library);
         Directory.Delete(_folder, recursive: true);
-    }
-
-    private static string? Find()
-    {
-        string? site = Environment.GetEnvironmentVariable("PEERS_SITE");
-        string[] folders =
-        [
-            .. site is null ? [] : new[] { Path.Combine(site, "embreex.libs") },
-            Path.Combine(Path.GetTempPath(), "peers-site", "embreex.libs"),
-            "/usr/lib/x86_64-linux-gnu",
-        ];
-        return folders.Where(Directory.Exists).SelectMany(f => Directory.GetFiles(f, "libembree4*.so*").Order(StringComparer.Ordinal)).FirstOrDefault();
     }
 
     /// <summary>A scene of the peer.</summary>

@@ -1,4 +1,4 @@
-/* Loops over whole arrays of rays around Embree 4's C interface, declared by hand: the wheel that it comes in has no headers. */
+/* Loops over whole arrays of rays around Embree's C interface, declared by hand: the wheel that it comes in has no headers. EMBREE is its major version. */
 #include <immintrin.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -16,7 +16,19 @@ typedef struct {
     unsigned primitive[8], geometry[8], instance[8], instancePrimitive[8];
     char spare[256];
 } __attribute__((aligned(64))) RayHit8;
+#if EMBREE == 3
+/* RTCIntersectContext, which comes before the rays. */
+typedef struct { int flags; void *filter; unsigned instance; float minWidth; char spare[64]; } Arguments;
+#define COHERENT 1
+#define INIT(a) (a).instance = ~0u
+#define ORDER(arguments, rays) arguments, rays
+#else
+/* RTCIntersectArguments and RTCOccludedArguments, which come after the rays. */
 typedef struct { int flags; unsigned features; void *context, *filter, *intersect; float minWidth; char spare[64]; } Arguments;
+#define COHERENT (1 << 16)
+#define INIT(a) (a).features = ~0u
+#define ORDER(arguments, rays) rays, arguments
+#endif
 
 void *rtcNewDevice(const char *), *rtcNewScene(void *), *rtcNewGeometry(void *, int);
 void rtcReleaseDevice(void *), rtcReleaseScene(void *), rtcReleaseGeometry(void *);
@@ -26,10 +38,10 @@ void rtcSetDeviceMemoryMonitorFunction(void *, bool (*)(void *, ssize_t, bool), 
 unsigned rtcAttachGeometry(void *, void *);
 int rtcGetDeviceError(void *);
 ssize_t rtcGetDeviceProperty(void *, int);
-void rtcIntersect1(void *, RayHit *, Arguments *), rtcOccluded1(void *, Ray *, Arguments *);
-void rtcIntersect8(const int *, void *, RayHit8 *, Arguments *), rtcOccluded8(const int *, void *, RayHit8 *, Arguments *);
+void rtcIntersect1(void *, ORDER(Arguments *, RayHit *)), rtcOccluded1(void *, ORDER(Arguments *, Ray *));
+void rtcIntersect8(const int *, void *, ORDER(Arguments *, RayHit8 *)), rtcOccluded8(const int *, void *, ORDER(Arguments *, RayHit8 *));
 
-enum { COHERENT = 1 << 16, FLUSH_DENORMALS = 0x8040, TRIANGLES = 0, INDICES = 0, POSITIONS = 1, UINT3 = 0x5003, FLOAT3 = 0x9003 };
+enum { FLUSH_DENORMALS = 0x8040, TRIANGLES = 0, INDICES = 0, POSITIONS = 1, UINT3 = 0x5003, FLOAT3 = 0x9003 };
 static int64_t allocated;
 
 static bool count_memory(void *user, ssize_t bytes, bool after) {
@@ -75,7 +87,7 @@ void peer_trace1(void *scene, float **rays, float *distance, int *primitive, int
     Arguments arguments;
     memset(&arguments, 0, sizeof arguments);
     arguments.flags = coherent ? COHERENT : 0;
-    arguments.features = ~0u;
+    INIT(arguments);
     RayHit r;
     memset(&r, 0, sizeof r);
     for (int i = first; i < first + count; i++) {
@@ -84,10 +96,10 @@ void peer_trace1(void *scene, float **rays, float *distance, int *primitive, int
         r.ray.tnear = 0; r.ray.tfar = rays[6][i]; r.ray.time = 0; r.ray.mask = ~0u; r.ray.flags = 0;
         r.hit.geometry = r.hit.primitive = r.hit.instance = ~0u;
         if (any) {
-            rtcOccluded1(scene, &r.ray, &arguments);
+            rtcOccluded1(scene, ORDER(&arguments, &r.ray));
             primitive[i] = r.ray.tfar < 0 ? 0 : -1;
         } else {
-            rtcIntersect1(scene, &r, &arguments);
+            rtcIntersect1(scene, ORDER(&arguments, &r));
             distance[i] = r.ray.tfar;
             primitive[i] = r.hit.geometry == ~0u ? -1 : (int)r.hit.primitive;
         }
@@ -101,7 +113,7 @@ void peer_trace8(void *scene, float **rays, float *distance, int *primitive, int
     Arguments arguments;
     memset(&arguments, 0, sizeof arguments);
     arguments.flags = coherent ? COHERENT : 0;
-    arguments.features = ~0u;
+    INIT(arguments);
     RayHit8 r;
     memset(&r, 0, sizeof r);
     int valid[8] __attribute__((aligned(64)));
@@ -114,8 +126,8 @@ void peer_trace8(void *scene, float **rays, float *distance, int *primitive, int
             r.tnear[k] = 0; r.tfar[k] = rays[6][j]; r.time[k] = 0; r.mask[k] = ~0u; r.id[k] = k; r.flags[k] = 0;
             r.geometry[k] = r.primitive[k] = r.instance[k] = ~0u;
         }
-        if (any) rtcOccluded8(valid, scene, &r, &arguments);
-        else rtcIntersect8(valid, scene, &r, &arguments);
+        if (any) rtcOccluded8(valid, scene, ORDER(&arguments, &r));
+        else rtcIntersect8(valid, scene, ORDER(&arguments, &r));
         for (int k = 0; k < 8 && i + k < first + count; k++) {
             if (any) {
                 primitive[i + k] = r.tfar[k] < 0 ? 0 : -1;

@@ -7,11 +7,14 @@ namespace RayTracer.RenderTests.Bits;
 /// <summary>The scenes whose bits are known: the report's, the primer's, that of all shapes and the test scene of everything, all small.</summary>
 internal static class BitScenes
 {
+    /// <summary>Meshes and instances in trees of some depth.</summary>
+    public const string Hills = "hills";
+
     private const string Everything = "everything-";
 
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, "shapes", .. Meshes, .. In("primer")];
+        [.. Report, .. Samplers, "shapes", Hills, .. Meshes, .. In("primer")];
 
     /// <summary>Names of scenes whose auxiliary images are looked at.</summary>
     public static string[] Auxiliary => ["aov/everything-sobol", "aov/meshes/01-cube", "aov/meshes/02-smooth", "aov/meshes/04-motion-blur"];
@@ -31,7 +34,7 @@ internal static class BitScenes
     /// <summary>Loads a scene, at 64×64 pixels and 4 samples (the primer's at 32×24).</summary>
     public static Scene Load(string name) => name.StartsWith(Everything, StringComparison.Ordinal)
         ? TestScenes.BuildEverything(name[Everything.Length..])
-        : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));
+        : name == Hills ? HillScene.Build() : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));
 
     private static SceneDescription Small(SceneDescription d, int width, int height) =>
         d with { Render = d.Render with { Width = width, Height = height, SamplesPerPixel = 4 } };

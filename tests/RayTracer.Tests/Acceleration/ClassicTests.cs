@@ -32,7 +32,7 @@ public class ClassicTests
             foreach (Accelerator other in others)
             {
                 float distance = limit;
-                Assert.Equal((triangle, expected), (other.ClosestHit(ray, ref distance), distance));
+                Assert.Equal((other.Name, triangle, expected), (other.Name, other.ClosestHit(ray, ref distance), distance));
             }
         }
 

@@ -14,14 +14,15 @@ public class InstanceMemoryTests
     [Fact]
     public void An_instance_costs_no_more_than_256_bytes()
     {
-        // What is only needed once is there before anything is measured.
+        // What is only needed once is there before anything is measured. Tests that run beside this one take and give back memory, too: the middle of some rounds counts.
         Build(2);
-        (Scene one, long small) = Build(1);
-        (Scene many, long large) = Build(Many + 1);
+        long[] rounds = [.. Enumerable.Range(0, 7).Select(_ => Build(Many + 1).Bytes - Build(1).Bytes).Order()];
+        Scene one = Make(1);
+        Scene many = Make(Many + 1);
         Assert.Equal(one.World.Count, many.World.Count);
 
         // Of the tree over the instances, which is not in the managed heap, too.
-        long all = large - small + many.World.Instances!.TreeBytes - one.World.Instances!.TreeBytes;
+        long all = rounds[3] + many.World.Instances!.TreeBytes - one.World.Instances!.TreeBytes;
         Assert.InRange((double)all / Many, 96, 256);
         Assert.InRange((double)(many.World.Instances.MemoryBytes - one.World.Instances.MemoryBytes) / Many, 96, 256);
     }

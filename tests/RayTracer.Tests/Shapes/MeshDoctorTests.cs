@@ -32,6 +32,16 @@ public class MeshDoctorTests
     }
 
     [Fact]
+    public void Triangles_on_a_line_are_dropped_whatever_products_are_rounded_to()
+    {
+        // A fused cross product of parallel vectors is not zero.
+        Vector3[] corners = [new(0.43615657f, 0.4966272f, 0.78528684f), new(1e-45f, 0.7706009f, 0.932166f), new(0.1293f, 0.826f, 0.3f)];
+        MeshData mended = MeshDoctor.Mend(new(corners, [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 2]), out string report);
+        Assert.Equal("3 triangles without area dropped", report);
+        Assert.Equal([0, 1, 2], mended.Indices);
+    }
+
+    [Fact]
     public void The_back_of_a_triangle_is_no_duplicate()
     {
         MeshData mended = MeshDoctor.Mend(new(s_square, [0, 1, 2, 0, 2, 1]), out string report);

@@ -13,7 +13,7 @@ public class ShapeTests
 {
     private static readonly Material s_material = new DiffuseMaterial(new SolidTexture(Rgb.White));
 
-    public static TheoryData<string> Kinds() => 
+    public static TheoryData<string> Kinds() =>
         ["sphere", "surface sphere", "rectangle", "triangle", "disk", "parallelogram", "box", "cylinder", "cone", "frustum", "torus"];
 
     [Theory]

@@ -71,7 +71,7 @@ public sealed class KdTree : Accelerator
                 bool isBelow = ray.Origin[axis] < node.Split || (ray.Origin[axis] == node.Split && ray.Direction[axis] <= 0);
                 (int near, int far) = isBelow ? (at + 1, node.Above) : (node.Above, at + 1);
                 float slack = Ray.Slack * Math.Abs(t);
-                if (t > end + slack || t < 0)
+                if (t > end + slack || t <= 0)
                 {
                     at = near;
                 }

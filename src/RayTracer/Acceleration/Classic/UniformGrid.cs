@@ -15,8 +15,12 @@ public sealed class UniformGrid : Accelerator
 
     // Triangles are listed in boxes that they nearly touch as well, for the walk may err by a rounding.
     private const float Margin = 1e-3f;
+
+    // Of coordinates: a wall, a point of the ray, a box around a triangle and its margin are rounded, a few times each.
+    private const float Roundings = 8 * 1.1920929e-7f;
     private readonly Bounds _bounds;
     private readonly Vector3 _boxSize;
+    private readonly float _rounding;
     private readonly int[] _sides = new int[3];
     private readonly int[] _first;
     private readonly int[] _listed;
@@ -28,7 +32,8 @@ public sealed class UniformGrid : Accelerator
     {
         // A flat scene has a little height, lest it be one layer of endlessly many boxes.
         Bounds tight = BoundsOfAll();
-        Vector3 pad = new(0.5e-3f * (tight.Maximum - tight.Minimum).Largest());
+        _rounding = Roundings * Vector3.Max(Vector3.Abs(tight.Minimum), Vector3.Abs(tight.Maximum)).Largest();
+        Vector3 pad = new((0.5e-3f * (tight.Maximum - tight.Minimum).Largest()) + _rounding);
         _bounds = Count == 0 ? new(Vector3.Zero, Vector3.One) : new(tight.Minimum - pad, tight.Maximum + pad);
         Vector3 extent = _bounds.Maximum - _bounds.Minimum;
         float perUnit = LaneMath.Pow(BoxesPerTriangle * Count / extent.X / extent.Y / extent.Z, 1 / 3f);
@@ -106,7 +111,7 @@ public sealed class UniformGrid : Accelerator
     // In the order of falling numbers, so that lists that are filled from behind are ascending.
     private void ForEachBox(Action<int, int> action)
     {
-        Vector3 margin = _boxSize * Margin;
+        Vector3 margin = (_boxSize * Margin) + new Vector3(_rounding);
         for (int triangle = Count - 1; triangle >= 0; triangle--)
         {
             Bounds b = BoundsOf(triangle);
