@@ -158,6 +158,9 @@ internal readonly unsafe struct ConicalKernel : IShapeKernel
         FloatW first = FloatW.Min(sum / a, c / sum);
         FloatW last = FloatW.Max(sum / a, c / sum);
 
+        first = Refine(first, a, o, d, w, dw);
+        last = Refine(last, a, o, d, w, dw);
+
         // A ray steeper than the cone is inside before it passes the apex's level, or after: on the other side lies the mirror image.
         MaskW shallow = a >= 0f;
         MaskW rises = (dw > 0f).Except(shallow);
@@ -171,6 +174,21 @@ internal readonly unsafe struct ConicalKernel : IShapeKernel
         far = (inside & (parallel | (far <= 0f))).Select(float.PositiveInfinity, far);
         MaskW misses = (parallel | (shallow & (discriminant < 0f))).Except(inside);
         near = misses.Select(float.PositiveInfinity, near);
+    }
+
+    // A step of Newton's method, from F at the point itself: near an apex, where the radius is small, the sums of roots that start far away are
+    // too coarse. Not where the ray all but touches and the step might lead elsewhere, nor to the other side of the start.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static FloatW Refine(FloatW t, FloatW a, in Vec3W o, in Vec3W d, FloatW w, FloatW dw)
+    {
+        FloatW x = FloatW.MultiplyAdd(d.X, t, o.X);
+        FloatW y = FloatW.MultiplyAdd(d.Y, t, o.Y);
+        FloatW radius = FloatW.MultiplyAdd(dw, t, w);
+        FloatW value = FloatW.MultiplyAdd(x, x, FloatW.MultiplyAdd(y, y, -(radius * radius)));
+        FloatW halfSlope = FloatW.MultiplyAdd(x, d.X, FloatW.MultiplyAdd(y, d.Y, -(radius * dw)));
+        FloatW step = value / (2f * halfSlope);
+        FloatW refined = t - step;
+        return ((FloatW.Abs(a * step) < 0.5f * FloatW.Abs(halfSlope)) & (refined * t > 0f)).Select(refined, t);
     }
 
     // a·b − c·d, wrong by 1.5 ulp at most (Kahan's algorithm: Jeannerod, Louvet & Muller 2013).
