@@ -6,7 +6,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.RenderTests.Bits;
 
-/// <summary>Trees of some depth: a bumpy ground of 1800 triangles, and 60 instances of a small piece of it at all angles above.</summary>
+/// <summary>Trees of some depth: a bumpy ground of 1,800 triangles, and 60 instances of a small piece of it at all angles above.</summary>
 internal static class HillScene
 {
     /// <summary>Makes the scene, lit by its sky.</summary>
