@@ -31,6 +31,18 @@ public class FilmTests
         Assert.Equal(1f / (1 << 30) / 3, film.Mean(0, 0).R);
     }
 
+    [Theory]
+    [InlineData(0.25f, 0)]
+    [InlineData(0.75f, 1)]
+    [InlineData(-0.75f, -1)]
+    [InlineData(1000.75f, 1001)]
+    public void Samples_are_rounded_to_the_nearest_unit(float units, int expected)
+    {
+        // A sample that was cut off instead would take half a unit from each, on average.
+        const float unit = 1f / 65536 / 65536;
+        Assert.Equal(expected * unit, Expose(new(units * unit, 0, 0), new(units * unit, 0, 0)).Mean(0, 0).R);
+    }
+
     [Fact]
     public void Order_does_not_matter_to_a_single_bit()
     {
