@@ -33,18 +33,7 @@ internal sealed unsafe class BvhTracer(MeshData mesh, bool streams) : ITracer
         fixed (float* p = columns)
         fixed (int* hit = hits)
         {
-            RayStream stream = new()
-            {
-                OriginX = p,
-                OriginY = p + n,
-                OriginZ = p + (2 * n),
-                DirectionX = p + (3 * n),
-                DirectionY = p + (4 * n),
-                DirectionZ = p + (5 * n),
-                Distance = p + (6 * n),
-                Primitive = hit,
-                Count = n,
-            };
+            RayStream stream = RayStream.OfColumns(p, n, hit, n);
             _bvh.ClosestHit(stream, streams ? TraversalMode.Automatic : TraversalMode.Single);
         }
     }

@@ -31,4 +31,22 @@ public unsafe struct RayStream
 
     /// <summary>Number of rays.</summary>
     public int Count;
+
+    /// <summary>Rays whose quantities stand one array after the other: origins, directions, distances.</summary>
+    /// <param name="first">The first array.</param>
+    /// <param name="stride">From one array to the next, in floats.</param>
+    /// <param name="primitive">Takes the hits.</param>
+    /// <param name="count">Number of rays.</param>
+    public static RayStream OfColumns(float* first, nint stride, int* primitive, int count) => new()
+    {
+        OriginX = first,
+        OriginY = first + stride,
+        OriginZ = first + (2 * stride),
+        DirectionX = first + (3 * stride),
+        DirectionY = first + (4 * stride),
+        DirectionZ = first + (5 * stride),
+        Distance = first + (6 * stride),
+        Primitive = primitive,
+        Count = count,
+    };
 }

@@ -164,18 +164,7 @@ internal sealed unsafe class ShadowQueue
         }
         else
         {
-            world.Itself.Tree.AnyHit(new()
-            {
-                OriginX = rays,
-                OriginY = rays + _stride,
-                OriginZ = rays + (2 * _stride),
-                DirectionX = rays + (3 * _stride),
-                DirectionY = rays + (4 * _stride),
-                DirectionZ = rays + (5 * _stride),
-                Distance = rays + (6 * _stride),
-                Primitive = _hits.Pointer,
-                Count = _count,
-            });
+            world.Itself.Tree.AnyHit(RayStream.OfColumns(rays, _stride, _hits.Pointer, _count));
         }
 
         for (int i = 0; world.Instances is not null && i < _count; i++)

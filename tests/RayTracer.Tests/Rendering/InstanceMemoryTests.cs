@@ -14,7 +14,7 @@ public class InstanceMemoryTests
     [Fact]
     public void An_instance_costs_no_more_than_256_bytes()
     {
-        // What is only needed once is there before anything is measured. Tests that run beside this one take and give back memory, too: the middle of some rounds counts.
+        // What is only needed once is there before anything is measured. The runtime takes and gives back memory meanwhile, too: the middle of some rounds counts.
         Build(2);
         long[] rounds = [.. Enumerable.Range(0, 7).Select(_ => Build(Many + 1).Bytes - Build(1).Bytes).Order()];
         Scene one = Make(1);
