@@ -79,9 +79,11 @@ public class EqualBitsTests
             Film film = new(32, 32);
             using CancellationTokenSource source = new();
             RenderStatistics statistics = new RTracer(scene, new() { Threads = threads, TileSize = 8 }).Render(film, new CancelAt(part, source), source.Token);
-            Assert.True(statistics.Cancelled);
+            // One thread stops right there. Of several, others may have finished all that was left before one that was held up could say how far it is.
+            Assert.True(statistics.Cancelled || threads > 1);
+            Assert.Equal(statistics.Cancelled, film.TotalSamples < whole.TotalSamples);
             Assert.Equal(statistics.Paths, film.TotalSamples);
-            Assert.InRange(film.TotalSamples, 1, (32 * 32 * 144) - 1);
+            Assert.InRange(film.TotalSamples, 1, whole.TotalSamples);
             Complete(scene, film);
             AssertSame(whole, film, $"cancelled at {part}");
         }
