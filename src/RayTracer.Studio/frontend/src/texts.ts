@@ -61,7 +61,7 @@ const english = {
     label: "Things in the scene",
     camera: "Camera", render: "Rendering", background: "Background",
     shapes: "Shapes", lights: "Lights", materials: "Materials", textures: "Textures",
-    filter: "Find by name or type", empty: "none", expand: "Open or close", shines: "shines",
+    filter: "Find by name or type", empty: "none", shines: "shines",
     nothingFound: "Nothing has that name or type.",
   },
   gallery: { label: "Scenes that come with the program", loading: "Looking for scenes …", open: (name: string) => `Open ${name}` },
@@ -90,7 +90,7 @@ const english = {
     quality: "Quality", draft: "Draft", good: "Good", final: "Final",
     draftWhy: "Few samples and short paths: to arrange things", goodWhy: "Enough to judge the light", finalWhy: "Everything as the scene file says",
     size: "Size", ownSize: "as written", threads: "Threads", threadsWhy: "One core is left free by default, so that the window stays quick",
-    samples: "Samples", samplesWhy: "Samples a pixel until the rendering ends", more: "Details",
+    more: "Details",
   },
 
   viewport: {
@@ -98,9 +98,9 @@ const english = {
     toolbar: "Picture tools", tools: "Tools", exposure: "Exposure", exposureWhy: "Stops by which the picture is shown brighter; nothing is rendered again",
     toneMap: "Tone map", toneMapWhy: "How bright light is fitted to the screen; nothing is rendered again",
     map: "Show", mapWhy: "The light, or what the renderer knows about each pixel",
-    zoom: "Zoom", compare: "Compare with", compareWhy: "Wipe between this picture and one that you kept", noCompare: "nothing",
+    zoom: "Zoom", zoomWhy: "How large a pixel of the picture is on the screen", compare: "Compare with", compareWhy: "Wipe between this picture and one that you kept", noCompare: "no comparison",
     wipe: "Wipe position", region: "Region", clearRegion: "Render the whole picture again", preview: "preview",
-    gizmo: "Handles of the selected shape", regionDrawing: "Region to render", keptPicture: "The kept picture", inspected: (x: number, y: number) => `Pixel ${x}, ${y}`,
+    gizmo: "Handles of the selected shape", keptPicture: "The kept picture", inspected: (x: number, y: number) => `Pixel ${x}, ${y}`,
     lastGood: "The text has an error: this is the last good picture.",
     move: "Move along", rotate: "Rotate about", scale: "Scale along", all: "all axes", free: "Move across the picture",
   },
@@ -124,7 +124,7 @@ const english = {
   },
   paths: {
     label: "Light paths of a pixel", none: "No pixel chosen yet.", how: "Choose the Inspect tool (6) and click a pixel of the picture, or type its place:",
-    x: "x", y: "y", show: "Show paths", sample: "Sample", event: "Event", thing: "Thing", material: "Material", weight: "Weight", throughput: "Throughput",
+    x: "x", y: "y", show: "Show paths", sample: "Sample", event: "Event", thing: "Thing, material", weight: "Weight", throughput: "Throughput",
     pdf: "pdf (1/sr)", contribution: "Contribution", total: "Sum = radiance of the sample", pixel: (x: number, y: number) => `Pixel ${x}, ${y}`,
     mean: "Mean of all samples so far", more: "Next samples", fewer: "Previous samples", view: "Paths in the scene; drag or use the arrow keys to look around",
     table: "Vertices of the path", delta: "no choice", list: "Samples", radiance: "Radiance", explain: "Weight is what the light is multiplied by at the hit; throughput is the product of all weights before; contribution is throughput times the light found here.",
@@ -169,7 +169,7 @@ const english = {
   connection: { lost: "The Studio does not answer. Trying again …", refused: "This window is from an earlier start of the Studio. Open the Studio anew." },
   messages: {
     label: "Messages", dismiss: "Dismiss", copiedImage: "The picture is on the clipboard.", copiedCommand: (text: string) => `On the clipboard: ${text}`,
-    cannotCopy: "The browser did not allow the clipboard to be used.", nothingSelected: "Select something first.", pageError: (text: string) => `Something in this window went wrong: ${text}`,
+    cannotCopy: "The browser did not allow the clipboard to be used.", pageError: (text: string) => `Something in this window went wrong: ${text}`,
   },
   shortcuts: { title: "Keyboard shortcuts", mouse: "Mouse and touch in the picture", command: "Command", keys: "Keys",
     gestures: [

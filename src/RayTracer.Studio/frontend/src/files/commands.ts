@@ -17,6 +17,10 @@ export const overwriteQuestion = signal<{ path: string; go: () => Promise<void> 
 /** Does what would lose changes; asks first where there are some. */
 async function leaving(step: (discard: boolean) => Promise<unknown>): Promise<void> {
   await flushEditor();
+  if (documentState.value?.isDirty) {
+    unsavedQuestion.value = { go: async () => void (await step(true)) };
+    return;
+  }
   try {
     await step(false);
   } catch (error) {

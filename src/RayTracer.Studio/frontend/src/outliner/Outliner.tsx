@@ -60,7 +60,7 @@ function TreeNode({ node, icon, level, isFirst }: NodeProps) {
         )}
         {node.color ? <span class="swatch" style={{ background: node.color }} /> : <Icon name={node.isLight ? "light" : icon} />}
         <span class="name">{node.name}</span>
-        {node.type !== node.name && <span class="type">{node.type}</span>}
+        {node.type !== node.name.toLowerCase() && !(node.pointer in ownTabs) && <span class="type">{node.type}</span>}
       </div>
       {children.length > 0 && isOpen && (
         <ul role="group">{children.map((child) => <TreeNode node={child} icon={icon} level={level + 1} isFirst={false} key={child.pointer} />)}</ul>

@@ -4,8 +4,9 @@ import { signal } from "@preact/signals";
 import type { Point } from "../math/projection";
 import { newGesture } from "../state/edits";
 import { tool } from "../state/store";
-import { endMove, move, moveInBurst, type MoveKind } from "./camera";
+import { endMove, move, moveInBurst } from "./camera";
 import { clickPixel, renderRegion } from "./clicks";
+import type { MoveKind } from "./moves";
 import { picture, pixelAt, placement, shiftBy, toPicture, zoomBy } from "./stage";
 
 /** The rectangle that is being drawn, in pixels of the picture. */
