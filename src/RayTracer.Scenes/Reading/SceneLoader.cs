@@ -29,9 +29,11 @@ public static class SceneLoader
     /// <param name="folder">The folder from which pictures are looked for.</param>
     /// <param name="overrides">As for <see cref="Load"/>.</param>
     /// <param name="readPicture">As for <see cref="Load"/>.</param>
+    /// <param name="readModel">Reads the model file of a path; may throw <see cref="ModelException"/>. By default <see cref="ModelFile.Read"/>.</param>
     public static SceneLoadResult Build(
-        SceneReadResult read, string folder, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null) =>
-        Build(read, folder, new(folder), overrides, readPicture);
+        SceneReadResult read, string folder, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null,
+        Func<string, ImportedModel>? readModel = null) =>
+        Build(read, folder, new ModelFolder(folder, readModel), overrides, readPicture);
 
     private static SceneLoadResult Build(
         SceneReadResult read, string folder, ModelFolder models, Func<SceneDescription, SceneDescription>? overrides, Func<string, bool, Picture>? readPicture)
