@@ -3,7 +3,7 @@ using RayTracer.Description;
 namespace RayTracer.Scenes;
 
 /// <summary>Loads models by paths relative to a folder, each only once.</summary>
-internal sealed class ModelFolder(string folder)
+internal sealed class ModelFolder(string folder, Func<string, ImportedModel>? read = null)
 {
     private readonly Dictionary<string, ImportedModel> _models = new(StringComparer.Ordinal);
 
@@ -26,7 +26,7 @@ internal sealed class ModelFolder(string folder)
                 throw new ModelException(complaint);
             }
 
-            model = ModelFile.Read(full);
+            model = (read ?? ModelFile.Read)(full);
         }
         catch (Exception e) when (e is ModelException or IOException or UnauthorizedAccessException or ArgumentException)
         {

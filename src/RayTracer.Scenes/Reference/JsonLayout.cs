@@ -5,7 +5,7 @@ using System.Text.Json.Nodes;
 namespace RayTracer.Scenes;
 
 /// <summary>Lays JSON out for readers: what fits on a line stands on one.</summary>
-internal static class JsonLayout
+public static class JsonLayout
 {
     private const int Width = 110;
 
@@ -46,5 +46,6 @@ internal static class JsonLayout
         _ => value.ToJsonString(Compact),
     };
 
-    private static string Quote(string text) => JsonSerializer.Serialize(text, Compact);
+    /// <summary>A string in double quotes.</summary>
+    public static string Quote(string text) => JsonSerializer.Serialize(text, Compact);
 }

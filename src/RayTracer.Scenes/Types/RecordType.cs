@@ -45,5 +45,6 @@ public sealed class RecordType
     /// <summary>The parameter of a key; null where there is none.</summary>
     public RecordParameter? Find(string key) => _byKey.GetValueOrDefault(key);
 
-    internal object Create() => Activator.CreateInstance(_type)!;
+    /// <summary>A new record with the default values.</summary>
+    public object Create() => Activator.CreateInstance(_type)!;
 }

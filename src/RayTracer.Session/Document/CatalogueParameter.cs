@@ -1,0 +1,39 @@
+using System.Text.Json;
+using RayTracer.Scenes;
+using Json = System.Text.Json.Nodes.JsonNode;
+
+namespace RayTracer.Session;
+
+/// <summary>A parameter of a record of scene files.</summary>
+/// <param name="Key">Its key.</param>
+/// <param name="Kind">What may be written, as <see cref="ParameterKind"/> in camelCase.</param>
+/// <param name="Summary">What it means.</param>
+/// <param name="Unit">Its unit; empty where there is none.</param>
+/// <param name="Minimum">The smallest allowed number; null where there is no bound.</param>
+/// <param name="Maximum">The largest allowed number; null where there is no bound.</param>
+/// <param name="MinimumIsExclusive">Whether the minimum itself is refused.</param>
+/// <param name="Required">Whether it must be written.</param>
+/// <param name="Choices">The words to choose from; empty where it is no choice.</param>
+/// <param name="Default">What holds where nothing is written; null where it may be missing.</param>
+/// <param name="Range">The allowed range in words; empty where every number is allowed.</param>
+/// <param name="Family">shape, material or texture where it is one, or several; otherwise null.</param>
+/// <param name="Record">The section that it is, or that its elements are; otherwise null.</param>
+public sealed record CatalogueParameter(
+    string Key, string Kind, string Summary, string Unit, double? Minimum, double? Maximum, bool MinimumIsExclusive, bool Required,
+    IReadOnlyList<string> Choices, Json? Default, string Range, string? Family, string? Record)
+{
+    /// <summary>Describes a parameter.</summary>
+    public static CatalogueParameter Of(RecordParameter p) => new(
+        p.Key, JsonNamingPolicy.CamelCase.ConvertName(p.Kind.ToString()), p.Summary, p.Unit, Finite(p.Minimum), Finite(p.Maximum), p.MinimumIsExclusive, p.Required,
+        p.Choices, JsonValues.Of(p.Default), p.Range, FamilyOf(p.Kind), p.RecordType is null ? null : RecordType.Of(p.RecordType).Name);
+
+    private static double? Finite(double bound) => double.IsFinite(bound) ? bound : null;
+
+    private static string? FamilyOf(ParameterKind kind) => kind switch
+    {
+        ParameterKind.Shape or ParameterKind.Shapes or ParameterKind.NamedShapes => SceneTypes.Shapes.Noun,
+        ParameterKind.Material or ParameterKind.Materials or ParameterKind.NamedMaterials => SceneTypes.Materials.Noun,
+        ParameterKind.Texture or ParameterKind.NamedTextures => SceneTypes.Textures.Noun,
+        _ => null,
+    };
+}

@@ -1,0 +1,27 @@
+using System.Text.Json.Nodes;
+using RayTracer.Scenes;
+
+namespace RayTracer.Session;
+
+/// <summary>The files that a scene's text names.</summary>
+internal static class FileNames
+{
+    /// <summary>The places of all names: of pictures and models, and of the schema.</summary>
+    public static IEnumerable<SceneValue> All(JsonText text) => SceneValue.Scene(text.Root).WithInner()
+        .Where(v => v is { Parameter.Kind: ParameterKind.File, Node: { Kind: JsonKind.String, Text.Length: > 0 } node } && !node.Text.Contains('\0', StringComparison.Ordinal));
+
+    /// <summary>Writes relative names anew for a text that moves to another folder, so that they name the same files. Names of no file stay.</summary>
+    public static JsonText Move(JsonText text, string from, string to)
+    {
+        IEnumerable<Scenes.JsonNode> names = All(text).Select(v => v.Node!);
+        if (text.Root.Find("$schema") is { Kind: JsonKind.String, Text.Length: > 0 } schema && !schema.Text.Contains(':', StringComparison.Ordinal))
+        {
+            names = names.Append(schema);
+        }
+
+        return text.With(names.Where(n => !Path.IsPathRooted(n.Text) && File.Exists(Path.Combine(from, n.Text)))
+            .Select(n => new TextEdit(n.Start, n.End, JsonLayout.Quote(Relative(to, Path.GetFullPath(Path.Combine(from, n.Text)))))));
+    }
+
+    private static string Relative(string folder, string file) => Path.GetRelativePath(folder, file).Replace('\\', '/');
+}

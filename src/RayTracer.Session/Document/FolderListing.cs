@@ -1,0 +1,31 @@
+namespace RayTracer.Session;
+
+/// <summary>What a dialog shows of a folder.</summary>
+/// <param name="Path">The folder's whole path.</param>
+/// <param name="Parent">The folder that it is in; null where there is none.</param>
+/// <param name="Folders">The names of the folders within, without hidden ones.</param>
+/// <param name="Files">The scenes, models and bundles within.</param>
+public sealed record FolderListing(string Path, string? Parent, IReadOnlyList<string> Folders, IReadOnlyList<ListedFile> Files)
+{
+    // A dialog of more would be of no use to anybody.
+    private const int Most = 5000;
+
+    /// <summary>Lists a folder.</summary>
+    /// <exception cref="DocumentException">It cannot be listed.</exception>
+    public static FolderListing Of(string folder)
+    {
+        try
+        {
+            DirectoryInfo directory = new(folder);
+            IEnumerable<FileSystemInfo> entries = directory.EnumerateFileSystemInfos().Where(e => !e.Name.StartsWith('.') && !e.Attributes.HasFlag(FileAttributes.Hidden)).Take(Most);
+            FileSystemInfo[] all = [.. entries.OrderBy(e => e.Name, StringComparer.OrdinalIgnoreCase)];
+            return new(
+                directory.FullName, directory.Parent?.FullName, [.. all.OfType<DirectoryInfo>().Select(d => d.Name)],
+                [.. all.OfType<FileInfo>().Where(f => SceneFiles.CanOpen(f.Name)).Select(f => new ListedFile(f.Name, f.Exists ? f.Length : 0, f.LastWriteTimeUtc))]);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new DocumentException($"the folder {folder} cannot be listed: {e.Message.TrimEnd('.')}", e);
+        }
+    }
+}

@@ -1,0 +1,183 @@
+using System.Security.Cryptography;
+using System.Text;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+
+namespace RayTracer.Session;
+
+/// <summary>The scenes that come with the program, with small pictures that the program makes and keeps.</summary>
+public sealed class Gallery : IDisposable
+{
+    private const int ThumbnailWidth = 240;
+    private const int ThumbnailHeight = 180;
+    private const int ThumbnailSamples = 16;
+    private const int MostKept = 500;
+
+    private readonly UserFolders _folders;
+    private readonly Dictionary<string, string> _paths = new(StringComparer.Ordinal);
+    private readonly SemaphoreSlim _one = new(1);
+    private readonly CancellationTokenSource _end = new();
+
+    /// <summary>Looks for the scenes.</summary>
+    /// <param name="folders">Where pictures are kept.</param>
+    /// <param name="scenes">The folder of the scenes; null for the one that comes with the program.</param>
+    public Gallery(UserFolders folders, string? scenes = null)
+    {
+        _folders = folders;
+        string? folder = scenes ?? ScenesFolder.Find();
+        Groups = folder is null || !Directory.Exists(folder) ? [] : [.. FindGroups(folder)];
+    }
+
+    /// <summary>The scenes, those of the report first.</summary>
+    public IReadOnlyList<GalleryGroup> Groups { get; }
+
+    /// <summary>A scene's small picture, of at most 240 × 180 pixels, as a PNG file. One is made at a time.</summary>
+    /// <param name="id">Which scene.</param>
+    /// <param name="cancellation">Ends the waiting.</param>
+    /// <exception cref="DocumentException">There is no such scene, or it cannot be rendered.</exception>
+    public async Task<byte[]> Thumbnail(string id, CancellationToken cancellation = default)
+    {
+        string path = PathOf(id);
+        string kept = Path.Combine(_folders.Thumbnails, Fingerprint(path) + ".png");
+        using CancellationTokenSource either = CancellationTokenSource.CreateLinkedTokenSource(cancellation, _end.Token);
+        await _one.WaitAsync(either.Token).ConfigureAwait(false);
+        try
+        {
+            if (File.Exists(kept))
+            {
+                return await File.ReadAllBytesAsync(kept, either.Token).ConfigureAwait(false);
+            }
+
+            byte[] png = await Task.Factory.StartNew(() => Render(path, either.Token), either.Token, TaskCreationOptions.LongRunning, TaskScheduler.Default).ConfigureAwait(false);
+            Keep(kept, png);
+            return png;
+        }
+        catch (IOException e)
+        {
+            throw new DocumentException($"the picture of {id} cannot be read: {e.Message.TrimEnd('.')}", e);
+        }
+        finally
+        {
+            _one.Release();
+        }
+    }
+
+    /// <summary>Ends the making of pictures.</summary>
+    public void Dispose() => _end.Cancel();
+
+    /// <summary>The file of a scene.</summary>
+    /// <exception cref="DocumentException">There is no such scene.</exception>
+    internal string PathOf(string id) => _paths.TryGetValue(id, out string? path) ? path : throw new DocumentException($"the gallery has no scene {JsonLayout.Quote(id)}");
+
+    private static byte[] Render(string path, CancellationToken cancellation)
+    {
+        Thread.CurrentThread.Priority = ThreadPriority.BelowNormal;
+        SceneLoadResult load = SceneLoader.Load(path, scene =>
+        {
+            double scale = Math.Min((double)ThumbnailWidth / scene.Render.Width, (double)ThumbnailHeight / scene.Render.Height);
+            return scene with
+            {
+                Render = scene.Render with
+                {
+                    Width = Math.Max(1, (int)(scene.Render.Width * scale)),
+                    Height = Math.Max(1, (int)(scene.Render.Height * scale)),
+                    SamplesPerPixel = ThumbnailSamples,
+                },
+            };
+        });
+        if (load.Scene is not { } scene)
+        {
+            throw new DocumentException($"{Path.GetFileName(path)} cannot be rendered: {string.Join("; ", load.Diagnostics.Select(d => d.Message))}");
+        }
+
+        (Film film, RenderStatistics statistics) = new RTracer(scene, new RenderOptions { Threads = 1 }).Render(cancellation: cancellation);
+        if (statistics.Cancelled)
+        {
+            throw new OperationCanceledException(cancellation);
+        }
+
+        using MemoryStream png = new();
+        PngWriter.Write(png, film);
+        return png.ToArray();
+    }
+
+    private static string Fingerprint(string path)
+    {
+        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        hash.AppendData(File.ReadAllBytes(path));
+        hash.AppendData(typeof(RTracer).Module.ModuleVersionId.ToByteArray());
+        hash.AppendData([ThumbnailSamples]);
+        return Convert.ToHexStringLower(hash.GetHashAndReset());
+    }
+
+    private void Keep(string path, byte[] png)
+    {
+        try
+        {
+            PrivateFile.Write(path, png);
+            foreach (FileInfo old in new DirectoryInfo(_folders.Thumbnails).GetFiles("*.png").OrderByDescending(f => f.LastWriteTimeUtc).Skip(MostKept))
+            {
+                old.Delete();
+            }
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // It is made again the next time.
+        }
+    }
+
+    private IEnumerable<GalleryGroup> FindGroups(string folder)
+    {
+        (string Folder, string Title)[] known = [("report", "The report's scenes"), ("primer", "Primer"), ("meshes", "Meshes and motion")];
+        IEnumerable<(string Folder, string Title)> others = Directory.EnumerateDirectories(folder).Select(d => Path.GetFileName(d))
+            .Where(d => d != "broken" && !d.StartsWith('.') && !known.Any(k => k.Folder == d)).Order(StringComparer.Ordinal).Select(d => (d, Words(d)));
+        foreach ((string name, string title) in known.Concat(others).Append(("", "More")))
+        {
+            GalleryItem[] items = [.. Items(folder, name)];
+            if (items.Length > 0)
+            {
+                yield return new(title, items);
+            }
+        }
+    }
+
+    private IEnumerable<GalleryItem> Items(string folder, string group)
+    {
+        string within = Path.Combine(folder, group);
+        foreach (string path in Directory.Exists(within) ? Directory.GetFiles(within, "*.json").Order(StringComparer.Ordinal) : Enumerable.Empty<string>())
+        {
+            string file = Path.GetFileName(path);
+            if (!file.EndsWith(".schema.json", StringComparison.Ordinal))
+            {
+                string id = group.Length > 0 ? $"{group}/{file}" : file;
+                _paths.Add(id, path);
+                yield return new(id, Words(Path.GetFileNameWithoutExtension(file).TrimStart("0123456789-".ToCharArray())), Summary(path));
+            }
+        }
+    }
+
+    private static string Words(string name)
+    {
+        string words = name.Replace('-', ' ');
+        return words.Length == 0 ? name : char.ToUpperInvariant(words[0]) + words[1..];
+    }
+
+    // What the comment at the head says, before it tells what to look at or to try.
+    private static string Summary(string path)
+    {
+        StringBuilder summary = new();
+        foreach (string line in File.ReadLines(path).TakeWhile(l => l.StartsWith("//", StringComparison.Ordinal)).Take(20))
+        {
+            string words = line[2..].Trim();
+            if (words.StartsWith("Look at:", StringComparison.Ordinal) || words.StartsWith("Try:", StringComparison.Ordinal))
+            {
+                break;
+            }
+
+            summary.Append(summary.Length > 0 ? " " : "").Append(words);
+        }
+
+        return summary.ToString();
+    }
+}

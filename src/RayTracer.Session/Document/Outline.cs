@@ -1,0 +1,130 @@
+using System.Globalization;
+using RayTracer.Imaging;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Scenes;
+using RayTracer.Textures;
+
+namespace RayTracer.Session;
+
+/// <summary>What a scene consists of, as a tree to choose from.</summary>
+/// <param name="Revision">The revision of the text that it is of.</param>
+/// <param name="Camera">The camera.</param>
+/// <param name="Render">Size, samples and depths.</param>
+/// <param name="Background">What is seen where there is nothing.</param>
+/// <param name="Ambient">The ambient light.</param>
+/// <param name="Shapes">The shapes.</param>
+/// <param name="Lights">The shapes listed as lights.</param>
+/// <param name="Materials">The named materials.</param>
+/// <param name="Textures">The named textures.</param>
+/// <param name="Objects">The named shapes that only instances show.</param>
+public sealed record Outline(
+    int Revision, OutlineNode Camera, OutlineNode Render, OutlineNode Background, OutlineNode Ambient, IReadOnlyList<OutlineNode> Shapes,
+    IReadOnlyList<OutlineNode> Lights, IReadOnlyList<OutlineNode> Materials, IReadOnlyList<OutlineNode> Textures, IReadOnlyList<OutlineNode> Objects)
+{
+    /// <summary>The outline of a text.</summary>
+    public static Outline Of(int revision, JsonNode root)
+    {
+        SceneValue scene = SceneValue.Scene(root);
+        Dictionary<(TypeFamily, string), int> uses = SceneReferences.All(root).GroupBy(r => (r.Family!, r.Reference!)).ToDictionary(g => g.Key, g => g.Count());
+        return new(
+            revision,
+            Section(scene, "camera", c => $"{c.Number("fieldOfView").ToString(CultureInfo.InvariantCulture)}°"),
+            Section(scene, "render", r => string.Create(CultureInfo.InvariantCulture, $"{r.Number("width")} × {r.Number("height")}, {r.Number("samplesPerPixel")} samples")),
+            Color(scene, "background"),
+            Color(scene, "ambient"),
+            ListOf(root, scene.Child("shapes")!),
+            ListOf(root, scene.Child("lights")!),
+            [.. scene.Child("materials")!.Children().Select(m => Definition(root, m, uses))],
+            [.. scene.Child("textures")!.Children().Select(t => Definition(root, t, uses))],
+            ListOf(root, scene.Child("objects")!));
+    }
+
+    /// <summary>A colour as #rrggbb, in sRGB.</summary>
+    internal static string Hex(Rgb color) => $"#{SrgbCurve.Encode8(color.R):x2}{SrgbCurve.Encode8(color.G):x2}{SrgbCurve.Encode8(color.B):x2}";
+
+    private static OutlineNode Section(SceneValue scene, string key, Func<SceneValue, string> summary)
+    {
+        SceneValue section = scene.Child(key)!;
+        return new(section.Pointer, key, key, summary(section), false, null, []);
+    }
+
+    private static OutlineNode Color(SceneValue scene, string key)
+    {
+        SceneValue value = scene.Child(key)!;
+        string? color = ColorOf(value) is { } written ? Hex(written) : value.Node is null ? Hex(default) : null;
+        return new(value.Pointer, key, "color", color ?? "", false, color, []);
+    }
+
+    private static List<OutlineNode> ListOf(JsonNode root, SceneValue list)
+    {
+        List<OutlineNode> nodes = [];
+        Dictionary<string, int> counts = new(StringComparer.Ordinal);
+        foreach (SceneValue shape in list.Children())
+        {
+            string type = shape.Type?.Name ?? "shape";
+            counts[type] = counts.GetValueOrDefault(type) + 1;
+            bool isNamed = list.Parameter!.Kind == ParameterKind.NamedShapes;
+            string name = isNamed ? shape.Key : shape.Node?.Find("name") is { Kind: JsonKind.String, Text.Length: > 0 } given ? given.Text : $"{type} {counts[type]}";
+            nodes.Add(Shape(root, shape, name, type));
+        }
+
+        return nodes;
+    }
+
+    private static OutlineNode Shape(JsonNode root, SceneValue shape, string name, string type)
+    {
+        SceneValue? material = shape.Child("material");
+        SceneValue? made = material?.Resolved(root);
+        string summary = shape.Child("of")?.Reference ?? (shape.Child("file")?.Node is { Kind: JsonKind.String, Text.Length: > 0 } file ? file.Text : null)
+            ?? material?.Reference ?? made?.Type?.Name ?? "";
+        return new(
+            shape.Pointer, name, type, summary, made?.Type?.Name == "luminaire", made is null ? null : MainColor(root, made),
+            shape.Child("shapes") is { IsList: true } inner ? ListOf(root, inner) : []);
+    }
+
+    private static OutlineNode Definition(JsonNode root, SceneValue definition, Dictionary<(TypeFamily, string), int> uses)
+    {
+        int count = uses.GetValueOrDefault((definition.Family!, definition.Key));
+        SceneValue thing = definition.Resolved(root);
+        string type = thing.Type?.Name ?? (definition.Family == SceneTypes.Textures ? "solid" : "material");
+        string summary = count switch { 0 => "not used", 1 => "used once", _ => string.Create(CultureInfo.InvariantCulture, $"used {count} times") };
+        return new(definition.Pointer, definition.Key, type, summary, type == "luminaire", MainColor(root, thing), []);
+    }
+
+    // What a thing mainly looks like; null for glass, pictures, and what cannot be told.
+    private static string? MainColor(JsonNode root, SceneValue thing, int nesting = 0)
+    {
+        if (nesting > 16 || thing.Node is null)
+        {
+            return null;
+        }
+
+        if (thing.Type is null)
+        {
+            return ColorOf(thing) is { } color ? Hex(color) : null;
+        }
+
+        string[] keys = ["color", "even", "texture", "diffuse", "first"];
+        if (keys.Select(thing.Child).FirstOrDefault(c => c is not null) is not { } inner)
+        {
+            return null;
+        }
+
+        return inner.Node is not null ? MainColor(root, inner.Resolved(root), nesting + 1)
+            : inner.Parameter!.Default switch
+            {
+                SolidTextureDescription solid => Hex(solid.Color),
+                DiffuseMaterialDescription { Color: SolidTextureDescription solid } => Hex(solid.Color),
+                _ => null,
+            };
+    }
+
+    private static Rgb? ColorOf(SceneValue value) => value.Node switch
+    {
+        { Kind: JsonKind.String } name => CssColors.Find(name.Text) ?? CssColors.FromHex(name.Text),
+        { Kind: JsonKind.Array, Items.Count: 3 } node when node.Items.All(i => i.Kind == JsonKind.Number) =>
+            new(SceneValue.ToFloat(node.Items[0]), SceneValue.ToFloat(node.Items[1]), SceneValue.ToFloat(node.Items[2])),
+        _ => null,
+    };
+}

@@ -1,0 +1,227 @@
+using System.Text.Json;
+
+namespace RayTracer.Session;
+
+/// <summary>
+/// Keeps a document's text while it is not saved, a moment after each change, so that it is found again after a crash. Every session has a file of its own,
+/// which it holds a lock for; only what no living session holds is offered.
+/// </summary>
+public sealed class Recovery : IDisposable
+{
+    private static readonly TimeSpan s_delay = TimeSpan.FromSeconds(1);
+
+    private readonly Lock _lock = new();
+    private readonly SceneDocument _document;
+    private readonly UserFolders _folders;
+    private readonly TimeProvider _time;
+    private readonly ITimer _timer;
+    private readonly string _id = Guid.NewGuid().ToString("N");
+    private IReadOnlyList<RecoveryEntry> _entries;
+    private FolderLock? _hold;
+    private int _seen;
+    private bool _isDisposed;
+
+    /// <summary>Looks for texts of sessions that have ended, and begins to keep that of a document.</summary>
+    /// <param name="document">The document.</param>
+    /// <param name="folders">The user's folders.</param>
+    /// <param name="time">The clock.</param>
+    public Recovery(SceneDocument document, UserFolders folders, TimeProvider? time = null)
+    {
+        (_document, _folders, _time) = (document, folders, time ?? TimeProvider.System);
+        _timer = _time.CreateTimer(_ => Flush(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
+        _entries = Find();
+        _seen = document.Revision;
+        _document.Changed += Watch;
+    }
+
+    /// <summary>What is offered has changed.</summary>
+    public event Action? Changed;
+
+    /// <summary>The texts of sessions that have ended without saving them, newest first.</summary>
+    public IReadOnlyList<RecoveryEntry> Entries
+    {
+        get
+        {
+            lock (_lock)
+            {
+                return _entries;
+            }
+        }
+    }
+
+    private string OwnFile => FileOf(_id);
+
+    /// <summary>Forgets a text.</summary>
+    /// <param name="id">Which.</param>
+    /// <exception cref="DocumentException">There is no such text.</exception>
+    public void Discard(string id)
+    {
+        using (Hold(id))
+        {
+            try
+            {
+                File.Delete(FileOf(id));
+            }
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+            {
+                throw new DocumentException($"the kept text cannot be deleted: {e.Message.TrimEnd('.')}", e);
+            }
+        }
+
+        Refresh();
+    }
+
+    /// <summary>Looks for texts of sessions that have ended meanwhile.</summary>
+    public void Refresh()
+    {
+        lock (_lock)
+        {
+            _entries = Find();
+        }
+
+        Changed?.Invoke();
+    }
+
+    /// <summary>Keeps the document's text now if it is not saved, and forgets the one kept if it is.</summary>
+    public void Flush()
+    {
+        lock (_lock)
+        {
+            if (_isDisposed)
+            {
+                return;
+            }
+
+            try
+            {
+                if (_document.IsDirty)
+                {
+                    Keep();
+                }
+                else
+                {
+                    Forget();
+                }
+            }
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+            {
+                // A full disk must not stop the work; the next change tries again.
+            }
+        }
+    }
+
+    /// <summary>Keeps what is not saved, and lets go of it, so that a later session finds it.</summary>
+    public void Dispose()
+    {
+        _document.Changed -= Watch;
+        _timer.Dispose();
+        Flush();
+        lock (_lock)
+        {
+            _isDisposed = true;
+            _hold?.Dispose();
+        }
+    }
+
+    /// <summary>Reads a text that was kept.</summary>
+    /// <exception cref="DocumentException">There is no such text.</exception>
+    internal RecoveredText Take(string id)
+    {
+        using (Hold(id))
+        {
+            return Read(FileOf(id)) ?? throw Missing();
+        }
+    }
+
+    private static DocumentException Missing() => new("there is no such unsaved text any more");
+
+    private static RecoveredText? Read(string path)
+    {
+        try
+        {
+            return JsonSerializer.Deserialize<RecoveredText>(File.ReadAllBytes(path)) is { Name: not null, Folder: not null, LineEnd: not null, Text: not null } text ? text : null;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or JsonException)
+        {
+            return null;
+        }
+    }
+
+    private string FileOf(string id) => Path.Combine(_folders.Recovery, id + ".json");
+
+    private string LockOf(string id) => Path.Combine(_folders.Recovery, id + ".lock");
+
+    private FolderLock Hold(string id)
+    {
+        bool isId = id.Length == 32 && id.All(char.IsAsciiHexDigit);
+        return isId && id != _id && File.Exists(FileOf(id)) && FolderLock.TryTake(LockOf(id)) is { } hold ? hold : throw Missing();
+    }
+
+    private void Watch()
+    {
+        bool isDirty = _document.IsDirty;
+        lock (_lock)
+        {
+            int revision = _document.Revision;
+            if (revision == _seen && isDirty)
+            {
+                return;
+            }
+
+            _seen = revision;
+            if (isDirty && !_isDisposed)
+            {
+                _timer.Change(s_delay, Timeout.InfiniteTimeSpan);
+                return;
+            }
+        }
+
+        Flush();
+    }
+
+    private void Keep()
+    {
+        DocumentPlace place = _document.Place;
+        RecoveredText text = new(place.Name, place.Path, place.Folder, place.LineEnd, _time.GetUtcNow().UtcDateTime, _document.Text);
+        _hold ??= FolderLock.TryTake(LockOf(_id));
+        PrivateFile.Write(OwnFile, JsonSerializer.SerializeToUtf8Bytes(text));
+    }
+
+    private void Forget()
+    {
+        if (_hold is not null)
+        {
+            File.Delete(OwnFile);
+            _hold.Dispose();
+            _hold = null;
+        }
+    }
+
+    private IReadOnlyList<RecoveryEntry> Find()
+    {
+        List<RecoveryEntry> found = [];
+        try
+        {
+            foreach (string file in Directory.EnumerateFiles(_folders.Recovery, "*.json"))
+            {
+                string id = Path.GetFileNameWithoutExtension(file);
+                if (id == _id)
+                {
+                    continue;
+                }
+
+                using FolderLock? hold = FolderLock.TryTake(LockOf(id));
+                if (hold is not null && Read(file) is { } text)
+                {
+                    found.Add(new(id, text.Name, text.Time));
+                }
+            }
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // Nothing can be kept there either.
+        }
+
+        return [.. found.OrderByDescending(e => e.Time)];
+    }
+}

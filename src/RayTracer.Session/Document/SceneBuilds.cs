@@ -1,0 +1,191 @@
+using RayTracer.Scenes;
+
+namespace RayTracer.Session;
+
+/// <summary>Builds the newest text of a document, one build at a time, in the background. Building never throws.</summary>
+/// <param name="built">Called after each build that counts, by the thread that built.</param>
+internal sealed class SceneBuilds(Action built) : IDisposable
+{
+    private readonly Lock _lock = new();
+    private readonly FileCache _files = new();
+    private DocumentContent _content = Nothing;
+    private IReadOnlyList<PlacedDiagnostic> _diagnostics = [];
+    private TaskCompletionSource _next = NewSource();
+    private Order? _wanted;
+    private bool _isBuilding;
+    private bool _isDisposed;
+    private int _epoch;
+
+    /// <summary>The newest content.</summary>
+    public DocumentContent Content
+    {
+        get
+        {
+            lock (_lock)
+            {
+                return _content;
+            }
+        }
+    }
+
+    /// <summary>How many files have been read in all builds.</summary>
+    public int FilesRead => _files.Reads;
+
+    private static DocumentContent Nothing
+    {
+        get
+        {
+            SceneReadResult read = SceneReader.ReadText("{}", "");
+            return new(0, "", read, new(null, null, []), null);
+        }
+    }
+
+    /// <summary>The diagnostics of a content with the parts of the text that they are about.</summary>
+    public IReadOnlyList<PlacedDiagnostic> DiagnosticsOf(DocumentContent content)
+    {
+        lock (_lock)
+        {
+            return ReferenceEquals(content, _content) ? _diagnostics : PlacedDiagnostic.Of(content.Read, content.Load.Diagnostics);
+        }
+    }
+
+    /// <summary>Asks for a text to be built, instead of all that were asked for and not begun.</summary>
+    public void Want(int revision, string text, Lazy<SceneReadResult> read, string folder)
+    {
+        lock (_lock)
+        {
+            if (_isDisposed || revision <= (_wanted?.Revision ?? 0))
+            {
+                return;
+            }
+
+            _wanted = new(revision, text, read, folder, _epoch);
+            if (!_isBuilding)
+            {
+                _isBuilding = true;
+                _ = Task.Run(BuildAll);
+            }
+        }
+    }
+
+    /// <summary>Gives up what is being built: it is of a document that is no longer open. The last good scene goes with it.</summary>
+    public void Abandon()
+    {
+        lock (_lock)
+        {
+            _epoch++;
+            _content = _content with { LastGood = null };
+        }
+    }
+
+    /// <summary>The first content of a revision or a later one.</summary>
+    public async Task<DocumentContent> WhenBuilt(int revision, CancellationToken cancellation)
+    {
+        while (true)
+        {
+            Task next;
+            lock (_lock)
+            {
+                if (_content.Revision >= revision)
+                {
+                    return _content;
+                }
+
+                next = _next.Task;
+            }
+
+            await next.WaitAsync(cancellation).ConfigureAwait(false);
+        }
+    }
+
+    public void Dispose()
+    {
+        lock (_lock)
+        {
+            _isDisposed = true;
+            _epoch++;
+        }
+    }
+
+    private static TaskCompletionSource NewSource() => new(TaskCreationOptions.RunContinuationsAsynchronously);
+
+    private void BuildAll()
+    {
+        while (true)
+        {
+            Order order;
+            GoodScene? lastGood;
+            lock (_lock)
+            {
+                if (_isDisposed || _wanted is null || _wanted.Revision == _content.Revision)
+                {
+                    _isBuilding = false;
+                    return;
+                }
+
+                (order, lastGood) = (_wanted, _content.LastGood);
+            }
+
+            DocumentContent content = Build(order, lastGood);
+            if (Publish(content, order))
+            {
+                built();
+            }
+        }
+    }
+
+    // A build that an edit has overtaken still counts, or nothing would be seen of a drag as long as it lasts.
+    private bool Publish(DocumentContent content, Order order)
+    {
+        IReadOnlyList<PlacedDiagnostic> diagnostics = PlacedDiagnostic.Of(content.Read, content.Load.Diagnostics);
+        TaskCompletionSource done;
+        lock (_lock)
+        {
+            if (order.Epoch != _epoch)
+            {
+                return false;
+            }
+
+            (_content, _diagnostics) = (content, diagnostics);
+            (done, _next) = (_next, NewSource());
+        }
+
+        done.SetResult();
+        return true;
+    }
+
+    private DocumentContent Build(Order order, GoodScene? lastGood)
+    {
+        SceneReadResult read = order.Read.Value;
+        SceneLoadResult load;
+        _files.BeginBuild();
+        try
+        {
+            load = SceneLoader.Build(read, order.Folder, readPicture: (path, raw) => InTime(order, () => _files.ReadPicture(path, raw)),
+                readModel: path => InTime(order, () => _files.ReadModel(path)));
+        }
+        catch (Exception e) when (e is not StackOverflowException)
+        {
+            load = new(null, null, [.. read.Diagnostics, new(read.Source?.FileName ?? "", 0, 0, Severity.Error, $"the scene cannot be built: {e.Message.TrimEnd('.')}")]);
+        }
+
+        GoodScene? good = load.Scene is { } scene ? new(order.Revision, order.Text, read, scene) : lastGood;
+        return new(order.Revision, order.Text, read, load, good);
+    }
+
+    // Files take longest: none is read for a document that is no longer open.
+    private T InTime<T>(Order order, Func<T> read)
+    {
+        lock (_lock)
+        {
+            if (order.Epoch != _epoch)
+            {
+                throw new OperationCanceledException();
+            }
+        }
+
+        return read();
+    }
+
+    private sealed record Order(int Revision, string Text, Lazy<SceneReadResult> Read, string Folder, int Epoch);
+}

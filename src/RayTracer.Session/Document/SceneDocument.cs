@@ -1,0 +1,266 @@
+using RayTracer.Scenes;
+
+namespace RayTracer.Session;
+
+/// <summary>
+/// A scene's text as it is edited. Each change is one of the text, and can be undone. The scene is built behind the edits: an edit never waits for it,
+/// and a text that is no scene leaves the last good one where it is. All members may be called by any thread.
+/// </summary>
+public sealed class SceneDocument : IDisposable
+{
+    private readonly Lock _lock = new();
+    private readonly UndoHistory _history = new();
+    private readonly SceneBuilds _builds;
+    private string _text;
+    private int _revision = 1;
+    private Lazy<SceneReadResult> _read;
+    private DocumentPlace _place;
+
+    /// <summary>A document that has no file yet.</summary>
+    /// <param name="text">Its text.</param>
+    /// <param name="place">What it is called, and where files are looked for.</param>
+    public SceneDocument(string text, DocumentPlace place)
+    {
+        _text = Normal(text);
+        _place = place;
+        _read = ReadLater(_text, place.Name);
+        _history.Reset(isSaved: true);
+        _builds = new SceneBuilds(() => Changed?.Invoke());
+        Build();
+    }
+
+    /// <summary>The text, its place, what is built of it or whether it is saved has changed. Raised by the thread that changed it, without a lock.</summary>
+    public event Action? Changed;
+
+    /// <summary>The newest text that has been built, and what it came to; a moment behind <see cref="Text"/> after an edit.</summary>
+    public DocumentContent Content => _builds.Content;
+
+    /// <summary>The revision of <see cref="Text"/>: grows with every change.</summary>
+    public int Revision => Current.Revision;
+
+    /// <summary>The text, with \n at each line's end.</summary>
+    public string Text => Current.Text;
+
+    /// <summary>The text and its revision.</summary>
+    public (int Revision, string Text) Current
+    {
+        get
+        {
+            lock (_lock)
+            {
+                return (_revision, _text);
+            }
+        }
+    }
+
+    /// <summary>What is read from the text as it is now, without building it.</summary>
+    public SceneReadResult Read
+    {
+        get
+        {
+            lock (_lock)
+            {
+                return _read.Value;
+            }
+        }
+    }
+
+    /// <summary>Where the document is at home.</summary>
+    public DocumentPlace Place
+    {
+        get
+        {
+            lock (_lock)
+            {
+                return _place;
+            }
+        }
+    }
+
+    /// <summary>Whether there are changes that were not saved.</summary>
+    public bool IsDirty
+    {
+        get
+        {
+            lock (_lock)
+            {
+                return !_history.IsSaved;
+            }
+        }
+    }
+
+    /// <summary>What is to be shown about the document.</summary>
+    public DocumentStatus Status
+    {
+        get
+        {
+            DocumentContent content = Content;
+            lock (_lock)
+            {
+                return new(
+                    _revision, _place.Name, _place.Path, !_history.IsSaved, _history.ToUndo is not null, _history.ToRedo is not null,
+                    _history.ToUndo?.Label, _history.ToRedo?.Label, _builds.DiagnosticsOf(content), content.Load.Scene is not null, content.Revision);
+            }
+        }
+    }
+
+    /// <summary>The content of the text as it is now, as soon as it is built.</summary>
+    public Task<DocumentContent> WhenBuilt(CancellationToken cancellation = default) => _builds.WhenBuilt(Revision, cancellation);
+
+    /// <summary>Replaces a part of the text, as an editor does.</summary>
+    /// <param name="baseRevision">The revision that the offsets are of.</param>
+    /// <param name="from">Offset of the part.</param>
+    /// <param name="to">Offset behind it.</param>
+    /// <param name="insert">What takes its place.</param>
+    /// <param name="gesture">What it is a part of; null where it is to be undone by itself.</param>
+    /// <returns>Whether the revision was the newest; otherwise nothing has changed.</returns>
+    /// <exception cref="DocumentException">There is no such part.</exception>
+    public bool TryReplace(int baseRevision, int from, int to, string insert, string? gesture)
+    {
+        lock (_lock)
+        {
+            if (baseRevision != _revision)
+            {
+                return false;
+            }
+
+            if (from < 0 || to < from || to > _text.Length)
+            {
+                throw new DocumentException($"the text has {_text.Length} characters, but from {from} to {to} was to be replaced");
+            }
+
+            if (!Take(string.Concat(_text.AsSpan(0, from), Normal(insert), _text.AsSpan(to)), "typing", gesture))
+            {
+                return true;
+            }
+        }
+
+        Build();
+        return true;
+    }
+
+    /// <summary>Changes the text as a whole, as panels and gizmos do.</summary>
+    /// <param name="label">What is changed, for undo.</param>
+    /// <param name="gesture">What it is a part of; null where it is to be undone by itself.</param>
+    /// <param name="change">Makes the new text of the present one; what it throws passes through, and nothing has changed.</param>
+    /// <returns>The revision after it.</returns>
+    /// <exception cref="DocumentException">The text is no JSON at the moment.</exception>
+    public int Change(string label, string? gesture, Func<JsonText, JsonText> change)
+    {
+        lock (_lock)
+        {
+            if (!Take(change(JsonText.Of(_read.Value)).Text, label, gesture))
+            {
+                return _revision;
+            }
+        }
+
+        Build();
+        return Revision;
+    }
+
+    /// <summary>Takes the last step back, if there is one.</summary>
+    public void Undo() => Step(undo: true);
+
+    /// <summary>Does the step again that was undone last, if there is one.</summary>
+    public void Redo() => Step(undo: false);
+
+    /// <summary>Puts another text in the place of this one, without a way back.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="place">Where it is at home.</param>
+    /// <param name="isSaved">Whether it is safe to lose: the text of a file.</param>
+    public void Open(string text, DocumentPlace place, bool isSaved)
+    {
+        lock (_lock)
+        {
+            _text = Normal(text);
+            _place = place;
+            _revision++;
+            _read = ReadLater(_text, place.Name);
+            _history.Reset(isSaved);
+            _builds.Abandon();
+        }
+
+        Build();
+    }
+
+    /// <summary>The text to save, with the point in its history that <see cref="MarkSaved"/> asks for.</summary>
+    internal (string Text, int Point) TextToSave()
+    {
+        lock (_lock)
+        {
+            return (_text, _history.Seal());
+        }
+    }
+
+    /// <summary>Tells that the text of a point in the history is now in a file.</summary>
+    internal void MarkSaved(int point, DocumentPlace place)
+    {
+        lock (_lock)
+        {
+            bool isMoved = place != _place;
+            _history.MarkSaved(point);
+            _place = place;
+            if (isMoved)
+            {
+                _revision++;
+                _read = ReadLater(_text, place.Name);
+            }
+        }
+
+        Build();
+    }
+
+    /// <summary>Stops building.</summary>
+    public void Dispose() => _builds.Dispose();
+
+    private void Step(bool undo)
+    {
+        lock (_lock)
+        {
+            if ((undo ? _history.Undo() : _history.Redo()) is not { } change)
+            {
+                return;
+            }
+
+            SetText(change.Apply(_text));
+        }
+
+        Build();
+    }
+
+    // Whether anything has changed.
+    private bool Take(string after, string label, string? gesture)
+    {
+        if (after == _text)
+        {
+            return false;
+        }
+
+        _history.Add(TextChange.Between(_text, after), _text, label, gesture);
+        SetText(after);
+        return true;
+    }
+
+    private void SetText(string text)
+    {
+        _text = text;
+        _revision++;
+        _read = ReadLater(text, _place.Name);
+    }
+
+    private void Build()
+    {
+        lock (_lock)
+        {
+            _builds.Want(_revision, _text, _read, _place.Folder);
+        }
+
+        Changed?.Invoke();
+    }
+
+    private static Lazy<SceneReadResult> ReadLater(string text, string name) => new(() => SceneReader.ReadText(text, name));
+
+    // One character for each line's end and no byte order mark, so that offsets are those of every editor.
+    private static string Normal(string text) => text.ReplaceLineEndings("\n").TrimStart('\uFEFF');
+}

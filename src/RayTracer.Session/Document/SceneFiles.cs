@@ -1,0 +1,214 @@
+using RayTracer.Scenes;
+
+namespace RayTracer.Session;
+
+/// <summary>
+/// Opens and saves documents. What is not saved is not lost without a word: opening is refused unless whoever asks says that changes may go,
+/// and a file is not overwritten that is another one, or that somebody else has changed.
+/// </summary>
+public sealed class SceneFiles
+{
+    private readonly SceneDocument _document;
+    private readonly UserFolders _folders;
+    private readonly Recovery _recovery;
+    private readonly Gallery _gallery;
+    private readonly RecentFiles _recent;
+    private readonly Lock _lock = new();
+    private FileStamp _stamp;
+
+    /// <summary>The files of a session.</summary>
+    /// <param name="document">What they are opened into.</param>
+    /// <param name="folders">The user's folders.</param>
+    /// <param name="recovery">The texts that were not saved.</param>
+    /// <param name="gallery">The shipped scenes.</param>
+    public SceneFiles(SceneDocument document, UserFolders folders, Recovery recovery, Gallery gallery)
+    {
+        (_document, _folders, _recovery, _gallery) = (document, folders, recovery, gallery);
+        _recent = new(folders);
+        Uploads = new(folders);
+    }
+
+    /// <summary>The files that were dropped onto the window.</summary>
+    public Uploads Uploads { get; }
+
+    /// <summary>The whole paths of what was opened or saved lately and is still there, newest first.</summary>
+    public IReadOnlyList<string> Recent => _recent.All;
+
+    /// <summary>Whether a file can be opened, by its name.</summary>
+    public static bool CanOpen(string name) =>
+        Path.GetExtension(name).ToLowerInvariant() is ".json" or ".zip" || ModelFile.IsModel(name);
+
+    /// <summary>Begins a new scene.</summary>
+    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <exception cref="DocumentException">There are such.</exception>
+    public void New(bool discard = false)
+    {
+        Guard(discard);
+        Show(SceneTextFile.NewScene, new("new scene.json", null, _folders.Home), isSaved: true);
+    }
+
+    /// <summary>Opens a scene file, a model file as a new scene that shows it, or a bundle.</summary>
+    /// <param name="path">The file's whole path.</param>
+    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <exception cref="DocumentException">It cannot be opened, or there are such changes; the document is as it was.</exception>
+    public void Open(string path, bool discard = false)
+    {
+        Guard(discard);
+        path = Whole(path);
+        OpenFile(path, isOwn: true);
+        _recent.Add(path);
+    }
+
+    /// <summary>Opens a shipped scene, as one that has no file of its own yet.</summary>
+    /// <param name="id">Which, as the gallery calls it.</param>
+    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <exception cref="DocumentException">There is no such scene, or there are such changes.</exception>
+    public void OpenGallery(string id, bool discard = false)
+    {
+        Guard(discard);
+        OpenFile(_gallery.PathOf(id), isOwn: false);
+    }
+
+    /// <summary>Opens a text that was not saved, as one with unsaved changes.</summary>
+    /// <param name="id">Which, as the recovery calls it.</param>
+    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <exception cref="DocumentException">There is no such text, or there are such changes.</exception>
+    public void OpenRecovered(string id, bool discard = false)
+    {
+        Guard(discard);
+        RecoveredText text = _recovery.Take(id);
+        lock (_lock)
+        {
+            // What was known of the file is gone: a save over it must be asked for.
+            _stamp = default;
+        }
+
+        _document.Open(text.Text, new(text.Name, text.Path, text.Folder) { LineEnd = text.LineEnd }, isSaved: false);
+        _recovery.Flush();
+        _recovery.Discard(id);
+    }
+
+    /// <summary>Takes a file that was dropped onto the window, and opens it where it is a scene, a model or a bundle; what else a scene may name is kept beside it.</summary>
+    /// <param name="name">Its name.</param>
+    /// <param name="content">Its content.</param>
+    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <param name="cancellation">Ends the transfer.</param>
+    /// <returns>The file's path, and whether it was opened.</returns>
+    /// <exception cref="DocumentException">It is too large, or cannot be opened, or there are such changes.</exception>
+    public async Task<(string Path, bool IsOpened)> Upload(string name, Stream content, bool discard = false, CancellationToken cancellation = default)
+    {
+        bool opens = CanOpen(name);
+        if (opens)
+        {
+            Guard(discard);
+        }
+
+        string path = await Uploads.Add(name, content, cancellation).ConfigureAwait(false);
+        if (opens)
+        {
+            Guard(discard);
+            OpenFile(path, isOwn: false);
+        }
+
+        return (path, opens);
+    }
+
+    /// <summary>Saves the document.</summary>
+    /// <param name="path">The file's whole path; null for that which it has.</param>
+    /// <param name="overwrite">Whether another file, or one that somebody else has changed, may be overwritten.</param>
+    /// <returns>The file's path.</returns>
+    /// <exception cref="DocumentException">It cannot be written, or there is such a file.</exception>
+    public string Save(string? path = null, bool overwrite = false)
+    {
+        lock (_lock)
+        {
+            DocumentPlace place = _document.Place;
+            string target = path is null ? place.Path ?? throw new DocumentException("the scene has no file yet: say where to save it") : Named(Whole(path));
+            CheckTarget(target, place, overwrite);
+            DocumentPlace moved = DocumentPlace.Of(target) with { LineEnd = place.LineEnd };
+            if (moved.Folder != place.Folder && _document.Read.Root is not null)
+            {
+                // The names of files in the text are meant from where it was.
+                _document.Change("file names", null, text => FileNames.Move(text, place.Folder, moved.Folder));
+            }
+
+            (string text, int point) = _document.TextToSave();
+            SceneTextFile.Write(target, text, place.LineEnd);
+            _stamp = FileStamp.Of(target);
+            _document.MarkSaved(point, moved);
+            _recent.Add(target);
+            return target;
+        }
+    }
+
+    /// <summary>What a dialog shows of a folder.</summary>
+    /// <param name="path">The folder; null for the user's own.</param>
+    /// <exception cref="DocumentException">It cannot be listed.</exception>
+    public FolderListing List(string? path = null) => FolderListing.Of(string.IsNullOrEmpty(path) ? _folders.Home : Whole(path));
+
+    private void OpenFile(string path, bool isOwn)
+    {
+        if (Path.GetExtension(path).Equals(".zip", StringComparison.OrdinalIgnoreCase))
+        {
+            OpenFile(SceneBundle.Extract(path, Uploads.NewFolder()), isOwn: false);
+            return;
+        }
+
+        string folder = Path.GetDirectoryName(path)!;
+        if (ModelFile.IsModel(path))
+        {
+            Show(SceneTextFile.ReadModel(path), new(Path.GetFileNameWithoutExtension(path) + ".json", null, folder), isSaved: true);
+            return;
+        }
+
+        FileStamp stamp = FileStamp.Of(path);
+        (string text, string lineEnd) = SceneTextFile.Read(path);
+        Show(text, new(Path.GetFileName(path), isOwn ? path : null, folder) { LineEnd = lineEnd }, isSaved: true);
+        lock (_lock)
+        {
+            _stamp = stamp;
+        }
+    }
+
+    private void Show(string text, DocumentPlace place, bool isSaved)
+    {
+        _document.Open(text, place, isSaved);
+        _recovery.Flush();
+    }
+
+    private void Guard(bool discard)
+    {
+        if (!discard && _document.IsDirty)
+        {
+            throw new DocumentException($"{_document.Place.Name} has changes that were not saved") { Conflict = DocumentConflict.Unsaved };
+        }
+    }
+
+    private void CheckTarget(string target, DocumentPlace place, bool overwrite)
+    {
+        if (overwrite || !File.Exists(target))
+        {
+            return;
+        }
+
+        if (target != place.Path)
+        {
+            throw new DocumentException($"there is a file {target} already") { Conflict = DocumentConflict.Exists };
+        }
+
+        if (FileStamp.Of(target) != _stamp)
+        {
+            throw new DocumentException($"{target} has been changed by somebody else since it was opened here") { Conflict = DocumentConflict.ChangedOnDisk };
+        }
+    }
+
+    private static string Whole(string path) => Path.IsPathFullyQualified(path) && !path.Contains('\0', StringComparison.Ordinal)
+        ? Path.GetFullPath(path) : throw new DocumentException("the file needs a whole path, from the root on");
+
+    private static string Named(string path) => Path.GetExtension(path).ToLowerInvariant() switch
+    {
+        ".json" => path,
+        "" => path + ".json",
+        _ => throw new DocumentException("scenes are saved as .json files"),
+    };
+}

@@ -1,0 +1,197 @@
+using System.Globalization;
+using System.Numerics;
+using System.Text.Json.Nodes;
+using RayTracer.Numerics;
+using RayTracer.Scenes;
+using JsonNode = RayTracer.Scenes.JsonNode;
+
+namespace RayTracer.Session;
+
+/// <summary>Adds, copies, deletes and renames the things of a scene, with all that refers to them.</summary>
+public static class SceneThings
+{
+    /// <summary>Adds a thing.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="family">shape, light, material or texture.</param>
+    /// <param name="type">Its type.</param>
+    /// <param name="near">The thing beside which a shape is put; null for the middle of the picture.</param>
+    /// <param name="file">The file of a model or picture; null where there is none.</param>
+    /// <returns>The text, and the thing's pointer.</returns>
+    /// <exception cref="DocumentException">There is no such type, or it lacks something.</exception>
+    public static (JsonText Text, string Pointer) Add(JsonText text, string family, string type, string? near = null, string? file = null)
+    {
+        bool isLight = family == "light";
+        TypeFamily kind = SceneTypes.Families.FirstOrDefault(f => f.Noun == (isLight ? "shape" : family))
+            ?? throw new DocumentException($"there is no family {JsonLayout.Quote(family)}: expected shape, light, material or texture");
+        RecordType record = kind.Find(type) ?? throw new DocumentException($"there is no {kind.Noun} of type {JsonLayout.Quote(type)}");
+        if (kind != SceneTypes.Shapes)
+        {
+            string pointer = JsonPointer.Of(SceneValue.Definitions(kind), FreeName(text.Root, kind, type));
+            return (text.Set(pointer, NewThing.Plain(record, file)), pointer);
+        }
+
+        JsonObject shape = NewThing.Shape(record, SceneView.Of(text.Root), Place(text, near), text.Root.Find("objects")?.Members.Select(m => m.Key).FirstOrDefault(), file);
+        if (isLight)
+        {
+            shape["material"] = NewThing.Lamp();
+            if (type == "plane")
+            {
+                shape["size"] = new JsonArray(1, 1);
+            }
+        }
+
+        string list = isLight ? "/lights" : "/shapes";
+        text = text.Set($"{list}/-", shape);
+        return (text, JsonEdit.LastOf(text, list));
+    }
+
+    /// <summary>Copies a thing: a shape to beside it, a definition under another name.</summary>
+    /// <returns>The text, and the copy's pointer.</returns>
+    /// <exception cref="DocumentException">There is no such thing.</exception>
+    public static (JsonText Text, string Pointer) Duplicate(JsonText text, string pointer)
+    {
+        SceneValue thing = SceneValue.At(text.Root, pointer) is { Node: not null, Family: not null } found
+            ? found : throw new DocumentException($"there is no shape, material or texture at {JsonLayout.Quote(pointer)}");
+        if (SceneReferences.DefinedAt(pointer) is { } family)
+        {
+            return text.Duplicate(pointer, FreeName(text.Root, family, thing.Key));
+        }
+
+        (text, string copy) = text.Duplicate(pointer);
+        if (thing.Node!.Find("name") is { Kind: JsonKind.String, Text.Length: > 0 } name)
+        {
+            HashSet<string> taken = [.. Shapes(text.Root).Select(s => s.Node?.Find("name")?.Text).OfType<string>()];
+            text = text.Set(copy + "/name", JsonValue.Create(Unlike(name.Text, taken)));
+        }
+
+        if (thing.Family == SceneTypes.Shapes && thing.Type is not null)
+        {
+            SceneView view = SceneView.Of(text.Root);
+            text = ShapePlacement.Translate(text, copy, view.Right * view.Size);
+        }
+
+        return (text, copy);
+    }
+
+    /// <summary>Deletes things. What refers to a material or texture that is deleted gets the default; instances of a deleted object go with it.</summary>
+    /// <returns>The text, and what else has changed, one sentence each.</returns>
+    /// <exception cref="DocumentException">There is no such thing, or it cannot be missing.</exception>
+    public static (JsonText Text, IReadOnlyList<string> Notes) Delete(JsonText text, IReadOnlyCollection<string> pointers)
+    {
+        List<string> notes = [];
+
+        // From behind, so that the pointers of what is before stay true; definitions last, because they take others with them.
+        foreach (string pointer in pointers.Distinct(StringComparer.Ordinal).OrderBy(p => SceneReferences.DefinedAt(p) is not null).ThenByDescending(p => text.At(p).Start).ToArray())
+        {
+            text = Delete(text, pointer, notes);
+        }
+
+        return (text, notes);
+    }
+
+    /// <summary>Gives a thing another name: a definition with all that refers to it, a shape by its "name".</summary>
+    /// <returns>The text, and the thing's pointer now.</returns>
+    /// <exception cref="DocumentException">There is no such thing, or the name is taken.</exception>
+    public static (JsonText Text, string Pointer) Rename(JsonText text, string pointer, string name)
+    {
+        SceneValue thing = SceneValue.At(text.Root, pointer) is { Node: not null, Family: not null } found
+            ? found : throw new DocumentException($"nothing at {JsonLayout.Quote(pointer)} can have a name");
+        if (SceneReferences.DefinedAt(pointer) is not { } family)
+        {
+            return thing.Family != SceneTypes.Shapes ? throw new DocumentException("only shapes and what is defined by name can have a name")
+                : name.Length == 0 ? (thing.Node!.Find("name") is null ? text : text.Remove(pointer + "/name"), pointer)
+                : (text.Set(pointer + "/name", JsonValue.Create(name)), pointer);
+        }
+
+        if (name.Length == 0)
+        {
+            throw new DocumentException("a name needs at least one character");
+        }
+
+        if (family == SceneTypes.Textures && (name.StartsWith('#') || CssColors.Find(name) is not null))
+        {
+            throw new DocumentException($"a texture cannot be called {JsonLayout.Quote(name)}, because that is a colour");
+        }
+
+        SceneValue[] references = [.. SceneReferences.To(text.Root, family, thing.Key)];
+        string renamed = JsonPointer.Append(JsonPointer.Parent(pointer)!, name);
+        text = text.With(references.Select(r => new TextEdit(r.Node!.Start, r.Node.End, JsonLayout.Quote(name))));
+        return (text.Rename(pointer, name), renamed);
+    }
+
+    private static JsonText Delete(JsonText text, string pointer, List<string> notes)
+    {
+        if (SceneValue.At(text.Root, pointer) is { Parameter.Required: true } needed && needed.Key == needed.Parameter.Key)
+        {
+            throw new DocumentException($"{JsonLayout.Quote(needed.Parameter.Key)} cannot be missing");
+        }
+
+        if (SceneReferences.DefinedAt(pointer) is not { } family)
+        {
+            return text.Remove(pointer);
+        }
+
+        string name = JsonPointer.Last(pointer);
+        int count = 0;
+        while (SceneReferences.To(text.Root, family, name).LastOrDefault(r => !Within(r.Pointer, pointer)) is { } reference)
+        {
+            text = Forget(text, reference);
+            count++;
+        }
+
+        if (count > 0)
+        {
+            string what = family == SceneTypes.Shapes ? "instance went with it" : "reference to it became the default";
+            string many = family == SceneTypes.Shapes ? "instances went with it" : "references to it became the default";
+            notes.Add(string.Create(CultureInfo.InvariantCulture, $"deleted the {(family == SceneTypes.Shapes ? "object" : family.Noun)} {JsonLayout.Quote(name)}: {count} {(count == 1 ? what : many)}"));
+        }
+
+        return text.Remove(pointer);
+    }
+
+    // A reference to what is no more.
+    private static JsonText Forget(JsonText text, SceneValue reference)
+    {
+        string parent = JsonPointer.Parent(reference.Pointer)!;
+        bool isMember = reference.Key == reference.Parameter!.Key && SceneValue.At(text.Root, parent) is { IsList: false };
+        if (reference.Family == SceneTypes.Shapes)
+        {
+            return isMember ? Delete(text, parent, []) : text.Remove(reference.Pointer);
+        }
+
+        return isMember && !reference.Parameter.Required ? text.Remove(reference.Pointer)
+            : text.Set(reference.Pointer, reference.Family == SceneTypes.Materials ? new JsonObject { ["type"] = "diffuse" } : new JsonArray(0.5, 0.5, 0.5));
+    }
+
+    private static bool Within(string pointer, string outer) => pointer == outer || pointer.StartsWith(outer + "/", StringComparison.Ordinal);
+
+    private static IEnumerable<SceneValue> Shapes(JsonNode root) => SceneValue.Scene(root).WithInner().Where(v => v is { Family.Noun: "shape", Node.Kind: JsonKind.Object });
+
+    // In the middle of the picture, or beside another thing.
+    private static Vector3 Place(JsonText text, string? near)
+    {
+        SceneView view = SceneView.Of(text.Root);
+        return near is not null && SceneValue.At(text.Root, near) is { Type: not null, Family.Noun: "shape" } ? ShapePlacement.Middle(text, near) + (view.Right * (2 * view.Size)) : view.Target;
+    }
+
+    private static string FreeName(JsonNode root, TypeFamily family, string name)
+    {
+        HashSet<string> taken = [.. root.Find(SceneValue.Definitions(family))?.Members.Select(m => m.Key) ?? []];
+        return taken.Contains(name) ? Unlike(name, taken) : name;
+    }
+
+    // "glass", "glass 2", "glass 3" …
+    private static string Unlike(string name, HashSet<string> taken)
+    {
+        string stem = name.TrimEnd("0123456789".ToCharArray()).TrimEnd();
+        stem = stem.Length == 0 || !name[stem.Length..].StartsWith(' ') ? name : stem;
+        for (int i = 2; ; i++)
+        {
+            string candidate = string.Create(CultureInfo.InvariantCulture, $"{stem} {i}");
+            if (!taken.Contains(candidate))
+            {
+                return candidate;
+            }
+        }
+    }
+}

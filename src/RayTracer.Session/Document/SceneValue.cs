@@ -1,0 +1,119 @@
+using System.Globalization;
+using System.Numerics;
+using RayTracer.Scenes;
+
+namespace RayTracer.Session;
+
+/// <summary>A place in a scene's text, and what the scene format says may stand there. Something may be missing there, or stand there wrongly.</summary>
+/// <param name="Pointer">The place.</param>
+/// <param name="Node">What stands there; null where nothing does.</param>
+/// <param name="Parameter">The parameter that it is, or that it is an element of; null for the whole scene.</param>
+/// <param name="Family">Whether it is a shape, material or texture; null where it is none.</param>
+/// <param name="Type">What record it is: of a member of a family, by its "type"; null where it is none or that cannot be told.</param>
+/// <param name="IsList">Whether it holds several: elements of a list, or members by name.</param>
+public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter? Parameter, TypeFamily? Family, RecordType? Type, bool IsList)
+{
+    /// <summary>The last step of the pointer.</summary>
+    public string Key => JsonPointer.Last(Pointer);
+
+    /// <summary>The name by which this refers to a thing that is defined elsewhere; null where it does not.</summary>
+    public string? Reference =>
+        Family is not null && Node is { Kind: JsonKind.String } name && !(Family == SceneTypes.Textures && (name.Text.StartsWith('#') || CssColors.Find(name.Text) is not null))
+            ? name.Text : null;
+
+    /// <summary>The whole scene.</summary>
+    public static SceneValue Scene(JsonNode root) => new("", root, null, null, SceneTypes.Scene, false);
+
+    /// <summary>The place of a pointer; null where the format has none.</summary>
+    public static SceneValue? At(JsonNode root, string pointer)
+    {
+        SceneValue? value = Scene(root);
+        foreach (string step in JsonPointer.Parse(pointer))
+        {
+            value = value?.Child(step);
+        }
+
+        return value;
+    }
+
+    /// <summary>The member under which things of a family are defined by name.</summary>
+    public static string Definitions(TypeFamily family) => family == SceneTypes.Shapes ? "objects" : family.Noun + "s";
+
+    /// <summary>A place one step within; null where the format has none.</summary>
+    public SceneValue? Child(string step)
+    {
+        string pointer = JsonPointer.Append(Pointer, step);
+        JsonNode? node = Node is null ? null : JsonPointer.Step(Node, step);
+        if (IsList)
+        {
+            return Element(pointer, node);
+        }
+
+        return Type?.Find(step) is not { } parameter ? null : parameter.Kind switch
+        {
+            ParameterKind.Record => new(pointer, node, parameter, null, RecordType.Of(parameter.RecordType!), false),
+            ParameterKind.Shape => Member(pointer, node, parameter, SceneTypes.Shapes),
+            ParameterKind.Material => Member(pointer, node, parameter, SceneTypes.Materials),
+            ParameterKind.Texture => Member(pointer, node, parameter, SceneTypes.Textures),
+            ParameterKind.Shapes or ParameterKind.Materials or ParameterKind.Records or ParameterKind.NamedMaterials or ParameterKind.NamedShapes
+                or ParameterKind.NamedTextures => new(pointer, node, parameter, null, null, true),
+            _ => new(pointer, node, parameter, null, null, false),
+        };
+    }
+
+    /// <summary>All that stands one step within.</summary>
+    public IEnumerable<SceneValue> Children() => (Node?.Kind == JsonKind.Array
+            ? Node.Items.Select((_, i) => i.ToString(CultureInfo.InvariantCulture))
+            : Node?.Members.Select(m => m.Key).Distinct(StringComparer.Ordinal) ?? [])
+        .Select(Child).OfType<SceneValue>();
+
+    /// <summary>This and all that stands within it, outer things first.</summary>
+    public IEnumerable<SceneValue> WithInner() => Children().SelectMany(c => c.WithInner()).Prepend(this);
+
+    /// <summary>What is referred to, where this is a reference to something that is defined; itself otherwise.</summary>
+    /// <param name="root">The whole text.</param>
+    public SceneValue Resolved(JsonNode root)
+    {
+        SceneValue value = this;
+        for (int i = 0; i < 16 && value.Reference is { } name; i++)
+        {
+            if (At(root, JsonPointer.Of(Definitions(value.Family!), name)) is not { Node: not null } definition)
+            {
+                return value;
+            }
+
+            value = definition;
+        }
+
+        return value;
+    }
+
+    /// <summary>Three numbers of a parameter of this record, or its default.</summary>
+    public Vector3 Vector(string key)
+    {
+        SceneValue? child = Child(key);
+        return child?.Node is { Kind: JsonKind.Array, Items.Count: 3 } node && node.Items.All(i => i.Kind == JsonKind.Number)
+            ? new(ToFloat(node.Items[0]), ToFloat(node.Items[1]), ToFloat(node.Items[2]))
+            : child?.Parameter?.Default as Vector3? ?? default;
+    }
+
+    /// <summary>A number of a parameter of this record, or its default.</summary>
+    public float Number(string key)
+    {
+        SceneValue? child = Child(key);
+        return child?.Node is { Kind: JsonKind.Number } node ? ToFloat(node) : Convert.ToSingle(child?.Parameter?.Default ?? 0f, CultureInfo.InvariantCulture);
+    }
+
+    internal static float ToFloat(JsonNode number) => float.Parse(number.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
+
+    private static SceneValue Member(string pointer, JsonNode? node, RecordParameter parameter, TypeFamily family) =>
+        new(pointer, node, parameter, family, node?.Find("type") is { Kind: JsonKind.String } type ? family.Find(type.Text) : null, false);
+
+    private SceneValue Element(string pointer, JsonNode? node) => Parameter!.Kind switch
+    {
+        ParameterKind.Shapes or ParameterKind.NamedShapes => Member(pointer, node, Parameter, SceneTypes.Shapes),
+        ParameterKind.Materials or ParameterKind.NamedMaterials => Member(pointer, node, Parameter, SceneTypes.Materials),
+        ParameterKind.NamedTextures => Member(pointer, node, Parameter, SceneTypes.Textures),
+        _ => new(pointer, node, Parameter, null, RecordType.Of(Parameter.RecordType!), false),
+    };
+}

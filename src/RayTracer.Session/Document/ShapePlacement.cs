@@ -1,0 +1,125 @@
+using System.Numerics;
+using System.Text.Json.Nodes;
+using RayTracer.Numerics;
+using RayTracer.Scenes;
+using JsonNode = RayTracer.Scenes.JsonNode;
+
+namespace RayTracer.Session;
+
+/// <summary>
+/// Moves shapes in the world. The movement is worked into a shape's own numbers where that keeps it the same kind, else into its transform. Of what moves in time,
+/// every keyframe is moved, so that it moves as before at another place.
+/// </summary>
+public static class ShapePlacement
+{
+    /// <summary>Adds a vector.</summary>
+    /// <exception cref="DocumentException">There is no shape, or it would be moved beyond all numbers.</exception>
+    public static JsonText Translate(JsonText text, string pointer, Vector3 by) => Place(text, pointer, new Movement.Translation(by));
+
+    /// <summary>Turns about an axis by the right-hand rule.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="pointer">The shape.</param>
+    /// <param name="axis">The axis, of any length above zero.</param>
+    /// <param name="degrees">The angle.</param>
+    /// <param name="center">A point on the axis; null for the shape's middle.</param>
+    /// <exception cref="DocumentException">There is no shape, or the axis has no length.</exception>
+    public static JsonText Rotate(JsonText text, string pointer, Vector3 axis, float degrees, Vector3? center = null) => axis.Norm() > 0 && axis.Unit().IsFinite()
+        ? Place(text, pointer, new Movement.Rotation(axis.Unit() is var unit && (axis - unit).Norm() < 1e-6f ? axis : unit, degrees, center ?? Middle(text, pointer)))
+        : throw new DocumentException("the axis of a rotation must have a length");
+
+    /// <summary>Makes larger or smaller along the axes of the world.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="pointer">The shape.</param>
+    /// <param name="factors">The factors, none of them 0; negative ones mirror.</param>
+    /// <param name="center">The point that stays; null for the shape's middle.</param>
+    /// <exception cref="DocumentException">There is no shape, or a factor is 0.</exception>
+    public static JsonText Scale(JsonText text, string pointer, Vector3 factors, Vector3? center = null) => factors.X * factors.Y * factors.Z != 0
+        ? Place(text, pointer, new Movement.Scaling(factors, center ?? Middle(text, pointer)))
+        : throw new DocumentException("no factor of a scaling may be 0");
+
+    /// <summary>About where a shape's middle is in the world: for what consists of others, where its own origin is.</summary>
+    /// <exception cref="DocumentException">There is no shape.</exception>
+    public static Vector3 Middle(JsonText text, string pointer)
+    {
+        SceneValue shape = Shape(text, pointer);
+        return (Outer(text, pointer) * AtFirst(shape) * TransformEdit.Map(shape.Child("transform"))).Point(ShapeNumbers.Middle(shape));
+    }
+
+    private static JsonText Place(JsonText text, string pointer, Movement movement)
+    {
+        SceneValue shape = Shape(text, pointer);
+        if (!movement.Map.IsInvertible)
+        {
+            throw new DocumentException("the thing would become too large, too small or too far away to compute with");
+        }
+
+        Transform outer = Outer(text, pointer);
+        Movement inner = outer.IsIdentity ? movement : movement.Within(outer);
+        if (shape.Child("motion") is { Node.Items.Count: > 0 } motion)
+        {
+            return motion.Children().Aggregate(text, (t, frame) => TransformEdit.Append(t, frame.Pointer + "/transform", inner));
+        }
+
+        bool isPlain = shape.Child("transform")?.Node is not { Items.Count: > 0 };
+        return isPlain && ShapeNumbers.Moved(shape, inner.Map, IsTextured(text.Root, shape)) is { } numbers
+            ? Write(text, shape, numbers)
+            : TransformEdit.Append(text, shape.Pointer + "/transform", inner);
+    }
+
+    // Only what changes is written anew.
+    private static JsonText Write(JsonText text, SceneValue shape, JsonObject numbers)
+    {
+        PropertyValues before = PropertyValues.At(text.Root, shape.Pointer);
+        foreach ((string key, System.Text.Json.Nodes.JsonNode? value) in numbers)
+        {
+            if (!System.Text.Json.Nodes.JsonNode.DeepEquals(before.Effective.GetValueOrDefault(key), value))
+            {
+                text = text.Set(JsonPointer.Append(shape.Pointer, key), value?.DeepClone());
+            }
+        }
+
+        return text;
+    }
+
+    private static SceneValue Shape(JsonText text, string pointer) =>
+        SceneValue.At(text.Root, pointer) is { Family: { } family, Type: not null } shape && family == SceneTypes.Shapes
+            ? shape : throw new DocumentException($"there is no shape at {JsonLayout.Quote(pointer)}");
+
+    // Of all groups around a shape: what takes their space to the world.
+    private static Transform Outer(JsonText text, string pointer)
+    {
+        Transform map = Transform.Identity;
+        SceneValue value = SceneValue.Scene(text.Root);
+        foreach (string step in JsonPointer.Parse(pointer).SkipLast(1))
+        {
+            value = value.Child(step)!;
+            map = value.Family == SceneTypes.Shapes ? map * AtFirst(value) * TransformEdit.Map(value.Child("transform")) : map;
+        }
+
+        return map;
+    }
+
+    // Where the first keyframe puts a thing.
+    private static Transform AtFirst(SceneValue shape) => TransformEdit.Map(shape.Child("motion")?.Children().FirstOrDefault()?.Child("transform"));
+
+    // Whether a texture of the shape's material, or of the groups around it, varies.
+    private static bool IsTextured(JsonNode root, SceneValue shape)
+    {
+        for (string? pointer = shape.Pointer; pointer is { Length: > 0 }; pointer = JsonPointer.Parent(pointer))
+        {
+            if (SceneValue.At(root, pointer)?.Child("material") is { Node: not null } material)
+            {
+                return HasTexture(root, material, 0);
+            }
+        }
+
+        return false;
+    }
+
+    private static bool HasTexture(JsonNode root, SceneValue thing, int nesting)
+    {
+        SceneValue made = thing.Resolved(root);
+        bool varies = made.Family == SceneTypes.Textures && made.Type is { Name: not "solid" };
+        return varies || (nesting < 16 && made.Children().Any(c => c.Family is not null && HasTexture(root, c, nesting + 1)));
+    }
+}
