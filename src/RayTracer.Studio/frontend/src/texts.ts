@@ -59,7 +59,7 @@ const english = {
   left: { label: "Scene and files", scene: "Scene", gallery: "Gallery", files: "Files" },
   outliner: {
     label: "Things in the scene",
-    camera: "Camera", render: "Rendering", background: "Background",
+    camera: "Camera", render: "Rendering", background: "Background", ambient: "Ambient light", objects: "Objects",
     shapes: "Shapes", lights: "Lights", materials: "Materials", textures: "Textures",
     filter: "Find by name or type", empty: "none", shines: "shines",
     nothingFound: "Nothing has that name or type.",
@@ -141,7 +141,9 @@ const english = {
     waiting: "The plot needs a few samples. Let it render.", slope: (s: string) => `Measured slope ${s}`,
     explain: "Both axes are logarithmic. Independent samples halve the error when their number is quadrupled: a slope of −1/2. Stratified samplers can be steeper.",
   },
-  times: { label: "The report's times beside this machine's", run: "Measure now", running: "Measuring …", none: "Nothing was measured yet.", explain: "The report's times (2009) are those of a Core 2 Duo laptop with 1.83 GHz." },
+  times: { label: "The report's times beside this machine's", run: "Measure now", running: "Measuring …", figure: "Figure", settings: "Settings", report: "The report", here: "This machine", ratio: "Faster",
+    setting: (size: number, samples: number) => `${size} × ${size}, ${samples} samples`, milliseconds: (n: string) => `${n} ms`, times: (n: string) => `${n} ×`,
+    explain: "The report's times (2009) are those of a Core 2 Duo laptop with 1.83 GHz. Here a few samples are rendered with all threads, and their time is multiplied." },
 
   status: {
     unsaved: "unsaved changes",
@@ -159,7 +161,7 @@ const english = {
     openTitle: "Open a scene or model", saveTitle: "Save scene as", exportTitle: "Export picture", renameTitle: "Rename", newName: "New name",
     emptyFolder: "No scenes or models in this folder.", path: "Path", go: "Go", chooseTitle: "Choose a file",
     unsavedTitle: "Save your changes first?", unsaved: (name: string) => `${name} has changes that are not saved yet. They would be lost.`,
-    overwriteTitle: "Replace the file?", overwrite: (path: string) => `${path} exists already.`, replace: "Replace",
+    overwriteTitle: "Replace the file?", replace: "Replace",
     format: "Format", bits: "Bits a channel", layers: "Layers (OpenEXR)", exportTo: "Write to file", download: "Download", formatWhy: "PNG holds what you see; OpenEXR and PFM hold linear light, for work in other programs.",
   },
   formats: { png: "PNG", exr: "OpenEXR", pfm: "PFM" } as Record<string, string>,
@@ -173,7 +175,7 @@ const english = {
   },
   shortcuts: { title: "Keyboard shortcuts", mouse: "Mouse and touch in the picture", command: "Command", keys: "Keys",
     gestures: [
-      ["Drag", "orbit"], ["Shift + drag, middle drag", "pan"], ["Right drag, wheel", "nearer and farther"], ["Alt + wheel", "lens: wider and narrower"],
+      ["Drag", "orbit"], ["Shift + drag, middle drag", "pan"], ["Right drag", "look around"], ["Wheel", "nearer and farther"], ["Alt + wheel", "lens: wider and narrower"],
       ["Ctrl + wheel", "enlarge the picture"], ["Space + drag", "move the enlarged picture"], ["Click", "select, focus or inspect, as the tool says"],
       ["Two fingers", "pan; pinch to come nearer"], ["Arrow keys", "orbit; with Shift pan"], ["W A S D, Q E", "fly: forward, left, back, right, down, up"], ["+ −", "nearer and farther"],
     ] as readonly (readonly [string, string])[],

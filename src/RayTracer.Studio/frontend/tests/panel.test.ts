@@ -3,7 +3,7 @@ import type { Parameter, RecordType, SchemaAnswer } from "../src/api/types";
 import { boundsOf, findType, hasSlider, kindOf, retyped, spaced } from "../src/panel/types";
 
 const parameter = (key: string, kind: string, more: Partial<Parameter> = {}): Parameter => ({
-  key, kind, summary: "", unit: "", minimum: null, maximum: null, minimumIsExclusive: false, required: false, choices: [], default: null, range: "", family: null, ...more,
+  key, kind, summary: "", unit: "", minimum: null, maximum: null, minimumIsExclusive: false, required: false, choices: [], default: null, range: "", family: null, record: null, ...more,
 });
 
 const metal: RecordType = { name: "phongMetal", summary: "", parameters: [parameter("color", "texture"), parameter("exponent", "number")] };

@@ -30,7 +30,7 @@ function SampleList({ answer }: { answer: PathsAnswer }) {
   return (
     <div class="samples">
       <PixelChooser />
-      <p class="mean"><span class="swatch" style={{ background: toHex(answer.pixel) }} /> {t.mean}<br /><span class="figures">{rgb(answer.pixel)}</span></p>
+      {answer.pixel && <p class="mean"><span class="swatch" style={{ background: toHex(answer.pixel) }} /> {t.mean}<br /><span class="figures">{rgb(answer.pixel)}</span></p>}
       <div class="pair">
         <Button label={t.fewer} icon="undo" disabled={firstSample.value === 0} onClick={() => (firstSample.value = Math.max(0, firstSample.value - perPage))} />
         <span>{t.list}</span>

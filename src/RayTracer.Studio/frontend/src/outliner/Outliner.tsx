@@ -10,10 +10,12 @@ import { Icon, type IconName } from "../ui/Icon";
 import { filterNodes } from "./find";
 
 const filter = signal("");
+/** The section chosen last, while nothing else is selected. */
+const chosenSection = signal<string | null>(null);
 const closed = signal<ReadonlySet<string>>(new Set());
 
-const icons: Record<string, IconName> = { shapes: "sphere", lights: "light", materials: "material", textures: "texture" };
-const ownTabs: Record<string, string> = { "/camera": "camera", "/render": "render", "/background": "world" };
+const icons: Record<string, IconName> = { shapes: "sphere", lights: "light", materials: "material", textures: "texture", objects: "scene" };
+const ownTabs: Record<string, string> = { "/camera": "camera", "/render": "render", "/background": "world", "/ambient": "world" };
 
 function toggle(key: string): void {
   const next = new Set(closed.value);
@@ -21,9 +23,12 @@ function toggle(key: string): void {
   closed.value = next;
 }
 
+// What has a tab of its own may not be written in the text at all, and needs no selection.
 function choose(node: OutlineNode): void {
-  select(node.pointer);
-  rightTab.value = ownTabs[node.pointer] ?? "object";
+  const tab = ownTabs[node.pointer];
+  select(tab ? null : node.pointer);
+  chosenSection.value = tab ? node.pointer : null;
+  rightTab.value = tab ?? "object";
 }
 
 interface NodeProps {
@@ -34,10 +39,10 @@ interface NodeProps {
 }
 
 function TreeNode({ node, icon, level, isFirst }: NodeProps) {
-  const isSelected = selection.value === node.pointer;
+  const isSelected = selection.value === node.pointer || (selection.value === null && chosenSection.value === node.pointer);
   const children = node.children ?? [];
   const isOpen = !closed.value.has(node.pointer);
-  const isReachable = isSelected || (isFirst && selection.value === null);
+  const isReachable = isSelected || (isFirst && selection.value === null && chosenSection.value === null);
   const onClick = (e: MouseEvent) => {
     e.stopPropagation();
     choose(node);
@@ -75,8 +80,11 @@ export function Outliner() {
   const all = outline.value;
   if (!all) return null;
 
-  const single: [OutlineNode | null, IconName][] = [[all.camera, "camera"], [all.render, "render"], [all.background, "background"]];
-  const groups = (["shapes", "lights", "materials", "textures"] as const).map((key) => ({ key, nodes: filterNodes(all[key] ?? [], filter.value) }));
+  const single = [
+    [all.camera, "camera", texts.outliner.camera], [all.render, "render", texts.outliner.render],
+    [all.background, "background", texts.outliner.background], [all.ambient, "light", texts.outliner.ambient],
+  ] as const;
+  const groups = (["shapes", "lights", "materials", "textures", "objects"] as const).map((key) => ({ key, nodes: filterNodes(all[key] ?? [], filter.value) }));
   const isEmpty = filter.value && groups.every((g) => g.nodes.length === 0);
 
   const onKeyDown = (e: KeyboardEvent) => {
@@ -106,9 +114,9 @@ export function Outliner() {
     <div class="outliner">
       <input type="search" class="text" aria-label={texts.outliner.filter} placeholder={texts.outliner.filter} value={filter.value} onInput={(e) => (filter.value = e.currentTarget.value)} />
       <ul role="tree" aria-label={texts.outliner.label} ref={root} onKeyDown={onKeyDown}>
-        {!filter.value && single.map(([node, icon], i) => node && <TreeNode node={node} icon={icon} level={1} isFirst={i === 0} key={node.pointer} />)}
+        {!filter.value && single.map(([node, icon, name], i) => node && <TreeNode node={{ ...node, name }} icon={icon} level={1} isFirst={i === 0} key={node.pointer} />)}
         {groups.map(({ key, nodes }) => {
-          if (filter.value && nodes.length === 0) return null;
+          if (nodes.length === 0 && (filter.value || key === "objects")) return null;
           const isOpen = !closed.value.has(`/${key}`) || nodes.some((n) => selection.value && contains(n.pointer, selection.value));
           return (
             <li role="treeitem" aria-label={texts.outliner[key]} aria-expanded={isOpen} aria-selected={false} aria-level={1} tabIndex={-1} data-pointer={`/${key}`} key={key} onClick={() => toggle(`/${key}`)}>

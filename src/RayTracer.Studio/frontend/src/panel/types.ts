@@ -19,7 +19,7 @@ export function findType(schema: SchemaAnswer, family: string | null, type: stri
 
 /** The record that stands in a parameter of kind record or records. */
 export const sectionOf = (schema: SchemaAnswer, parameter: Parameter): RecordType | null =>
-  schema.sections[parameter.family ?? parameter.key] ?? schema.sections[parameter.key] ?? null;
+  schema.sections[parameter.record ?? parameter.key] ?? null;
 
 export const boundsOf = (parameter: Parameter) => ({
   minimum: parameter.minimum,

@@ -8,7 +8,7 @@ import { Outliner } from "../outliner/Outliner";
 import { PropertyPanel } from "../panel/PropertyPanel";
 import { bottomHeight, bottomOpen, leftOpen, leftTab, leftWidth, rightOpen, rightWidth } from "../state/settings";
 import { listenToShortcuts } from "../state/shortcuts";
-import { dialog, hasScene, studio } from "../state/store";
+import { dialog, isFresh } from "../state/store";
 import { texts } from "../texts";
 import { Splitter } from "../ui/Splitter";
 import { Tabs } from "../ui/Tabs";
@@ -47,7 +47,6 @@ function LeftPane() {
 export function App() {
   useEffect(listenToShortcuts, []);
   const Shown = dialog.value && dialogs[dialog.value];
-  const isEmpty = studio.value !== null && !hasScene.value;
   const sizes = { "--left": `${leftWidth.value}px`, "--right": `${rightWidth.value}px`, "--bottom": `${bottomHeight.value}px` };
   return (
     <div class="window" style={sizes}>
@@ -61,7 +60,7 @@ export function App() {
           </>
         )}
         <main class="centre">
-          {isEmpty ? <EmptyState /> : <Viewport />}
+          {isFresh.value ? <EmptyState /> : <Viewport />}
           {bottomOpen.value && (
             <>
               <Splitter label={texts.panes.bottom} size={bottomHeight} grows="up" minimum={110} maximum={() => innerHeight * 0.7} />
