@@ -80,7 +80,7 @@ const english = {
     color: (key: string) => `${key}: colour`, channels: ["red", "green", "blue"], axes: ["x", "y", "z"], pair: ["first", "second"],
     linear: "Linear numbers: 1 is white. Names and #rrggbb are decoded as a browser does.",
     colorName: (key: string) => `${key}: name of a colour, or #rrggbb`,
-    refractiveIndex: "Substance", own: "own number", choose: "Choose …", step: (n: number) => `Step ${n}`, addStep: "Add",
+    refractiveIndex: "Substance", own: "own number", choose: "Choose …", step: (n: number) => `Step ${n}`, addStep: (key: string) => `Add to ${key}`,
     removeStep: (n: number) => `Remove step ${n}`, item: (n: number) => `Number ${n}`,
     inText: "Long list: edit it in the source.", show: "Show in the source", type: "Type", slider: (key: string) => `${key}, slider`,
     drag: "Drag to change; Shift for coarse, Alt for fine steps. Arrow keys work too.",

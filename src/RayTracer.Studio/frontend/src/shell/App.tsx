@@ -39,7 +39,26 @@ function LeftPane() {
           { id: "files", label: t.files, render: () => <Recent /> },
         ]}
       />
+      <Splitter label={texts.panes.left} size={leftWidth} grows="right" minimum={180} maximum={() => innerWidth * 0.4} />
     </aside>
+  );
+}
+
+function RightPane() {
+  return (
+    <aside class="pane right" aria-label={texts.right.label}>
+      <Splitter label={texts.panes.right} size={rightWidth} grows="left" minimum={220} maximum={() => innerWidth * 0.4} />
+      <PropertyPanel />
+    </aside>
+  );
+}
+
+function BottomPane() {
+  return (
+    <section class="pane bottom" aria-label={texts.dock.label}>
+      <Splitter label={texts.panes.bottom} size={bottomHeight} grows="up" minimum={110} maximum={() => innerHeight * 0.7} />
+      <Dock />
+    </section>
   );
 }
 
@@ -53,27 +72,12 @@ export function App() {
       <Toolbar />
       <Banners />
       <div class="panes">
-        {leftOpen.value && (
-          <>
-            <LeftPane />
-            <Splitter label={texts.panes.left} size={leftWidth} grows="right" minimum={180} maximum={() => innerWidth * 0.4} />
-          </>
-        )}
+        {leftOpen.value && <LeftPane />}
         <main class="centre">
           {isFresh.value ? <EmptyState /> : <Viewport />}
-          {bottomOpen.value && (
-            <>
-              <Splitter label={texts.panes.bottom} size={bottomHeight} grows="up" minimum={110} maximum={() => innerHeight * 0.7} />
-              <section class="pane bottom" aria-label={texts.dock.label}><Dock /></section>
-            </>
-          )}
+          {bottomOpen.value && <BottomPane />}
         </main>
-        {rightOpen.value && (
-          <>
-            <Splitter label={texts.panes.right} size={rightWidth} grows="left" minimum={220} maximum={() => innerWidth * 0.4} />
-            <aside class="pane right" aria-label={texts.right.label}><PropertyPanel /></aside>
-          </>
-        )}
+        {rightOpen.value && <RightPane />}
       </div>
       <StatusBar />
       <Messages />
