@@ -6,7 +6,7 @@ namespace RayTracer.Studio;
 internal static class Program
 {
     private const int WrongUsage = 2;
-    private const int CannotListen = 4;
+    private const int InputOutput = 4;
 
     private static async Task<int> Main(string[] args)
     {
@@ -21,6 +21,11 @@ internal static class Program
         using StudioSession session = new();
         try
         {
+            if (options.Scene is { } scene)
+            {
+                session.Files.Open(Path.GetFullPath(scene));
+            }
+
             await using StudioServer server = await StudioServer.Start(session, new() { Port = options.Port });
             using LaunchPage page = new(server.Link);
             server.Connected += (_, _) => page.Dispose();
@@ -28,10 +33,10 @@ internal static class Program
             await server.Ended;
             return 0;
         }
-        catch (IOException e)
+        catch (Exception e) when (e is IOException or DocumentException)
         {
             await Console.Error.WriteLineAsync($"error: {e.Message}");
-            return CannotListen;
+            return InputOutput;
         }
     }
 

@@ -8,7 +8,7 @@ namespace RayTracer.Session;
 
 /// <summary>Shows how the light of a pixel came about: follows its samples once more, in the renderer's own stages.</summary>
 /// <param name="view">The picture.</param>
-public sealed class PathInspector(SceneView view)
+public sealed class PathInspector(PictureView view)
 {
     private const int MostPaths = 256;
 

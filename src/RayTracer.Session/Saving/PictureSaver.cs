@@ -8,7 +8,7 @@ namespace RayTracer.Session;
 /// <param name="document">What the picture is of.</param>
 /// <param name="view">The picture.</param>
 /// <param name="jobs">Where the writing goes on.</param>
-public sealed class PictureSaver(SceneDocument document, SceneView view, JobList jobs)
+public sealed class PictureSaver(SceneDocument document, PictureView view, JobList jobs)
 {
     private static readonly string Software = $"raytracer {typeof(Film).Assembly.GetName().Version!.ToString(3)}";
 

@@ -1,14 +1,11 @@
-using System.Numerics;
-using System.Text.Json.Nodes;
 using RayTracer.Description;
-using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
 /// <summary>Moves the camera of a document: seen at once, and written to the text at the end of the gesture, as one step to undo.</summary>
 /// <param name="document">The document.</param>
 /// <param name="view">Shows it.</param>
-public sealed class CameraHand(SceneDocument document, SceneView view)
+public sealed class CameraHand(SceneDocument document, PictureView view)
 {
     /// <summary>Moves the camera.</summary>
     /// <exception cref="SessionException">There is nothing to be seen, or it cannot be seen from there.</exception>
@@ -81,11 +78,6 @@ public sealed class CameraHand(SceneDocument document, SceneView view)
         view.Release(revision);
     }
 
-    private static JsonText Set<T>(JsonText text, string pointer, T before, T after)
-        where T : struct => EqualityComparer<T>.Default.Equals(before, after) ? text : text.Set(pointer, after switch
-        {
-            Vector3 v => new JsonArray(v.X, v.Y, v.Z),
-            float f => JsonValue.Create(f),
-            _ => throw new ArgumentException("Neither a vector nor a number.", nameof(after)),
-        });
+    private static JsonText Set(JsonText text, string pointer, object before, object after) =>
+        before.Equals(after) ? text : text.Set(pointer, JsonValues.Of(after));
 }

@@ -6,7 +6,7 @@ namespace RayTracer.Session;
 /// <summary>Earlier pictures, kept for comparison: the newest few.</summary>
 /// <param name="view">Where they come from.</param>
 /// <param name="time">The clock.</param>
-public sealed class SnapshotList(SceneView view, TimeProvider time)
+public sealed class SnapshotList(PictureView view, TimeProvider time)
 {
     private const int Most = 8;
     private readonly Lock _lock = new();

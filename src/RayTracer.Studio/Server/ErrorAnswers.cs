@@ -30,15 +30,24 @@ internal sealed class ErrorAnswers(TextWriter errors)
             if (!context.Response.HasStarted)
             {
                 context.Response.StatusCode = status;
-                await context.Response.WriteAsJsonAsync(new ErrorAnswer(message), ApiJson.Options, context.RequestAborted);
+                await context.Response.WriteAsJsonAsync(Answer(e, message), ApiJson.Options, context.RequestAborted);
             }
         }
     }
+
+    // What is in the way, so that the page can ask the user whether to do it all the same.
+    private static ErrorAnswer Answer(Exception e, string message) => e is DocumentException { Conflict: var conflict }
+        ? new(message) { Unsaved = conflict == DocumentConflict.Unsaved, Exists = conflict == DocumentConflict.Exists, Changed = conflict == DocumentConflict.ChangedOnDisk }
+        : new(message) { Exists = e is SessionException { Fault: SessionFault.Conflict } };
+
+    private static string Sentence(string clause) => clause.Length > 0 ? $"{char.ToUpperInvariant(clause[0])}{clause[1..].TrimEnd('.')}." : clause;
 
     private static (int Status, string Message) Describe(Exception e) => e switch
     {
         SessionException { Fault: SessionFault.Missing } => (StatusCodes.Status404NotFound, e.Message),
         SessionException { Fault: SessionFault.Conflict } => (StatusCodes.Status409Conflict, e.Message),
+        DocumentException { Conflict: not DocumentConflict.None } => (StatusCodes.Status409Conflict, Sentence(e.Message)),
+        DocumentException => (StatusCodes.Status400BadRequest, Sentence(e.Message)),
         SessionException or ImageWriteException => (StatusCodes.Status400BadRequest, e.Message),
         BadHttpRequestException bad => (bad.StatusCode, bad.InnerException is JsonException json ? $"The request's JSON is wrong: {json.Message}" : bad.Message),
         JsonException => (StatusCodes.Status400BadRequest, $"The request's JSON is wrong: {e.Message}"),

@@ -1,5 +1,3 @@
-using RayTracer.Session;
-
 namespace RayTracer.Studio;
 
 /// <summary>Requests that wait for news: answered at once where there is any, else when there is, or after a time without.</summary>
@@ -9,15 +7,15 @@ namespace RayTracer.Studio;
 internal sealed class LongPoll(WindowWatch windows, TimeSpan patience, CancellationToken stopping)
 {
     /// <summary>Waits for news.</summary>
-    /// <param name="changes">What counts the news.</param>
+    /// <param name="wait">Waits until there are more changes than a number.</param>
     /// <param name="after">How many whoever asks knows already.</param>
     /// <param name="aborted">Whoever asks has gone.</param>
     /// <returns>Whether there is any.</returns>
-    public async Task<bool> Wait(ChangeCounter changes, long after, CancellationToken aborted)
+    public async Task<bool> Wait(Func<long, CancellationToken, Task<bool>> wait, long after, CancellationToken aborted)
     {
         using IDisposable visit = windows.Enter();
         using CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(stopping, aborted);
         end.CancelAfter(patience);
-        return await changes.WaitBeyond(after, end.Token);
+        return await wait(after, end.Token);
     }
 }

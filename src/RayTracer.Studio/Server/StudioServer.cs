@@ -30,6 +30,10 @@ internal sealed class StudioServer : IAsyncDisposable
         RouteGroupBuilder api = _app.MapGroup(LocalGuard.Api);
         api.MapLife(guard, _windows, options.Errors);
         api.MapState(session, poll);
+        api.MapFrames(session.View, poll);
+        api.MapView(session);
+        api.MapInspection(session);
+        api.MapSaving(session);
         api.MapFallback("{**path}", () => { throw new SessionException("There is no such request.", SessionFault.Missing); });
         _app.MapFallback("{**path}", new EmbeddedAssets().Serve);
         Guard = guard;

@@ -1,3 +1,4 @@
+using RayTracer.Imaging;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;
@@ -5,18 +6,20 @@ namespace RayTracer.Studio;
 /// <summary>The state of the session, for pages that wait for its changes.</summary>
 internal static class StateEndpoints
 {
+    private static readonly ToneMap[] ToneMaps = Enum.GetValues<ToneMap>();
+
     /// <summary>Adds the requests.</summary>
     public static void MapState(this RouteGroupBuilder api, StudioSession session, LongPoll poll)
     {
         api.MapGet("/state", async (long? after, HttpContext context) =>
         {
-            await poll.Wait(session.Changes, after ?? -1, context.RequestAborted);
+            await poll.Wait(session.Changes.WaitBeyond, after ?? -1, context.RequestAborted);
             return State(session);
         });
         api.MapPost("/job/cancel", (JobRequest request) =>
         {
             session.Jobs.Cancel(request.Id);
-            return Results.NoContent();
+            return Answers.Done(session);
         });
     }
 
@@ -24,7 +27,19 @@ internal static class StateEndpoints
     private static IResult State(StudioSession session)
     {
         long version = session.Changes.Version;
-        return Results.Json(new { version, message = session.Notices.Newest, jobs = session.Jobs.Running }, ApiJson.Options);
+        (PictureView view, Tone tone) = (session.View, session.View.Tone);
+        return Answers.Json(new
+        {
+            version,
+            document = session.Document.Status,
+            selection = session.Selection.Pointer,
+            render = RenderState.Of(view),
+            tone = new { tone.Exposure, tone.ToneMap, choices = ToneMaps },
+            snapshots = session.Snapshots.All,
+            recovery = session.Recovery.Entries,
+            message = session.Notices.Newest,
+            jobs = session.Jobs.Running,
+        });
     }
 
     internal sealed record JobRequest(int Id);

@@ -5,7 +5,7 @@ using RayTracer.Sampling;
 namespace RayTracer.Session;
 
 /// <summary>The picture of a document: follows its changes and the user's hand, and has the render loop make what is to be seen.</summary>
-public sealed class SceneView : IDisposable
+public sealed class PictureView : IDisposable
 {
     private readonly Lock _lock = new();
     private readonly SceneDocument _document;
@@ -20,7 +20,7 @@ public sealed class SceneView : IDisposable
     private long _pictures;
 
     /// <summary>Shows a document.</summary>
-    public SceneView(SceneDocument document)
+    public PictureView(SceneDocument document)
     {
         _document = document;
         Loop = new(Frames);
