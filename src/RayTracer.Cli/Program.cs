@@ -1,3 +1,5 @@
+using RayTracer.Session;
+
 namespace RayTracer.Cli;
 
 /// <summary>The command <c>raytracer</c>.</summary>
@@ -5,7 +7,11 @@ internal static class Program
 {
     private static int Main(string[] args)
     {
-        WideVectors.Enable(args);
+        if (args is ["render" or "bench" or "reproduce", ..])
+        {
+            WideVectors.Enable(args);
+        }
+
         return CommandLine.Run(args, new(Console.Out, new UnfailingWriter(Console.Error), HasTerminal: !Console.IsErrorRedirected));
     }
 }

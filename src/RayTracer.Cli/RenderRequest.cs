@@ -1,5 +1,6 @@
 using System.CommandLine;
 using RayTracer.Rendering;
+using RayTracer.Session;
 
 namespace RayTracer.Cli;
 

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
+using RayTracer.Session;
 
 namespace RayTracer.Cli;
 

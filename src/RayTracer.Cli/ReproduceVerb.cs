@@ -2,6 +2,7 @@ using System.CommandLine;
 using RayTracer.Cli.Complexity;
 using RayTracer.Cli.Reproduce;
 using RayTracer.Scenes;
+using RayTracer.Session;
 
 namespace RayTracer.Cli;
 

@@ -73,6 +73,18 @@ public static class ImageFile
         }
     }
 
+    /// <summary>Writes an image to memory, in the format that an extension names.</summary>
+    /// <param name="extension">.png, .pfm or .exr.</param>
+    /// <param name="image">Linear RGB.</param>
+    /// <param name="options">As for <see cref="Write"/>.</param>
+    /// <exception cref="ImageWriteException">The extension is unknown.</exception>
+    public static byte[] Encode(string extension, IImageRows image, ImageWriteOptions options)
+    {
+        using MemoryStream stream = new();
+        Encode(stream, KnownExtension($"picture{extension}"), image, options);
+        return stream.ToArray();
+    }
+
     /// <summary>Tells at once, before a long computation, whether <see cref="Write"/> has a chance: the extension is known and the folder exists.</summary>
     /// <param name="path">Where an image is to be written.</param>
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>

@@ -1,2 +1,51 @@
-WebApplication app = WebApplication.CreateSlimBuilder(args).Build();
-await app.StopAsync();
+using RayTracer.Session;
+
+namespace RayTracer.Studio;
+
+/// <summary>The Studio: a session, a server around it, and a browser to see it with.</summary>
+internal static class Program
+{
+    private const int WrongUsage = 2;
+    private const int InputOutput = 4;
+
+    private static async Task<int> Main(string[] args)
+    {
+        WideVectors.Enable(args);
+        StudioOptions options = StudioOptions.Parse(args, out string? complaint);
+        if (complaint is not null)
+        {
+            await Console.Error.WriteLineAsync($"error: {complaint}\n{StudioOptions.Usage}");
+            return WrongUsage;
+        }
+
+        using StudioSession session = new();
+        try
+        {
+            if (options.Scene is { } scene)
+            {
+                session.Files.Open(Path.GetFullPath(scene));
+            }
+
+            await using StudioServer server = await StudioServer.Start(session, new() { Port = options.Port });
+            using LaunchPage page = new(server.Link);
+            server.Connected += (_, _) => page.Dispose();
+            Show(server, page, options.Browser);
+            await server.Ended;
+            return 0;
+        }
+        catch (Exception e) when (e is IOException or DocumentException)
+        {
+            await Console.Error.WriteLineAsync($"error: {e.Message}");
+            return InputOutput;
+        }
+    }
+
+    private static void Show(StudioServer server, LaunchPage page, BrowserKind? browser)
+    {
+        bool isOpen = browser is { } kind && BrowserLauncher.Open(page.FilePath, kind);
+        Console.WriteLine(isOpen
+            ? $"The Studio opens in a window of the browser; if it does not, go to {server.Link}"
+            : $"The Studio is at {server.Link}");
+        Console.WriteLine("It ends with its last window, or with Ctrl-C.");
+    }
+}

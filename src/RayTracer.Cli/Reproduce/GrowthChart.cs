@@ -1,4 +1,5 @@
 using System.Xml.Linq;
+using RayTracer.Session;
 
 namespace RayTracer.Cli.Reproduce;
 

@@ -1,3 +1,5 @@
+using RayTracer.Session;
+
 namespace RayTracer.Cli.Reproduce;
 
 /// <summary>One timed rendering.</summary>

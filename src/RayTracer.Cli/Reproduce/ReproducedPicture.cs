@@ -1,3 +1,5 @@
+using RayTracer.Session;
+
 namespace RayTracer.Cli.Reproduce;
 
 /// <summary>A picture of the report, and how long it took here.</summary>

@@ -1,3 +1,5 @@
+using RayTracer.Session;
+
 namespace RayTracer.Cli.Reproduce;
 
 /// <summary>A scene of the report, and everything that was measured with it.</summary>

@@ -4,6 +4,7 @@ using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Sampling;
 using RayTracer.Scenes;
+using RayTracer.Session;
 
 namespace RayTracer.Cli.Reproduce;
 

@@ -1,3 +1,5 @@
+using RayTracer.Session;
+
 namespace RayTracer.Cli.Reproduce;
 
 /// <summary>How large the pictures are, and what the chart measures.</summary>

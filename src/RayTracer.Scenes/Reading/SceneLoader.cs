@@ -21,10 +21,10 @@ public static class SceneLoader
         string folder = Path.GetDirectoryName(path) ?? "";
         ModelFolder models = new(folder);
         SceneReadResult read = ModelFile.IsModel(path) ? ModelScene.Read(path, models) : SceneReader.Read(path);
-        return Build(read, folder, models, overrides, readPicture);
+        return Build(read, folder, models, overrides, readPicture, keepsSources: false);
     }
 
-    /// <summary>Builds the scene of a description that has been read.</summary>
+    /// <summary>Builds the scene of a description that has been read; it remembers the records that its parts were made from.</summary>
     /// <param name="read">What was read.</param>
     /// <param name="folder">The folder from which pictures are looked for.</param>
     /// <param name="overrides">As for <see cref="Load"/>.</param>
@@ -33,10 +33,11 @@ public static class SceneLoader
     public static SceneLoadResult Build(
         SceneReadResult read, string folder, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null,
         Func<string, ImportedModel>? readModel = null) =>
-        Build(read, folder, new ModelFolder(folder, readModel), overrides, readPicture);
+        Build(read, folder, new ModelFolder(folder, readModel), overrides, readPicture, keepsSources: true);
 
     private static SceneLoadResult Build(
-        SceneReadResult read, string folder, ModelFolder models, Func<SceneDescription, SceneDescription>? overrides, Func<string, bool, Picture>? readPicture)
+        SceneReadResult read, string folder, ModelFolder models, Func<SceneDescription, SceneDescription>? overrides, Func<string, bool, Picture>? readPicture,
+        bool keepsSources)
     {
         if (read.Partial is not { } description)
         {
@@ -52,7 +53,7 @@ public static class SceneLoader
         Scene? scene = null;
         if (!diagnostics.Exists(d => d.Line == 0 && d.Severity == Severity.Error))
         {
-            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load, models.Load);
+            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load, models.Load) { KeepsSources = keepsSources };
             scene = builder.Build(description);
             diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read)));
         }

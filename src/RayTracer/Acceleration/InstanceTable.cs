@@ -23,6 +23,7 @@ internal sealed unsafe class InstanceTable
     private readonly ushort[]? _smallSpaces;
     private readonly int[]? _spaces;
     private readonly Motion?[] _motions;
+    private readonly ShapeDescription?[] _sources;
     private readonly Space[] _all;
     private readonly InstanceTree _tree;
 
@@ -44,6 +45,7 @@ internal sealed unsafe class InstanceTable
         int[] shown = [.. instances.Select(i => index[i.Contents])];
         (_smallSpaces, _spaces) = spaces.Length <= ushort.MaxValue ? ([.. shown.Select(s => (ushort)s)], null) : (default(ushort[]), shown);
         _motions = instances.Any(i => !i.Motion.IsStill) ? [.. instances.Select(i => i.Motion.IsStill ? null : i.Motion)] : [];
+        _sources = instances[0].Source is null ? [] : [.. instances.Select(i => i.Source)];
         float[] boxes = new float[6L * Count];
         for (int i = 0; i < Count; i++)
         {
@@ -85,6 +87,10 @@ internal sealed unsafe class InstanceTable
     /// <summary>What an instance shows.</summary>
     /// <param name="instance">Its number, from 1.</param>
     public Space SpaceOf(int instance) => _all[_smallSpaces is null ? _spaces![instance - 1] : _smallSpaces[instance - 1]];
+
+    /// <summary>What an instance was made from; null where that is not kept.</summary>
+    /// <param name="instance">Its number, from 1.</param>
+    public ShapeDescription? SourceOf(int instance) => _sources.Length > 0 ? _sources[instance - 1] : null;
 
     /// <summary>Where an instance is when the shutter opens.</summary>
     /// <param name="instance">Its number, from 1.</param>

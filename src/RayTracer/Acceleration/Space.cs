@@ -77,6 +77,13 @@ internal sealed class Space
         return index < Shapes.Length ? Shapes[index].Material : MaterialOfTriangle[index - Shapes.Length];
     }
 
+    /// <summary>What a primitive of the space was made from; null where that is not kept.</summary>
+    public ShapeDescription? SourceOf(int primitive)
+    {
+        int index = primitive - FirstPrimitive;
+        return index < Shapes.Length ? Shapes[index].Source : Contents.Meshes[((TriangleMaterials)MaterialOfTriangle).MeshOf(index - Shapes.Length)].Source;
+    }
+
     /// <summary>The material of each triangle.</summary>
     public IReadOnlyList<Material> MaterialOfTriangle => field ??= new TriangleMaterials(Contents.Meshes);
 
@@ -157,10 +164,15 @@ internal sealed class Space
         {
             get
             {
-                int mesh = Array.BinarySearch(_first, index);
-                mesh = mesh >= 0 ? mesh : ~mesh - 1;
+                int mesh = MeshOf(index);
                 return Of(meshes[mesh], index - _first[mesh]);
             }
+        }
+
+        public int MeshOf(int index)
+        {
+            int mesh = Array.BinarySearch(_first, index);
+            return mesh >= 0 ? mesh : ~mesh - 1;
         }
 
         public IEnumerator<Material> GetEnumerator() =>

@@ -97,6 +97,22 @@ public sealed class Camera
         direction = Vec3W.Normalize(maps.Vector(direction));
     }
 
+    /// <summary>The ray through a point of the picture and the middle of the lens, when the shutter opens.</summary>
+    /// <param name="x">Column, in pixels from the left edge.</param>
+    /// <param name="y">Row, in pixels from the top edge.</param>
+    /// <param name="time">The time in seconds.</param>
+    /// <param name="origin">Where the ray starts.</param>
+    /// <param name="direction">Its unit direction.</param>
+    internal void CentralRay(float x, float y, float time, out Vec3W origin, out Vec3W direction)
+    {
+        origin = _eye;
+        direction = Vec3W.Normalize(Vec3W.MultiplyAdd(_stepX, x, Vec3W.MultiplyAdd(_stepY, y, _corner)));
+        if (IsPlaced)
+        {
+            Place(time, ref origin, ref direction);
+        }
+    }
+
     /// <summary>Rays through points of the picture.</summary>
     /// <param name="x">Columns, in pixels from the left edge.</param>
     /// <param name="y">Rows, in pixels from the top edge.</param>

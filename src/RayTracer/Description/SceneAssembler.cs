@@ -121,6 +121,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
+        ShapeDescription? source = builder.SourceOf(subject);
         (double open, double close) = builder.Shutter;
         if (!motion.IsInvertible(open, close))
         {
@@ -130,12 +131,12 @@ internal sealed class SceneAssembler(SceneBuilder builder)
 
         if (contents.HasSurfaces)
         {
-            target.Instances.Add(new(contents, motion));
+            target.Instances.Add(new(contents, motion, source));
         }
 
         foreach (PlacedSpace inner in contents.Instances.ToArray())
         {
-            target.Instances.Add(inner with { Motion = motion * inner.Motion });
+            target.Instances.Add(new(inner.Contents, motion * inner.Motion, source));
         }
     }
 
@@ -158,12 +159,14 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
+        shape.Source = builder.SourceOf(description);
         if (place.IsIdentity)
         {
             target.Shapes.Add(shape);
         }
         else if (shape.Transformed(place) is { } moved)
         {
+            moved.Source = shape.Source;
             target.Shapes.Add(moved);
         }
         else
@@ -235,7 +238,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             builder.Warn(mesh, null, $"{Name(mesh)} has no uv, so its texture shows the colour at (0, 0) everywhere");
         }
 
-        target.Meshes.Add(new(data, materials, place));
+        target.Meshes.Add(new(data, materials, place, builder.SourceOf(mesh)));
     }
 
     private MeshData? Mended(MeshDescription mesh)

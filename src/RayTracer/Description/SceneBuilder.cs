@@ -44,6 +44,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
     /// <summary>Whether any complaint is an error.</summary>
     public bool HasErrors => _complaints.Exists(c => c.IsError);
 
+    /// <summary>Whether the scene remembers the records that its parts were made from, for editors; they then live as long as it does.</summary>
+    public bool KeepsSources { get; init; }
+
     /// <summary>Reports an error about a record's property (by its C# name; null means the whole record).</summary>
     public void Error(object subject, string? property, string message) => Complain(subject, property, message, isError: true);
 
@@ -167,11 +170,15 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
         return new(() => _source = before);
     }
 
+    /// <summary>What a part of a scene is remembered to be made from: where it comes from a file, the record that names the file.</summary>
+    internal ShapeDescription? SourceOf(ShapeDescription part) => KeepsSources ? _source?.Subject as ShapeDescription ?? part : null;
+
     private Material Describe(MaterialDescription description)
     {
         _parts++;
         Material material = description.Build(this);
         _parts--;
+        material.Source = KeepsSources ? description : null;
         return material;
     }
 

@@ -29,9 +29,11 @@ internal sealed class SpaceContents
 /// <param name="Data">The triangles, checked and mended.</param>
 /// <param name="Materials">What they are made of; at least one.</param>
 /// <param name="Place">Where the mesh stands.</param>
-internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place);
+/// <param name="Source">What it was made from; null where that is not kept.</param>
+internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place, ShapeDescription? Source);
 
 /// <summary>A space in another one.</summary>
 /// <param name="Contents">What it holds.</param>
 /// <param name="Motion">Where it is.</param>
-internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion);
+/// <param name="Source">What it was made from; null where that is not kept.</param>
+internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeDescription? Source);

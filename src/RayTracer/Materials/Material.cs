@@ -11,6 +11,9 @@ namespace RayTracer.Materials;
 /// </summary>
 public abstract class Material
 {
+    /// <summary>What it was made from; null where that is not kept.</summary>
+    internal Description.MaterialDescription? Source { get; set; }
+
     /// <summary>Which laws of scattering the material keeps.</summary>
     public abstract ScatteringProperties Scattering { get; }
 

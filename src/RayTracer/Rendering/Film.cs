@@ -110,6 +110,13 @@ public sealed class Film : IImageRows
         }
     }
 
+    /// <summary>Takes all samples away.</summary>
+    public void Clear()
+    {
+        Array.Clear(_sums);
+        Array.Clear(_counts);
+    }
+
     /// <summary>Adds the samples of another film. They must be other samples of the same scene; that is not checked here.</summary>
     /// <param name="other">A film of the same size.</param>
     /// <exception cref="ArgumentException">The sizes differ.</exception>

@@ -28,6 +28,9 @@ internal sealed unsafe class FinishedPaths
     /// <summary>Their radiance: red, and <see cref="Stride"/> further green, and blue.</summary>
     public float* Radiance => _radiance.Pointer;
 
+    /// <summary>Their numbers in the tile.</summary>
+    public uint* Path => _path.Pointer;
+
     /// <summary>From one channel to the next.</summary>
     public int Stride => _stride;
 
@@ -47,6 +50,9 @@ internal sealed unsafe class FinishedPaths
         path.Compress(_path.Pointer + _count, lanes);
         _count += BitOperations.PopCount(lanes);
     }
+
+    /// <summary>Forgets all collected paths.</summary>
+    public void Clear() => _count = 0;
 
     /// <summary>Adds all collected paths up.</summary>
     public void Drain()

@@ -14,14 +14,14 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed class Scene
 {
-    private Scene(RenderDescription render, Camera camera, SpaceContents contents, Rgb background, Rgb ambient, int? largestLoop)
+    private Scene(RenderDescription render, Camera camera, Rgb background, Rgb ambient, World world)
     {
         Render = render;
         Camera = camera;
         Background = background;
         Ambient = ambient;
         Sampler = Sampler.Create(render);
-        World = new(contents, (render.Shutter.X, render.Shutter.Y), largestLoop);
+        World = world;
         Shapes = World.Itself.Shapes;
         Batches = World.Itself.Batches;
         Primitives = World.Itself.Primitives;
@@ -29,6 +29,24 @@ public sealed class Scene
         Groups = ShadingGroup.Create(World, out int[] groupOf);
         GroupOfPrimitive = groupOf;
         Lights = LightList.Create(World);
+    }
+
+    // The same things seen in another way.
+    private Scene(RenderDescription render, Camera camera, Scene other)
+    {
+        Render = render;
+        Camera = camera;
+        Background = other.Background;
+        Ambient = other.Ambient;
+        Sampler = Sampler.Create(render);
+        World = other.World;
+        Shapes = other.Shapes;
+        Batches = other.Batches;
+        Primitives = other.Primitives;
+        IsTimed = camera.Moves || World.Instances is { Moves: true };
+        Groups = other.Groups;
+        GroupOfPrimitive = other.GroupOfPrimitive;
+        Lights = other.Lights;
     }
 
     /// <summary>Size, samples, depths and sampler.</summary>
@@ -70,10 +88,39 @@ public sealed class Scene
     /// <summary>The group of each primitive, and, one further, what stands for rays that hit nothing.</summary>
     internal int[] GroupOfPrimitive { get; }
 
+    /// <summary>Everything that can be seen, one by one; what instances show, once for each of them, where it stands when the shutter opens.</summary>
+    public IEnumerable<PlacedSurface> Surfaces() => PlacedSurface.All(World);
+
+    /// <summary>
+    /// What a primitive was made from: of what an instance shows, the instance, or else the shape, mesh or model; null where the scene was
+    /// built without <see cref="SceneBuilder.KeepsSources"/>.
+    /// </summary>
+    /// <param name="primitive">The primitive's number.</param>
+    /// <param name="instance">The instance that shows it; 0 for the world itself.</param>
+    public ShapeDescription? SourceOf(int primitive, int instance) =>
+        instance > 0 ? World.Instances!.SourceOf(instance) : World.Itself.SourceOf(primitive);
+
+    /// <summary>What the material of a primitive was made from; null as for <see cref="SourceOf"/>.</summary>
+    public MaterialDescription? MaterialSourceOf(int primitive) => Groups[GroupOfPrimitive[primitive]].Material.Source;
+
+    /// <summary>The same things seen by another camera, or rendered in another way; reports what is wrong and returns null. Takes no time.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="render">How to render. Its shutter and its sampling of spheres have no effect: they are built in.</param>
+    /// <param name="builder">Takes the diagnostics.</param>
+    public Scene? WithView(CameraDescription camera, RenderDescription render, SceneBuilder builder) =>
+        View(camera, render with { Shutter = Render.Shutter, SphereLightSampling = Render.SphereLightSampling }, builder) is var (checkedRender, made)
+            ? new Scene(checkedRender, made, this)
+            : null;
+
     /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
-    internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder)
+    internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder) =>
+        View(description.Camera, description.Render, builder) is var (render, camera)
+            ? new Scene(render, camera, description.Background, description.Ambient, new World(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop))
+            : null;
+
+    // Checks how a scene is to be seen.
+    private static (RenderDescription Render, Camera Camera)? View(CameraDescription camera, RenderDescription render, SceneBuilder builder)
     {
-        RenderDescription render = description.Render;
         CheckRange(builder, render, nameof(render.Width), render.Width, 1, 65536);
         CheckRange(builder, render, nameof(render.Height), render.Height, 1, 65536);
         CheckRange(builder, render, nameof(render.SamplesPerPixel), render.SamplesPerPixel, 1, 1 << 24);
@@ -89,13 +136,13 @@ public sealed class Scene
             builder.Error(render, nameof(RenderDescription.Shutter), $"the shutter must not close before it opens, but it opens at {render.Shutter.X} and closes at {render.Shutter.Y}");
         }
 
-        if (description.Camera.Lens is { Shape: not LensShape.EyeJitter, ApertureRadius: 0, FocusDistance: > 0 })
+        if (camera.Lens is { Shape: not LensShape.EyeJitter, ApertureRadius: 0, FocusDistance: > 0 })
         {
-            builder.Warn(description.Camera.Lens, nameof(LensDescription.FocusDistance), "without an \"apertureRadius\" the lens is a pinhole, and \"focusDistance\" has no effect");
+            builder.Warn(camera.Lens, nameof(LensDescription.FocusDistance), "without an \"apertureRadius\" the lens is a pinhole, and \"focusDistance\" has no effect");
         }
 
-        Camera? camera = Camera.Create(description.Camera, render.Width, render.Height, builder);
-        return camera is null || builder.HasErrors ? null : new Scene(render, camera, contents, description.Background, description.Ambient, builder.LargestLoop);
+        Camera? made = Camera.Create(camera, render.Width, render.Height, builder);
+        return made is null || builder.HasErrors ? null : (render, made);
     }
 
     // Scene files are checked by their reader; descriptions may also be made by programs.

@@ -11,7 +11,7 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface (report, listing 6.3): emission, ambient light, light from the sources, and
 /// the choice of the next ray.
 /// </summary>
-internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, ShadowQueue? queue)
+internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder)
 {
     private readonly DirectLight _directLight = new(scene, queue);
     private readonly VertexSamples _vertex = new(scene.Sampler);
@@ -40,6 +40,7 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
             Vec3W direction = stream.PickDirection(index);
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
+            recorder?.Missed(stream, index, MaskW.First(count - i));
             finished.Append(MaskW.First(count - i).Bits, radiance, UIntW.Pick(stream.Path, index));
         }
     }
@@ -142,11 +143,15 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
             AddEmission(material, surface, throughput, state, ref radiance);
         }
 
+        recorder?.Emitted(path, active, radiance);
+
         if (!scene.Ambient.IsBlack)
         {
             material.AmbientResponse(surface, out RgbW response);
             radiance = RgbW.MultiplyAdd(throughput * response, scene.Ambient, radiance);
         }
+
+        recorder?.Brightened(path, active, radiance);
 
         // Light from the sources.
         if (group.IsLit)
@@ -174,6 +179,7 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }
 
+        recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
         uint ended = active.Except(alive).Bits;
         uint going = alive.Bits;
         if (queue is not null && group.IsLit)

@@ -16,18 +16,25 @@ internal sealed unsafe class Wavefront
     private readonly FinishedPaths _finished;
     private readonly GroupMembers _members;
     private readonly PinnedBuffer<int> _hits;
+    private readonly PathRecorder? _recorder;
     private PathStream _current;
     private PathStream _next;
 
-    public Wavefront(Scene scene, int streamSize, int maxTilePixels)
+    /// <summary>Makes one.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="streamSize">How many paths go on together.</param>
+    /// <param name="maxTilePixels">The most pixels of a tile.</param>
+    /// <param name="recorder">Takes down what becomes of each path; null in renders.</param>
+    public Wavefront(Scene scene, int streamSize, int maxTilePixels, PathRecorder? recorder = null)
     {
         _scene = scene;
+        _recorder = recorder;
         _current = new(streamSize);
         _next = new(streamSize);
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
         _finished = new(streamSize, _accumulator);
-        _shader = new(scene, _finished, scene.World.IsPlain || scene.Lights.Count == 0 ? null : new(scene));
+        _shader = new(scene, _finished, scene.World.IsPlain || scene.Lights.Count == 0 ? null : new(scene), recorder);
         _hits = new(scene.World.RoomForHits(streamSize));
         _members = new(scene, streamSize);
     }
@@ -47,6 +54,14 @@ internal sealed unsafe class Wavefront
     public void Render(Film film, in Tile tile, SampleRange samples)
     {
         _accumulator.Begin(film, tile);
+        Follow(tile, samples);
+        _accumulator.End();
+        Paths += (long)tile.Pixels * samples.Count;
+    }
+
+    /// <summary>Follows the paths of some samples of every pixel of a tile; where there is a recorder, it takes them instead of the film.</summary>
+    public void Follow(in Tile tile, SampleRange samples)
+    {
         _generator.Begin(tile, samples);
         _finished.Begin(samples);
         _shader.Begin(_generator, samples);
@@ -63,12 +78,10 @@ internal sealed unsafe class Wavefront
             ClosestHitRays += _current.Count;
             _members.Sort(_current);
             Shade();
+            _recorder?.Take(_finished, _next);
             _finished.Drain();
             (_current, _next) = (_next, _current);
         }
-
-        _accumulator.End();
-        Paths += (long)tile.Pixels * samples.Count;
     }
 
     private void Shade()

@@ -19,6 +19,9 @@ public abstract class Shape(Material material, string name)
     /// <summary>A name for messages; may be empty.</summary>
     public string Name { get; } = name;
 
+    /// <summary>What it was made from; null where that is not kept.</summary>
+    internal Description.ShapeDescription? Source { get; set; }
+
     /// <summary>The smallest box around the surface, parallel to the axes; infinite where the surface is.</summary>
     public abstract Bounds Bounds { get; }
 

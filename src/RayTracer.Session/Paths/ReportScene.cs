@@ -1,4 +1,4 @@
-namespace RayTracer.Cli.Reproduce;
+namespace RayTracer.Session;
 
 /// <summary>A test scene of the report: table 6.1 and figures 6.3 to 6.5.</summary>
 /// <param name="Number">1 to 3.</param>
@@ -7,7 +7,7 @@ namespace RayTracer.Cli.Reproduce;
 /// <param name="Lights">Light sources.</param>
 /// <param name="Size">Width and height in pixels.</param>
 /// <param name="Pictures">The pictures of it.</param>
-internal sealed record ReportScene(int Number, string Figure, int Primitives, int Lights, int Size, IReadOnlyList<ReportPicture> Pictures)
+public sealed record ReportScene(int Number, string Figure, int Primitives, int Lights, int Size, IReadOnlyList<ReportPicture> Pictures)
 {
     /// <summary>The machine of the report's times.</summary>
     public const string Machine = "Core 2 Duo laptop, 1.83 GHz";

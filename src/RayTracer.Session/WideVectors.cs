@@ -1,15 +1,16 @@
 using System.Numerics;
+using System.Reflection;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Text;
 
-namespace RayTracer.Cli;
+namespace RayTracer.Session;
 
 /// <summary>
 /// Makes <see cref="Vector{T}"/> 512 bits wide where the processor is. The runtime reads the setting only when it starts, so
 /// the process replaces itself by the same program with the setting in its environment.
 /// </summary>
-internal static unsafe partial class WideVectors
+public static unsafe partial class WideVectors
 {
     /// <summary>The runtime's setting; where the user has set it, it is left alone.</summary>
     public const string Variable = "DOTNET_MaxVectorTBitWidth";
@@ -17,12 +18,11 @@ internal static unsafe partial class WideVectors
     // Decimal, unlike other settings of the runtime: with 200 it gives 4 lanes, with 400 it gives 8.
     private const string Width = "512";
 
-    /// <summary>Replaces the process if the verb renders and it helps; returns where it does not, or cannot be done.</summary>
+    /// <summary>Replaces the process, which must have only just started, if that helps; returns where it does not, or cannot be done.</summary>
     /// <param name="args">The words after the program's name.</param>
     public static void Enable(string[] args)
     {
-        bool renders = args is ["render" or "bench" or "reproduce", ..];
-        if (renders && Vector512.IsHardwareAccelerated && Vector<float>.Count == 8
+        if (Vector512.IsHardwareAccelerated && Vector<float>.Count == 8
             && (OperatingSystem.IsLinux() || OperatingSystem.IsMacOS())
             && Environment.GetEnvironmentVariable(Variable) is null
             && Environment.ProcessPath is { } program)
@@ -59,7 +59,7 @@ internal static unsafe partial class WideVectors
     private static void Replace(string program, string[] args)
     {
         bool isHosted = Path.GetFileNameWithoutExtension(program) == "dotnet";
-        string[] words = isHosted ? [program, typeof(WideVectors).Assembly.Location, .. args] : [program, .. args];
+        string[] words = isHosted ? [program, Assembly.GetEntryAssembly()!.Location, .. args] : [program, .. args];
         byte** argv = stackalloc byte*[words.Length + 1];
         for (int i = 0; i < words.Length; i++)
         {

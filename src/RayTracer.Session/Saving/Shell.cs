@@ -1,7 +1,7 @@
-namespace RayTracer.Cli;
+namespace RayTracer.Session;
 
 /// <summary>Writes commands as they are typed into a POSIX shell.</summary>
-internal static class Shell
+public static class Shell
 {
     /// <summary>The command <c>raytracer</c> with words after it, in quotes where a shell needs them.</summary>
     public static string Command(IEnumerable<string> words) => string.Join(' ', words.Select(Quote).Prepend("raytracer"));

@@ -1,0 +1,26 @@
+namespace RayTracer.Session;
+
+/// <summary>The newest thing to tell the user.</summary>
+public sealed class NoticeBoard
+{
+    private readonly Lock _lock = new();
+
+    /// <summary>Raised after each change.</summary>
+    public event EventHandler? Changed;
+
+    /// <summary>The newest notice; null before there was one.</summary>
+    public Notice? Newest { get; private set; }
+
+    /// <summary>Tells something.</summary>
+    /// <param name="kind">"info" or "error".</param>
+    /// <param name="text">A sentence, without a final stop.</param>
+    public void Tell(string kind, string text)
+    {
+        lock (_lock)
+        {
+            Newest = new((Newest?.Id ?? 0) + 1, kind, text);
+        }
+
+        Changed?.Invoke(this, EventArgs.Empty);
+    }
+}

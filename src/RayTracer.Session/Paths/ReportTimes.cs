@@ -1,0 +1,39 @@
+using System.Diagnostics;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+
+namespace RayTracer.Session;
+
+/// <summary>The report's own times beside this machine's: measured once, with a few samples, when they are first asked for.</summary>
+/// <param name="folder">The folder of the scenes that come with the program; null where there is none.</param>
+public sealed class ReportTimes(string? folder)
+{
+    private const int MeasuredSamples = 4;
+    private readonly Lock _lock = new();
+    private Task<ReportTime[]>? _measured;
+
+    /// <summary>On how many threads is measured.</summary>
+    public static int Threads => Environment.ProcessorCount;
+
+    /// <summary>Measures, if that has not been done yet.</summary>
+    /// <exception cref="SessionException">The report's scenes are not there.</exception>
+    public Task<ReportTime[]> Measure()
+    {
+        lock (_lock)
+        {
+            return _measured = _measured is null or { IsFaulted: true } ? Task.Run(() => ReportScene.All.SelectMany(Of).ToArray()) : _measured;
+        }
+    }
+
+    private IEnumerable<ReportTime> Of(ReportScene report)
+    {
+        string path = Path.Combine(folder ?? "", "report", report.File);
+        SceneLoadResult loaded = SceneLoader.Load(path, s => s with { Render = s.Render with { Width = report.Size, Height = report.Size, SamplesPerPixel = MeasuredSamples } });
+        Scene scene = loaded.Scene ?? throw new SessionException($"The report's scene '{path}' cannot be loaded.", SessionFault.Missing);
+        long start = Stopwatch.GetTimestamp();
+        RenderStatistics statistics = new RTracer(scene, new() { Threads = Threads }).Render(new Film(report.Size, report.Size));
+        double perPath = Stopwatch.GetElapsedTime(start).TotalSeconds / statistics.Paths;
+        return report.Pictures.Select(p => new ReportTime(
+            report.Number, $"{report.Figure} {p.Letter}", report.Size, p.SamplesPerPixel, p.Seconds, perPath * report.Paths(p)));
+    }
+}

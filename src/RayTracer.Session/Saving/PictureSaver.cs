@@ -1,0 +1,114 @@
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Session;
+
+/// <summary>Writes the picture as the command would write it, samples so far included.</summary>
+/// <param name="document">What the picture is of.</param>
+/// <param name="view">The picture.</param>
+/// <param name="jobs">Where the writing goes on.</param>
+public sealed class PictureSaver(SceneDocument document, PictureView view, JobList jobs)
+{
+    private static readonly string Software = $"raytracer {typeof(Film).Assembly.GetName().Version!.ToString(3)}";
+
+    /// <summary>Writes the picture to a file, as a job.</summary>
+    /// <param name="path">The file; relative to the document's folder.</param>
+    /// <param name="request">How.</param>
+    /// <param name="overwrite">Whether a file that is there already may be replaced.</param>
+    /// <returns>The job's number.</returns>
+    /// <exception cref="SessionException">There is no picture, or there is such a file.</exception>
+    /// <exception cref="ImageWriteException">It cannot be written there.</exception>
+    public async Task<int> Save(string path, PictureRequest request, bool overwrite)
+    {
+        string full = Path.GetFullPath(path, Path.GetFullPath(document.Place.Folder is "" ? "." : document.Place.Folder));
+        bool hasLayers = Path.GetExtension(full).Equals(".exr", StringComparison.OrdinalIgnoreCase);
+        string[] beside = hasLayers ? [] : [.. request.Layers.Select(kind => AovFiles.Beside(full, kind))];
+        foreach (string file in beside.Prepend(full))
+        {
+            ImageFile.Check(file);
+            if (!overwrite && File.Exists(file))
+            {
+                throw new SessionException($"There is a file '{file}' already.", SessionFault.Conflict);
+            }
+        }
+
+        Taken taken = await Take(full).ConfigureAwait(false);
+        return jobs.Start($"writing {Path.GetFileName(full)}", (progress, cancellation) =>
+        {
+            AovFilm images = TraceLayers(taken, request, cancellation);
+            ImageWriteOptions options = Options(taken, request);
+            ReportedRows rows = new(taken.Film, progress, cancellation);
+            ImageFile.Write(full, rows, hasLayers ? options with { ExrLayers = AovFiles.Layers(images) } : options);
+            foreach (Aov kind in hasLayers ? [] : request.Layers)
+            {
+                (IImageRows image, string range) = AovFiles.Rows(full, images, kind);
+                KeyValuePair<string, string>[] texts = [.. options.Metadata, new("Aov", AovFiles.Name(kind)), new("Range", range)];
+                ImageFile.Write(AovFiles.Beside(full, kind), image, options with { Metadata = texts, ToneMap = ToneMap.Clamp, Exposure = 0 });
+            }
+
+            return $"wrote {full}";
+        });
+    }
+
+    /// <summary>The picture as the bytes of a file.</summary>
+    /// <param name="extension">.png, .pfm or .exr.</param>
+    /// <param name="request">How; layers go into OpenEXR only.</param>
+    /// <param name="cancellation">Ends the work.</param>
+    /// <exception cref="SessionException">There is no picture.</exception>
+    public async Task<byte[]> Encode(string extension, PictureRequest request, CancellationToken cancellation)
+    {
+        Taken taken = await Take(Path.ChangeExtension(document.Place.Name, extension)).ConfigureAwait(false);
+        return await Task.Run(() =>
+        {
+            ImageWriteOptions options = Options(taken, request);
+            bool hasLayers = extension == ".exr" && request.Layers.Count > 0;
+            ReportedRows rows = new(taken.Film, new Progress<double>(), cancellation);
+            return ImageFile.Encode(extension, rows, hasLayers ? options with { ExrLayers = AovFiles.Layers(TraceLayers(taken, request, cancellation)) } : options);
+        }, cancellation).ConfigureAwait(false);
+    }
+
+    /// <summary>The command that would render the picture.</summary>
+    public string Command(string? output = null) => CommandText.Of(document.Place, document.Read.Description, view.Settings, view.Tone, output);
+
+    // A copy, so that rendering goes on meanwhile.
+    private async Task<Taken> Take(string output)
+    {
+        (Tone tone, string command) = (view.Tone, Command(output));
+        return await view.Loop.Look((film, order, samples) =>
+        {
+            Film copy = FilmBudget.Create(film.Width, film.Height);
+            copy.Merge(film);
+            return new Taken(copy, order, samples, tone, command);
+        }).ConfigureAwait(false);
+    }
+
+    private static AovFilm TraceLayers(Taken taken, PictureRequest request, CancellationToken cancellation)
+    {
+        AovFilm images = new(taken.Film, request.Layers);
+        RenderOptions options = new() { Threads = taken.Order.Threads, Crop = taken.Order.Region };
+        new FirstHitPass(taken.Order.Scene, options).Render(images, cancellation);
+        return images;
+    }
+
+    private ImageWriteOptions Options(Taken taken, PictureRequest request)
+    {
+        bool isWhole = taken.Samples >= taken.Order.Samples;
+        return new()
+        {
+            BitDepth = request.BitDepth,
+            Exposure = taken.Tone.Exposure,
+            ToneMap = taken.Tone.ToneMap,
+            Metadata =
+            [
+                new("Software", Software),
+                new("Command", taken.Command),
+                new("Scene", document.Place.Name),
+                new("Samples", $"{taken.Order.Samples}{(isWhole ? "" : $", unfinished: {taken.Film.TotalSamples} paths")}"),
+                new("FilmHash", taken.Film.ComputeHash()),
+            ],
+        };
+    }
+
+    private sealed record Taken(Film Film, RenderOrder Order, int Samples, Tone Tone, string Command);
+}

@@ -1,0 +1,83 @@
+namespace RayTracer.Session;
+
+/// <summary>
+/// All that a user works with, whatever shows it: plain data, methods that never wait for the renderer, and one counter of changes.
+/// </summary>
+public sealed class StudioSession : IDisposable
+{
+    private readonly DocumentSession _document;
+
+    /// <summary>Starts a session with a new scene.</summary>
+    /// <param name="folders">The user's folders; null for those of whoever runs the program.</param>
+    /// <param name="scenes">The folder of the shipped scenes; null for the one that comes with the program.</param>
+    /// <param name="time">The clock; null for the system's.</param>
+    public StudioSession(UserFolders? folders = null, string? scenes = null, TimeProvider? time = null)
+    {
+        _document = new(folders, scenes, time);
+        Jobs = new(Notices);
+        View = new(Document);
+        Camera = new(Document, View);
+        Snapshots = new(View, time ?? TimeProvider.System);
+        Paths = new(View);
+        Pictures = new(Document, View, Jobs);
+        ReportTimes = new(scenes ?? ScenesFolder.Find());
+        Notices.Changed += (_, _) => Changes.Advance();
+        Jobs.Changed += (_, _) => Changes.Advance();
+        Document.Changed += Changes.Advance;
+        Selection.Changed += Changes.Advance;
+        Recovery.Changed += Changes.Advance;
+        View.Changed += Changes.Advance;
+        Snapshots.Changed += Changes.Advance;
+        View.Loop.Failed += message => Notices.Tell("error", message.TrimEnd('.'));
+    }
+
+    /// <summary>Counts the changes of all that the user sees but the picture.</summary>
+    public ChangeCounter Changes { get; } = new();
+
+    /// <summary>What there is to tell the user.</summary>
+    public NoticeBoard Notices { get; } = new();
+
+    /// <summary>What is being done beside the user's work.</summary>
+    public JobList Jobs { get; }
+
+    /// <summary>The scene's text.</summary>
+    public SceneDocument Document => _document.Document;
+
+    /// <summary>What is selected.</summary>
+    public Selection Selection => _document.Selection;
+
+    /// <summary>Opens and saves.</summary>
+    public SceneFiles Files => _document.Files;
+
+    /// <summary>Texts of sessions that ended without saving them.</summary>
+    public Recovery Recovery => _document.Recovery;
+
+    /// <summary>The shipped scenes.</summary>
+    public Gallery Gallery => _document.Gallery;
+
+    /// <summary>The picture.</summary>
+    public PictureView View { get; }
+
+    /// <summary>Moves the camera.</summary>
+    public CameraHand Camera { get; }
+
+    /// <summary>Earlier pictures.</summary>
+    public SnapshotList Snapshots { get; }
+
+    /// <summary>How the light of pixels came about.</summary>
+    public PathInspector Paths { get; }
+
+    /// <summary>Writes pictures.</summary>
+    public PictureSaver Pictures { get; }
+
+    /// <summary>The report's times.</summary>
+    public ReportTimes ReportTimes { get; }
+
+    /// <summary>Ends all work, and keeps what is not saved.</summary>
+    public void Dispose()
+    {
+        Jobs.Dispose();
+        View.Dispose();
+        _document.Dispose();
+    }
+}

@@ -1,0 +1,112 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+
+namespace RayTracer.Session;
+
+/// <summary>
+/// Moves cameras as hands do. Movements across the picture are fractions of its height, to the right and downwards. A camera with a transform is moved
+/// in the coordinates of its own.
+/// </summary>
+public static class CameraMotion
+{
+    // A drag over the whole height turns by half a circle, and makes things four times as large.
+    private const float DegreesOfHeight = 180;
+    private const float DoublingsOfHeight = 2;
+
+    // The nearest that the view comes to straight up and down, where right and left have no meaning.
+    private const float LeastDegreesToPole = 0.5f;
+    private const float NarrowestDegrees = 0.1f;
+    private const float WidestDegrees = 170;
+
+    /// <summary>Turns the camera around the point that it looks at; its distance and what is up stay.</summary>
+    public static CameraDescription Orbit(CameraDescription camera, float dx, float dy)
+    {
+        Vector3 arm = camera.Position - camera.LookAt;
+        return camera with { Position = camera.LookAt + Turned(camera, arm, -dx * DegreesOfHeight, -dy * DegreesOfHeight) };
+    }
+
+    /// <summary>Turns the camera where it stands.</summary>
+    public static CameraDescription Look(CameraDescription camera, float dx, float dy)
+    {
+        Vector3 view = camera.LookAt - camera.Position;
+        return camera with { LookAt = camera.Position + Turned(camera, view, -dx * camera.FieldOfView, dy * camera.FieldOfView) };
+    }
+
+    /// <summary>Moves the camera across its view, so that what lies in the distance of the point looked at goes with the hand.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="dx">To the right.</param>
+    /// <param name="dy">Downwards.</param>
+    /// <param name="aspect">Width of the picture over its height.</param>
+    public static CameraDescription Pan(CameraDescription camera, float dx, float dy, float aspect)
+    {
+        (Vector3 right, Vector3 up, _) = Axes(camera);
+        float height = HeightAt(camera, (camera.LookAt - camera.Position).Norm(), aspect);
+        return Moved(camera, (right * (-dx * height)) + (up * (dy * height)));
+    }
+
+    /// <summary>Narrows the field of view (upwards) or widens it; the camera stays.</summary>
+    public static CameraDescription Zoom(CameraDescription camera, float dy)
+    {
+        float tangent = LaneMath.Tan(camera.FieldOfView * (float.Pi / 360)) * Factor(dy);
+        float degrees = LaneMath.Atan2(tangent, 1) * (360 / float.Pi);
+        return camera with { FieldOfView = float.Clamp(degrees, NarrowestDegrees, WidestDegrees) };
+    }
+
+    /// <summary>Moves the camera towards the point that it looks at (upwards) or away from it; it never gets there.</summary>
+    public static CameraDescription Dolly(CameraDescription camera, float dy) =>
+        camera with { Position = camera.LookAt + ((camera.Position - camera.LookAt) * Factor(dy)) };
+
+    /// <summary>Moves the camera, and the point that it looks at with it, to the right, downwards and forward.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="dx">To the right, in distances to the point looked at.</param>
+    /// <param name="dy">Downwards.</param>
+    /// <param name="dz">Forward.</param>
+    public static CameraDescription Fly(CameraDescription camera, float dx, float dy, float dz)
+    {
+        (Vector3 right, Vector3 up, Vector3 forward) = Axes(camera);
+        float distance = (camera.LookAt - camera.Position).Norm();
+        return Moved(camera, ((right * dx) - (up * dy) + (forward * dz)) * distance);
+    }
+
+    /// <summary>Unit directions to the right, up and forward in the picture.</summary>
+    public static (Vector3 Right, Vector3 Up, Vector3 Forward) Axes(CameraDescription camera)
+    {
+        Vector3 forward = (camera.LookAt - camera.Position).Unit();
+        Vector3 right = forward.Cross(camera.Up).Unit();
+        return (right, right.Cross(forward), forward);
+    }
+
+    /// <summary>How much of a plane across the view the picture shows from its lower to its upper edge.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="distance">How far away the plane is.</param>
+    /// <param name="aspect">Width of the picture over its height.</param>
+    public static float HeightAt(CameraDescription camera, float distance, float aspect)
+    {
+        bool isAcross = camera.FieldOfViewAxis switch
+        {
+            FieldOfViewAxis.Vertical => false,
+            FieldOfViewAxis.Horizontal => true,
+            FieldOfViewAxis.Smaller => aspect < 1,
+            _ => aspect > 1,
+        };
+        float extent = 2 * distance * LaneMath.Tan(camera.FieldOfView * (float.Pi / 360));
+        return isAcross ? extent / aspect : extent;
+    }
+
+    private static CameraDescription Moved(CameraDescription camera, Vector3 by) =>
+        camera with { Position = camera.Position + by, LookAt = camera.LookAt + by };
+
+    private static float Factor(float dy) => LaneMath.Pow(2, dy * DoublingsOfHeight);
+
+    // Turns an arm about what is up, and tilts it, but not over the pole.
+    private static Vector3 Turned(CameraDescription camera, Vector3 arm, float aroundDegrees, float tiltDegrees)
+    {
+        Vector3 up = camera.Up.Unit();
+        Vector3 across = up.Cross(arm).Unit();
+        float toPole = LaneMath.Acos(float.Clamp(arm.Unit().Dot(up), -1, 1)) * (180 / float.Pi);
+        float tilt = float.Clamp(toPole + tiltDegrees, LeastDegreesToPole, 180 - LeastDegreesToPole) - toPole;
+        Vector3 turned = (Transform.Rotation(up, aroundDegrees) * Transform.Rotation(across, tilt)).Vector(arm);
+        return turned * (arm.Norm() / turned.Norm());
+    }
+}

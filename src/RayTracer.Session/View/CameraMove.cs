@@ -1,0 +1,25 @@
+using System.Numerics;
+
+namespace RayTracer.Session;
+
+/// <summary>What a hand does to the camera.</summary>
+/// <param name="Kind">How it moves.</param>
+/// <param name="Dx">To the right, in heights of the picture.</param>
+/// <param name="Dy">Downwards.</param>
+/// <param name="Dz">Forward.</param>
+/// <param name="Gesture">Of which gesture it is a part: they are undone together.</param>
+/// <param name="End">Whether the gesture ends with it.</param>
+public sealed record CameraMove(CameraMoveKind Kind, float Dx = 0, float Dy = 0, float Dz = 0, string? Gesture = null, bool End = false)
+{
+    /// <summary>For <see cref="CameraMoveKind.Set"/>: where the eye is; null leaves it.</summary>
+    public Vector3? Position { get; init; }
+
+    /// <summary>For <see cref="CameraMoveKind.Set"/>: the point looked at; null leaves it.</summary>
+    public Vector3? LookAt { get; init; }
+
+    /// <summary>For <see cref="CameraMoveKind.Set"/>: what is up; null leaves it.</summary>
+    public Vector3? Up { get; init; }
+
+    /// <summary>For <see cref="CameraMoveKind.Set"/>: the field of view in degrees; null leaves it.</summary>
+    public float? FieldOfView { get; init; }
+}

@@ -1,0 +1,224 @@
+using System.Diagnostics;
+using RayTracer.Description;
+using RayTracer.Rendering;
+
+namespace RayTracer.Session;
+
+/// <summary>The work on one picture after the other, step by step; all on the render loop's thread. Films and pictures are used again.</summary>
+/// <param name="frames">Where frames hang.</param>
+internal sealed class FilmWork(FrameBoard frames)
+{
+    private const int PreviewDepth = 1;
+    private static readonly TimeSpan NoiseEvery = TimeSpan.FromSeconds(1);
+    private readonly PreviewPlan _previews = new();
+    private readonly LinearPicture _preview = new();
+    private readonly MapPictures _maps = new();
+    private readonly PublishPace _pace = new();
+    private SlicePlan _plan = new(default, 0);
+    private long _rays;
+    private double _seconds;
+    private double _rendered;
+    private long _badSamples;
+    private double? _noise;
+    private long _noiseAt;
+    private ViewMap? _shown;
+    private bool _isStale;
+
+    /// <summary>The picture, between steps.</summary>
+    public Film? Film { get; private set; }
+
+    /// <summary>What it is of; null before the first.</summary>
+    public RenderOrder? Order { get; private set; }
+
+    /// <summary>What it has looked like.</summary>
+    public ConvergenceLog Log { get; } = new();
+
+    /// <summary>Samples in each pixel.</summary>
+    public int Samples => _plan.Samples;
+
+    /// <summary>Whether there is something to do for an order.</summary>
+    public bool HasWork(RenderOrder order) =>
+        order.Picture != Order?.Picture || order.Map != _shown || _previews.Scale > 1 || _maps.Needs(order)
+        || (order.Mode == RenderMode.Running && _plan.Samples < order.Samples) || (_isStale && frames.IsWatched);
+
+    /// <summary>Whether the next step must be made to its end, whatever happens: else a fast hand would never see anything.</summary>
+    public bool IsUrgent(RenderOrder order) => order.Picture != Order?.Picture || _previews.IsFirst;
+
+    /// <summary>Makes a step.</summary>
+    /// <param name="order">What is wanted.</param>
+    /// <param name="cancellation">Ends the step, if it is not urgent; the picture is of no use then.</param>
+    public void Step(RenderOrder order, CancellationToken cancellation)
+    {
+        if (order.Picture != Order?.Picture)
+        {
+            Begin(order);
+        }
+
+        if (order.Samples != Order!.Samples)
+        {
+            _plan = _plan.WithSamples(order.Samples);
+        }
+
+        Order = order;
+        if (_previews.Scale > 1)
+        {
+            Preview(order, _previews.IsFirst ? CancellationToken.None : cancellation);
+        }
+        else if (_maps.Needs(order))
+        {
+            _maps.Step(order, Film!, cancellation);
+            Show(order, isMilestone: true, cancellation);
+        }
+        else if (order.Mode == RenderMode.Running && !_plan.IsDone)
+        {
+            Render(order, cancellation);
+        }
+        else
+        {
+            Show(order, isMilestone: true, cancellation);
+        }
+    }
+
+    /// <summary>How far the picture is.</summary>
+    public RenderStatus Status(RenderOrder order)
+    {
+        double perSample = _rendered > 0 ? _seconds / _rendered : 0;
+        bool isDone = order.Picture == Order?.Picture && _plan.Samples >= order.Samples;
+        return new()
+        {
+            Status = isDone ? "done" : order.Mode switch { RenderMode.Paused => "paused", RenderMode.Stopped => "stopped", _ => "rendering" },
+            Width = order.Scene.Render.Width,
+            Height = order.Scene.Render.Height,
+            Samples = _plan.Samples,
+            SamplesTotal = order.Samples,
+            RaysPerSecond = _seconds > 0 ? _rays / _seconds : 0,
+            Seconds = _seconds,
+            SecondsLeft = perSample > 0 ? Math.Max(0, order.Samples - _rendered) * perSample : null,
+            Noise = _noise,
+            Threads = order.Threads,
+            Map = order.Map,
+            Region = order.Region,
+            IsPreview = _plan.Samples == 0,
+            BadSamples = _badSamples,
+        };
+    }
+
+    private void Begin(RenderOrder order)
+    {
+        (int width, int height) = (order.Scene.Render.Width, order.Scene.Render.Height);
+        if (Film?.Width == width && Film.Height == height)
+        {
+            Film.Clear();
+        }
+        else
+        {
+            Film = null;
+            _maps.Clear();
+            Film = FilmBudget.Create(width, height);
+        }
+
+        Order = order;
+        _plan = new(order.Area, order.Samples);
+        if (order.Map == ViewMap.Light)
+        {
+            _previews.Begin((long)width * height);
+        }
+        else
+        {
+            _previews.End();
+        }
+
+        Log.Clear();
+        (_rays, _seconds, _rendered, _badSamples, _noise) = (0, 0, 0, 0, null);
+    }
+
+    private void Preview(RenderOrder order, CancellationToken cancellation)
+    {
+        RenderDescription render = order.Scene.Render;
+        int scale = _previews.Scale;
+        RenderDescription coarse = render with
+        {
+            Width = Math.Max(1, render.Width / scale),
+            Height = Math.Max(1, render.Height / scale),
+            SamplesPerPixel = 1,
+            MaxDiffuseDepth = Math.Min(render.MaxDiffuseDepth, PreviewDepth),
+        };
+        Scene scene = order.Scene.WithView(order.Camera, coarse, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("A preview cannot be rendered.");
+        long start = Stopwatch.GetTimestamp();
+        (Film film, RenderStatistics statistics) = new RTracer(scene, new() { Threads = order.Threads }).Render(cancellation: cancellation);
+        if (statistics.Cancelled)
+        {
+            return;
+        }
+
+        _previews.Add((long)coarse.Width * coarse.Height, Stopwatch.GetElapsedTime(start).TotalSeconds, (long)render.Width * render.Height);
+        _preview.CopyFrom(film);
+        if (frames.IsWatched)
+        {
+            Hang(order, isPreview: true, picture => picture.CopyFrom(_preview));
+        }
+
+        _isStale |= !frames.IsWatched;
+    }
+
+    private void Render(RenderOrder order, CancellationToken cancellation)
+    {
+        Slice slice = _plan.Next(_seconds, _rendered > 0 ? _seconds / _rendered : 0);
+        long start = Stopwatch.GetTimestamp();
+        RenderOptions options = new() { Threads = order.Threads, Crop = slice.Area, Samples = slice.Samples };
+        RenderStatistics statistics = new RTracer(order.Scene, options).Render(Film!, null, cancellation);
+        if (statistics.Cancelled)
+        {
+            return;
+        }
+
+        _seconds += Stopwatch.GetElapsedTime(start).TotalSeconds;
+        _rendered += (double)slice.Samples.Count * slice.Area.Height / order.Area.Height;
+        _rays += statistics.Rays;
+        _badSamples += statistics.NonFiniteSamples;
+        bool wasFirst = _plan.Samples == 0;
+        _plan.Add(slice);
+        if (!_plan.IsUneven)
+        {
+            Log.Add(Film!, order.Area, _plan.Samples);
+        }
+
+        if (!_plan.IsUneven && (Stopwatch.GetElapsedTime(_noiseAt) > NoiseEvery || _plan.IsDone))
+        {
+            _noise = NoiseEstimate.Of(Film!, order.Area);
+            _noiseAt = Stopwatch.GetTimestamp();
+        }
+
+        Show(order, (wasFirst && !_plan.IsUneven) || _plan.IsDone, cancellation);
+    }
+
+    // Shows what there is, if anybody looks and it is time to; else it is remembered that there is something to show.
+    private void Show(RenderOrder order, bool isMilestone, CancellationToken cancellation)
+    {
+        _shown = order.Map;
+        if (!frames.IsWatched || cancellation.IsCancellationRequested || !(isMilestone || _pace.IsTime))
+        {
+            _isStale = true;
+            return;
+        }
+
+        _isStale = false;
+        if (order.Map != ViewMap.Light)
+        {
+            if (_maps.Picture(order, Film!) is { } map)
+            {
+                Hang(order, isPreview: false, picture => picture.CopyFrom(map));
+            }
+
+            return;
+        }
+
+        Hang(order, _plan.Samples == 0, picture => PicturePainter.Paint(Film!, _preview, picture));
+    }
+
+    private void Hang(RenderOrder order, bool isPreview, Action<LinearPicture> draw)
+    {
+        FrameInfo info = new(order.Scene.Render.Width, order.Scene.Render.Height, _plan.Samples, isPreview, _plan.IsDone, order.Map == ViewMap.Light);
+        _pace.Make(() => frames.Publish(info, draw));
+    }
+}

@@ -1,0 +1,110 @@
+using System.Diagnostics;
+
+namespace RayTracer.Session;
+
+/// <summary>
+/// Where the newest frame hangs. The renderer puts frames up only as fast as somebody looks, and never waits for whoever does; a frame that nobody took is gone
+/// when the next one comes. Three pictures are enough for all time: one is looked at, one hangs, one is made.
+/// </summary>
+public sealed class FrameBoard
+{
+    // Between two frames, whoever looks is busy with the first.
+    private static readonly TimeSpan Attention = TimeSpan.FromSeconds(1);
+    private readonly Lock _lock = new();
+    private readonly Stack<LinearPicture> _free = new();
+    private Hanging? _newest;
+    private long _lastWatched = -Stopwatch.Frequency * 3600;
+
+    /// <summary>Raised when somebody begins to wait for a frame.</summary>
+    public event Action? Wanted;
+
+    /// <summary>Counts frames, and changes of how they are seen.</summary>
+    public ChangeCounter Changes { get; } = new();
+
+    /// <summary>Whether somebody looks, or did a moment ago.</summary>
+    public bool IsWatched => Changes.Waiting > 0 || Stopwatch.GetElapsedTime(Volatile.Read(ref _lastWatched)) < Attention;
+
+    /// <summary>Puts a frame up.</summary>
+    /// <param name="info">What is known about it.</param>
+    /// <param name="draw">Draws it.</param>
+    public void Publish(FrameInfo info, Action<LinearPicture> draw)
+    {
+        LinearPicture picture;
+        lock (_lock)
+        {
+            picture = _free.TryPop(out LinearPicture? free) ? free : new();
+        }
+
+        draw(picture);
+        lock (_lock)
+        {
+            Hanging? before = _newest;
+            _newest = new(info, picture);
+            Release(before);
+        }
+
+        Changes.Advance();
+    }
+
+    /// <summary>Waits for a frame.</summary>
+    /// <param name="version">The version that is known already.</param>
+    /// <param name="cancellation">Ends the waiting.</param>
+    /// <returns>Whether there is one.</returns>
+    public async Task<bool> Wait(long version, CancellationToken cancellation)
+    {
+        Task<bool> wait = Changes.WaitBeyond(version, cancellation);
+        if (!wait.IsCompleted)
+        {
+            Wanted?.Invoke();
+        }
+
+        bool isNew = await wait.ConfigureAwait(false);
+        Volatile.Write(ref _lastWatched, Stopwatch.GetTimestamp());
+        return isNew;
+    }
+
+    /// <summary>The newest frame; null before there was one.</summary>
+    public FrameLease? Borrow()
+    {
+        lock (_lock)
+        {
+            if (_newest is not { } frame)
+            {
+                return null;
+            }
+
+            frame.Users++;
+            return new(Changes.Version, frame.Info, frame.Picture, () => GiveBack(frame));
+        }
+    }
+
+    /// <summary>The newest frame is seen in another way.</summary>
+    public void SeeAnew() => Changes.Advance();
+
+    private void GiveBack(Hanging frame)
+    {
+        lock (_lock)
+        {
+            Release(frame);
+        }
+    }
+
+    private void Release(Hanging? frame)
+    {
+        const int enough = 3;
+        if (frame is not null && --frame.Users == 0 && _free.Count < enough)
+        {
+            _free.Push(frame.Picture);
+        }
+    }
+
+    // The board itself is a user.
+    private sealed class Hanging(FrameInfo info, LinearPicture picture)
+    {
+        public FrameInfo Info => info;
+
+        public LinearPicture Picture => picture;
+
+        public int Users { get; set; } = 1;
+    }
+}

@@ -1,0 +1,103 @@
+using RayTracer.Description;
+using RayTracer.Rendering;
+
+namespace RayTracer.Session;
+
+/// <summary>Finds what is seen in a picture.</summary>
+public static class Picking
+{
+    private const int LargestMask = 1 << 20;
+
+    /// <summary>What is seen in the middle of a pixel.</summary>
+    /// <param name="shown">The scene.</param>
+    /// <param name="x">The pixel's column.</param>
+    /// <param name="y">The pixel's row.</param>
+    public static PickResult At(ShownScene shown, float x, float y) =>
+        Hit(shown, x, y) is { } hit
+            ? new(shown.PointerOf(hit.Name), hit.Distance, hit.Position, hit.Normal, shown.MaterialOf(hit.Name))
+            : new(null, null, null, null, null);
+
+    /// <summary>How far along the viewing direction what is seen in the middle of a pixel is; null where nothing is.</summary>
+    public static float? DepthAt(ShownScene shown, float x, float y)
+    {
+        if (Hit(shown, x, y) is not { } hit)
+        {
+            return null;
+        }
+
+        // The cosine between the ray and the viewing direction, by where the pixel lies in a picture at distance 1.
+        RenderDescription render = shown.Scene.Render;
+        float pixel = CameraMotion.HeightAt(shown.Camera, 1, shown.Aspect) / render.Height;
+        float across = (MathF.Floor(x) + 0.5f - (0.5f * render.Width)) * pixel;
+        float down = (MathF.Floor(y) + 0.5f - (0.5f * render.Height)) * pixel;
+        return hit.Distance / MathF.Sqrt(1 + (across * across) + (down * down));
+    }
+
+    /// <summary>The pixels in which a thing, or one within it, is what is seen first.</summary>
+    /// <param name="shown">The scene.</param>
+    /// <param name="pointer">The thing.</param>
+    public static PixelMask Mask(ShownScene shown, string pointer)
+    {
+        RenderDescription render = shown.Scene.Render;
+        int step = 1;
+        while ((long)(render.Width / step) * (render.Height / step) > LargestMask)
+        {
+            step++;
+        }
+
+        (int width, int height) = (Math.Max(1, render.Width / step), Math.Max(1, render.Height / step));
+        SurfaceName[] names = new SurfaceName[width * height];
+        Parallel.For(0, height, () => new SurfaceProbe(shown.Scene), (y, _, probe) =>
+        {
+            probe.Name((y + 0.5f) * step, 0.5f * step, step, names.AsSpan(y * width, width));
+            return probe;
+        }, _ => { });
+        return new(width, height, Runs(shown, names, pointer));
+    }
+
+    /// <summary>Whether a pointer is that of a thing, or of one within it.</summary>
+    public static bool IsWithin(string? inner, string outer) =>
+        inner is not null && inner.StartsWith(outer, StringComparison.Ordinal) && (inner.Length == outer.Length || inner[outer.Length] == '/');
+
+    private static SurfaceHit? Hit(ShownScene shown, float x, float y)
+    {
+        RenderDescription render = shown.Scene.Render;
+        if (!(x >= 0 && x < render.Width && y >= 0 && y < render.Height))
+        {
+            throw new SessionException($"The picture has {render.Width}×{render.Height} pixels.", SessionFault.Missing);
+        }
+
+        return new SurfaceProbe(shown.Scene).Describe(MathF.Floor(x) + 0.5f, MathF.Floor(y) + 0.5f);
+    }
+
+    private static List<int> Runs(ShownScene shown, SurfaceName[] names, string pointer)
+    {
+        List<int> runs = [];
+        SurfaceName last = SurfaceName.None;
+        bool isLast = false;
+        for (int i = 0; i < names.Length; i++)
+        {
+            if (names[i] != last)
+            {
+                (last, isLast) = (names[i], IsWithin(shown.PointerOf(names[i]), pointer));
+            }
+
+            if (!isLast)
+            {
+                continue;
+            }
+
+            if (runs.Count > 0 && runs[^2] + runs[^1] == i)
+            {
+                runs[^1]++;
+            }
+            else
+            {
+                runs.Add(i);
+                runs.Add(1);
+            }
+        }
+
+        return runs;
+    }
+}

@@ -1,0 +1,194 @@
+using System.Diagnostics;
+using RayTracer.Rendering;
+
+namespace RayTracer.Session;
+
+/// <summary>
+/// Renders the newest order on threads of its own. Whoever gives orders never waits: what is being rendered for an older picture ends by itself
+/// after a few milliseconds, but its first preview, which is always made and shown.
+/// </summary>
+public sealed class RenderLoop : IDisposable
+{
+    private static readonly TimeSpan StatusEvery = TimeSpan.FromMilliseconds(100);
+    private readonly object _gate = new();
+    private readonly Queue<Action> _visits = new();
+    private readonly FrameBoard _frames;
+    private readonly FilmWork _work;
+    private readonly Thread _thread;
+    private CancellationTokenSource _interrupt = new();
+    private RenderOrder? _order;
+    private RenderStatus _status = new();
+    private long _failed = -1;
+    private long _statusAt;
+    private bool _isDisposed;
+
+    /// <summary>Starts the loop; it waits for an order.</summary>
+    /// <param name="frames">Where frames hang.</param>
+    public RenderLoop(FrameBoard frames)
+    {
+        _frames = frames;
+        _work = new(frames);
+        frames.Wanted += Wake;
+        _thread = new(Run) { IsBackground = true, Name = "render" };
+        _thread.Start();
+    }
+
+    /// <summary>Raised after <see cref="Status"/> has changed, by the loop's thread.</summary>
+    public event Action? StatusChanged;
+
+    /// <summary>Raised when a picture cannot be rendered, with a sentence that says why.</summary>
+    public event Action<string>? Failed;
+
+    /// <summary>How far the newest picture is.</summary>
+    public RenderStatus Status => Volatile.Read(ref _status);
+
+    /// <summary>Renders something from now on, instead of all before.</summary>
+    /// <param name="order">What; null for nothing.</param>
+    public void Show(RenderOrder? order)
+    {
+        lock (_gate)
+        {
+            bool isOther = order?.Picture != _order?.Picture;
+            _order = order;
+            if (isOther)
+            {
+                _interrupt.Cancel();
+                _interrupt = new();
+            }
+
+            Monitor.PulseAll(_gate);
+        }
+    }
+
+    /// <summary>Has the loop's thread look at the picture between two steps, when it is of one order: at once, or after a part of a second.</summary>
+    /// <param name="look">Told the film, its order and its samples; should not take long.</param>
+    /// <exception cref="SessionException">There is no picture.</exception>
+    public Task<T> Look<T>(Func<Film, RenderOrder, int, T> look)
+    {
+        TaskCompletionSource<T> done = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        lock (_gate)
+        {
+            _visits.Enqueue(() => Visit(look, done));
+            Monitor.PulseAll(_gate);
+        }
+
+        return done.Task;
+    }
+
+    /// <summary>How the error of the picture has shrunk.</summary>
+    public Task<Convergence> Convergence() => Look((film, order, samples) => _work.Log.Errors(film, order.Area, samples));
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        lock (_gate)
+        {
+            _isDisposed = true;
+            _interrupt.Cancel();
+            Monitor.PulseAll(_gate);
+        }
+
+        _thread.Join();
+        _frames.Wanted -= Wake;
+        while (_visits.TryDequeue(out Action? visit))
+        {
+            visit();
+        }
+    }
+
+    private void Wake()
+    {
+        lock (_gate)
+        {
+            Monitor.PulseAll(_gate);
+        }
+    }
+
+    private void Run()
+    {
+        while (Next(out Action? visit, out RenderOrder? order, out CancellationToken interrupt))
+        {
+            if (visit is not null)
+            {
+                visit();
+            }
+            else if (order is null)
+            {
+                Report(new(), isNews: true);
+            }
+            else
+            {
+                Step(order, interrupt);
+            }
+        }
+    }
+
+    // Waits for something to do; false at the end.
+    private bool Next(out Action? visit, out RenderOrder? order, out CancellationToken interrupt)
+    {
+        lock (_gate)
+        {
+            while (!_isDisposed && _visits.Count == 0 && !HasWork())
+            {
+                Monitor.Wait(_gate);
+            }
+
+            _visits.TryDequeue(out visit);
+            order = _order;
+            interrupt = _interrupt.Token;
+            return !_isDisposed;
+        }
+    }
+
+    private bool HasWork() => _order is null
+        ? _status.Status != "idle"
+        : _order.Picture != _failed && (_work.HasWork(_order) || _work.Status(_order).Status != _status.Status);
+
+    private void Step(RenderOrder order, CancellationToken interrupt)
+    {
+        try
+        {
+            bool isUrgent = _work.IsUrgent(order);
+            if (_work.HasWork(order))
+            {
+                _work.Step(order, interrupt);
+            }
+
+            RenderStatus status = _work.Status(order);
+            Report(status, isUrgent || status.Status != _status.Status || status.Map != _status.Map || Stopwatch.GetElapsedTime(_statusAt) >= StatusEvery);
+        }
+        catch (Exception e) when (e is not StackOverflowException)
+        {
+            _failed = order.Picture;
+            Report(_work.Status(order) with { Status = "stopped" }, isNews: true);
+            Failed?.Invoke((e.InnerException ?? e).Message);
+        }
+    }
+
+    private void Report(RenderStatus status, bool isNews)
+    {
+        Volatile.Write(ref _status, status);
+        if (isNews)
+        {
+            _statusAt = Stopwatch.GetTimestamp();
+            StatusChanged?.Invoke();
+        }
+    }
+
+    private void Visit<T>(Func<Film, RenderOrder, int, T> look, TaskCompletionSource<T> done)
+    {
+        try
+        {
+            if (_isDisposed || _work is not { Film: { } film, Order: { } order })
+            {
+                throw new SessionException("There is no picture yet.", SessionFault.Missing);
+            }
+
+            done.SetResult(look(film, order, _work.Samples));
+        }
+        catch (Exception e)
+        {
+            done.SetException(e);
+        }
+    }
+}

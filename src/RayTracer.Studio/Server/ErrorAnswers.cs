@@ -1,0 +1,58 @@
+using System.Text.Json;
+using RayTracer.Imaging;
+using RayTracer.Session;
+
+namespace RayTracer.Studio;
+
+/// <summary>Turns what goes wrong into an answer with a sentence for the user.</summary>
+/// <param name="errors">Where what must not happen is told.</param>
+internal sealed class ErrorAnswers(TextWriter errors)
+{
+    /// <summary>Passes a request on.</summary>
+    public async Task Invoke(HttpContext context, RequestDelegate next)
+    {
+        try
+        {
+            await next(context);
+        }
+        catch (OperationCanceledException) when (context.RequestAborted.IsCancellationRequested)
+        {
+            // Whoever asked has gone.
+        }
+        catch (Exception e)
+        {
+            (int status, string message) = Describe(e);
+            if (status == StatusCodes.Status500InternalServerError)
+            {
+                await errors.WriteLineAsync($"error: {context.Request.Method} {context.Request.Path}: {e}");
+            }
+
+            if (!context.Response.HasStarted)
+            {
+                context.Response.StatusCode = status;
+                await context.Response.WriteAsJsonAsync(Answer(e, message), ApiJson.Options, context.RequestAborted);
+            }
+        }
+    }
+
+    // What is in the way, so that the page can ask the user whether to do it all the same.
+    private static ErrorAnswer Answer(Exception e, string message) => e is DocumentException { Conflict: var conflict }
+        ? new(message) { Unsaved = conflict == DocumentConflict.Unsaved, Exists = conflict == DocumentConflict.Exists, Changed = conflict == DocumentConflict.ChangedOnDisk }
+        : new(message) { Exists = e is SessionException { Fault: SessionFault.Conflict } };
+
+    private static string Sentence(string clause) => clause.Length > 0 ? $"{char.ToUpperInvariant(clause[0])}{clause[1..].TrimEnd('.')}." : clause;
+
+    private static (int Status, string Message) Describe(Exception e) => e switch
+    {
+        SessionException { Fault: SessionFault.Missing } => (StatusCodes.Status404NotFound, e.Message),
+        SessionException { Fault: SessionFault.Conflict } => (StatusCodes.Status409Conflict, e.Message),
+        DocumentException { Conflict: not DocumentConflict.None } => (StatusCodes.Status409Conflict, Sentence(e.Message)),
+        DocumentException => (StatusCodes.Status400BadRequest, Sentence(e.Message)),
+        SessionException or ImageWriteException => (StatusCodes.Status400BadRequest, e.Message),
+        BadHttpRequestException bad => (bad.StatusCode, bad.InnerException is JsonException json ? $"The request's JSON is wrong: {json.Message}" : bad.Message),
+        JsonException => (StatusCodes.Status400BadRequest, $"The request's JSON is wrong: {e.Message}"),
+        IOException or UnauthorizedAccessException => (StatusCodes.Status400BadRequest, e.Message),
+        OutOfMemoryException => (StatusCodes.Status400BadRequest, "There is not enough memory."),
+        _ => (StatusCodes.Status500InternalServerError, $"Internal error: {e.Message}"),
+    };
+}

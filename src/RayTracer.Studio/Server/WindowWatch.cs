@@ -1,0 +1,76 @@
+namespace RayTracer.Studio;
+
+/// <summary>
+/// Knows by the requests that wait for news whether any window is open, and says when none has been for long enough.
+/// </summary>
+internal sealed class WindowWatch : IDisposable
+{
+    private readonly Lock _lock = new();
+    private readonly GraceTimes _grace;
+    private readonly ITimer _timer;
+    private int _open;
+    private bool _saidFarewell;
+
+    /// <summary>Begins to wait for the first window.</summary>
+    /// <param name="grace">How long to wait.</param>
+    /// <param name="time">The clock.</param>
+    /// <param name="ended">Called when it has been long enough.</param>
+    public WindowWatch(GraceTimes grace, TimeProvider time, Action ended)
+    {
+        _grace = grace;
+        _timer = time.CreateTimer(_ => ended(), null, grace.AtStart, Timeout.InfiniteTimeSpan);
+    }
+
+    /// <summary>Counts a request that waits, until what is returned is disposed of.</summary>
+    public IDisposable Enter()
+    {
+        lock (_lock)
+        {
+            _open++;
+            _saidFarewell = false;
+            _timer.Change(Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
+        }
+
+        return new Visit(this);
+    }
+
+    /// <summary>A window says that it goes.</summary>
+    public void Farewell()
+    {
+        lock (_lock)
+        {
+            _saidFarewell = true;
+            if (_open == 0)
+            {
+                _timer.Change(_grace.AfterFarewell, Timeout.InfiniteTimeSpan);
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Dispose() => _timer.Dispose();
+
+    private void Leave()
+    {
+        lock (_lock)
+        {
+            if (--_open == 0)
+            {
+                _timer.Change(_saidFarewell ? _grace.AfterFarewell : _grace.WithoutWindow, Timeout.InfiniteTimeSpan);
+            }
+        }
+    }
+
+    private sealed class Visit(WindowWatch watch) : IDisposable
+    {
+        private bool _hasLeft;
+
+        public void Dispose()
+        {
+            if (!Interlocked.Exchange(ref _hasLeft, true))
+            {
+                watch.Leave();
+            }
+        }
+    }
+}

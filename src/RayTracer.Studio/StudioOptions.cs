@@ -1,0 +1,58 @@
+using System.Globalization;
+
+namespace RayTracer.Studio;
+
+/// <summary>What the command line of the Studio asks for.</summary>
+internal sealed record StudioOptions
+{
+    /// <summary>How the Studio is called.</summary>
+    public const string Usage = "usage: RayTracer.Studio [SCENE] [--port N] [--no-browser] [--open app|browser]";
+
+    /// <summary>The scene or model to open; null for the empty state.</summary>
+    public string? Scene { get; init; }
+
+    /// <summary>The port to listen on; 0 for a free one.</summary>
+    public int Port { get; init; }
+
+    /// <summary>What to open the page in; null for nothing.</summary>
+    public BrowserKind? Browser { get; init; } = BrowserKind.App;
+
+    /// <summary>Reads a command line.</summary>
+    /// <param name="args">The words after the program's name.</param>
+    /// <param name="complaint">What is wrong; null where nothing is.</param>
+    public static StudioOptions Parse(IReadOnlyList<string> args, out string? complaint)
+    {
+        StudioOptions options = new();
+        complaint = null;
+        for (int i = 0; i < args.Count && complaint is null; i++)
+        {
+            string? value = i + 1 < args.Count ? args[i + 1] : null;
+            switch (args[i])
+            {
+                case "--port":
+                    i++;
+                    bool isPort = int.TryParse(value, NumberStyles.None, CultureInfo.InvariantCulture, out int port) && port <= 65535;
+                    complaint = isPort ? null : "--port: a number from 0 (for a free port) to 65535 is expected";
+                    options = options with { Port = port };
+                    break;
+                case "--open":
+                    i++;
+                    complaint = value is "app" or "browser" ? null : "--open: app or browser is expected";
+                    options = options with { Browser = value == "browser" ? BrowserKind.Default : BrowserKind.App };
+                    break;
+                case "--no-browser":
+                    options = options with { Browser = null };
+                    break;
+                case ['-', _, ..] unknown:
+                    complaint = $"unknown option \"{unknown}\"";
+                    break;
+                default:
+                    complaint = options.Scene is null ? null : "only one scene can be opened";
+                    options = options with { Scene = args[i] };
+                    break;
+            }
+        }
+
+        return options;
+    }
+}

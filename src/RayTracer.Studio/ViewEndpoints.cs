@@ -1,0 +1,74 @@
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Session;
+
+namespace RayTracer.Studio;
+
+/// <summary>What the user does to the view: camera, exposure, rendering, snapshots.</summary>
+internal static class ViewEndpoints
+{
+    /// <summary>Adds the requests.</summary>
+    public static void MapView(this RouteGroupBuilder api, StudioSession session)
+    {
+        RouteGroupBuilder view = api.MapGroup("/view");
+        view.MapPost("/camera", (CameraMove move) =>
+        {
+            session.Camera.Move(move);
+            return Answers.Done(session);
+        });
+        view.MapPost("/focus", (PixelRequest at) => Answers.Json(new { distance = session.Camera.Focus(at.X, at.Y), revision = session.Document.Revision }));
+        view.MapPost("/tone", (ToneRequest tone) =>
+        {
+            Tone before = session.View.Tone;
+            session.View.Tone = new(tone.Exposure ?? before.Exposure, tone.ToneMap ?? before.ToneMap);
+            return Answers.Done(session);
+        });
+        view.MapPost("/render", (RenderRequest request) =>
+        {
+            session.View.Change(request.Apply, anew: request.Action == "restart");
+            return Answers.Done(session);
+        });
+        view.MapPost("/snapshot", async () => Answers.Json(await session.Snapshots.Take()));
+        view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
+        view.MapGet("/mask", (string pointer) => Answers.Json(Picking.Mask(session.View.RequireShown(), pointer)));
+        view.MapGet("/gizmo", (string pointer) =>
+        {
+            ShownScene shown = session.View.RequireShown();
+            Gizmo gizmo = Gizmo.Of(shown, pointer);
+            return Answers.Json(new { gizmo.Center, gizmo.Radius, bounds = new[] { gizmo.Minimum, gizmo.Maximum }, camera = CameraFrame.Of(shown) });
+        });
+    }
+
+    internal sealed record PixelRequest(float X, float Y);
+
+    internal sealed record ToneRequest(float? Exposure, ToneMap? ToneMap);
+
+    /// <summary>What is to change; what is null stays.</summary>
+    internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, ViewMap? Map)
+    {
+        /// <summary>Whether all of the picture is to be rendered: a region that is null stays.</summary>
+        public bool WholePicture { get; init; }
+
+        public ViewSettings Apply(ViewSettings settings) => settings with
+        {
+            Mode = Action switch
+            {
+                null => settings.Mode,
+                "stop" => RenderMode.Stopped,
+                "pause" => RenderMode.Paused,
+                "continue" or "restart" => RenderMode.Running,
+                _ => throw new SessionException($"There is no action \"{Action}\": it may be stop, pause, continue or restart."),
+            },
+            Samples = Quality is { } quality ? (int)quality : Samples ?? settings.Samples,
+            Threads = Threads ?? settings.Threads,
+            Map = Map ?? settings.Map,
+            Region = WholePicture ? null : Region switch
+            {
+                null => settings.Region,
+                [] => null,
+                [var x, var y, var width, var height] => new Tile(x, y, width, height),
+                _ => throw new SessionException("A region is [x, y, width, height]."),
+            },
+        };
+    }
+}

@@ -1,0 +1,53 @@
+using System.Numerics;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Where a light path meets something, in the renderer's own numbers. What it has gathered is told after each step, so that the differences are
+/// what each step adds, with the renderer's roundings.
+/// </summary>
+public sealed record PathVertex
+{
+    /// <summary>What becomes of the path.</summary>
+    public required PathEvent Event { get; init; }
+
+    /// <summary>Where the ray that leads here starts.</summary>
+    public required Vector3 Origin { get; init; }
+
+    /// <summary>Its unit direction.</summary>
+    public required Vector3 Direction { get; init; }
+
+    /// <summary>Where it meets the surface; null where it meets nothing.</summary>
+    public Vector3? Position { get; init; }
+
+    /// <summary>The unit normal with which the surface is shaded, on the ray's side; null where there is none.</summary>
+    public Vector3? Normal { get; init; }
+
+    /// <summary>The primitive met; −1 for none.</summary>
+    public int Primitive { get; init; } = -1;
+
+    /// <summary>The instance that shows it; 0 for the world itself.</summary>
+    public int Instance { get; init; }
+
+    /// <summary>What light from here is multiplied by.</summary>
+    public required Rgb Throughput { get; init; }
+
+    /// <summary>What that is multiplied by for all that comes later: BSDF · cosine / pdf of the chosen direction.</summary>
+    public Rgb Weight { get; init; }
+
+    /// <summary>The density with which the direction was chosen, in 1/sr; null where it was chosen by a mirror-like lobe, or there is none.</summary>
+    public float? Pdf { get; init; }
+
+    /// <summary>What the path had gathered before.</summary>
+    public required Rgb Before { get; init; }
+
+    /// <summary>… after the surface's own light (or the background's, where there is no surface).</summary>
+    public required Rgb AfterEmission { get; init; }
+
+    /// <summary>… after ambient light.</summary>
+    public required Rgb AfterAmbient { get; init; }
+
+    /// <summary>… after the light that comes straight from the sources: all that it has gathered so far.</summary>
+    public Rgb After { get; init; }
+}

@@ -1,0 +1,9 @@
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>A light path from the camera to its end.</summary>
+/// <param name="Sample">The sample's number in its pixel.</param>
+/// <param name="Radiance">What it brings: what the film gets.</param>
+/// <param name="Vertices">What it meets, in order.</param>
+public sealed record TracedPath(int Sample, Rgb Radiance, IReadOnlyList<PathVertex> Vertices);
