@@ -179,7 +179,7 @@ internal sealed unsafe class MeshTable : SurfaceTable
             (Transform place, int length) = (mesh.Place, data.Positions.Length);
             Transform inverse = place.Inverse();
             Map(data.Positions, positions, corner, place.Point);
-            Map(data.Normals, normals, corner, n => Unit(inverse.TransposedVector(n)));
+            Map(data.Normals, normals, corner, NormalMap(place, inverse));
             data.Uv?.CopyTo(uv!, corner);
             if (colors is not null)
             {
@@ -202,6 +202,19 @@ internal sealed unsafe class MeshTable : SurfaceTable
         }
 
         return new(positions, indices) { Normals = normals, Uv = uv, Colors = colors, Tangents = tangents };
+    }
+
+    // Where lengths change differently, normals keep the lengths that they come to: so those between corners are the same as of an instance, which
+    // mixes them first and maps them then.
+    private static Func<Vector3, Vector3> NormalMap(Transform place, Transform inverse)
+    {
+        if (place.UniformScale() is not null)
+        {
+            return n => Unit(inverse.TransposedVector(n));
+        }
+
+        float longest = new[] { Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ }.Max(axis => inverse.TransposedVector(axis).Norm());
+        return n => inverse.TransposedVector(Unit(n)) / longest;
     }
 
     private static Vector3 Unit(Vector3 v) => v.Unit() is var unit && unit.IsFinite() ? unit : default;

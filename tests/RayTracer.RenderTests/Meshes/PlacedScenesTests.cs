@@ -11,6 +11,15 @@ public class PlacedScenesTests
         "triangles": [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4], [3, 7, 6], [3, 6, 2], [0, 4, 7], [0, 7, 3], [1, 2, 6], [1, 6, 5]]
         """;
 
+    private const string Octahedron = """
+        "positions": [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]],
+        "triangles": [[4, 0, 2], [0, 5, 2], [5, 1, 2], [1, 4, 2], [0, 4, 3], [5, 0, 3], [1, 5, 3], [4, 1, 3]]
+        """;
+
+    private const string Normals = """
+        "normals": [[0.8, 0, 0.6], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0.6, 0.8], [0, 0, -1]]
+        """;
+
     private static readonly int s_seeds = TestSettings.Scale(24, 128);
 
     [Theory]
@@ -43,6 +52,14 @@ public class PlacedScenesTests
         "an instance of a cube",
         """{ "type": "instance", "of": { "type": "mesh", CUBE }, "transform": [{ "scale": [0.5, -1, 0.7], "rotate": 33, "axis": [1, 2, 3], "translate": [0.3, 0.2, 0] }] }""",
         """{ "type": "mesh", CUBE, "transform": [{ "scale": [0.5, -1, 0.7], "rotate": 33, "axis": [1, 2, 3], "translate": [0.3, 0.2, 0] }] }""")]
+    [InlineData(
+        "an instance of a slanted thing, stretched",
+        """{ "type": "instance", "of": { "type": "mesh", OCTAHEDRON }, "transform": [{ "scale": [1.3, 0.4, 0.8], "rotate": 33, "axis": [1, 2, 3], "translate": [0.3, 0.2, 0] }] }""",
+        """{ "type": "mesh", OCTAHEDRON, "transform": [{ "scale": [1.3, 0.4, 0.8], "rotate": 33, "axis": [1, 2, 3], "translate": [0.3, 0.2, 0] }] }""")]
+    [InlineData(
+        "an instance of a smooth thing, stretched",
+        """{ "type": "instance", "of": { "type": "mesh", OCTAHEDRON, NORMALS }, "transform": [{ "scale": [1.3, 0.4, -0.8], "rotate": 33, "axis": [1, 2, 3], "translate": [0.3, 0.2, 0] }] }""",
+        """{ "type": "mesh", OCTAHEDRON, NORMALS, "transform": [{ "scale": [1.3, 0.4, -0.8], "rotate": 33, "axis": [1, 2, 3], "translate": [0.3, 0.2, 0] }] }""")]
     [InlineData(
         "an instance of instances",
         """{ "type": "instance", "transform": [{ "translate": [0.25, 0, 0] }], "of": { "type": "group", "shapes": [{ "type": "instance", "of": { "type": "sphere", "center": [0, 0, 0] }, "transform": [{ "scale": [0.5, 0.5, 0.5] }] }, { "type": "sphere", "center": [1, 0, 0], "radius": 0.25 }] } }""",
@@ -105,7 +122,8 @@ public class PlacedScenesTests
             { "type": "sphere", "center": [1.5, 2, 1], "radius": 0.25, "material": { "type": "luminaire", "multiplier": 20 } }
           ] /* end */
         }
-        """.Replace("SHAPE", shape, StringComparison.Ordinal).Replace("CUBE", Cube, StringComparison.Ordinal);
+        """.Replace("SHAPE", shape, StringComparison.Ordinal).Replace("CUBE", Cube, StringComparison.Ordinal)
+        .Replace("OCTAHEDRON", Octahedron, StringComparison.Ordinal).Replace("NORMALS", Normals, StringComparison.Ordinal);
 
     private static Film Film(string json)
     {

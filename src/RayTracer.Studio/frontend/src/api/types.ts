@@ -1,0 +1,205 @@
+/** What the server sends and takes: the wire format of RayTracer.Studio's endpoints. */
+
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+export type Vec3 = [number, number, number];
+/** x, y, width, height in pixels of the picture. */
+export type Region = [number, number, number, number];
+
+export interface Diagnostic {
+  line: number;
+  column: number;
+  from: number;
+  to: number;
+  severity: "error" | "warning";
+  message: string;
+}
+
+export interface DocumentState {
+  revision: number;
+  name: string;
+  path: string | null;
+  isDirty: boolean;
+  canUndo: boolean;
+  canRedo: boolean;
+  undoLabel: string | null;
+  redoLabel: string | null;
+  diagnostics: Diagnostic[];
+  isGood: boolean;
+}
+
+export type Quality = "draft" | "good" | "final";
+export type RenderStatus = "rendering" | "paused" | "stopped" | "done" | "idle";
+
+export interface RenderState {
+  status: RenderStatus;
+  width: number;
+  height: number;
+  samples: number;
+  samplesTotal: number;
+  raysPerSecond: number;
+  seconds: number;
+  secondsLeft: number | null;
+  /** Relative standard error of the mean, averaged over the pixels. */
+  noise: number | null;
+  threads: number;
+  cores: number;
+  map: string;
+  region: Region | null;
+  quality: Quality | null;
+  isPreview: boolean;
+  badSamples: number;
+}
+
+export interface Snapshot {
+  id: number;
+  label: string;
+}
+
+export interface Recovery {
+  id: string;
+  name: string;
+  time: string;
+}
+
+export interface StudioState {
+  version: number;
+  document: DocumentState;
+  selection: string | null;
+  render: RenderState;
+  tone: { exposure: number; toneMap: string; choices: string[] };
+  snapshots: Snapshot[];
+  recovery: Recovery[];
+  message: { id: number; kind: "info" | "error"; text: string } | null;
+  jobs: { id: number; text: string; fraction: number | null }[];
+}
+
+export interface OutlineNode {
+  pointer: string;
+  name: string;
+  type: string;
+  summary: string;
+  isLight: boolean;
+  color: string | null;
+  children: OutlineNode[];
+}
+
+export interface Outline {
+  camera: OutlineNode | null;
+  render: OutlineNode | null;
+  background: OutlineNode | null;
+  shapes: OutlineNode[];
+  lights: OutlineNode[];
+  materials: OutlineNode[];
+  textures: OutlineNode[];
+}
+
+export interface Parameter {
+  key: string;
+  /** A ParameterKind of the scene format, in camel case. */
+  kind: string;
+  summary: string;
+  unit: string;
+  minimum: number | null;
+  maximum: number | null;
+  minimumIsExclusive: boolean;
+  required: boolean;
+  choices: string[];
+  default: Json;
+  range: string;
+  /** For records: the section that describes them. */
+  family: string | null;
+}
+
+export interface RecordType {
+  name: string;
+  summary: string;
+  parameters: Parameter[];
+}
+
+export interface SchemaAnswer {
+  schema: Json;
+  types: Record<string, RecordType[]>;
+  sections: Record<string, RecordType>;
+  refractiveIndices: { name: string; value: number }[];
+  colors: Record<string, string>;
+}
+
+export interface ValueAnswer {
+  pointer: string;
+  type: string | null;
+  family: string | null;
+  value: Json;
+  effective: Record<string, Json> | null;
+  from: number;
+  to: number;
+}
+
+export interface ViewCamera {
+  position: Vec3;
+  right: Vec3;
+  up: Vec3;
+  forward: Vec3;
+  /** Full vertical angle in degrees. */
+  fieldOfView: number;
+  width: number;
+  height: number;
+}
+
+export interface GizmoAnswer {
+  center: Vec3;
+  radius: number;
+  bounds: [Vec3, Vec3];
+  camera: ViewCamera;
+}
+
+export interface PickAnswer {
+  pointer: string | null;
+  distance: number | null;
+  position: Vec3 | null;
+  material: string | null;
+}
+
+export interface MaskAnswer {
+  width: number;
+  height: number;
+  /** Pairs of start and length, in pixels counted row by row from the top. */
+  runs: number[];
+}
+
+export interface PathVertex {
+  event: "camera" | "diffuse" | "specular" | "emission" | "miss" | "absorbed" | "end";
+  position: Vec3;
+  normal: Vec3 | null;
+  pointer: string | null;
+  name: string | null;
+  material: string | null;
+  weight: Vec3;
+  throughput: Vec3;
+  /** Per steradian; null where the direction had no choice. */
+  pdf: number | null;
+  contribution: Vec3;
+  parts: { emitted: Vec3; ambient: Vec3; direct: Vec3 } | null;
+}
+
+export interface PathSample {
+  sample: number;
+  radiance: Vec3;
+  vertices: PathVertex[];
+}
+
+export interface PathsAnswer {
+  x: number;
+  y: number;
+  pixel: Vec3;
+  samples: PathSample[];
+}
+
+export interface WireframeAnswer {
+  shapes: { pointer: string; lines: number[][] }[];
+  camera: ViewCamera;
+}
+
+export interface ConvergenceAnswer {
+  points: { samples: number; error: number }[];
+  slope: number | null;
+}

@@ -1,0 +1,31 @@
+import type { ComponentType } from "preact";
+import { useEffect, useState } from "preact/hooks";
+import { documentState } from "../state/store";
+import { texts } from "../texts";
+import { Icon } from "../ui/Icon";
+import { showRange } from "./show";
+
+/** The editor, loaded when it is first looked at, and below it what is wrong with the text. */
+export function SourceTab() {
+  const [Editor, setEditor] = useState<ComponentType | null>(null);
+  useEffect(() => void import("./SourceEditor").then((m) => setEditor(() => m.default)), []);
+  const diagnostics = documentState.value?.diagnostics ?? [];
+  return (
+    <div class="source-tab">
+      {Editor ? <Editor /> : <div class="source" />}
+      {diagnostics.length > 0 && (
+        <ul class="problems" aria-label={texts.editor.problems}>
+          {diagnostics.map((d) => (
+            <li key={`${d.from}${d.message}`}>
+              <button type="button" class={`list-button ${d.severity}`} aria-label={texts.editor.goTo(d.line, d.column, d.message)} onClick={() => showRange(d.from, d.to)}>
+                <Icon name="warning" />
+                <span class="place">{d.line}:{d.column}</span>
+                <span>{d.message}</span>
+              </button>
+            </li>
+          ))}
+        </ul>
+      )}
+    </div>
+  );
+}

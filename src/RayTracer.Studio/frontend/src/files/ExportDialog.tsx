@@ -1,0 +1,62 @@
+import { useState } from "preact/hooks";
+import { dialog } from "../state/store";
+import { texts } from "../texts";
+import { Button } from "../ui/Button";
+import { DialogBox } from "../ui/DialogBox";
+import { Select } from "../ui/Select";
+import { downloadPicture, savePicture, sceneName } from "./commands";
+import { SaveAsDialog } from "./FileDialogs";
+import { nameOf, withExtension } from "./paths";
+
+const t = texts.dialogs;
+const layerNames = ["depth", "normal", "albedo", "uv", "primitive", "bvhCost", "samples"];
+
+/** How to write the picture, then where. */
+export function ExportDialog() {
+  const [format, setFormat] = useState("png");
+  const [bits, setBits] = useState("8");
+  const [layers, setLayers] = useState<string[]>([]);
+  const [isNaming, setNaming] = useState(false);
+  const close = () => (dialog.value = null);
+  const options = { format, bitDepth: Number(bits), layers: format === "exr" ? layers : [] };
+
+  if (isNaming) {
+    const fileName = nameOf(withExtension(sceneName(), format));
+    return <SaveAsDialog title={t.exportTitle} fileName={fileName} onClose={close} onSave={(path) => savePicture(path, options)} />;
+  }
+
+  const toggle = (layer: string, isOn: boolean) => setLayers(isOn ? [...layers, layer] : layers.filter((l) => l !== layer));
+  const buttons = (
+    <>
+      <Button label={t.cancel} showLabel kind="plain" onClick={close} />
+      <Button label={t.download} showLabel kind="plain" onClick={() => (close(), downloadPicture(options))} />
+      <Button label={t.exportTo} showLabel kind="primary" onClick={() => setNaming(true)} />
+    </>
+  );
+  return (
+    <DialogBox title={t.exportTitle} onClose={close} buttons={buttons}>
+      <p class="quiet">{t.formatWhy}</p>
+      <label class="line">
+        <span>{t.format}</span>
+        <Select label={t.format} value={format} choices={Object.entries(texts.formats).map(([value, label]) => ({ value, label }))} onChange={setFormat} />
+      </label>
+      {format === "png" && (
+        <label class="line">
+          <span>{t.bits}</span>
+          <Select label={t.bits} value={bits} choices={["8", "16"].map((b) => ({ value: b, label: b }))} onChange={setBits} />
+        </label>
+      )}
+      {format === "exr" && (
+        <fieldset>
+          <legend>{t.layers}</legend>
+          {layerNames.map((layer) => (
+            <label class="check" key={layer}>
+              <input type="checkbox" checked={layers.includes(layer)} onChange={(e) => toggle(layer, e.currentTarget.checked)} />
+              {texts.maps[layer]?.[0] ?? layer}
+            </label>
+          ))}
+        </fieldset>
+      )}
+    </DialogBox>
+  );
+}

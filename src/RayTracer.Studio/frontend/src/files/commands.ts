@@ -1,0 +1,122 @@
+/** Opening, saving and sharing. */
+
+import { signal } from "@preact/signals";
+import { getBlob, get, post, Refusal, token, upload } from "../api/client";
+import { attempt, say } from "../state/messages";
+import { dialog, documentState } from "../state/store";
+import { flushEditor } from "../editor/flush";
+import { texts } from "../texts";
+import { nameOf, withExtension } from "./paths";
+
+/** A step that needs an answer about unsaved changes first. */
+export const unsavedQuestion = signal<{ go: () => Promise<void> } | null>(null);
+
+/** A file that would be replaced. */
+export const overwriteQuestion = signal<{ path: string; go: () => Promise<void> } | null>(null);
+
+/** Does what would lose changes; asks first where there are some. */
+async function leaving(step: (discard: boolean) => Promise<unknown>): Promise<void> {
+  await flushEditor();
+  try {
+    await step(false);
+  } catch (error) {
+    if (!(error instanceof Refusal && error.body.unsaved === true)) throw error;
+    unsavedQuestion.value = { go: async () => void (await step(true)) };
+  }
+}
+
+type Source = { path: string } | { galleryId: string } | { recoveryId: string };
+
+export const openScene = (source: Source) => attempt(() => leaving((discard) => post("file/open", { ...source, discard })));
+export const newScene = () => attempt(() => leaving((discard) => post("file/new", { discard })));
+export const discardRecovery = (id: string) => attempt(() => post("recovery/discard", { id }));
+
+export const openDropped = (file: File) =>
+  attempt(() => {
+    say("info", texts.files.dropping(file.name));
+    return leaving((discard) => upload("file/upload", { name: file.name, discard: discard ? "true" : undefined }, file));
+  });
+
+/** Writes something to a path; asks before a file is replaced. */
+async function writing(path: string, write: (overwrite: boolean) => Promise<unknown>): Promise<void> {
+  try {
+    await write(false);
+  } catch (error) {
+    if (!(error instanceof Refusal && error.status === 409 && error.body.exists === true)) throw error;
+    overwriteQuestion.value = { path, go: async () => void (await write(true)) };
+  }
+}
+
+export const saveScene = () =>
+  attempt(async () => {
+    await flushEditor();
+    if (documentState.value?.path) await post("file/save", {});
+    else dialog.value = "saveAs";
+  });
+
+export const saveSceneAs = (path: string) =>
+  attempt(async () => {
+    await flushEditor();
+    await writing(path, (overwrite) => post("file/save", { path, overwrite }));
+  });
+
+export interface PictureOptions {
+  format: string;
+  bitDepth: number;
+  layers: string[];
+}
+
+export const savePicture = (path: string, options: PictureOptions) => {
+  const { bitDepth, layers } = options;
+  return attempt(() => writing(path, (overwrite) => post("save/picture", { path, bitDepth, layers, overwrite })));
+};
+
+function download(blob: Blob, name: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** What files made from this scene are called. */
+export const sceneName = () => documentState.value?.name || "scene.json";
+
+export const downloadPicture = ({ format, bitDepth, layers }: PictureOptions) =>
+  attempt(async () => {
+    const query = { format, bitDepth, layers: layers.length ? layers.join(",") : undefined };
+    download(await getBlob("picture", query), nameOf(withExtension(sceneName(), format)));
+  });
+
+export const shareBundle = () =>
+  attempt(async () => {
+    await flushEditor();
+    download(await getBlob("file/bundle"), nameOf(withExtension(sceneName(), "zip")));
+  });
+
+export const copyCommand = () =>
+  attempt(async () => {
+    const { text } = await get<{ text: string }>("command");
+    await toClipboard(() => navigator.clipboard.writeText(text), texts.messages.copiedCommand(text));
+  });
+
+export const copyImage = () =>
+  attempt(() => {
+    // The clipboard takes a promise, so that the click still counts as the reason.
+    const item = new ClipboardItem({ "image/png": getBlob("picture", { format: "png", bitDepth: 8 }) });
+    return toClipboard(() => navigator.clipboard.write([item]), texts.messages.copiedImage);
+  });
+
+async function toClipboard(write: () => Promise<void>, done: string): Promise<void> {
+  try {
+    await write();
+    say("info", done);
+  } catch {
+    say("error", texts.messages.cannotCopy);
+  }
+}
+
+/** The address of a picture that an image element cannot fetch by itself, as it sends no header: its bytes as a blob. */
+export async function pictureAddress(path: string, query: Record<string, string | number>): Promise<string> {
+  return token ? URL.createObjectURL(await getBlob(path, query)) : "";
+}

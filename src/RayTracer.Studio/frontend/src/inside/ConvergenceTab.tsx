@@ -1,0 +1,26 @@
+import type { ComponentType } from "preact";
+import { useEffect, useState } from "preact/hooks";
+import type { ConvergenceAnswer } from "../api/types";
+import { format } from "../json/numbers";
+import { texts } from "../texts";
+import { usePoll } from "./poll";
+
+const t = texts.convergence;
+
+/** How the error falls; the plot's code is loaded when it is first looked at. */
+export function ConvergenceTab() {
+  const [Plot, setPlot] = useState<ComponentType<Pick<ConvergenceAnswer, "points">> | null>(null);
+  useEffect(() => void import("./ConvergencePlot").then((m) => setPlot(() => m.default)), []);
+  const answer = usePoll<ConvergenceAnswer>("convergence", 1500);
+  const points = (answer?.points ?? []).filter((p) => p.error > 0);
+  return (
+    <div class="convergence">
+      <div class="pad explain">
+        <p class="quiet">{t.explain}</p>
+        {answer?.slope != null && <p>{t.slope(format(answer.slope, 3))}</p>}
+        {points.length < 2 && <p role="status">{t.waiting}</p>}
+      </div>
+      {Plot && points.length >= 2 && <Plot points={points} />}
+    </div>
+  );
+}

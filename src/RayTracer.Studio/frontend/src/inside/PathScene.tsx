@@ -1,0 +1,100 @@
+import { signal } from "@preact/signals";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { get } from "../api/client";
+import type { PathSample, WireframeAnswer } from "../api/types";
+import { orbitCamera } from "../math/projection";
+import { length, subtract } from "../math/vec3";
+import { complain } from "../state/messages";
+import { isDark } from "../state/settings";
+import { revision, selection } from "../state/store";
+import { texts } from "../texts";
+import { pointsOf, SceneDrawing, type Palette } from "./drawScene";
+import { around, nearer, newOrbit, turned } from "./orbit";
+
+const wireframe = signal<WireframeAnswer | null>(null);
+
+const palettes: Record<"light" | "dark", Palette> = {
+  light: { wire: "#9aa7b4", selected: "#c26a00", camera: "#2f6fb0", faint: "#3a4552" },
+  dark: { wire: "#55636f", selected: "#ffb45c", camera: "#6fb0f0", faint: "#000000" },
+};
+
+interface PathSceneProps {
+  samples: PathSample[];
+  chosen: number;
+}
+
+/** The scene as wires, with the paths in it; can be looked at from all sides. */
+export function PathScene({ samples, chosen }: PathSceneProps) {
+  const ref = useRef<HTMLCanvasElement>(null);
+  const orbit = useMemo(newOrbit, []);
+  const [size, setSize] = useState({ width: 0, height: 0 });
+  const now = revision.value;
+
+  useEffect(() => {
+    get<WireframeAnswer>("wireframe").then((answer) => {
+      wireframe.value = answer;
+      const points = answer.shapes.flatMap((s) => s.lines.flatMap(pointsOf));
+      orbit.value ??= around([...points, answer.camera.position], answer.camera.position);
+    }, complain);
+  }, [now]);
+
+  useEffect(() => {
+    const canvas = ref.current!;
+    const watcher = new ResizeObserver(() => setSize({ width: canvas.clientWidth, height: canvas.clientHeight }));
+    watcher.observe(canvas);
+    return () => watcher.disconnect();
+  }, []);
+
+  const [scene, eye, selected, dark] = [wireframe.value, orbit.value, selection.value, isDark()];
+  useEffect(() => {
+    const canvas = ref.current!;
+    if (!scene || !eye || size.width === 0) return;
+    [canvas.width, canvas.height] = [size.width * devicePixelRatio, size.height * devicePixelRatio];
+    const context = canvas.getContext("2d")!;
+    context.scale(devicePixelRatio, devicePixelRatio);
+    context.font = "11px system-ui, sans-serif";
+    const camera = orbitCamera(eye.target, eye.yaw, eye.pitch, eye.distance, size.width, size.height);
+    const drawing = new SceneDrawing(context, camera, palettes[dark ? "dark" : "light"]);
+    const reach = length(subtract(scene.camera.position, eye.target));
+    drawing.wires(scene, selected);
+    drawing.eye(scene.camera, reach / 10);
+    for (const s of samples) if (s.sample !== chosen) drawing.path(s, false, 2 * reach);
+    const own = samples.find((s) => s.sample === chosen);
+    if (own) drawing.path(own, true, 2 * reach);
+  }, [scene, eye, size, samples, chosen, selected, dark]);
+
+  const turn = (yaw: number, pitch: number) => orbit.value && (orbit.value = turned(orbit.value, yaw, pitch));
+  const approach = (factor: number) => orbit.value && (orbit.value = nearer(orbit.value, factor));
+  const onPointerMove = (e: PointerEvent) => {
+    if (e.buttons) turn(-e.movementX * 0.01, e.movementY * 0.01);
+  };
+  const onWheel = (e: WheelEvent) => {
+    e.preventDefault();
+    approach(2 ** (e.deltaY / 400));
+  };
+  const onKeyDown = (e: KeyboardEvent) => {
+    const turns: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
+    const way = turns[e.key];
+    if (way) turn(...way);
+    else if (e.key === "+" || e.key === "=") approach(0.9);
+    else if (e.key === "-") approach(1 / 0.9);
+    else return;
+    e.preventDefault();
+    e.stopPropagation();
+  };
+  return (
+    <canvas
+      ref={ref}
+      class="path-scene"
+      role="application"
+      aria-label={texts.paths.view}
+      tabIndex={0}
+      width={1}
+      height={1}
+      onPointerDown={(e) => e.currentTarget.setPointerCapture(e.pointerId)}
+      onPointerMove={onPointerMove}
+      onWheel={onWheel}
+      onKeyDown={onKeyDown}
+    />
+  );
+}

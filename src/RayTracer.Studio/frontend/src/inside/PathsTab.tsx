@@ -1,0 +1,105 @@
+import { useEffect } from "preact/hooks";
+import type { PathSample, PathsAnswer, PathVertex } from "../api/types";
+import { toHex } from "../json/color";
+import { format } from "../json/numbers";
+import { select } from "../state/edits";
+import { inspectedPixel } from "../state/store";
+import { texts } from "../texts";
+import { Button } from "../ui/Button";
+import { NumberField } from "../ui/NumberField";
+import { picture } from "../viewport/stage";
+import { rgb } from "./format";
+import { chosenSample, firstSample, followPaths, paths, perPage } from "./paths";
+import { PathScene } from "./PathScene";
+
+const t = texts.paths;
+
+function PixelChooser() {
+  const pixel = inspectedPixel.value ?? { x: Math.floor(picture.value.width / 2), y: Math.floor(picture.value.height / 2) };
+  const bounds = (size: number) => ({ minimum: 0, maximum: Math.max(0, size - 1), isInteger: true });
+  return (
+    <div class="pixel-chooser">
+      <NumberField label={t.x} mark="x" value={pixel.x} bounds={bounds(picture.value.width)} onChange={(x) => (inspectedPixel.value = { ...pixel, x })} />
+      <NumberField label={t.y} mark="y" value={pixel.y} bounds={bounds(picture.value.height)} onChange={(y) => (inspectedPixel.value = { ...pixel, y })} />
+      {!inspectedPixel.value && <Button label={t.show} showLabel kind="plain" onClick={() => (inspectedPixel.value = pixel)} />}
+    </div>
+  );
+}
+
+function SampleList({ answer }: { answer: PathsAnswer }) {
+  return (
+    <div class="samples">
+      <PixelChooser />
+      <p class="mean"><span class="swatch" style={{ background: toHex(answer.pixel) }} /> {t.mean}<br /><span class="figures">{rgb(answer.pixel)}</span></p>
+      <div class="pair">
+        <Button label={t.fewer} icon="undo" disabled={firstSample.value === 0} onClick={() => (firstSample.value = Math.max(0, firstSample.value - perPage))} />
+        <span>{t.list}</span>
+        <Button label={t.more} icon="redo" disabled={answer.samples.length < perPage} onClick={() => (firstSample.value += perPage)} />
+      </div>
+      <ul aria-label={t.list}>
+        {answer.samples.map((s) => (
+          <li key={s.sample}>
+            <button type="button" class="list-button" aria-pressed={s.sample === chosenSample.value} aria-label={`${t.sample} ${s.sample}`} onClick={() => (chosenSample.value = s.sample)}>
+              <span class="swatch" style={{ background: toHex(s.radiance) }} />{s.sample}<span class="figures">{rgb(s.radiance)}</span>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function VertexRow({ vertex, index }: { vertex: PathVertex; index: number }) {
+  const { parts } = vertex;
+  const details = parts ? t.parts(rgb(parts.emitted), rgb(parts.ambient), rgb(parts.direct)) : undefined;
+  return (
+    <tr>
+      <td>{index}</td>
+      <td data-tip={t.eventsWhy[vertex.event]}><span class={`event ${vertex.event}`}>{t.events[vertex.event] ?? vertex.event}</span></td>
+      <td>{vertex.pointer ? <button type="button" class="link" onClick={() => select(vertex.pointer)}>{vertex.name ?? vertex.pointer}</button> : vertex.name}</td>
+      <td>{vertex.material}</td>
+      <td class="figures">{rgb(vertex.throughput)}</td>
+      <td class="figures">{rgb(vertex.weight)}</td>
+      <td class="figures">{vertex.pdf === null ? t.delta : format(vertex.pdf, 3)}</td>
+      <td class="figures" data-tip={details}>{rgb(vertex.contribution)}</td>
+    </tr>
+  );
+}
+
+function VertexTable({ sample }: { sample: PathSample }) {
+  return (
+    <div class="vertices" role="region" aria-label={t.table} tabIndex={0}>
+      <table>
+        <caption>{t.sample} {sample.sample}</caption>
+        <thead>
+          <tr><th scope="col">#</th><th scope="col">{t.event}</th><th scope="col">{t.thing}</th><th scope="col">{t.material}</th><th scope="col">{t.throughput}</th><th scope="col">{t.weight}</th><th scope="col">{t.pdf}</th><th scope="col">{t.contribution}</th></tr>
+        </thead>
+        <tbody>{sample.vertices.map((v, i) => <VertexRow vertex={v} index={i} key={i} />)}</tbody>
+        <tfoot><tr><th scope="row" colSpan={7}>{t.total}</th><td class="figures">{rgb(sample.radiance)}</td></tr></tfoot>
+      </table>
+      <p class="quiet">{t.explain}</p>
+    </div>
+  );
+}
+
+/** The light paths of one pixel: which samples there are, the vertices of one as a table, and all of them in the scene. */
+export function PathsTab() {
+  useEffect(() => followPaths(), []);
+  const answer = paths.value;
+  if (!inspectedPixel.value || !answer) {
+    return (
+      <div class="pad">
+        <p>{t.none} {t.how}</p>
+        <PixelChooser />
+      </div>
+    );
+  }
+  const sample = answer.samples.find((s) => s.sample === chosenSample.value) ?? answer.samples[0];
+  return (
+    <div class="paths" role="group" aria-label={`${t.label}: ${t.pixel(answer.x, answer.y)}`}>
+      <SampleList answer={answer} />
+      {sample && <VertexTable sample={sample} />}
+      <PathScene samples={answer.samples} chosen={sample?.sample ?? -1} />
+    </div>
+  );
+}

@@ -1,0 +1,98 @@
+/** Draws the scene's wires and the light's paths on a canvas. */
+
+import type { PathSample, Vec3, ViewCamera, WireframeAnswer } from "../api/types";
+import { toHex } from "../json/color";
+import { project, projectLine, rayThrough } from "../math/projection";
+import { add, scale } from "../math/vec3";
+
+export interface Palette {
+  wire: string;
+  selected: string;
+  camera: string;
+  faint: string;
+}
+
+/** Triples of numbers as points. */
+export function pointsOf(line: number[]): Vec3[] {
+  return Array.from({ length: Math.floor(line.length / 3) }, (_, i): Vec3 => [line[3 * i]!, line[3 * i + 1]!, line[3 * i + 2]!]);
+}
+
+/** How a path's line is coloured: by the light it brought, brightened so that dark paths can be seen. */
+function pathColor(radiance: Vec3): string {
+  const largest = Math.max(...radiance);
+  return largest > 0 ? toHex(scale(radiance, 1 / largest)) : "#808080";
+}
+
+export class SceneDrawing {
+  constructor(
+    private readonly context: CanvasRenderingContext2D,
+    private readonly camera: ViewCamera,
+    private readonly palette: Palette,
+  ) {}
+
+  private polyline(points: Vec3[], color: string, width: number, alpha = 1): void {
+    const { context } = this;
+    context.strokeStyle = color;
+    context.lineWidth = width;
+    context.globalAlpha = alpha;
+    context.beginPath();
+    points.slice(1).forEach((b, i) => {
+      const line = projectLine(this.camera, points[i]!, b);
+      if (!line) return;
+      context.moveTo(line[0].x, line[0].y);
+      context.lineTo(line[1].x, line[1].y);
+    });
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+
+  wires(answer: WireframeAnswer, selected: string | null): void {
+    for (const { pointer, lines } of answer.shapes) {
+      const isSelected = pointer === selected;
+      for (const line of lines) this.polyline(pointsOf(line), isSelected ? this.palette.selected : this.palette.wire, isSelected ? 1.5 : 1);
+    }
+  }
+
+  /** The scene's camera as a small pyramid, a tenth of the way to what it looks at. */
+  eye(view: ViewCamera, depth: number): void {
+    const corners = [[0, 0], [view.width, 0], [view.width, view.height], [0, view.height]].map(([x, y]) => {
+      const { origin, direction } = rayThrough(view, { x: x!, y: y! });
+      return add(origin, scale(direction, depth));
+    });
+    this.polyline([...corners, corners[0]!], this.palette.camera, 1.5);
+    for (const corner of corners) this.polyline([view.position, corner], this.palette.camera, 1);
+  }
+
+  path(sample: PathSample, isChosen: boolean, farAway: number): void {
+    const points = pathPoints(sample, farAway);
+    const color = pathColor(sample.radiance);
+    if (isChosen) this.polyline(points, this.palette.faint, 5, 0.7);
+    this.polyline(points, color, isChosen ? 2 : 1, isChosen ? 1 : 0.45);
+    if (!isChosen) return;
+    points.forEach((point, i) => this.dot(point, color, i));
+  }
+
+  private dot(point: Vec3, color: string, index: number): void {
+    const at = project(this.camera, point);
+    if (!at) return;
+    const { context } = this;
+    context.fillStyle = color;
+    context.beginPath();
+    context.arc(at.x, at.y, 3.5, 0, 2 * Math.PI);
+    context.fill();
+    context.fillStyle = this.palette.selected;
+    context.fillText(String(index), at.x + 6, at.y - 5);
+  }
+}
+
+/** The places of a path. One that leaves the scene ends without a place to end at: its last stretch is cut. */
+export function pathPoints(sample: PathSample, farAway: number): Vec3[] {
+  const points = sample.vertices.map((v) => v.position).filter((p) => p?.every(Number.isFinite));
+  return points.map((p, i) => {
+    const before = points[i - 1];
+    if (!before) return p;
+    const way: Vec3 = [p[0] - before[0], p[1] - before[1], p[2] - before[2]];
+    const length = Math.hypot(...way);
+    return length > farAway ? add(before, scale(way, farAway / length)) : p;
+  });
+}

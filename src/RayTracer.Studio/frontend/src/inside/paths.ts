@@ -1,0 +1,26 @@
+import { effect, signal } from "@preact/signals";
+import { get } from "../api/client";
+import { Latest } from "../api/latest";
+import type { PathsAnswer } from "../api/types";
+import { complain } from "../state/messages";
+import { inspectedPixel, revision } from "../state/store";
+
+export const perPage = 16;
+export const firstSample = signal(0);
+export const chosenSample = signal(0);
+export const paths = signal<PathsAnswer | null>(null);
+
+const asking = new Latest<{ x: number; y: number; first: number }>(async ({ x, y, first }) => {
+  paths.value = await get<PathsAnswer>("paths", { x, y, first, count: perPage });
+  if (!paths.value.samples.some((s) => s.sample === chosenSample.value)) chosenSample.value = first;
+}, complain);
+
+let shownPixel: object | null = null;
+
+/** Asks for the paths of the inspected pixel whenever it, the page or the scene changes; ends with the function that it returns. */
+export const followPaths = () =>
+  effect(() => {
+    const pixel = inspectedPixel.value;
+    if (pixel !== shownPixel) [shownPixel, firstSample.value, chosenSample.value] = [pixel, 0, 0];
+    if (pixel && revision.value >= 0) asking.push({ ...pixel, first: firstSample.value });
+  });

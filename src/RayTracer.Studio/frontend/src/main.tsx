@@ -1,0 +1,32 @@
+import { effect } from "@preact/signals";
+import { render } from "preact";
+import { sayGoodbye } from "./api/client";
+import { App } from "./shell/App";
+import { follow } from "./state/follow";
+import { reportFaults } from "./state/messages";
+import { tourSeen } from "./state/settings";
+import { documentState, hasScene, tourStep } from "./state/store";
+import "./styles/base.css";
+import "./styles/shell.css";
+import "./styles/controls.css";
+import "./styles/panels.css";
+import "./styles/viewport.css";
+import "./styles/inside.css";
+import "./styles/dialogs.css";
+
+reportFaults();
+follow();
+
+addEventListener("pagehide", sayGoodbye);
+addEventListener("beforeunload", (e) => {
+  if (documentState.value?.isDirty) e.preventDefault();
+});
+
+// Whoever sees the Studio for the first time is shown around, as soon as there is something to see.
+const stopWaiting = effect(() => {
+  if (!hasScene.value) return;
+  if (!tourSeen.peek()) tourStep.value = 0;
+  queueMicrotask(() => stopWaiting());
+});
+
+render(<App />, document.getElementById("app")!);

@@ -1,0 +1,13 @@
+import type { Json, Parameter } from "../api/types";
+
+/** What every editor of a parameter is given. */
+export interface FieldProps {
+  parameter: Parameter;
+  pointer: string;
+  /** As written; undefined where the default counts. */
+  value: Json | undefined;
+  /** As it counts: the written value or the default. */
+  effective: Json;
+  label: string;
+  id: string;
+}

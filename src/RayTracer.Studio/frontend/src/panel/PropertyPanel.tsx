@@ -1,0 +1,42 @@
+import { parent } from "../json/pointer";
+import { rightTab } from "../state/settings";
+import { schema, selection } from "../state/store";
+import { texts } from "../texts";
+import { Tabs } from "../ui/Tabs";
+import { ColorNames } from "./ColorField";
+import { RenderPanel } from "./RenderPanel";
+import { ThingPanel } from "./ThingPanel";
+
+const hasOwnTab = new Set(["", "/camera", "/render"]);
+
+function SelectedThing() {
+  const pointer = selection.value;
+  if (pointer === null || hasOwnTab.has(pointer) || (parent(pointer) === "" && !schema.value)) return <p class="quiet pad">{texts.panel.nothing}</p>;
+  return <ThingPanel pointer={pointer} key={pointer} />;
+}
+
+function World() {
+  const scene = schema.value?.sections.scene;
+  // What colours the whole scene; the lists have their own places in the outliner.
+  const own = scene?.parameters.filter((p) => ["color", "texture", "number", "choice", "boolean"].includes(p.kind.toLowerCase())) ?? [];
+  return <>{own.map((p) => <ThingPanel pointer={`/${p.key}`} key={p.key} />)}</>;
+}
+
+/** The right pane. */
+export function PropertyPanel() {
+  return (
+    <>
+      <ColorNames />
+      <Tabs
+        label={texts.right.label}
+        chosen={rightTab}
+        tabs={[
+          { id: "object", label: texts.right.object, render: () => <SelectedThing /> },
+          { id: "camera", label: texts.right.camera, render: () => <ThingPanel pointer="/camera" without={[]} /> },
+          { id: "render", label: texts.right.render, render: () => <RenderPanel /> },
+          { id: "world", label: texts.right.world, render: () => <World /> },
+        ]}
+      />
+    </>
+  );
+}

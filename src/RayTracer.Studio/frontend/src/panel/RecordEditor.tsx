@@ -1,0 +1,54 @@
+import type { Json, RecordType } from "../api/types";
+import { join } from "../json/pointer";
+import { resetValue } from "../state/edits";
+import { texts } from "../texts";
+import { Button } from "../ui/Button";
+import { Field } from "./Field";
+import { isObject, kindOf, spaced } from "./types";
+import type { Parameter } from "../api/types";
+
+interface RecordEditorProps {
+  type: RecordType;
+  pointer: string;
+  value: Json | undefined;
+  /** Parameters that are shown elsewhere. */
+  without?: readonly string[];
+}
+
+const tallKinds = new Set(["color", "texture", "material", "record", "records", "vector3", "file"]);
+
+function explain(parameter: Parameter): string {
+  const { range, unit, summary } = parameter;
+  return [summary, unit && `(${texts.panel.unit(unit)})`, range && `${texts.panel.range(range)}.`].filter(Boolean).join(" ");
+}
+
+/** One row for each parameter of a record, in the schema's order. */
+export function RecordEditor({ type, pointer, value, without = [] }: RecordEditorProps) {
+  const written = isObject(value) ? value : {};
+  return (
+    <div class="record">
+      {type.parameters.filter((p) => !without.includes(p.key)).map((parameter) => {
+        const own = written[parameter.key];
+        const at = join(pointer, parameter.key);
+        const id = `field${at.replace(/\W/g, "-")}`;
+        const label = spaced(parameter.key);
+        return (
+          <div class={`row ${tallKinds.has(kindOf(parameter)) ? "tall" : ""} ${own === undefined ? "default" : ""}`} key={parameter.key}>
+            <div class="row-label" data-tip={explain(parameter)}>
+              <label for={id}>{label}</label>
+              {parameter.unit && <span class="unit">{parameter.unit}</span>}
+            </div>
+            <div class="row-field">
+              <Field parameter={parameter} pointer={at} value={own} effective={own ?? parameter.default} label={label} id={id} />
+            </div>
+            {own !== undefined && !parameter.required ? (
+              <Button label={texts.panel.reset(label)} tip={texts.panel.resetWhy} icon="reset" onClick={() => resetValue(at)} />
+            ) : (
+              <span class="no-reset" />
+            )}
+          </div>
+        );
+      })}
+    </div>
+  );
+}

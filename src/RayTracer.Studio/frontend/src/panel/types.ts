@@ -1,0 +1,50 @@
+/** What the schema says about a place of the scene. */
+
+import type { Json, Parameter, RecordType, SchemaAnswer } from "../api/types";
+
+export type JsonObject = { [key: string]: Json };
+
+export const isObject = (value: Json | undefined): value is JsonObject =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+/** The kind of a parameter, whether the server writes "Vector3" or "vector3". */
+export const kindOf = (parameter: Parameter) => parameter.kind.charAt(0).toLowerCase() + parameter.kind.slice(1);
+
+/** The record that describes a thing of this family and type; sections (camera, render …) have no family. */
+export function findType(schema: SchemaAnswer, family: string | null, type: string | null): RecordType | null {
+  if (!type) return null;
+  const families = family && schema.types[family] ? [schema.types[family]] : Object.values(schema.types);
+  return families.flat().find((t) => t.name === type) ?? schema.sections[type] ?? null;
+}
+
+/** The record that stands in a parameter of kind record or records. */
+export const sectionOf = (schema: SchemaAnswer, parameter: Parameter): RecordType | null =>
+  schema.sections[parameter.family ?? parameter.key] ?? schema.sections[parameter.key] ?? null;
+
+export const boundsOf = (parameter: Parameter) => ({
+  minimum: parameter.minimum,
+  maximum: parameter.maximum,
+  minimumIsExclusive: parameter.minimumIsExclusive,
+  isInteger: kindOf(parameter) === "integer",
+});
+
+/** A number gets a slider where all its range can sensibly be reached by one. */
+export const hasSlider = (parameter: Parameter) =>
+  parameter.minimum !== null && parameter.maximum !== null && parameter.maximum - parameter.minimum <= 360;
+
+/** Another type in place of this one: what both of them know stays. */
+export function retyped(value: Json | undefined, type: RecordType): JsonObject {
+  const result: JsonObject = { type: type.name };
+  for (const p of type.parameters) {
+    const kept = isObject(value) ? value[p.key] : undefined;
+    if (kept !== undefined) result[p.key] = kept;
+    else if (p.required) result[p.key] = p.default ?? requiredValue(kindOf(p));
+  }
+  return result;
+}
+
+const requiredValue = (kind: string): Json =>
+  ({ texture: "white", color: "white", vector3: [0, 1, 0], vector2: [1, 1], number: 1, integer: 1, boolean: false } as Record<string, Json>)[kind] ?? "";
+
+/** "samplesPerPixel" as people read it: "samples per pixel". */
+export const spaced = (key: string) => key.replace(/([a-z0-9])([A-Z])/g, (_, a: string, b: string) => `${a} ${b.toLowerCase()}`);

@@ -1,0 +1,90 @@
+import { useEffect } from "preact/hooks";
+import { ExportDialog } from "../files/ExportDialog";
+import { OpenDialog, SaveSceneDialog, WantedFileDialog } from "../files/FileDialogs";
+import { Gallery } from "../files/Gallery";
+import { OverwriteQuestion, RenameDialog, UnsavedQuestion } from "../files/Questions";
+import { Recent } from "../files/Recent";
+import { Outliner } from "../outliner/Outliner";
+import { PropertyPanel } from "../panel/PropertyPanel";
+import { bottomHeight, bottomOpen, leftOpen, leftTab, leftWidth, rightOpen, rightWidth } from "../state/settings";
+import { listenToShortcuts } from "../state/shortcuts";
+import { dialog, hasScene, studio } from "../state/store";
+import { texts } from "../texts";
+import { Splitter } from "../ui/Splitter";
+import { Tabs } from "../ui/Tabs";
+import { Tooltip } from "../ui/Tooltip";
+import { Viewport } from "../viewport/Viewport";
+import { Banners } from "./Banners";
+import { Dock } from "./Dock";
+import { DropTarget } from "./DropTarget";
+import { EmptyState } from "./EmptyState";
+import { Messages } from "./Messages";
+import { ShortcutSheet } from "./ShortcutSheet";
+import { StatusBar } from "./StatusBar";
+import { Toolbar } from "./Toolbar";
+import { Tour } from "./Tour";
+
+const dialogs = { open: OpenDialog, saveAs: SaveSceneDialog, export: ExportDialog, rename: RenameDialog, shortcuts: ShortcutSheet };
+
+function LeftPane() {
+  const t = texts.left;
+  return (
+    <aside class="pane left" aria-label={t.label}>
+      <Tabs
+        label={t.label}
+        chosen={leftTab}
+        tabs={[
+          { id: "scene", label: t.scene, render: () => <Outliner /> },
+          { id: "gallery", label: t.gallery, render: () => <Gallery /> },
+          { id: "files", label: t.files, render: () => <Recent /> },
+        ]}
+      />
+    </aside>
+  );
+}
+
+/** The whole window. */
+export function App() {
+  useEffect(listenToShortcuts, []);
+  const Shown = dialog.value && dialogs[dialog.value];
+  const isEmpty = studio.value !== null && !hasScene.value;
+  const sizes = { "--left": `${leftWidth.value}px`, "--right": `${rightWidth.value}px`, "--bottom": `${bottomHeight.value}px` };
+  return (
+    <div class="window" style={sizes}>
+      <Toolbar />
+      <Banners />
+      <div class="panes">
+        {leftOpen.value && (
+          <>
+            <LeftPane />
+            <Splitter label={texts.panes.left} size={leftWidth} grows="right" minimum={180} maximum={() => innerWidth * 0.4} />
+          </>
+        )}
+        <main class="centre">
+          {isEmpty ? <EmptyState /> : <Viewport />}
+          {bottomOpen.value && (
+            <>
+              <Splitter label={texts.panes.bottom} size={bottomHeight} grows="up" minimum={110} maximum={() => innerHeight * 0.7} />
+              <section class="pane bottom" aria-label={texts.dock.label}><Dock /></section>
+            </>
+          )}
+        </main>
+        {rightOpen.value && (
+          <>
+            <Splitter label={texts.panes.right} size={rightWidth} grows="left" minimum={220} maximum={() => innerWidth * 0.4} />
+            <aside class="pane right" aria-label={texts.right.label}><PropertyPanel /></aside>
+          </>
+        )}
+      </div>
+      <StatusBar />
+      <Messages />
+      {Shown && <Shown />}
+      <WantedFileDialog />
+      <UnsavedQuestion />
+      <OverwriteQuestion />
+      <Tour />
+      <Tooltip />
+      <DropTarget />
+    </div>
+  );
+}

@@ -1,0 +1,71 @@
+import { addThing } from "../state/edits";
+import { commandButton, commandItem, type CommandId } from "../state/commands";
+import { bottomOpen, leftOpen, rightOpen } from "../state/settings";
+import { documentState, renderState, schema } from "../state/store";
+import { texts } from "../texts";
+import { Button } from "../ui/Button";
+import { Menu, type MenuItem } from "../ui/Menu";
+import { spaced } from "../panel/types";
+
+const t = texts.toolbar;
+const fileItems: CommandId[] = ["new", "open", "gallery", "save", "saveAs", "export", "copyImage", "copyCommand", "bundle"];
+const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "home", "theme", "shortcuts", "tour"];
+
+function addItems(): MenuItem[] {
+  const types = schema.value?.types ?? {};
+  // A light is a shape that shines.
+  const families: [string, string][] = [["shape", "shape"], ["light", "light" in types ? "light" : "shape"], ["material", "material"], ["texture", "texture"]];
+  const lights = new Set(["sphere", "disk", "rectangle", "plane", "triangle", "box", "cylinder", "cone", "torus"]);
+  const needsFile = new Set(["model", "mesh", "group", "instance"]);
+  return families.flatMap(([family, source]) =>
+    (types[source] ?? [])
+      .filter((type) => (family !== "light" || lights.has(type.name)) && !(family === "shape" && needsFile.has(type.name)))
+      .map((type) => ({
+        label: `${texts.families[family]}: ${spaced(type.name)}`,
+        tip: type.summary,
+        group: texts.families[family],
+        run: () => addThing(family, type.name),
+      })),
+  );
+}
+
+/** The row at the top: files, history, rendering, panes. */
+export function Toolbar() {
+  const doc = documentState.value;
+  const isRendering = renderState.value?.status === "rendering";
+  const stateOf = (label: string | null | undefined) => (label ? ` (${label})` : "");
+  const undo = commandButton("undo");
+  const redo = commandButton("redo");
+  const pause = commandButton("pause");
+  return (
+    <header class="toolbar">
+     <div class="tools" role="toolbar" aria-label={t.label}>
+      <div class="group">
+        <Menu label={t.file} items={fileItems.map(commandItem)} />
+        <Menu label={t.add} tip={t.addWhy} icon="add" items={addItems()} />
+      </div>
+      <div class="group">
+        <Button {...commandButton("save")} />
+        <Button {...undo} tip={`${undo.tip}${stateOf(doc?.undoLabel)}`} />
+        <Button {...redo} tip={`${redo.tip}${stateOf(doc?.redoLabel)}`} />
+      </div>
+      <div class="group">
+        <Button {...pause} icon={isRendering ? "pause" : "play"} />
+        <Button {...commandButton("stop")} />
+        <Button {...commandButton("restart")} />
+        <Button {...commandButton("export")} />
+      </div>
+      <h1 class="title" data-tip={doc?.path ?? undefined}>
+        {doc?.isDirty && <span class="dirty" role="img" aria-label={texts.status.unsaved}>•</span>}
+        {doc?.name || texts.untitled}
+      </h1>
+      <div class="group">
+        <Button {...commandButton("showScene")} pressed={leftOpen.value} />
+        <Button {...commandButton("showDock")} pressed={bottomOpen.value} />
+        <Button {...commandButton("showPanel")} pressed={rightOpen.value} />
+        <Menu label={t.more} icon="more" showLabel={false} items={moreItems.map(commandItem)} />
+      </div>
+     </div>
+    </header>
+  );
+}

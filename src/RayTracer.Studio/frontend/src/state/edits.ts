@@ -1,0 +1,70 @@
+/** Changes of the document. All become edits of its text on the server. */
+
+import { post } from "../api/client";
+import { Latest } from "../api/latest";
+import type { Json, Vec3 } from "../api/types";
+import { parent } from "../json/pointer";
+import { attempt, complain } from "./messages";
+import { dialog, selection } from "./store";
+
+const page = Math.random().toString(36).slice(2, 8);
+let gestures = 0;
+
+/** A name for one gesture: all its edits are one step of undo. */
+export const newGesture = () => `${page}-${++gestures}`;
+
+interface Setting {
+  pointer: string;
+  value: Json;
+  gesture: string;
+}
+
+const settings = new Map<string, Latest<Setting>>();
+
+/** Sets a value. While one is on its way, only the newest of the same place waits. */
+export function setValue(pointer: string, value: Json, gesture = newGesture()): void {
+  let latest = settings.get(pointer);
+  if (!latest) settings.set(pointer, (latest = new Latest<Setting>((s) => post("document/set", s), complain)));
+  latest.push({ pointer, value, gesture });
+}
+
+/** Takes a value out of the text, so that its default counts again. */
+export const resetValue = (pointer: string) => attempt(() => post("document/set", { pointer, value: null, reset: true }));
+
+export const select = (pointer: string | null) => attempt(() => post("select", { pointer }));
+
+export const addThing = (family: string, type: string) =>
+  attempt(async () => {
+    const added = await post<{ pointer: string }>("document/add", { family, type });
+    await post("select", { pointer: added.pointer });
+  });
+
+export const duplicate = (pointer: string) =>
+  attempt(async () => {
+    const copy = await post<{ pointer: string }>("document/duplicate", { pointer });
+    await post("select", { pointer: copy.pointer });
+  });
+
+export const remove = (pointer: string) => attempt(() => post("document/delete", { pointers: [pointer] }));
+
+export const rename = (pointer: string, name: string) => attempt(() => post("document/rename", { pointer, name }));
+
+export interface Placement {
+  pointer: string;
+  translate?: Vec3;
+  rotate?: { axis: Vec3; degrees: number; center: Vec3 };
+  scale?: Vec3;
+  gesture: string;
+}
+
+/** What can be copied, deleted or renamed: the members of lists, and what has a name under materials or textures. */
+export const isThing = (pointer: string | null): pointer is string =>
+  pointer !== null && /^\/(shapes|lights|materials|textures|objects)\/./.test(pointer) && !["/camera", "/render"].includes(parent(pointer));
+
+/** Runs a command on the selected thing, if there is one that it can be run on. */
+export function withSelection(work: (pointer: string) => void): void {
+  const pointer = selection.value;
+  if (isThing(pointer)) work(pointer);
+}
+
+export const askForName = () => withSelection(() => (dialog.value = "rename"));

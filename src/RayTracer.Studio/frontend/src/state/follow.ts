@@ -1,0 +1,48 @@
+/** Follows the server: long polls its state, and asks for the outline whenever the text changes. */
+
+import { effect } from "@preact/signals";
+import { get, Refusal } from "../api/client";
+import { Latest } from "../api/latest";
+import type { Outline, SchemaAnswer, StudioState } from "../api/types";
+import { complain, say } from "./messages";
+import { connection, documentState, outline, revision, schema, studio } from "./store";
+
+const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+const retryAfter = 1000;
+
+async function followState(): Promise<never> {
+  let version = -1;
+  for (;;) {
+    try {
+      const state = await get<StudioState>("state", { after: version });
+      version = state.version;
+      connection.value = "open";
+      const message = state.message;
+      if (message && message.id !== studio.value?.message?.id) say(message.kind, message.text);
+      studio.value = state;
+    } catch (error) {
+      const isRefused = error instanceof Refusal && (error.status === 401 || error.status === 403);
+      connection.value = isRefused ? "refused" : "lost";
+      version = -1;
+      await pause(retryAfter);
+    }
+  }
+}
+
+/** Starts following; goes on as long as the page lives. */
+export function follow(): void {
+  void followState();
+  effect(() => {
+    if (connection.value === "open" && !schema.value) get<SchemaAnswer>("schema").then((s) => (schema.value = s), complain);
+  });
+
+  const outlines = new Latest<number>(async (r) => (outline.value = await get<Outline>("outline", { revision: r })), complain);
+  effect(() => {
+    if (revision.value >= 0) outlines.push(revision.value);
+  });
+
+  effect(() => {
+    const doc = documentState.value;
+    if (doc) document.title = `${doc.isDirty ? "• " : ""}${doc.name || "Studio"} – Studio`;
+  });
+}

@@ -1,0 +1,56 @@
+/** What all parts of the window look at. The server's state is taken as it comes; only what no server needs to know is kept here. */
+
+import { computed, signal } from "@preact/signals";
+import type { Outline, SchemaAnswer, StudioState } from "../api/types";
+
+export const studio = signal<StudioState | null>(null);
+export const connection = signal<"waiting" | "open" | "lost" | "refused">("waiting");
+export const schema = signal<SchemaAnswer | null>(null);
+export const outline = signal<Outline | null>(null);
+
+// Slices: whoever looks at one is drawn again only if that one changes.
+const slice = <T>(pick: (state: StudioState) => T) => {
+  let before: T | null = null;
+  let written = "";
+  return computed(() => {
+    const state = studio.value;
+    if (!state) return null;
+    const now = pick(state);
+    const text = JSON.stringify(now);
+    if (text !== written) [before, written] = [now, text];
+    return before;
+  });
+};
+
+export const documentState = slice((s) => s.document);
+export const renderState = slice((s) => s.render);
+export const toneState = slice((s) => s.tone);
+export const snapshots = slice((s) => s.snapshots);
+export const recoveries = slice((s) => s.recovery);
+export const jobs = slice((s) => s.jobs);
+export const selection = computed(() => studio.value?.selection ?? null);
+export const revision = computed(() => studio.value?.document.revision ?? -1);
+export const map = computed(() => studio.value?.render.map ?? "light");
+
+/** Whether there is a scene to look at: a fresh Studio has an empty text. */
+export const hasScene = computed(() => {
+  const state = studio.value;
+  return state !== null && state.render.width > 0 && !(state.document.path === null && state.document.name === "" );
+});
+
+export type Tool = "select" | "move" | "rotate" | "scale" | "focus" | "inspect" | "region";
+export const tool = signal<Tool>("select");
+
+/** The pixel whose paths are looked at. */
+export const inspectedPixel = signal<{ x: number; y: number } | null>(null);
+
+/** The snapshot that is wiped against, and where: 0 is the left edge. */
+export const compared = signal<number | null>(null);
+export const wipe = signal(0.5);
+
+export type Dialog = "open" | "saveAs" | "export" | "rename" | "shortcuts";
+export const dialog = signal<Dialog | null>(null);
+export const tourStep = signal<number | null>(null);
+
+/** Where the source editor shall go; a new object each time. */
+export const wantedPlace = signal<{ from: number; to: number } | null>(null);

@@ -1,0 +1,42 @@
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { texts } from "../texts";
+import { Button } from "./Button";
+
+interface DialogBoxProps {
+  title: string;
+  onClose: () => void;
+  children: ComponentChildren;
+  buttons?: ComponentChildren;
+  wide?: boolean;
+}
+
+/** A modal dialog; Escape and the close button end it. */
+export function DialogBox({ title, onClose, children, buttons, wide }: DialogBoxProps) {
+  const ref = useRef<HTMLDialogElement>(null);
+  useEffect(() => {
+    const box = ref.current!;
+    const before = document.activeElement as HTMLElement | null;
+    box.showModal();
+    return () => {
+      box.close();
+      before?.focus?.();
+    };
+  }, []);
+  const onCancel = (e: Event) => {
+    e.preventDefault();
+    onClose();
+  };
+  // Keys pressed in a dialog are no shortcuts of the window behind it.
+  const onKeyDown = (e: KeyboardEvent) => e.stopPropagation();
+  return (
+    <dialog ref={ref} class={wide ? "wide" : ""} aria-label={title} onCancel={onCancel} onKeyDown={onKeyDown}>
+      <header>
+        <h2>{title}</h2>
+        <Button label={texts.dialogs.close} icon="close" onClick={onClose} />
+      </header>
+      <div class="dialog-body">{children}</div>
+      {buttons && <footer>{buttons}</footer>}
+    </dialog>
+  );
+}

@@ -1,0 +1,89 @@
+import { useEffect, useState } from "preact/hooks";
+import type { Region } from "../api/types";
+import { pictureAddress } from "../files/commands";
+import { complain } from "../state/messages";
+import { compared, inspectedPixel, renderState, tool, wipe } from "../state/store";
+import { texts } from "../texts";
+import { regionBetween } from "./clicks";
+import { drawnRegion } from "./pointers";
+import { picture, placement } from "./stage";
+
+function Rectangle({ region, kind }: { region: Region; kind: string }) {
+  const { scale, left, top } = placement.value;
+  const [x, y, width, height] = region;
+  return <div class={`region ${kind}`} style={{ left: `${left + x * scale}px`, top: `${top + y * scale}px`, width: `${width * scale}px`, height: `${height * scale}px` }} />;
+}
+
+/** The render region, or the one that is being drawn. */
+export function RegionOverlay() {
+  const drawn = drawnRegion.value;
+  const region = renderState.value?.region;
+  if (drawn) {
+    const rectangle = regionBetween(drawn.a, drawn.b, picture.value);
+    return rectangle && <Rectangle region={rectangle} kind="drawn" />;
+  }
+  return region ? <Rectangle region={region} kind="chosen" /> : null;
+}
+
+/** Where the inspected pixel is. */
+export function InspectMark() {
+  const pixel = inspectedPixel.value;
+  if (!pixel || tool.value !== "inspect") return null;
+  const { scale, left, top } = placement.value;
+  const style = { left: `${left + (pixel.x + 0.5) * scale}px`, top: `${top + (pixel.y + 0.5) * scale}px` };
+  return <div class="inspect-mark" style={style}><span>{texts.viewport.inspected(pixel.x, pixel.y)}</span></div>;
+}
+
+/** A kept picture over the new one, cut off at a line that can be dragged. */
+export function Wipe() {
+  const id = compared.value;
+  const [source, setSource] = useState("");
+  useEffect(() => {
+    setSource("");
+    if (id !== null) pictureAddress("view/snapshot", { id }).then(setSource, complain);
+  }, [id]);
+  useEffect(() => () => URL.revokeObjectURL(source), [source]);
+  if (id === null || !source) return null;
+
+  const { scale, left, top } = placement.value;
+  const size = { width: picture.value.width * scale, height: picture.value.height * scale };
+  const set = (value: number) => (wipe.value = Math.min(1, Math.max(0, value)));
+  const onPointerDown = (e: PointerEvent) => {
+    const handle = e.currentTarget as HTMLElement;
+    const start = e.clientX - wipe.value * size.width;
+    handle.setPointerCapture(e.pointerId);
+    handle.onpointermove = (move) => set((move.clientX - start) / size.width);
+    handle.onlostpointercapture = () => (handle.onpointermove = null);
+    e.preventDefault();
+  };
+  const onKeyDown = (e: KeyboardEvent) => {
+    const step = { ArrowLeft: -0.02, ArrowRight: 0.02 }[e.key];
+    if (!step) return;
+    set(wipe.value + step);
+    e.preventDefault();
+    e.stopPropagation();
+  };
+  return (
+    <>
+      <img
+        class="overlay"
+        src={source}
+        alt={texts.viewport.keptPicture}
+        style={{ left: `${left}px`, top: `${top}px`, width: `${size.width}px`, height: `${size.height}px`, clipPath: `inset(0 ${(1 - wipe.value) * 100}% 0 0)` }}
+      />
+      <div
+        class="wipe"
+        role="slider"
+        tabIndex={0}
+        aria-label={texts.viewport.wipe}
+        aria-valuemin={0}
+        aria-valuemax={100}
+        aria-valuenow={Math.round(wipe.value * 100)}
+        data-handle="wipe"
+        style={{ left: `${left + wipe.value * size.width}px`, top: `${top}px`, height: `${size.height}px` }}
+        onPointerDown={onPointerDown}
+        onKeyDown={onKeyDown}
+      />
+    </>
+  );
+}

@@ -1,0 +1,60 @@
+import { useEffect, useRef } from "preact/hooks";
+import { token } from "../api/client";
+import { texts } from "../texts";
+import { headerSize, readHeader } from "./frame";
+import type { ToWorker } from "./frames.worker";
+import { Painter } from "./painter";
+import { cameraMoves, picture, placement, stage, zoom } from "./stage";
+
+/** Follows the server's frames and paints them; ends with the function that it returns. */
+function followFrames(canvas: HTMLCanvasElement): () => void {
+  const context = canvas.getContext("2d", { alpha: false })!;
+  const worker = new Worker(new URL("./frames.worker.ts", import.meta.url), { type: "module" });
+  const tell = (message: ToWorker) => worker.postMessage(message);
+
+  let painted = 0;
+  const painter = new Painter<ArrayBuffer>(requestAnimationFrame, (bytes) => {
+    const frame = readHeader(bytes);
+    if (canvas.width !== frame.width || canvas.height !== frame.height) [canvas.width, canvas.height] = [frame.width, frame.height];
+    context.putImageData(new ImageData(new Uint8ClampedArray(bytes, headerSize), frame.width, frame.height), 0, 0);
+    if (picture.peek().width !== frame.pictureWidth || picture.peek().height !== frame.pictureHeight) {
+      picture.value = { width: frame.pictureWidth, height: frame.pictureHeight };
+    }
+    // For whoever measures how quickly pictures follow what is done.
+    Object.assign(canvas.dataset, { painted: String(++painted), version: String(frame.version), samples: String(frame.samples), preview: String(frame.isPreview) });
+    tell({ kind: "painted" });
+  });
+  worker.onmessage = (event: MessageEvent<ArrayBuffer>) => painter.push(event.data);
+
+  const watch = () => tell({ kind: "watch", isVisible: !document.hidden });
+  const resized = stage.subscribe(({ width, height }) => tell({ kind: "size", width: Math.round(width * devicePixelRatio), height: Math.round(height * devicePixelRatio) }));
+  document.addEventListener("visibilitychange", watch);
+  watch();
+  tell({ kind: "start", token });
+  return () => {
+    document.removeEventListener("visibilitychange", watch);
+    resized();
+    worker.terminate();
+  };
+}
+
+/** The rendered picture itself. */
+export function PictureCanvas() {
+  const ref = useRef<HTMLCanvasElement>(null);
+  useEffect(() => followFrames(ref.current!), []);
+  const { scale, left, top } = placement.value;
+  const { width, height } = picture.value;
+  // Enlarged pixels are shown as they are; a coarse preview, or a picture made smaller, is smoothed.
+  const isSharp = zoom.value !== null && scale * devicePixelRatio >= 1 && !cameraMoves.value;
+  return (
+    <canvas
+      ref={ref}
+      class={`picture ${isSharp ? "sharp" : ""}`}
+      role="img"
+      aria-label={texts.viewport.label}
+      width={1}
+      height={1}
+      style={{ left: `${left}px`, top: `${top}px`, width: `${width * scale}px`, height: `${height * scale}px` }}
+    />
+  );
+}

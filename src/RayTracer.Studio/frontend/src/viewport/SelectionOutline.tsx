@@ -1,0 +1,49 @@
+import { useEffect, useRef } from "preact/hooks";
+import { get } from "../api/client";
+import type { MaskAnswer } from "../api/types";
+import { revision, selection } from "../state/store";
+import { outlineOf } from "./mask";
+import { cameraMoves, picture, placement } from "./stage";
+
+const color = [255, 158, 44];
+
+function draw(canvas: HTMLCanvasElement, mask: MaskAnswer, reach: number): void {
+  [canvas.width, canvas.height] = [mask.width, mask.height];
+  const image = new ImageData(mask.width, mask.height);
+  outlineOf(mask, reach).forEach((isOn, i) => {
+    if (isOn) image.data.set([...color, 255], 4 * i);
+  });
+  canvas.getContext("2d")!.putImageData(image, 0, 0);
+}
+
+/** The selected thing's outline in the picture; not while the camera moves. */
+export function SelectionOutline() {
+  const ref = useRef<HTMLCanvasElement>(null);
+  const pointer = selection.value;
+  const isShown = pointer !== null && !cameraMoves.value;
+  const { scale, left, top } = placement.value;
+  const { width, height } = picture.value;
+  const reach = Math.max(1, Math.min(6, Math.round(1.5 / scale)));
+  useEffect(() => {
+    const canvas = ref.current;
+    if (!canvas || !isShown) return;
+    const abort = new AbortController();
+    get<MaskAnswer>("view/mask", { pointer }, abort.signal).then(
+      (mask) => draw(canvas, mask, reach),
+      // Not everything that can be selected is seen.
+      () => abort.signal.aborted || ([canvas.width, canvas.height] = [1, 1]),
+    );
+    return () => abort.abort();
+  }, [pointer, isShown, revision.value, width, height, reach]);
+  return (
+    <canvas
+      ref={ref}
+      class="overlay"
+      aria-hidden="true"
+      hidden={!isShown}
+      width={1}
+      height={1}
+      style={{ left: `${left}px`, top: `${top}px`, width: `${width * scale}px`, height: `${height * scale}px` }}
+    />
+  );
+}

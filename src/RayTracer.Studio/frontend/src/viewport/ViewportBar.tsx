@@ -1,0 +1,63 @@
+import { post } from "../api/client";
+import { Latest } from "../api/latest";
+import { format } from "../json/numbers";
+import { commandButton, type CommandId } from "../state/commands";
+import { attempt, complain } from "../state/messages";
+import { compared, renderState, snapshots, tool, toneState, type Tool } from "../state/store";
+import { texts } from "../texts";
+import { Button } from "../ui/Button";
+import { NumberField } from "../ui/NumberField";
+import { Select } from "../ui/Select";
+import { clearRegion } from "./clicks";
+import { placement } from "./stage";
+
+const t = texts.viewport;
+const tools: [CommandId, Tool][] = [
+  ["toolSelect", "select"], ["toolMove", "move"], ["toolRotate", "rotate"], ["toolScale", "scale"],
+  ["toolFocus", "focus"], ["toolInspect", "inspect"], ["toolRegion", "region"],
+];
+
+const tone = new Latest<object>((change) => post("view/tone", change), complain, (older, newer) => ({ ...older, ...newer }));
+
+/** The row above the picture. */
+export function ViewportBar() {
+  const now = toneState.value;
+  const map = renderState.value?.map ?? "light";
+  const kept = snapshots.value ?? [];
+  const keptChoices = [{ value: "", label: t.noCompare }, ...kept.map((s) => ({ value: String(s.id), label: s.label }))];
+  return (
+    <div class="bar" role="toolbar" aria-label={t.toolbar}>
+      <div class="group" role="group" aria-label={t.tools}>
+        {tools.map(([id, name]) => <Button {...commandButton(id)} pressed={tool.value === name} key={id} />)}
+      </div>
+      <div class="group" role="group" aria-label={t.zoom}>
+        <Button {...commandButton("zoomOut")} />
+        <output class="percent" aria-label={t.zoom}>{Math.round(placement.value.scale * devicePixelRatio * 100)} %</output>
+        <Button {...commandButton("zoomIn")} />
+        <Button {...commandButton("fit")} />
+        <Button {...commandButton("actualSize")} />
+      </div>
+      <label class="pair" data-tip={t.mapWhy}>
+        <span>{t.map}</span>
+        <Select label={t.map} value={map} choices={Object.entries(texts.maps).map(([value, [label]]) => ({ value, label }))} onChange={showMap} />
+      </label>
+      {now && (
+        <>
+          <div class="pair" data-tip={t.exposureWhy}>
+            <span aria-hidden="true">{t.exposure}</span>
+            <input type="range" aria-label={`${t.exposure}, ${format(now.exposure)}`} min={-6} max={6} step={0.1} value={now.exposure} onInput={(e) => tone.push({ exposure: Number(e.currentTarget.value) })} />
+            <NumberField label={t.exposure} value={now.exposure} bounds={{ minimum: -20, maximum: 20 }} onChange={(exposure) => tone.push({ exposure })} />
+          </div>
+          <Select label={t.toneMap} tip={t.toneMapWhy} value={now.toneMap} choices={now.choices.map((c) => ({ value: c, label: c }))} onChange={(toneMap) => tone.push({ toneMap })} />
+        </>
+      )}
+      <div class="group" role="group" aria-label={t.compare}>
+        <Button {...commandButton("snapshot")} />
+        {kept.length > 0 && <Select label={t.compare} tip={t.compareWhy} value={String(compared.value ?? "")} choices={keptChoices} onChange={(id) => (compared.value = id ? Number(id) : null)} />}
+      </div>
+      {renderState.value?.region && <Button label={t.clearRegion} icon="close" onClick={clearRegion} />}
+    </div>
+  );
+}
+
+export const showMap = (map: string) => attempt(() => post("view/render", { action: "continue", map }));

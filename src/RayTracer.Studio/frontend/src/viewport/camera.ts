@@ -1,0 +1,65 @@
+/** Moves of the camera: the server previews them at once and writes them to the text when a gesture ends. */
+
+import { post } from "../api/client";
+import { Latest } from "../api/latest";
+import { newGesture } from "../state/edits";
+import { complain } from "../state/messages";
+import { cameraMoves } from "./stage";
+
+export type MoveKind = "orbit" | "pan" | "zoom" | "dolly" | "fly";
+
+interface Move {
+  kind: MoveKind;
+  dx: number;
+  dy: number;
+  dz: number;
+  gesture: string;
+  end?: boolean;
+}
+
+/** Moves of one kind and gesture become one; others follow each other. */
+export function mergeMoves(older: Move[], newer: Move[]): Move[] {
+  const result = [...older];
+  for (const move of newer) {
+    const last = result.at(-1);
+    if (last && last.kind === move.kind && last.gesture === move.gesture && !last.end) {
+      const end = move.end ? { end: true } : {};
+      result[result.length - 1] = { ...last, dx: last.dx + move.dx, dy: last.dy + move.dy, dz: last.dz + move.dz, ...end };
+    } else {
+      result.push(move);
+    }
+  }
+  return result;
+}
+
+async function send(moves: Move[]): Promise<void> {
+  for (const move of moves) await post("view/camera", move);
+  if (moves.at(-1)?.end) cameraMoves.value = false;
+}
+
+const latest = new Latest<Move[]>(send, complain, mergeMoves);
+
+export function move(kind: MoveKind, gesture: string, dx: number, dy: number, dz = 0): void {
+  cameraMoves.value = true;
+  latest.push([{ kind, dx, dy, dz, gesture }]);
+}
+
+export const endMove = (kind: MoveKind, gesture: string) => latest.push([{ kind, dx: 0, dy: 0, dz: 0, gesture, end: true }]);
+
+const burstPause = 350;
+const bursts = new Map<MoveKind, { gesture: string; timer: number }>();
+
+/** A move that has no natural end, such as a turn of the wheel or a pressed key: it ends when no other of its kind follows soon. */
+export function moveInBurst(kind: MoveKind, dx: number, dy: number, dz = 0): void {
+  const before = bursts.get(kind);
+  clearTimeout(before?.timer);
+  const gesture = before?.gesture ?? newGesture();
+  const timer = window.setTimeout(() => {
+    bursts.delete(kind);
+    endMove(kind, gesture);
+  }, burstPause);
+  bursts.set(kind, { gesture, timer });
+  move(kind, gesture, dx, dy, dz);
+}
+
+export const cameraHome = () => post("view/camera", { kind: "home", dx: 0, dy: 0, gesture: newGesture(), end: true });

@@ -1,0 +1,50 @@
+/**
+ * Fetches frames. The request for the next one is sent before this one is painted, and itself tells the server that there is
+ * room for it; only if painting lags by a whole frame does it wait.
+ */
+
+import { readHeader } from "./frame";
+
+export type ToWorker =
+  | { kind: "start"; token: string }
+  | { kind: "size"; width: number; height: number }
+  | { kind: "watch"; isVisible: boolean }
+  | { kind: "painted" };
+
+const retryAfter = 1000;
+let size = { width: 0, height: 0 };
+let isVisible = true;
+let unpainted = 0;
+let wake: () => void = () => undefined;
+
+const mayAsk = () => isVisible && unpainted < 2;
+
+async function follow(token: string): Promise<never> {
+  let version = 0;
+  for (;;) {
+    while (!mayAsk()) await new Promise<void>((resolve) => (wake = resolve));
+    try {
+      const query = `after=${version}&width=${size.width}&height=${size.height}`;
+      const response = await fetch(`/api/frame?${query}`, { headers: { "X-Studio-Token": token } });
+      if (!response.ok) throw new Error(String(response.status));
+      if (response.status === 204) continue;
+      const bytes = await response.arrayBuffer();
+      version = readHeader(bytes).version;
+      unpainted++;
+      postMessage(bytes, { transfer: [bytes] });
+    } catch {
+      // The page's own poll tells the user that the connection is lost.
+      version = 0;
+      await new Promise((resolve) => setTimeout(resolve, retryAfter));
+    }
+  }
+}
+
+addEventListener("message", (event: MessageEvent<ToWorker>) => {
+  const message = event.data;
+  if (message.kind === "start") void follow(message.token);
+  else if (message.kind === "size") size = { width: message.width, height: message.height };
+  else if (message.kind === "watch") isVisible = message.isVisible;
+  else unpainted = 0;
+  if (mayAsk()) wake();
+});
