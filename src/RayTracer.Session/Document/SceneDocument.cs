@@ -104,6 +104,9 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
+    /// <summary>How many pictures and models have been read in all builds.</summary>
+    internal int FilesRead => _builds.FilesRead;
+
     /// <summary>The content of the text as it is now, as soon as it is built.</summary>
     public Task<DocumentContent> WhenBuilt(CancellationToken cancellation = default) => _builds.WhenBuilt(Revision, cancellation);
 

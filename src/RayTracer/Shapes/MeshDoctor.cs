@@ -247,12 +247,17 @@ internal sealed class MeshDoctor
 
         if (zero == 0 && given.Length >= _mesh.Positions.Length && turned.Length == 0)
         {
-            return given;
+            return Array.TrueForAll(given, IsUnit) ? given : [.. given.Select(Unit)];
         }
 
         Vector3[] computed = FromTriangles(indices);
-        return [.. computed.Select((n, v) => v < given.Length && IsDirection(given[v]) ? given[v] : n)];
+        return [.. computed.Select((n, v) => v < given.Length && IsDirection(given[v]) ? Unit(given[v]) : n)];
     }
+
+    // Between corners, longer normals would count more. What is a unit vector but for rounding stays as it is.
+    private static Vector3 Unit(Vector3 normal) => IsUnit(normal) ? normal : normal.Unit() is var unit && unit.IsFinite() ? unit : default;
+
+    private static bool IsUnit(Vector3 normal) => float.Abs(normal.Dot(normal) - 1f) < 1e-5f;
 
     private bool[] Used(int[] indices)
     {

@@ -1,0 +1,31 @@
+using System.Text.Json;
+
+namespace RayTracer.Studio;
+
+/// <summary>The bodies of the document's requests; see <see cref="DocumentEndpoints"/>.</summary>
+internal static class DocumentRequests
+{
+    public sealed record Replace(int BaseRevision, int From, int To, string? Insert, string? Gesture);
+
+    public sealed record Set(string? Pointer, JsonElement Value, string? Json, bool Reset, string? Gesture);
+
+    public sealed record Add(string? Family, string? Type, string? Near, string? File);
+
+    public sealed record At(string? Pointer);
+
+    public sealed record Many(string[]? Pointers);
+
+    public sealed record Rename(string? Pointer, string? Name);
+
+    public sealed record Place(string? Pointer, float[]? Translate, Turn? Rotate, float[]? Scale, float[]? Center, string? Gesture);
+
+    public sealed record Turn(float[]? Axis, float Degrees, float[]? Center);
+
+    public sealed record Open(string? Path, string? GalleryId, string? RecoveryId, bool Discard);
+
+    public sealed record New(bool Discard);
+
+    public sealed record Save(string? Path, bool Overwrite);
+
+    public sealed record Recovered(string? Id);
+}
