@@ -79,17 +79,24 @@ internal static class DocumentEndpoints
         api.MapPost("/document/add", (Add request) =>
         {
             (string family, string type) = (Needed(request.Family, "family"), Needed(request.Type, "type"));
-            return Pointed(document, $"add {type}", text => SceneThings.Add(text, family, type, request.Near, request.File));
+            return Pointed(document, $"add {type}", text => SceneThings.Add(text, family, type, request.Near, request.File)).Answer;
         });
         api.MapPost("/document/duplicate", (At request) =>
         {
             string pointer = Needed(request.Pointer, "pointer");
-            return Pointed(document, "duplicate", text => SceneThings.Duplicate(text, pointer));
+            return Pointed(document, "duplicate", text => SceneThings.Duplicate(text, pointer)).Answer;
         });
         api.MapPost("/document/rename", (Rename request) =>
         {
             (string pointer, string name) = (Needed(request.Pointer, "pointer"), Needed(request.Name, "name"));
-            return Pointed(document, "rename", text => SceneThings.Rename(text, pointer, name));
+            bool isSelected = session.Selection.Pointer == pointer;
+            (IResult answer, string renamed) = Pointed(document, "rename", text => SceneThings.Rename(text, pointer, name));
+            if (isSelected)
+            {
+                session.Selection.Select(renamed);
+            }
+
+            return answer;
         });
         api.MapPost("/document/delete", (Many request) =>
         {
@@ -100,6 +107,9 @@ internal static class DocumentEndpoints
                 (text, notes) = SceneThings.Delete(text, pointers);
                 return text;
             });
+
+            // The pointers of what follows have changed.
+            session.Selection.Select(null);
             if (notes.Count > 0)
             {
                 session.Notices.Tell("info", string.Join("; ", notes));
@@ -139,7 +149,7 @@ internal static class DocumentEndpoints
         return place.Translate is { } by ? ShapePlacement.Translate(text, pointer, by) : text;
     }
 
-    private static IResult Pointed(SceneDocument document, string label, Func<JsonText, (JsonText, string)> change)
+    private static (IResult Answer, string Pointer) Pointed(SceneDocument document, string label, Func<JsonText, (JsonText, string)> change)
     {
         string pointer = "";
         int revision = document.Change(label, null, text =>
@@ -147,6 +157,6 @@ internal static class DocumentEndpoints
             (text, pointer) = change(text);
             return text;
         });
-        return Answers.Json(new { revision, pointer });
+        return (Answers.Json(new { revision, pointer }), pointer);
     }
 }
