@@ -16,5 +16,5 @@ internal sealed record ErrorAnswer(string Error)
 
     /// <summary>Whether somebody else has changed the file.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
-    public bool Changed { get; init; }
+    public bool ChangedOnDisk { get; init; }
 }

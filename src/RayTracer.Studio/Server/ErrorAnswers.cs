@@ -37,7 +37,7 @@ internal sealed class ErrorAnswers(TextWriter errors)
 
     // What is in the way, so that the page can ask the user whether to do it all the same.
     private static ErrorAnswer Answer(Exception e, string message) => e is DocumentException { Conflict: var conflict }
-        ? new(message) { Unsaved = conflict == DocumentConflict.Unsaved, Exists = conflict == DocumentConflict.Exists, Changed = conflict == DocumentConflict.ChangedOnDisk }
+        ? new(message) { Unsaved = conflict == DocumentConflict.Unsaved, Exists = conflict == DocumentConflict.Exists, ChangedOnDisk = conflict == DocumentConflict.ChangedOnDisk }
         : new(message) { Exists = e is SessionException { Fault: SessionFault.Conflict } };
 
     private static string Sentence(string clause) => clause.Length > 0 ? $"{char.ToUpperInvariant(clause[0])}{clause[1..].TrimEnd('.')}." : clause;
