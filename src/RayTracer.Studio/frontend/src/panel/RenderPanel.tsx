@@ -55,7 +55,7 @@ export function RenderPanel() {
         </div>
         <span class="no-reset" />
       </div>
-      <h3>{t.more}</h3>
+      <h2>{t.more}</h2>
       <ThingPanel pointer="/render" without={[]} />
     </section>
   );

@@ -13,7 +13,7 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
   const tell = (message: ToWorker) => worker.postMessage(message);
 
   let painted = 0;
-  const painter = new Painter<ArrayBuffer>(requestAnimationFrame, (bytes) => {
+  const painter = new Painter<ArrayBuffer>((paint) => requestAnimationFrame(paint), (bytes) => {
     const frame = readHeader(bytes);
     if (canvas.width !== frame.width || canvas.height !== frame.height) [canvas.width, canvas.height] = [frame.width, frame.height];
     context.putImageData(new ImageData(new Uint8ClampedArray(bytes, headerSize), frame.width, frame.height), 0, 0);
