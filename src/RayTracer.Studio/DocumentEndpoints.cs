@@ -1,118 +1,116 @@
-using System.Numerics;
 using System.Text.Json;
 using RayTracer.Session;
-using static RayTracer.Studio.DocumentAnswers;
 using static RayTracer.Studio.DocumentRequests;
 
 namespace RayTracer.Studio;
 
-/// <summary>What a page does with the document: reading it, editing its text, files, the gallery.</summary>
-public static class DocumentEndpoints
+/// <summary>What a page does with the document: reading it and editing its text.</summary>
+internal static class DocumentEndpoints
 {
     // The catalogue never changes.
-    private static readonly Lazy<byte[]> s_schema = new(() => Bytes(TypeCatalogue.Instance));
+    private static readonly Lazy<byte[]> Schema = new(() => JsonSerializer.SerializeToUtf8Bytes(TypeCatalogue.Instance, ApiJson.Options));
 
-    /// <summary>Adds the document's endpoints.</summary>
+    /// <summary>Adds the requests.</summary>
     /// <param name="api">The group "/api".</param>
-    /// <param name="session">The document side of the session.</param>
-    /// <param name="tell">Shows the user a sentence; null where nobody listens.</param>
-    public static void MapDocument(this RouteGroupBuilder api, DocumentSession session, Action<string>? tell = null)
+    /// <param name="session">The session.</param>
+    public static void MapDocument(this RouteGroupBuilder api, StudioSession session)
     {
-        RouteGroupBuilder guarded = api.MapGroup("");
-        guarded.AddEndpointFilter(Guard);
-        MapReading(guarded, session);
-        MapText(guarded, session.Document);
-        MapThings(guarded, session.Document, tell ?? (_ => { }));
-        guarded.MapFiles(session);
+        MapReading(api, session);
+        MapText(api, session);
+        MapThings(api, session);
+        api.MapFiles(session);
     }
 
-    private static void MapReading(RouteGroupBuilder api, DocumentSession session)
+    /// <summary>Something that a request must have.</summary>
+    /// <exception cref="DocumentException">It has not.</exception>
+    internal static T Needed<T>(T? value, string name)
+        where T : class => value ?? throw new DocumentException($"the request needs \"{name}\"");
+
+    private static void MapReading(RouteGroupBuilder api, StudioSession session)
     {
         SceneDocument document = session.Document;
         api.MapGet("/document", () =>
         {
             (int revision, string text) = document.Current;
-            return Json(new { revision, text });
+            return Answers.Json(new { revision, text });
         });
-        api.MapGet("/outline", () => Json(document.Read.Root is { } root
+        api.MapGet("/outline", () => Answers.Json(document.Read.Root is { } root
             ? Outline.Of(document.Revision, root)
             : document.Content.LastGood is { } good ? Outline.Of(good.Revision, good.Read.Root!) : throw new DocumentException("the text cannot be read yet")));
-        api.MapGet("/schema", () => Results.Bytes(s_schema.Value, "application/json"));
-        api.MapGet("/value", (string? pointer) => Json(PropertyValues.At(JsonText.Of(document.Read).Root, Needed(pointer, "pointer"))));
-        api.MapPost("/select", async (HttpContext context) =>
+        api.MapGet("/schema", () => Results.Bytes(Schema.Value, "application/json"));
+        api.MapGet("/value", (string? pointer) => Answers.Json(PropertyValues.At(JsonText.Of(document.Read).Root, Needed(pointer, "pointer"))));
+        api.MapPost("/select", (At request) =>
         {
-            session.Selection.Select((await Body<At>(context)).Pointer);
-            return Revision(document);
+            session.Selection.Select(request.Pointer);
+            return Answers.Done(session);
         });
     }
 
-    private static void MapText(RouteGroupBuilder api, SceneDocument document)
+    private static void MapText(RouteGroupBuilder api, StudioSession session)
     {
-        api.MapPost("/document/text", async (HttpContext context) =>
+        SceneDocument document = session.Document;
+        api.MapPost("/document/text", (Replace request) =>
         {
-            Replace change = await Body<Replace>(context);
-            bool isTaken = document.TryReplace(change.BaseRevision, change.From, change.To, Needed(change.Insert, "insert"), change.Gesture);
+            bool isTaken = document.TryReplace(request.BaseRevision, request.From, request.To, Needed(request.Insert, "insert"), request.Gesture);
             (int revision, string text) = document.Current;
-            return isTaken ? Json(new { revision }) : Json(new { error = "the text has changed meanwhile", revision, text }, StatusCodes.Status409Conflict);
+            return isTaken ? Answers.Json(new { revision })
+                : Results.Json(new { error = "The text has changed meanwhile.", revision, text }, ApiJson.Options, statusCode: StatusCodes.Status409Conflict);
         });
-        api.MapPost("/document/set", async (HttpContext context) =>
+        api.MapPost("/document/set", (Set request) =>
         {
-            Set set = await Body<Set>(context);
-            string pointer = Needed(set.Pointer, "pointer");
-            return Json(new { revision = document.Change(JsonPointer.Last(pointer), set.Gesture, text => Changed(text, set, pointer)) });
+            string pointer = Needed(request.Pointer, "pointer");
+            return Answers.Json(new { revision = document.Change(JsonPointer.Last(pointer), request.Gesture, text => Changed(text, request, pointer)) });
         });
         api.MapPost("/document/undo", () =>
         {
             document.Undo();
-            return Revision(document);
+            return Answers.Done(session);
         });
         api.MapPost("/document/redo", () =>
         {
             document.Redo();
-            return Revision(document);
+            return Answers.Done(session);
         });
     }
 
-    private static void MapThings(RouteGroupBuilder api, SceneDocument document, Action<string> tell)
+    private static void MapThings(RouteGroupBuilder api, StudioSession session)
     {
-        api.MapPost("/document/add", async (HttpContext context) =>
+        SceneDocument document = session.Document;
+        api.MapPost("/document/add", (Add request) =>
         {
-            Add add = await Body<Add>(context);
-            (string family, string type) = (Needed(add.Family, "family"), Needed(add.Type, "type"));
-            return Pointed(document, $"add {type}", text => SceneThings.Add(text, family, type, add.Near, add.File));
+            (string family, string type) = (Needed(request.Family, "family"), Needed(request.Type, "type"));
+            return Pointed(document, $"add {type}", text => SceneThings.Add(text, family, type, request.Near, request.File));
         });
-        api.MapPost("/document/duplicate", async (HttpContext context) =>
+        api.MapPost("/document/duplicate", (At request) =>
         {
-            string pointer = Needed((await Body<At>(context)).Pointer, "pointer");
+            string pointer = Needed(request.Pointer, "pointer");
             return Pointed(document, "duplicate", text => SceneThings.Duplicate(text, pointer));
         });
-        api.MapPost("/document/rename", async (HttpContext context) =>
+        api.MapPost("/document/rename", (Rename request) =>
         {
-            Rename rename = await Body<Rename>(context);
-            (string pointer, string name) = (Needed(rename.Pointer, "pointer"), Needed(rename.Name, "name"));
+            (string pointer, string name) = (Needed(request.Pointer, "pointer"), Needed(request.Name, "name"));
             return Pointed(document, "rename", text => SceneThings.Rename(text, pointer, name));
         });
-        api.MapPost("/document/delete", async (HttpContext context) =>
+        api.MapPost("/document/delete", (Many request) =>
         {
-            string[] pointers = (await Body<Many>(context)).Pointers ?? throw new DocumentException("the request needs \"pointers\"");
+            string[] pointers = Needed(request.Pointers, "pointers");
             IReadOnlyList<string> notes = [];
             int revision = document.Change("delete", null, text =>
             {
                 (text, notes) = SceneThings.Delete(text, pointers);
                 return text;
             });
-            foreach (string note in notes)
+            if (notes.Count > 0)
             {
-                tell(note);
+                session.Notices.Tell("info", string.Join("; ", notes));
             }
 
-            return Json(new { revision, notes });
+            return Answers.Json(new { revision, notes });
         });
-        api.MapPost("/document/place", async (HttpContext context) =>
+        api.MapPost("/document/place", (Place request) =>
         {
-            Place place = await Body<Place>(context);
-            string pointer = Needed(place.Pointer, "pointer");
-            return Json(new { revision = document.Change("place", place.Gesture, text => Placed(text, place, pointer)) });
+            string pointer = Needed(request.Pointer, "pointer");
+            return Answers.Json(new { revision = document.Change("place", request.Gesture, text => Placed(text, request, pointer)) });
         });
     }
 
@@ -133,20 +131,13 @@ public static class DocumentEndpoints
             : text.Set(pointer, System.Text.Json.Nodes.JsonNode.Parse(set.Value.GetRawText()));
     }
 
+    // First scaled, then turned, then moved.
     private static JsonText Placed(JsonText text, Place place, string pointer)
     {
-        Vector3? center = place.Center is null ? null : Vector(place.Center, "center");
-        text = place.Scale is null ? text : ShapePlacement.Scale(text, pointer, Vector(place.Scale, "scale"), center);
-        if (place.Rotate is { } turn)
-        {
-            text = ShapePlacement.Rotate(text, pointer, Vector(turn.Axis, "axis"), turn.Degrees, turn.Center is null ? center : Vector(turn.Center, "center"));
-        }
-
-        return place.Translate is null ? text : ShapePlacement.Translate(text, pointer, Vector(place.Translate, "translate"));
+        text = place.Scale is { } factors ? ShapePlacement.Scale(text, pointer, factors, place.Center) : text;
+        text = place.Rotate is { } turn ? ShapePlacement.Rotate(text, pointer, turn.Axis, turn.Degrees, turn.Center ?? place.Center) : text;
+        return place.Translate is { } by ? ShapePlacement.Translate(text, pointer, by) : text;
     }
-
-    private static Vector3 Vector(float[]? numbers, string name) =>
-        numbers is { Length: 3 } ? new(numbers) : throw new DocumentException($"\"{name}\" needs three numbers");
 
     private static IResult Pointed(SceneDocument document, string label, Func<JsonText, (JsonText, string)> change)
     {
@@ -156,8 +147,6 @@ public static class DocumentEndpoints
             (text, pointer) = change(text);
             return text;
         });
-        return Json(new { revision, pointer });
+        return Answers.Json(new { revision, pointer });
     }
-
-    private static IResult Revision(SceneDocument document) => Json(new { revision = document.Revision });
 }

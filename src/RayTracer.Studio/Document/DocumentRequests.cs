@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Text.Json;
 
 namespace RayTracer.Studio;
@@ -17,9 +18,9 @@ internal static class DocumentRequests
 
     public sealed record Rename(string? Pointer, string? Name);
 
-    public sealed record Place(string? Pointer, float[]? Translate, Turn? Rotate, float[]? Scale, float[]? Center, string? Gesture);
+    public sealed record Place(string? Pointer, Vector3? Translate, Turn? Rotate, Vector3? Scale, Vector3? Center, string? Gesture);
 
-    public sealed record Turn(float[]? Axis, float Degrees, float[]? Center);
+    public sealed record Turn(Vector3 Axis, float Degrees, Vector3? Center);
 
     public sealed record Open(string? Path, string? GalleryId, string? RecoveryId, bool Discard);
 

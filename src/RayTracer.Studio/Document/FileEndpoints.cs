@@ -1,6 +1,6 @@
 using Microsoft.AspNetCore.Http.Features;
 using RayTracer.Session;
-using static RayTracer.Studio.DocumentAnswers;
+using static RayTracer.Studio.DocumentEndpoints;
 using static RayTracer.Studio.DocumentRequests;
 
 namespace RayTracer.Studio;
@@ -9,29 +9,29 @@ namespace RayTracer.Studio;
 internal static class FileEndpoints
 {
     /// <summary>Adds the endpoints.</summary>
-    public static void MapFiles(this RouteGroupBuilder api, DocumentSession session)
+    public static void MapFiles(this RouteGroupBuilder api, StudioSession session)
     {
         MapOpening(api, session);
         MapSaving(api, session);
         MapGallery(api, session.Gallery);
-        api.MapPost("/recovery/discard", async (HttpContext context) =>
+        api.MapPost("/recovery/discard", (Recovered request) =>
         {
-            session.Recovery.Discard(Needed((await Body<Recovered>(context)).Id, "id"));
-            return Revision(session);
+            session.Recovery.Discard(Needed(request.Id, "id"));
+            return Answers.Done(session);
         });
     }
 
-    private static void MapOpening(RouteGroupBuilder api, DocumentSession session)
+    private static void MapOpening(RouteGroupBuilder api, StudioSession session)
     {
         SceneFiles files = session.Files;
-        api.MapPost("/file/new", async (HttpContext context) =>
+        api.MapPost("/file/new", (New request) =>
         {
-            files.New((await Body<New>(context)).Discard);
-            return Revision(session);
+            files.New(request.Discard);
+            return Answers.Done(session);
         });
-        api.MapPost("/file/open", async (HttpContext context) =>
+        api.MapPost("/file/open", (Open request) =>
         {
-            switch (await Body<Open>(context))
+            switch (request)
             {
                 case { GalleryId: { } id, Discard: var discard }:
                     files.OpenGallery(id, discard);
@@ -44,7 +44,7 @@ internal static class FileEndpoints
                     break;
             }
 
-            return Revision(session);
+            return Answers.Done(session);
         });
         api.MapPost("/file/upload", async (HttpContext context, string? name, bool? discard) =>
         {
@@ -55,21 +55,20 @@ internal static class FileEndpoints
             }
 
             (string path, bool opened) = await files.Upload(Needed(name, "name"), context.Request.Body, discard ?? false, context.RequestAborted);
-            return Json(new { revision = session.Document.Revision, path, opened });
+            return Answers.Json(new { revision = session.Document.Revision, path, opened });
         });
     }
 
-    private static void MapSaving(RouteGroupBuilder api, DocumentSession session)
+    private static void MapSaving(RouteGroupBuilder api, StudioSession session)
     {
         SceneFiles files = session.Files;
-        api.MapPost("/file/save", async (HttpContext context) =>
+        api.MapPost("/file/save", (Save request) =>
         {
-            Save save = await Body<Save>(context);
-            string path = files.Save(save.Path, save.Overwrite);
-            return Json(new { revision = session.Document.Revision, path });
+            string path = files.Save(request.Path, request.Overwrite);
+            return Answers.Json(new { revision = session.Document.Revision, path });
         });
-        api.MapGet("/file/recent", () => Json(new { files = files.Recent.Select(p => new { path = p, name = Path.GetFileName(p) }) }));
-        api.MapGet("/file/list", (string? path) => Json(files.List(path)));
+        api.MapGet("/file/recent", () => Answers.Json(new { files = files.Recent.Select(p => new { path = p, name = Path.GetFileName(p) }) }));
+        api.MapGet("/file/list", (string? path) => Answers.Json(files.List(path)));
         api.MapGet("/file/bundle", () =>
         {
             JsonText text = JsonText.Of(session.Document.Read);
@@ -92,9 +91,7 @@ internal static class FileEndpoints
 
     private static void MapGallery(RouteGroupBuilder api, Gallery gallery)
     {
-        api.MapGet("/gallery", () => Json(new { groups = gallery.Groups }));
+        api.MapGet("/gallery", () => Answers.Json(new { groups = gallery.Groups }));
         api.MapGet("/gallery/thumbnail", async (HttpContext context, string? id) => Results.Bytes(await gallery.Thumbnail(Needed(id, "id"), context.RequestAborted), "image/png"));
     }
-
-    private static IResult Revision(DocumentSession session) => Json(new { revision = session.Document.Revision });
 }

@@ -30,6 +30,7 @@ internal sealed class StudioServer : IAsyncDisposable
         RouteGroupBuilder api = _app.MapGroup(LocalGuard.Api);
         api.MapLife(guard, _windows, options.Errors);
         api.MapState(session, poll);
+        api.MapDocument(session);
         api.MapFrames(session.View, poll);
         api.MapView(session);
         api.MapInspection(session);
