@@ -128,7 +128,7 @@ const english = {
     pdf: "pdf (1/sr)", contribution: "Contribution", total: "Sum = radiance of the sample", pixel: (x: number, y: number) => `Pixel ${x}, ${y}`,
     mean: "Mean of all samples so far", more: "Next samples", fewer: "Previous samples", view: "Paths in the scene; drag or use the arrow keys to look around",
     table: "Vertices of the path", delta: "no choice", list: "Samples", radiance: "Radiance", explain: "Weight is what the light is multiplied by at the hit; throughput is the product of all weights before; contribution is throughput times the light found here.",
-    events: { camera: "camera", diffuse: "diffuse", specular: "specular", emission: "emission", miss: "leaves the scene", absorbed: "absorbed", end: "ends" } as Record<string, string>,
+    events: { camera: "camera", diffuse: "diffuse", specular: "specular", emission: "emission", miss: "miss", absorbed: "absorbed", end: "ends" } as Record<string, string>,
     eventsWhy: {
       camera: "The ray starts at the eye", diffuse: "Scattered by a matt surface", specular: "Mirrored or refracted", emission: "Hit something that shines",
       miss: "Hit nothing: the background", absorbed: "No light is left", end: "The depth limit is reached",

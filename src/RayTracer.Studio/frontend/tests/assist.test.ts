@@ -36,6 +36,12 @@ describe("completion", () => {
     expect(labels('{ "shapes": [ { "type": "cone", "caps": | } ] }')).toEqual(expect.arrayContaining([true, false]));
   });
 
+  test("is silent in comments", () => {
+    expect(labels('{ // "|\n }')).toEqual([]);
+    expect(labels('{ /* "| */ }')).toEqual([]);
+    expect(labels('{ /* c */ "|" }')).not.toEqual([]);
+  });
+
   test("replaces what is written, quotes and all", () => {
     const text = '{ "render": { "sampler": "sob" } }';
     expect(complete(text, text.indexOf("sob") + 3, guide)).toMatchObject({ from: text.indexOf('"sob'), to: text.indexOf('"sob') + 5 });

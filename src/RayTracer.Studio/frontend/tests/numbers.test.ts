@@ -42,5 +42,5 @@ test("times and large numbers are said as people say them", () => {
   expect(duration(187)).toBe("3:07");
   expect(duration(3725)).toBe("1:02:05");
   expect(withPrefix(31_400_000)).toBe("31.4 M");
-  expect(withPrefix(0)).toBe("0");
+  expect(withPrefix(0)).toBe("0 ");
 });

@@ -28,7 +28,7 @@ function PixelChooser() {
 
 function SampleList({ answer }: { answer: PathsAnswer }) {
   return (
-    <div class="samples">
+    <div class="sample-list">
       <PixelChooser />
       {answer.pixel && <p class="mean"><span class="swatch" style={{ background: toHex(answer.pixel) }} /> {t.mean}<br /><span class="figures">{rgb(answer.pixel)}</span></p>}
       <div class="pair">

@@ -8,7 +8,7 @@ import { Outliner } from "../outliner/Outliner";
 import { PropertyPanel } from "../panel/PropertyPanel";
 import { bottomHeight, bottomOpen, leftOpen, leftTab, leftWidth, rightOpen, rightWidth } from "../state/settings";
 import { listenToShortcuts } from "../state/shortcuts";
-import { dialog, isFresh } from "../state/store";
+import { dialog, isFresh, tourStep } from "../state/store";
 import { texts } from "../texts";
 import { Splitter } from "../ui/Splitter";
 import { Tabs } from "../ui/Tabs";
@@ -66,18 +66,20 @@ function BottomPane() {
 export function App() {
   useEffect(listenToShortcuts, []);
   const Shown = dialog.value && dialogs[dialog.value];
+  // A fresh Studio asks what to do, and nothing else; but the tour needs something to point at.
+  const hasPanes = !isFresh.value || tourStep.value !== null;
   const sizes = { "--left": `${leftWidth.value}px`, "--right": `${rightWidth.value}px`, "--bottom": `${bottomHeight.value}px` };
   return (
     <div class="window" style={sizes}>
       <Toolbar />
       <Banners />
       <div class="panes">
-        {leftOpen.value && <LeftPane />}
+        {hasPanes && leftOpen.value && <LeftPane />}
         <main class="centre">
           {isFresh.value ? <EmptyState /> : <Viewport />}
-          {bottomOpen.value && <BottomPane />}
+          {hasPanes && bottomOpen.value && <BottomPane />}
         </main>
-        {rightOpen.value && <RightPane />}
+        {hasPanes && rightOpen.value && <RightPane />}
       </div>
       <StatusBar />
       <Messages />

@@ -64,4 +64,4 @@ function ZoomSelect() {
   return <Select label={t.zoom} tip={t.zoomWhy} value={now} choices={choices} onChange={(percent) => zoomTo(Number(percent) / 100 / devicePixelRatio)} />;
 }
 
-export const showMap = (map: string) => attempt(() => post("view/render", { action: "continue", map }));
+export const showMap = (map: string) => attempt(() => post("view/render", { map }));
