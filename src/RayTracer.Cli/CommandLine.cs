@@ -23,6 +23,7 @@ internal static class CommandLine
         ("compare", "Compares two images.", CompareVerb.Build),
         ("bench", "Measures how many rays are traced in a second.", BenchVerb.Build),
         ("reproduce", "Renders the pictures and tables of the report that the project follows.", ReproduceVerb.Build),
+        ("studio", "Opens the Studio, in which scenes are edited and seen, in a window of the browser.", StudioVerb.Build),
         ("schema", "Prints the JSON Schema of scene files.", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
         ("reference", "Prints the reference page of the scene format, in Markdown.", (c, s) => c.SetAction(_ => s.Output.Write(SceneReference.Generate()))),
     ];
