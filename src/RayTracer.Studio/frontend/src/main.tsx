@@ -5,7 +5,7 @@ import { App } from "./shell/App";
 import { follow } from "./state/follow";
 import { reportFaults } from "./state/messages";
 import { tourSeen } from "./state/settings";
-import { documentState, hasScene, tourStep } from "./state/store";
+import { documentState, isFresh, tourStep } from "./state/store";
 import "./styles/base.css";
 import "./styles/shell.css";
 import "./styles/controls.css";
@@ -24,7 +24,7 @@ addEventListener("beforeunload", (e) => {
 
 // Whoever sees the Studio for the first time is shown around, as soon as there is something to see.
 const stopWaiting = effect(() => {
-  if (!hasScene.value) return;
+  if (!documentState.value || isFresh.value) return;
   if (!tourSeen.peek()) tourStep.value = 0;
   queueMicrotask(() => stopWaiting());
 });

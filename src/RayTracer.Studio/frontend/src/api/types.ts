@@ -87,10 +87,12 @@ export interface Outline {
   camera: OutlineNode | null;
   render: OutlineNode | null;
   background: OutlineNode | null;
+  ambient: OutlineNode | null;
   shapes: OutlineNode[];
   lights: OutlineNode[];
   materials: OutlineNode[];
   textures: OutlineNode[];
+  objects: OutlineNode[];
 }
 
 export interface Parameter {
@@ -106,8 +108,10 @@ export interface Parameter {
   choices: string[];
   default: Json;
   range: string;
-  /** For records: the section that describes them. */
+  /** shape, material or texture, where it is one or several. */
   family: string | null;
+  /** The section that it is, or that its elements are. */
+  record: string | null;
 }
 
 export interface RecordType {
@@ -190,16 +194,33 @@ export interface PathSample {
 export interface PathsAnswer {
   x: number;
   y: number;
-  pixel: Vec3;
+  /** The mean of all samples rendered so far; null where there are none. */
+  pixel: Vec3 | null;
   samples: PathSample[];
 }
 
 export interface WireframeAnswer {
-  shapes: { pointer: string; lines: number[][] }[];
+  shapes: { pointer: string | null; lines: Vec3[][] }[];
   camera: ViewCamera;
 }
 
 export interface ConvergenceAnswer {
   points: { samples: number; error: number }[];
   slope: number | null;
+}
+
+export interface FolderListing {
+  path: string;
+  parent: string | null;
+  folders: string[];
+  files: { name: string; size: number; time: string }[];
+}
+
+export interface ReportTime {
+  scene: number;
+  figure: string;
+  width: number;
+  samples: number;
+  reportSeconds: number;
+  seconds: number;
 }

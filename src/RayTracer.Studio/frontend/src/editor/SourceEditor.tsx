@@ -63,7 +63,7 @@ function create(root: ShadowRoot, text: string, startRevision: number): { view: 
         lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(), foldGutter(), folding, drawSelection(), bracketMatching(), closeBrackets(),
         indentUnit.of("  "), indentation, jsonc, highlighting, theme, EditorView.lineWrapping, search({ top: true }), highlightSelectionMatches(), lintGutter(),
         EditorState.lineSeparator.of("\n"),
-        EditorView.contentAttributes.of({ "aria-label": texts.editor.label }),
+        EditorView.contentAttributes.of({ "aria-label": texts.editor.label, tabindex: "0" }),
         autocompletion({ override: [completionSource(currentGuide)] }),
         hover(currentGuide),
         keymap.of([

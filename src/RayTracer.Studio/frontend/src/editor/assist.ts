@@ -2,7 +2,7 @@
 
 import type { Completion, CompletionContext, CompletionResult } from "@codemirror/autocomplete";
 import { hoverTooltip, type EditorView } from "@codemirror/view";
-import { locate, nodeAt, parseJsonc, plain } from "../json/jsonc";
+import { isInComment, locate, nodeAt, parseJsonc, plain } from "../json/jsonc";
 import { SchemaGuide, type Schema } from "../json/schema";
 import { texts } from "../texts";
 
@@ -31,6 +31,7 @@ function summary(schema: Schema): string {
 
 /** What can stand at a position of a text. */
 export function complete(text: string, position: number, guide: SchemaGuide): { from: number; to: number; options: Completion[] } | null {
+  if (isInComment(text, position)) return null;
   const root = parseJsonc(text);
   const document = plain(root);
   const { path, node, key } = locate(root, position);

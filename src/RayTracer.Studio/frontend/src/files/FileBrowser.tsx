@@ -1,16 +1,12 @@
 import { useEffect, useState } from "preact/hooks";
 import { get } from "../api/client";
+import { withPrefix } from "../json/numbers";
+import type { FolderListing } from "../api/types";
 import { complain } from "../state/messages";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { Icon } from "../ui/Icon";
-
-export interface FolderListing {
-  path: string;
-  parent: string | null;
-  folders: { name: string; path: string }[];
-  files: { name: string; path: string }[];
-}
+import { joinPath } from "./paths";
 
 interface FileBrowserProps {
   start: string | undefined;
@@ -52,24 +48,21 @@ export function FileBrowser({ start, onFolder, onPick, onChoose, picked }: FileB
         <Button label={texts.dialogs.go} showLabel kind="plain" onClick={() => void go(typed)} />
       </div>
       <ul class="listing" aria-label={listing?.path ?? texts.dialogs.folder}>
-        {listing?.folders.map((f) => (
-          <li key={f.path}>
-            <button type="button" class="list-button" onClick={() => void go(f.path)}><Icon name="open" />{f.name}</button>
+        {listing?.folders.map((name) => (
+          <li key={name}>
+            <button type="button" class="list-button" onClick={() => void go(joinPath(listing.path, name))}><Icon name="open" />{name}</button>
           </li>
         ))}
-        {listing?.files.map((f) => (
-          <li key={f.path}>
-            <button
-              type="button"
-              class="list-button"
-              aria-pressed={f.path === picked}
-              onClick={() => onPick(f.path)}
-              onDblClick={() => onChoose(f.path)}
-            >
-              <Icon name="scene" />{f.name}
-            </button>
-          </li>
-        ))}
+        {listing?.files.map(({ name, size, time }) => {
+          const path = joinPath(listing.path, name);
+          return (
+            <li key={name}>
+              <button type="button" class="list-button" aria-pressed={path === picked} onClick={() => onPick(path)} onDblClick={() => onChoose(path)}>
+                <Icon name="scene" /><span class="name">{name}</span><span class="quiet">{`${withPrefix(size)}B`}</span><time class="quiet" dateTime={time}>{new Date(time).toLocaleDateString()}</time>
+              </button>
+            </li>
+          );
+        })}
         {isEmpty && <li class="quiet">{texts.dialogs.emptyFolder}</li>}
       </ul>
     </div>

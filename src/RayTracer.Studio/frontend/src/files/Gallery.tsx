@@ -59,7 +59,7 @@ export function Gallery() {
     <div class="gallery">
       {gallery.value.groups.map((group) => (
         <section aria-label={group.title} key={group.title}>
-          <h3>{group.title}</h3>
+          <h2>{group.title}</h2>
           <ul>
             {group.items.map((item) => (
               <li key={item.id}>

@@ -52,7 +52,7 @@ export function OverwriteQuestion() {
   );
   return (
     <DialogBox title={t.overwriteTitle} onClose={close} buttons={buttons}>
-      <p>{t.overwrite(question.path)}</p>
+      <p>{question.why}</p>
     </DialogBox>
   );
 }

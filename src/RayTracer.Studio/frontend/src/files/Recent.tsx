@@ -22,7 +22,7 @@ export function Recent() {
     <div class="recent pad">
       <Button label={texts.files.open} icon="open" showLabel kind="plain" onClick={() => (dialog.value = "open")} />
       <p class="quiet">{texts.files.drop}</p>
-      <h3>{texts.files.recent}</h3>
+      <h2>{texts.files.recent}</h2>
       {files.length === 0 && <p class="quiet">{texts.files.noRecent}</p>}
       <ul aria-label={texts.files.label}>
         {files.map((file) => (

@@ -12,11 +12,15 @@ import { nameOf, withExtension } from "./paths";
 export const unsavedQuestion = signal<{ go: () => Promise<void> } | null>(null);
 
 /** A file that would be replaced. */
-export const overwriteQuestion = signal<{ path: string; go: () => Promise<void> } | null>(null);
+export const overwriteQuestion = signal<{ path: string; why: string; go: () => Promise<void> } | null>(null);
 
 /** Does what would lose changes; asks first where there are some. */
 async function leaving(step: (discard: boolean) => Promise<unknown>): Promise<void> {
   await flushEditor();
+  if (documentState.value?.isDirty) {
+    unsavedQuestion.value = { go: async () => void (await step(true)) };
+    return;
+  }
   try {
     await step(false);
   } catch (error) {
@@ -42,15 +46,16 @@ async function writing(path: string, write: (overwrite: boolean) => Promise<unkn
   try {
     await write(false);
   } catch (error) {
-    if (!(error instanceof Refusal && error.status === 409 && error.body.exists === true)) throw error;
-    overwriteQuestion.value = { path, go: async () => void (await write(true)) };
+    if (!(error instanceof Refusal && (error.body.exists === true || error.body.changedOnDisk === true))) throw error;
+    overwriteQuestion.value = { path, why: error.message, go: async () => void (await write(true)) };
   }
 }
 
 export const saveScene = () =>
   attempt(async () => {
     await flushEditor();
-    if (documentState.value?.path) await post("file/save", {});
+    const path = documentState.value?.path;
+    if (path) await writing(path, (overwrite) => post("file/save", { overwrite }));
     else dialog.value = "saveAs";
   });
 

@@ -19,13 +19,14 @@ function options(width: number, height: number, dark: boolean): uPlot.Options {
   return {
     width, height,
     scales: { x: { time: false, distr: 3 }, y: { distr: 3 } },
-    axes: [axis(t.samples), { ...axis(t.rmse), size: 64 }],
+    axes: [{ ...axis(t.samples), size: 32 }, { ...axis(t.rmse), size: 64 }],
     series: [
       { label: t.samples },
       { label: t.error, stroke: accent!, width: 2, points: { show: true, size: 6 } },
       { label: t.theory, stroke: theory!, width: 1.5, dash: [6, 4], points: { show: false } },
     ],
     cursor: { y: false },
+    legend: { live: false },
   };
 }
 

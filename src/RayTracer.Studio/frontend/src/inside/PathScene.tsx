@@ -8,7 +8,7 @@ import { complain } from "../state/messages";
 import { isDark } from "../state/settings";
 import { revision, selection } from "../state/store";
 import { texts } from "../texts";
-import { pointsOf, SceneDrawing, type Palette } from "./drawScene";
+import { SceneDrawing, type Palette } from "./drawScene";
 import { around, nearer, newOrbit, turned } from "./orbit";
 
 const wireframe = signal<WireframeAnswer | null>(null);
@@ -33,7 +33,7 @@ export function PathScene({ samples, chosen }: PathSceneProps) {
   useEffect(() => {
     get<WireframeAnswer>("wireframe").then((answer) => {
       wireframe.value = answer;
-      const points = answer.shapes.flatMap((s) => s.lines.flatMap(pointsOf));
+      const points = answer.shapes.flatMap((s) => s.lines.flat());
       orbit.value ??= around([...points, answer.camera.position], answer.camera.position);
     }, complain);
   }, [now]);

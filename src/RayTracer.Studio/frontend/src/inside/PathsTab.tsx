@@ -28,9 +28,9 @@ function PixelChooser() {
 
 function SampleList({ answer }: { answer: PathsAnswer }) {
   return (
-    <div class="samples">
+    <div class="sample-list">
       <PixelChooser />
-      <p class="mean"><span class="swatch" style={{ background: toHex(answer.pixel) }} /> {t.mean}<br /><span class="figures">{rgb(answer.pixel)}</span></p>
+      {answer.pixel && <p class="mean"><span class="swatch" style={{ background: toHex(answer.pixel) }} /> {t.mean}<br /><span class="figures">{rgb(answer.pixel)}</span></p>}
       <div class="pair">
         <Button label={t.fewer} icon="undo" disabled={firstSample.value === 0} onClick={() => (firstSample.value = Math.max(0, firstSample.value - perPage))} />
         <span>{t.list}</span>
@@ -56,8 +56,7 @@ function VertexRow({ vertex, index }: { vertex: PathVertex; index: number }) {
     <tr>
       <td>{index}</td>
       <td data-tip={t.eventsWhy[vertex.event]}><span class={`event ${vertex.event}`}>{t.events[vertex.event] ?? vertex.event}</span></td>
-      <td>{vertex.pointer ? <button type="button" class="link" onClick={() => select(vertex.pointer)}>{vertex.name ?? vertex.pointer}</button> : vertex.name}</td>
-      <td>{vertex.material}</td>
+      <td>{vertex.pointer ? <button type="button" class="link" onClick={() => select(vertex.pointer)}>{vertex.name ?? vertex.pointer}</button> : vertex.name}<span class="material">{vertex.material}</span></td>
       <td class="figures">{rgb(vertex.throughput)}</td>
       <td class="figures">{rgb(vertex.weight)}</td>
       <td class="figures">{vertex.pdf === null ? t.delta : format(vertex.pdf, 3)}</td>
@@ -72,10 +71,10 @@ function VertexTable({ sample }: { sample: PathSample }) {
       <table>
         <caption>{t.sample} {sample.sample}</caption>
         <thead>
-          <tr><th scope="col">#</th><th scope="col">{t.event}</th><th scope="col">{t.thing}</th><th scope="col">{t.material}</th><th scope="col">{t.throughput}</th><th scope="col">{t.weight}</th><th scope="col">{t.pdf}</th><th scope="col">{t.contribution}</th></tr>
+          <tr><th scope="col">#</th><th scope="col">{t.event}</th><th scope="col">{t.thing}</th><th scope="col">{t.throughput}</th><th scope="col">{t.weight}</th><th scope="col">{t.pdf}</th><th scope="col">{t.contribution}</th></tr>
         </thead>
         <tbody>{sample.vertices.map((v, i) => <VertexRow vertex={v} index={i} key={i} />)}</tbody>
-        <tfoot><tr><th scope="row" colSpan={7}>{t.total}</th><td class="figures">{rgb(sample.radiance)}</td></tr></tfoot>
+        <tfoot><tr><th scope="row" colSpan={6}>{t.total}</th><td class="figures">{rgb(sample.radiance)}</td></tr></tfoot>
       </table>
       <p class="quiet">{t.explain}</p>
     </div>

@@ -1,12 +1,54 @@
+import { signal } from "@preact/signals";
+import { get } from "../api/client";
+import type { ReportTime } from "../api/types";
+import { duration, format } from "../json/numbers";
+import { attempt } from "../state/messages";
 import { texts } from "../texts";
-import { usePoll } from "./poll";
+import { Button } from "../ui/Button";
 
-interface TimesAnswer {
-  rows: { figure: string; settings: string; reportSeconds: number; seconds: number | null }[];
-}
+const t = texts.times;
+const times = signal<ReportTime[] | null>(null);
+const isMeasuring = signal(false);
 
-/** The report's times beside this machine's. */
+const measure = () =>
+  attempt(async () => {
+    isMeasuring.value = true;
+    try {
+      times.value = (await get<{ times: ReportTime[] }>("times")).times;
+    } finally {
+      isMeasuring.value = false;
+    }
+  });
+
+/** The report's times beside this machine's, which are measured when they are asked for. */
 export function TimesTab() {
-  const answer = usePoll<TimesAnswer>("times", 2000);
-  return <div class="pad">{answer?.rows?.length ?? texts.times.none}</div>;
+  return (
+    <div class="times">
+      <p class="pad quiet">{t.explain}</p>
+      {!times.value && (
+        <div class="pad">
+          <Button label={isMeasuring.value ? t.running : t.run} showLabel kind="plain" disabled={isMeasuring.value} onClick={measure} />
+        </div>
+      )}
+      {times.value && (
+        <table>
+          <caption>{t.label}</caption>
+          <thead>
+            <tr><th scope="col">{t.figure}</th><th scope="col">{t.settings}</th><th scope="col">{t.report}</th><th scope="col">{t.here}</th><th scope="col">{t.ratio}</th></tr>
+          </thead>
+          <tbody>
+            {times.value.map((row) => (
+              <tr key={row.figure}>
+                <td>{row.figure}</td>
+                <td>{t.setting(row.width, row.samples)}</td>
+                <td>{duration(row.reportSeconds)}</td>
+                <td>{row.seconds < 1 ? t.milliseconds(format(row.seconds * 1000, 3)) : duration(row.seconds)}</td>
+                <td>{t.times(format(row.reportSeconds / row.seconds, 3))}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+    </div>
+  );
 }

@@ -12,11 +12,6 @@ export interface Palette {
   faint: string;
 }
 
-/** Triples of numbers as points. */
-export function pointsOf(line: number[]): Vec3[] {
-  return Array.from({ length: Math.floor(line.length / 3) }, (_, i): Vec3 => [line[3 * i]!, line[3 * i + 1]!, line[3 * i + 2]!]);
-}
-
 /** How a path's line is coloured: by the light it brought, brightened so that dark paths can be seen. */
 function pathColor(radiance: Vec3): string {
   const largest = Math.max(...radiance);
@@ -48,8 +43,8 @@ export class SceneDrawing {
 
   wires(answer: WireframeAnswer, selected: string | null): void {
     for (const { pointer, lines } of answer.shapes) {
-      const isSelected = pointer === selected;
-      for (const line of lines) this.polyline(pointsOf(line), isSelected ? this.palette.selected : this.palette.wire, isSelected ? 1.5 : 1);
+      const isSelected = pointer !== null && pointer === selected;
+      for (const line of lines) this.polyline(line, isSelected ? this.palette.selected : this.palette.wire, isSelected ? 1.5 : 1);
     }
   }
 

@@ -34,6 +34,16 @@ function tokens(text: string): Token[] {
   return result;
 }
 
+/** Whether a position is within a comment, or at the end of one that a line ends. */
+export function isInComment(text: string, position: number): boolean {
+  for (const match of text.matchAll(token)) {
+    const end = match.index + match[0].length;
+    if (/^\/[/*]/.test(match[0]) && position > match.index && (position < end || (position === end && !match[0].endsWith("*/")))) return true;
+    if (match.index >= position) break;
+  }
+  return false;
+}
+
 function unquote(text: string): string {
   try {
     return JSON.parse(text) as string;

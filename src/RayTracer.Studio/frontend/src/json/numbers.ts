@@ -15,10 +15,10 @@ export function parse(text: string): number | null {
 
 const units: [number, string][] = [[1e9, "G"], [1e6, "M"], [1e3, "k"]];
 
-/** A large number with a prefix: 31.4 M. */
+/** A large number with a prefix, ready for its unit: "31.4 M", "120 ". */
 export function withPrefix(value: number): string {
   const [factor, prefix] = units.find(([limit]) => Math.abs(value) >= limit) ?? [1, ""];
-  return `${format(value / factor, 3)}${prefix ? ` ${prefix}` : ""}`;
+  return `${format(value / factor, 3)} ${prefix}`;
 }
 
 /** Seconds as a person says them: 4.2 s, 3:07, 1:02:05. */

@@ -1,99 +1,116 @@
 import { signal } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import type { OutlineNode } from "../api/types";
-import { contains } from "../json/pointer";
+import { parent } from "../json/pointer";
 import { askForName, duplicate, isThing, remove, select } from "../state/edits";
 import { rightOpen, rightTab } from "../state/settings";
 import { outline, selection } from "../state/store";
 import { texts } from "../texts";
 import { Icon, type IconName } from "../ui/Icon";
-import { filterNodes } from "./find";
+import { rowsOf, type Row } from "./rows";
 
 const filter = signal("");
 const closed = signal<ReadonlySet<string>>(new Set());
 
-const icons: Record<string, IconName> = { shapes: "sphere", lights: "light", materials: "material", textures: "texture" };
-const ownTabs: Record<string, string> = { "/camera": "camera", "/render": "render", "/background": "world" };
+/** The section chosen last, while nothing else is selected. */
+const chosenSection = signal<string | null>(null);
 
-function toggle(key: string): void {
+const icons: Record<Row["kind"], IconName> = {
+  camera: "camera", render: "render", background: "background", ambient: "light",
+  shapes: "sphere", lights: "light", materials: "material", textures: "texture", objects: "scene",
+};
+const ownTabs: Partial<Record<Row["kind"], string>> = { camera: "camera", render: "render", background: "world", ambient: "world" };
+
+function toggle(pointer: string): void {
   const next = new Set(closed.value);
-  if (!next.delete(key)) next.add(key);
+  if (!next.delete(pointer)) next.add(pointer);
   closed.value = next;
 }
 
-function choose(node: OutlineNode): void {
-  select(node.pointer);
-  rightTab.value = ownTabs[node.pointer] ?? "object";
+// What has a tab of its own may not be written in the text at all, and needs no selection.
+function choose(row: Row): void {
+  if (row.isHeading) return toggle(row.pointer);
+  const tab = ownTabs[row.kind];
+  select(tab ? null : row.pointer);
+  chosenSection.value = tab ? row.pointer : null;
+  rightTab.value = tab ?? "object";
 }
 
-interface NodeProps {
-  node: OutlineNode;
-  icon: IconName;
-  level: number;
-  isFirst: boolean;
-}
+const isChosen = (row: Row) =>
+  !row.isHeading && (selection.value === row.pointer || (selection.value === null && chosenSection.value === row.pointer));
 
-function TreeNode({ node, icon, level, isFirst }: NodeProps) {
-  const isSelected = selection.value === node.pointer;
-  const children = node.children ?? [];
-  const isOpen = !closed.value.has(node.pointer);
-  const isReachable = isSelected || (isFirst && selection.value === null);
-  const onClick = (e: MouseEvent) => {
-    e.stopPropagation();
-    choose(node);
-  };
+function RowName({ row }: { row: Row }) {
+  const { node, kind, count } = row;
+  const isSection = kind in ownTabs;
+  if (!node || isSection) {
+    return (
+      <>
+        {isSection && (node?.color ? <span class="swatch" style={{ background: node.color }} /> : <Icon name={icons[kind]} />)}
+        <span class="name">{texts.outliner[kind]}</span>
+        {row.isHeading && <span class="type">{count || texts.outliner.empty}</span>}
+      </>
+    );
+  }
   return (
-    <li
+    <>
+      {node.color ? <span class="swatch" style={{ background: node.color }} /> : <Icon name={icons[kind]} />}
+      <span class="name">{node.name}</span>
+      {node.isLight && kind !== "lights" && <span class="type">{texts.outliner.shines}</span>}
+      <span class="type">{node.type}</span>
+    </>
+  );
+}
+
+interface TreeRowProps {
+  row: Row;
+  isReachable: boolean;
+}
+
+function TreeRow({ row, isReachable }: TreeRowProps) {
+  const { isOpen, pointer, node, isHeading, level } = row;
+  return (
+    <div
       role="treeitem"
-      aria-label={`${node.name}${node.type && node.type !== node.name ? `, ${node.type}` : ""}${node.isLight ? `, ${texts.outliner.shines}` : ""}`}
-      aria-selected={isSelected}
-      aria-expanded={children.length ? isOpen : undefined}
+      class={`node ${isHeading ? "heading" : ""}`}
+      aria-selected={isChosen(row)}
+      aria-expanded={isOpen ?? undefined}
       aria-level={level}
       tabIndex={isReachable ? 0 : -1}
-      data-pointer={node.pointer}
-      onClick={onClick}
+      data-pointer={pointer}
+      data-tip={node?.summary || undefined}
+      style={{ paddingInlineStart: isHeading ? "0.125rem" : `${level * 0.75 - 0.375}rem` }}
+      onClick={() => choose(row)}
       onDblClick={() => (rightOpen.value = true)}
     >
-      <div class="node" style={{ paddingInlineStart: `${level * 0.75}rem` }} data-tip={node.summary || undefined}>
-        {children.length > 0 && (
-          <span class={`twist ${isOpen ? "open" : ""}`} aria-hidden="true" onClick={(e) => (e.stopPropagation(), toggle(node.pointer))}><Icon name="chevron" /></span>
-        )}
-        {node.color ? <span class="swatch" style={{ background: node.color }} /> : <Icon name={node.isLight ? "light" : icon} />}
-        <span class="name">{node.name}</span>
-        {node.type !== node.name && <span class="type">{node.type}</span>}
-      </div>
-      {children.length > 0 && isOpen && (
-        <ul role="group">{children.map((child) => <TreeNode node={child} icon={icon} level={level + 1} isFirst={false} key={child.pointer} />)}</ul>
+      {isOpen !== null && (
+        <span class={`twist ${isOpen ? "open" : ""}`} aria-hidden="true" onClick={(e) => (e.stopPropagation(), toggle(pointer))}><Icon name="chevron" /></span>
       )}
-    </li>
+      <RowName row={row} />
+    </div>
   );
 }
 
 /** The tree of all things; arrows move in it as the ARIA pattern says. */
 export function Outliner() {
-  const root = useRef<HTMLUListElement>(null);
-  const all = outline.value;
-  if (!all) return null;
-
-  const single: [OutlineNode | null, IconName][] = [[all.camera, "camera"], [all.render, "render"], [all.background, "background"]];
-  const groups = (["shapes", "lights", "materials", "textures"] as const).map((key) => ({ key, nodes: filterNodes(all[key] ?? [], filter.value) }));
-  const isEmpty = filter.value && groups.every((g) => g.nodes.length === 0);
+  const root = useRef<HTMLDivElement>(null);
+  if (!outline.value) return null;
+  const rows = rowsOf(outline.value, closed.value, filter.value);
+  const reachable = rows.find(isChosen) ?? rows[0];
 
   const onKeyDown = (e: KeyboardEvent) => {
     const items = [...(root.current?.querySelectorAll<HTMLElement>("[role=treeitem]") ?? [])];
-    const item = document.activeElement as HTMLElement;
-    const here = items.indexOf(item);
-    if (here < 0) return;
-    const pointer = item.dataset.pointer ?? "";
-    const expanded = item.getAttribute("aria-expanded");
+    const here = items.indexOf(document.activeElement as HTMLElement);
+    const row = rows[here];
+    if (!row) return;
+    const { pointer, isOpen } = row;
+    const outside = rows.findIndex((r) => r.pointer === parent(pointer) || r.pointer === parent(parent(pointer)));
     const moves: Record<string, number> = { ArrowDown: here + 1, ArrowUp: here - 1, Home: 0, End: items.length - 1 };
     const target = moves[e.key];
     if (target !== undefined) items[target]?.focus();
-    else if (e.key === "Enter" || e.key === " ") item.click();
-    else if (e.key === "ArrowRight" && expanded === "false") toggle(pointer);
-    else if (e.key === "ArrowRight" && expanded === "true") items[here + 1]?.focus();
-    else if (e.key === "ArrowLeft" && expanded === "true") toggle(pointer);
-    else if (e.key === "ArrowLeft") items.find((i) => i !== item && i.contains(item))?.focus();
+    else if (e.key === "Enter" || e.key === " ") choose(row);
+    else if (e.key === "ArrowRight" && isOpen === false) toggle(pointer);
+    else if (e.key === "ArrowRight") items[here + (isOpen ? 1 : 0)]?.focus();
+    else if (e.key === "ArrowLeft" && isOpen) toggle(pointer);
+    else if (e.key === "ArrowLeft") items[outside]?.focus();
     else if (e.key === "Delete" && isThing(pointer)) remove(pointer);
     else if (e.key === "F2" && pointer === selection.value) askForName();
     else if (e.key === "d" && e.ctrlKey && isThing(pointer)) duplicate(pointer);
@@ -105,24 +122,10 @@ export function Outliner() {
   return (
     <div class="outliner">
       <input type="search" class="text" aria-label={texts.outliner.filter} placeholder={texts.outliner.filter} value={filter.value} onInput={(e) => (filter.value = e.currentTarget.value)} />
-      <ul role="tree" aria-label={texts.outliner.label} ref={root} onKeyDown={onKeyDown}>
-        {!filter.value && single.map(([node, icon], i) => node && <TreeNode node={node} icon={icon} level={1} isFirst={i === 0} key={node.pointer} />)}
-        {groups.map(({ key, nodes }) => {
-          if (filter.value && nodes.length === 0) return null;
-          const isOpen = !closed.value.has(`/${key}`) || nodes.some((n) => selection.value && contains(n.pointer, selection.value));
-          return (
-            <li role="treeitem" aria-label={texts.outliner[key]} aria-expanded={isOpen} aria-selected={false} aria-level={1} tabIndex={-1} data-pointer={`/${key}`} key={key} onClick={() => toggle(`/${key}`)}>
-              <div class="node heading">
-                <span class={`twist ${isOpen ? "open" : ""}`} aria-hidden="true"><Icon name="chevron" /></span>
-                <span class="name">{texts.outliner[key]}</span>
-                <span class="type">{nodes.length || texts.outliner.empty}</span>
-              </div>
-              {isOpen && <ul role="group">{nodes.map((n) => <TreeNode node={n} icon={icons[key]!} level={2} isFirst={false} key={n.pointer} />)}</ul>}
-            </li>
-          );
-        })}
-      </ul>
-      {isEmpty && <p class="quiet pad">{texts.outliner.nothingFound}</p>}
+      <div role="tree" aria-label={texts.outliner.label} ref={root} onKeyDown={onKeyDown}>
+        {rows.map((row) => <TreeRow row={row} isReachable={row === reachable} key={row.pointer} />)}
+      </div>
+      {rows.length === 0 && <p class="quiet pad">{texts.outliner.nothingFound}</p>}
     </div>
   );
 }

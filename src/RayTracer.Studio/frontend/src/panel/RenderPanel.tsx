@@ -16,7 +16,7 @@ const t = texts.render;
 export function RenderPanel() {
   const render = renderState.value;
   if (!render) return null;
-  const set = (change: object) => attempt(() => post("view/render", { action: "continue", ...change }));
+  const set = (change: object) => attempt(() => post("view/render", change));
   const size = `${render.width}x${render.height}`;
   const choices = sizes.map(([w, h]) => ({ value: `${w}x${h}`, label: texts.status.size(w, h) }));
   if (!choices.some((c) => c.value === size)) choices.unshift({ value: size, label: `${texts.status.size(render.width, render.height)}, ${t.ownSize}` });
@@ -55,7 +55,7 @@ export function RenderPanel() {
         </div>
         <span class="no-reset" />
       </div>
-      <h3>{t.more}</h3>
+      <h2>{t.more}</h2>
       <ThingPanel pointer="/render" without={[]} />
     </section>
   );

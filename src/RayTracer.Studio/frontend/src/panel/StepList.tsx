@@ -5,7 +5,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import type { FieldProps } from "./FieldContext";
 import { RecordEditor } from "./RecordEditor";
-import { sectionOf, type JsonObject } from "./types";
+import { sectionOf, spaced, type JsonObject } from "./types";
 
 /** A list of records, such as the steps of a transform. */
 export function StepList({ parameter, pointer, value, id }: FieldProps) {
@@ -24,7 +24,7 @@ export function StepList({ parameter, pointer, value, id }: FieldProps) {
           <RecordEditor type={type} pointer={join(pointer, i)} value={step} />
         </details>
       ))}
-      <Button label={texts.panel.addStep} icon="add" showLabel kind="plain" onClick={add} />
+      <Button label={texts.panel.addStep(spaced(parameter.key))} icon="add" showLabel kind="plain" onClick={add} />
     </div>
   );
 }

@@ -30,8 +30,8 @@ export function ThingPanel({ pointer, without = ["name"] }: { pointer: string; w
     <section class="thing" aria-label={title}>
       {isThing(pointer) && (
         <header>
-          <h3>{title}</h3>
-          <Button label={texts.commands.rename[0]} tip={texts.commands.rename[1]} icon="code" onClick={() => (dialog.value = "rename")} />
+          <h2>{title}</h2>
+          <Button label={texts.commands.rename[0]} tip={texts.commands.rename[1]} icon="rename" onClick={() => (dialog.value = "rename")} />
           <Button label={texts.commands.duplicate[0]} tip={texts.commands.duplicate[1]} icon="copy" onClick={() => duplicate(pointer)} />
           <Button label={texts.panel.show} icon="code" onClick={() => showInSource(pointer)} />
           <Button label={texts.commands.delete[0]} tip={texts.commands.delete[1]} icon="trash" onClick={() => remove(pointer)} />

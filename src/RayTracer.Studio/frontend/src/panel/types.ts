@@ -19,7 +19,7 @@ export function findType(schema: SchemaAnswer, family: string | null, type: stri
 
 /** The record that stands in a parameter of kind record or records. */
 export const sectionOf = (schema: SchemaAnswer, parameter: Parameter): RecordType | null =>
-  schema.sections[parameter.family ?? parameter.key] ?? schema.sections[parameter.key] ?? null;
+  schema.sections[parameter.record ?? parameter.key] ?? null;
 
 export const boundsOf = (parameter: Parameter) => ({
   minimum: parameter.minimum,
@@ -30,7 +30,7 @@ export const boundsOf = (parameter: Parameter) => ({
 
 /** A number gets a slider where all its range can sensibly be reached by one. */
 export const hasSlider = (parameter: Parameter) =>
-  parameter.minimum !== null && parameter.maximum !== null && parameter.maximum - parameter.minimum <= 360;
+  parameter.minimum !== null && parameter.maximum !== null && parameter.maximum - parameter.minimum <= (kindOf(parameter) === "integer" ? 64 : 360);
 
 /** Another type in place of this one: what both of them know stays. */
 export function retyped(value: Json | undefined, type: RecordType): JsonObject {

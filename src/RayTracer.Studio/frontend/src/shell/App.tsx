@@ -8,7 +8,7 @@ import { Outliner } from "../outliner/Outliner";
 import { PropertyPanel } from "../panel/PropertyPanel";
 import { bottomHeight, bottomOpen, leftOpen, leftTab, leftWidth, rightOpen, rightWidth } from "../state/settings";
 import { listenToShortcuts } from "../state/shortcuts";
-import { dialog, hasScene, studio } from "../state/store";
+import { dialog, isFresh, tourStep } from "../state/store";
 import { texts } from "../texts";
 import { Splitter } from "../ui/Splitter";
 import { Tabs } from "../ui/Tabs";
@@ -39,7 +39,26 @@ function LeftPane() {
           { id: "files", label: t.files, render: () => <Recent /> },
         ]}
       />
+      <Splitter label={texts.panes.left} size={leftWidth} grows="right" minimum={180} maximum={() => innerWidth * 0.4} />
     </aside>
+  );
+}
+
+function RightPane() {
+  return (
+    <aside class="pane right" aria-label={texts.right.label}>
+      <Splitter label={texts.panes.right} size={rightWidth} grows="left" minimum={220} maximum={() => innerWidth * 0.4} />
+      <PropertyPanel />
+    </aside>
+  );
+}
+
+function BottomPane() {
+  return (
+    <section class="pane bottom" aria-label={texts.dock.label}>
+      <Splitter label={texts.panes.bottom} size={bottomHeight} grows="up" minimum={110} maximum={() => innerHeight * 0.7} />
+      <Dock />
+    </section>
   );
 }
 
@@ -47,34 +66,20 @@ function LeftPane() {
 export function App() {
   useEffect(listenToShortcuts, []);
   const Shown = dialog.value && dialogs[dialog.value];
-  const isEmpty = studio.value !== null && !hasScene.value;
+  // A fresh Studio asks what to do, and nothing else; but the tour needs something to point at.
+  const hasPanes = !isFresh.value || tourStep.value !== null;
   const sizes = { "--left": `${leftWidth.value}px`, "--right": `${rightWidth.value}px`, "--bottom": `${bottomHeight.value}px` };
   return (
     <div class="window" style={sizes}>
       <Toolbar />
       <Banners />
       <div class="panes">
-        {leftOpen.value && (
-          <>
-            <LeftPane />
-            <Splitter label={texts.panes.left} size={leftWidth} grows="right" minimum={180} maximum={() => innerWidth * 0.4} />
-          </>
-        )}
+        {hasPanes && leftOpen.value && <LeftPane />}
         <main class="centre">
-          {isEmpty ? <EmptyState /> : <Viewport />}
-          {bottomOpen.value && (
-            <>
-              <Splitter label={texts.panes.bottom} size={bottomHeight} grows="up" minimum={110} maximum={() => innerHeight * 0.7} />
-              <section class="pane bottom" aria-label={texts.dock.label}><Dock /></section>
-            </>
-          )}
+          {isFresh.value ? <EmptyState /> : <Viewport />}
+          {hasPanes && bottomOpen.value && <BottomPane />}
         </main>
-        {rightOpen.value && (
-          <>
-            <Splitter label={texts.panes.right} size={rightWidth} grows="left" minimum={220} maximum={() => innerWidth * 0.4} />
-            <aside class="pane right" aria-label={texts.right.label}><PropertyPanel /></aside>
-          </>
-        )}
+        {hasPanes && rightOpen.value && <RightPane />}
       </div>
       <StatusBar />
       <Messages />

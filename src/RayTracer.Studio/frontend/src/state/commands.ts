@@ -66,7 +66,7 @@ export const commands: Record<CommandId, Command> = {
   redo: { group: "edit", run: () => history("redo"), icon: "redo", keys: "Mod+Shift+Z", enabled: () => documentState.value?.canRedo ?? false },
   duplicate: { group: "edit", run: () => withSelection(duplicate), icon: "copy", keys: "Mod+d" },
   delete: { group: "edit", run: () => withSelection(remove), icon: "trash", keys: "Delete" },
-  rename: { group: "edit", run: askForName, icon: "code", keys: "F2" },
+  rename: { group: "edit", run: askForName, icon: "rename", keys: "F2" },
   deselect: { group: "edit", run: () => select(null), keys: "Escape" },
   pause: { group: "render", run: () => rendering(isRunning() ? "pause" : "continue"), icon: "pause", keys: "p" },
   stop: { group: "render", run: () => rendering("stop"), icon: "stop" },

@@ -2,8 +2,8 @@
 
 import { post } from "../api/client";
 import { Latest } from "../api/latest";
-import type { Json, Vec3 } from "../api/types";
-import { parent } from "../json/pointer";
+import type { Json } from "../api/types";
+import type { Change } from "../math/gizmoChange";
 import { attempt, complain } from "./messages";
 import { dialog, selection } from "./store";
 
@@ -49,17 +49,17 @@ export const remove = (pointer: string) => attempt(() => post("document/delete",
 
 export const rename = (pointer: string, name: string) => attempt(() => post("document/rename", { pointer, name }));
 
-export interface Placement {
+export interface Placement extends Change {
   pointer: string;
-  translate?: Vec3;
-  rotate?: { axis: Vec3; degrees: number; center: Vec3 };
-  scale?: Vec3;
   gesture: string;
 }
 
 /** What can be copied, deleted or renamed: the members of lists, and what has a name under materials or textures. */
 export const isThing = (pointer: string | null): pointer is string =>
-  pointer !== null && /^\/(shapes|lights|materials|textures|objects)\/./.test(pointer) && !["/camera", "/render"].includes(parent(pointer));
+  pointer !== null && /^\/(shapes|lights|materials|textures|objects)\/./.test(pointer);
+
+/** What may be seen in the picture, moved and turned there. */
+export const isSeen = (pointer: string | null): pointer is string => pointer !== null && /^\/(shapes|lights)\/./.test(pointer);
 
 /** Runs a command on the selected thing, if there is one that it can be run on. */
 export function withSelection(work: (pointer: string) => void): void {

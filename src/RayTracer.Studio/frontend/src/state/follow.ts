@@ -10,9 +10,13 @@ import { connection, documentState, outline, revision, schema, studio } from "./
 const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const retryAfter = 1000;
 
+// While the picture changes all the time, its numbers need not: what is drawn of them takes time from the picture.
+const shortestPause = 100;
+
 async function followState(): Promise<never> {
   let version = -1;
   for (;;) {
+    const start = performance.now();
     try {
       const state = await get<StudioState>("state", { after: version });
       version = state.version;
@@ -20,6 +24,7 @@ async function followState(): Promise<never> {
       const message = state.message;
       if (message && message.id !== studio.value?.message?.id) say(message.kind, message.text);
       studio.value = state;
+      await pause(Math.max(0, shortestPause - (performance.now() - start)));
     } catch (error) {
       const isRefused = error instanceof Refusal && (error.status === 401 || error.status === 403);
       connection.value = isRefused ? "refused" : "lost";

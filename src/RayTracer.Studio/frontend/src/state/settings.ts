@@ -28,7 +28,7 @@ function remembered<T>(name: string, initial: T): Signal<T> {
 export const narrowWindow = matchMedia("(max-width: 56rem)");
 
 export const leftWidth = remembered("leftWidth", 256);
-export const rightWidth = remembered("rightWidth", 304);
+export const rightWidth = remembered("rightWidth", 336);
 export const bottomHeight = remembered("bottomHeight", 264);
 
 // In a narrow window panes lie over the picture, and are closed at first.

@@ -32,10 +32,10 @@ export const selection = computed(() => studio.value?.selection ?? null);
 export const revision = computed(() => studio.value?.document.revision ?? -1);
 export const map = computed(() => studio.value?.render.map ?? "light");
 
-/** Whether there is a scene to look at: a fresh Studio has an empty text. */
-export const hasScene = computed(() => {
-  const state = studio.value;
-  return state !== null && state.render.width > 0 && !(state.document.path === null && state.document.name === "" );
+/** Whether this is a fresh Studio: its scene is the one that every Studio starts with, and nothing was done to it. */
+export const isFresh = computed(() => {
+  const doc = documentState.value;
+  return doc !== null && doc.revision <= 1 && doc.path === null && !doc.isDirty;
 });
 
 export type Tool = "select" | "move" | "rotate" | "scale" | "focus" | "inspect" | "region";

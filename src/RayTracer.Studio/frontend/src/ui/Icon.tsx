@@ -44,6 +44,7 @@ const paths = {
   trash: "M3 4.5h10M6 4.5v-2h4v2M4.5 4.5l.5 9h6l.5-9",
   copy: "M5.5 5.5h8v8h-8zM10.5 5.5v-3h-8v8h3",
   warning: "M8 2.5l6 11H2zM8 6.5v3.5M8 11.7v.1",
+  rename: "M3 13l.8-3L10.8 3l2.2 2.2-7 7z",
   check: "M3 8.5l3.5 3.5L13 4.5",
 } as const;
 

@@ -79,7 +79,6 @@ export function Menu({ label, items, icon, tip, showLabel = true }: MenuProps) {
                 role="menuitem"
                 tabIndex={-1}
                 aria-disabled={item.disabled || undefined}
-                aria-label={item.label}
                 data-tip={item.tip}
                 onClick={() => {
                   if (item.disabled) return;
@@ -88,7 +87,7 @@ export function Menu({ label, items, icon, tip, showLabel = true }: MenuProps) {
                 }}
               >
                 <span>{item.label}</span>
-                {item.keys && <kbd>{item.keys}</kbd>}
+                {item.keys && <kbd aria-hidden="true">{item.keys}</kbd>}
               </button>
             </>
           ))}

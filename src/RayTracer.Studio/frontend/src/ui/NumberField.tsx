@@ -85,7 +85,7 @@ export function NumberField({ label, value, bounds, onChange, tip, mark, id }: N
         aria-valuemin={bounds.minimum ?? undefined}
         aria-valuemax={bounds.maximum ?? undefined}
         data-tip={[tip, texts.panel.drag].filter(Boolean).join(" ")}
-        value={typed ?? format(shown)}
+        value={typed ?? format(shown, mark ? 4 : 6)}
         onInput={(e) => setTyped(e.currentTarget.value)}
         onFocus={() => (keyGesture.current = newGesture())}
         onBlur={(e) => typed !== null && commit(e.currentTarget.value)}

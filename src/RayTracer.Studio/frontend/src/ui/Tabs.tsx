@@ -49,7 +49,7 @@ export function Tabs({ label, tabs, chosen, trailing }: TabsProps) {
         </div>
         {trailing}
       </div>
-      <div class="tab-panel" role="tabpanel" id={`${name(current.id)}-panel`} aria-labelledby={name(current.id)} key={current.id}>
+      <div class="tab-panel" role="tabpanel" tabIndex={0} id={`${name(current.id)}-panel`} aria-labelledby={name(current.id)} key={current.id}>
         {current.render()}
       </div>
     </div>

@@ -43,15 +43,17 @@ export function Tooltip() {
   const tip = shown.value;
   useLayoutEffect(() => {
     if (!tip || !box.current) return;
+    tip.target.setAttribute("aria-describedby", "tooltip");
     const around = tip.target.getBoundingClientRect();
     const { offsetWidth: width, offsetHeight: height } = box.current;
     const below = around.bottom + 6 + height < innerHeight;
     const left = Math.min(Math.max(6, around.left + around.width / 2 - width / 2), innerWidth - width - 6);
     box.current.style.left = `${left}px`;
     box.current.style.top = `${Math.max(6, below ? around.bottom + 6 : around.top - height - 6)}px`;
+    return () => tip.target.removeAttribute("aria-describedby");
   }, [tip]);
   return tip ? (
-    <div class="tooltip" role="tooltip" ref={box}>
+    <div class="tooltip" role="tooltip" id="tooltip" ref={box}>
       {tip.text} {tip.keys && <kbd>{tip.keys}</kbd>}
     </div>
   ) : null;

@@ -4,13 +4,14 @@ import { get, post } from "../api/client";
 import { Latest } from "../api/latest";
 import type { GizmoAnswer, Vec3 } from "../api/types";
 import { circle } from "../math/gizmo";
+import type { GizmoKind } from "../math/gizmoChange";
 import { project, unitsPerPixel, type Point } from "../math/projection";
 import { add, axes, scale } from "../math/vec3";
-import { isThing, newGesture, type Placement } from "../state/edits";
+import { isSeen, newGesture, type Placement } from "../state/edits";
 import { complain } from "../state/messages";
 import { revision, selection, tool } from "../state/store";
 import { texts } from "../texts";
-import { drag, type GizmoKind } from "./gizmoDrag";
+import { drag } from "./gizmoDrag";
 import { cameraMoves, placement } from "./stage";
 
 const gizmo = signal<GizmoAnswer | null>(null);
@@ -35,7 +36,7 @@ function seen(answer: GizmoAnswer, point: Vec3): Point | null {
 export function Gizmo() {
   const pointer = selection.value;
   const kind = tool.value;
-  const isShown = isThing(pointer) && /^\/(shapes|lights)\//.test(pointer) && isTool(kind) && !cameraMoves.value;
+  const isShown = isSeen(pointer) && isTool(kind) && !cameraMoves.value;
   useEffect(() => {
     if (isShown) asked.push(pointer);
     else gizmo.value = null;

@@ -1,10 +1,13 @@
+import { effect } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { token } from "../api/client";
 import { texts } from "../texts";
 import { headerSize, readHeader } from "./frame";
 import type { ToWorker } from "./frames.worker";
 import { Painter } from "./painter";
-import { cameraMoves, picture, placement, stage, zoom } from "./stage";
+import { cameraMoves, picture, placement, zoom } from "./stage";
+
+const resizePause = 150;
 
 /** Follows the server's frames and paints them; ends with the function that it returns. */
 function followFrames(canvas: HTMLCanvasElement): () => void {
@@ -13,7 +16,7 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
   const tell = (message: ToWorker) => worker.postMessage(message);
 
   let painted = 0;
-  const painter = new Painter<ArrayBuffer>(requestAnimationFrame, (bytes) => {
+  const painter = new Painter<ArrayBuffer>((paint) => requestAnimationFrame(paint), (bytes) => {
     const frame = readHeader(bytes);
     if (canvas.width !== frame.width || canvas.height !== frame.height) [canvas.width, canvas.height] = [frame.width, frame.height];
     context.putImageData(new ImageData(new Uint8ClampedArray(bytes, headerSize), frame.width, frame.height), 0, 0);
@@ -27,13 +30,20 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
   worker.onmessage = (event: MessageEvent<ArrayBuffer>) => painter.push(event.data);
 
   const watch = () => tell({ kind: "watch", isVisible: !document.hidden });
-  const resized = stage.subscribe(({ width, height }) => tell({ kind: "size", width: Math.round(width * devicePixelRatio), height: Math.round(height * devicePixelRatio) }));
+  let resizing = 0;
+  const resized = effect(() => {
+    const { width, height } = picture.value;
+    const scale = Math.min(1, placement.value.scale * devicePixelRatio);
+    clearTimeout(resizing);
+    resizing = window.setTimeout(() => tell({ kind: "size", width: Math.ceil(width * scale), height: Math.ceil(height * scale) }), resizePause);
+  });
   document.addEventListener("visibilitychange", watch);
   watch();
   tell({ kind: "start", token });
   return () => {
     document.removeEventListener("visibilitychange", watch);
     resized();
+    clearTimeout(resizing);
     worker.terminate();
   };
 }

@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { get } from "../api/client";
 import type { MaskAnswer } from "../api/types";
+import { isSeen } from "../state/edits";
 import { revision, selection } from "../state/store";
 import { outlineOf } from "./mask";
 import { cameraMoves, picture, placement } from "./stage";
@@ -20,7 +21,7 @@ function draw(canvas: HTMLCanvasElement, mask: MaskAnswer, reach: number): void 
 export function SelectionOutline() {
   const ref = useRef<HTMLCanvasElement>(null);
   const pointer = selection.value;
-  const isShown = pointer !== null && !cameraMoves.value;
+  const isShown = isSeen(pointer) && !cameraMoves.value;
   const { scale, left, top } = placement.value;
   const { width, height } = picture.value;
   const reach = Math.max(1, Math.min(6, Math.round(1.5 / scale)));

@@ -9,7 +9,7 @@ import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
 import { Select } from "../ui/Select";
 import { clearRegion } from "./clicks";
-import { placement } from "./stage";
+import { placement, zoomTo } from "./stage";
 
 const t = texts.viewport;
 const tools: [CommandId, Tool][] = [
@@ -31,16 +31,11 @@ export function ViewportBar() {
         {tools.map(([id, name]) => <Button {...commandButton(id)} pressed={tool.value === name} key={id} />)}
       </div>
       <div class="group" role="group" aria-label={t.zoom}>
-        <Button {...commandButton("zoomOut")} />
-        <output class="percent" aria-label={t.zoom}>{Math.round(placement.value.scale * devicePixelRatio * 100)} %</output>
-        <Button {...commandButton("zoomIn")} />
+        <ZoomSelect />
         <Button {...commandButton("fit")} />
         <Button {...commandButton("actualSize")} />
       </div>
-      <label class="pair" data-tip={t.mapWhy}>
-        <span>{t.map}</span>
-        <Select label={t.map} value={map} choices={Object.entries(texts.maps).map(([value, [label]]) => ({ value, label }))} onChange={showMap} />
-      </label>
+      <Select label={t.map} tip={t.mapWhy} value={map} choices={Object.entries(texts.maps).map(([value, [label]]) => ({ value, label }))} onChange={showMap} />
       {now && (
         <>
           <div class="pair" data-tip={t.exposureWhy}>
@@ -60,4 +55,13 @@ export function ViewportBar() {
   );
 }
 
-export const showMap = (map: string) => attempt(() => post("view/render", { action: "continue", map }));
+const percents = [12.5, 25, 50, 100, 200, 400, 800, 1600];
+
+function ZoomSelect() {
+  const now = String(Math.round(placement.value.scale * devicePixelRatio * 100));
+  const known = percents.map(String);
+  const choices = [...(known.includes(now) ? [] : [now]), ...known].map((value) => ({ value, label: `${value} %` }));
+  return <Select label={t.zoom} tip={t.zoomWhy} value={now} choices={choices} onChange={(percent) => zoomTo(Number(percent) / 100 / devicePixelRatio)} />;
+}
+
+export const showMap = (map: string) => attempt(() => post("view/render", { map }));

@@ -4,33 +4,8 @@ import { post } from "../api/client";
 import { Latest } from "../api/latest";
 import { newGesture } from "../state/edits";
 import { complain } from "../state/messages";
+import { mergeMoves, type Move, type MoveKind } from "./moves";
 import { cameraMoves } from "./stage";
-
-export type MoveKind = "orbit" | "pan" | "zoom" | "dolly" | "fly";
-
-interface Move {
-  kind: MoveKind;
-  dx: number;
-  dy: number;
-  dz: number;
-  gesture: string;
-  end?: boolean;
-}
-
-/** Moves of one kind and gesture become one; others follow each other. */
-export function mergeMoves(older: Move[], newer: Move[]): Move[] {
-  const result = [...older];
-  for (const move of newer) {
-    const last = result.at(-1);
-    if (last && last.kind === move.kind && last.gesture === move.gesture && !last.end) {
-      const end = move.end ? { end: true } : {};
-      result[result.length - 1] = { ...last, dx: last.dx + move.dx, dy: last.dy + move.dy, dz: last.dz + move.dz, ...end };
-    } else {
-      result.push(move);
-    }
-  }
-  return result;
-}
 
 async function send(moves: Move[]): Promise<void> {
   for (const move of moves) await post("view/camera", move);

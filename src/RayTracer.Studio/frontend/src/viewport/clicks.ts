@@ -39,7 +39,7 @@ export function renderRegion(a: Point, b: Point): void {
   const region = regionBetween(a, b, picture.value);
   if (!region) return;
   tool.value = "select";
-  attempt(() => post("view/render", { action: "restart", region }));
+  attempt(() => post("view/render", { region }));
 }
 
-export const clearRegion = () => attempt(() => post("view/render", { action: "restart", region: null }));
+export const clearRegion = () => attempt(() => post("view/render", { region: [] }));

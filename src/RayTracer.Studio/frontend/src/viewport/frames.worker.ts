@@ -12,7 +12,10 @@ export type ToWorker =
   | { kind: "painted" };
 
 const retryAfter = 1000;
+// In pixels of the screen; 0 stands for the whole picture.
 let size = { width: 0, height: 0 };
+let version = 0;
+let asking = new AbortController();
 let isVisible = true;
 let unpainted = 0;
 let wake: () => void = () => undefined;
@@ -20,19 +23,20 @@ let wake: () => void = () => undefined;
 const mayAsk = () => isVisible && unpainted < 2;
 
 async function follow(token: string): Promise<never> {
-  let version = 0;
   for (;;) {
     while (!mayAsk()) await new Promise<void>((resolve) => (wake = resolve));
     try {
       const query = `after=${version}&width=${size.width}&height=${size.height}`;
-      const response = await fetch(`/api/frame?${query}`, { headers: { "X-Studio-Token": token } });
+      asking = new AbortController();
+      const response = await fetch(`/api/frame?${query}`, { headers: { "X-Studio-Token": token }, signal: asking.signal });
       if (!response.ok) throw new Error(String(response.status));
       if (response.status === 204) continue;
       const bytes = await response.arrayBuffer();
-      version = readHeader(bytes).version;
+      if (!asking.signal.aborted) version = readHeader(bytes).version;
       unpainted++;
       postMessage(bytes, { transfer: [bytes] });
     } catch {
+      if (asking.signal.aborted) continue;
       // The page's own poll tells the user that the connection is lost.
       version = 0;
       await new Promise((resolve) => setTimeout(resolve, retryAfter));
@@ -40,10 +44,18 @@ async function follow(token: string): Promise<never> {
   }
 }
 
+/** The picture is shown in another size: what is there may be too coarse now. */
+function resize({ width, height }: { width: number; height: number }): void {
+  if (width === size.width && height === size.height) return;
+  size = { width, height };
+  version = 0;
+  asking.abort();
+}
+
 addEventListener("message", (event: MessageEvent<ToWorker>) => {
   const message = event.data;
   if (message.kind === "start") void follow(message.token);
-  else if (message.kind === "size") size = { width: message.width, height: message.height };
+  else if (message.kind === "size") resize(message);
   else if (message.kind === "watch") isVisible = message.isVisible;
   else unpainted = 0;
   if (mayAsk()) wake();

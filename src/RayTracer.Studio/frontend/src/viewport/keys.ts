@@ -7,7 +7,7 @@ const keyStep = 0.04;
 const flySpeed = 0.6;
 
 const flyDirections: Record<string, [number, number, number]> = {
-  KeyW: [0, 0, 1], KeyS: [0, 0, -1], KeyA: [-1, 0, 0], KeyD: [1, 0, 0], KeyE: [0, 1, 0], KeyQ: [0, -1, 0],
+  KeyW: [0, 0, 1], KeyS: [0, 0, -1], KeyA: [-1, 0, 0], KeyD: [1, 0, 0], KeyE: [0, -1, 0], KeyQ: [0, 1, 0],
 };
 
 const held = new Set<string>();

@@ -4,8 +4,9 @@ import { signal } from "@preact/signals";
 import type { Point } from "../math/projection";
 import { newGesture } from "../state/edits";
 import { tool } from "../state/store";
-import { endMove, move, moveInBurst, type MoveKind } from "./camera";
+import { endMove, move, moveInBurst } from "./camera";
 import { clickPixel, renderRegion } from "./clicks";
+import type { MoveKind } from "./moves";
 import { picture, pixelAt, placement, shiftBy, toPicture, zoomBy } from "./stage";
 
 /** The rectangle that is being drawn, in pixels of the picture. */
@@ -21,7 +22,7 @@ function actionOf(e: PointerEvent): Action {
   const camera = (kind: MoveKind): Action => ({ kind: "camera", move: kind, gesture: newGesture() });
   if (e.button === 0 && (spaceHeld.value || e.altKey)) return { kind: "shift" };
   if (e.button === 1 || (e.button === 0 && e.shiftKey)) return camera("pan");
-  if (e.button === 2) return camera("dolly");
+  if (e.button === 2) return camera("look");
   return tool.value === "region" ? { kind: "region", start: { x: 0, y: 0 } } : camera("orbit");
 }
 

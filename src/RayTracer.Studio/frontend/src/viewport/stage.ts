@@ -71,11 +71,11 @@ export function fit(): void {
   shift.value = { x: 0, y: 0 };
 }
 
+/** So many CSS pixels for each pixel of the picture; what is in the middle stays there. */
+export const zoomTo = (scale: number) => zoomBy(scale / placement.value.scale);
+
 /** One pixel of the picture on one pixel of the screen. */
-export function actualSize(): void {
-  zoom.value = 1 / devicePixelRatio;
-  shift.value = { x: 0, y: 0 };
-}
+export const actualSize = () => zoomTo(1 / devicePixelRatio);
 
 export const shiftBy = (dx: number, dy: number) => {
   if (zoom.value === null) zoom.value = placement.value.scale;
