@@ -1,0 +1,62 @@
+using Microsoft.Playwright;
+
+namespace RayTracer.Studio.Tests.Browser;
+
+/// <summary>The browser that all walks share: Chromium or Chrome as it is installed; without one, they are skipped with the reason.</summary>
+public sealed class ChromiumBrowser : IAsyncLifetime
+{
+    private static readonly string[] s_names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+    private IPlaywright? _playwright;
+
+    /// <summary>The browser; null where there is none.</summary>
+    public IBrowser? Instance { get; private set; }
+
+    /// <summary>Why there is none.</summary>
+    public string WhyNot { get; private set; } = "";
+
+    /// <inheritdoc/>
+    public async Task InitializeAsync()
+    {
+        string? program = Find();
+        if (program is null)
+        {
+            WhyNot = $"no browser: none of {string.Join(", ", s_names)} is installed (RAYTRACER_BROWSER names another one)";
+            return;
+        }
+
+        _playwright = await Playwright.CreateAsync();
+
+        // Processes of root, as in containers, have no sandbox.
+        Instance = await _playwright.Chromium.LaunchAsync(new() { ExecutablePath = program, Args = ["--no-sandbox", "--disable-dev-shm-usage"] });
+    }
+
+    /// <inheritdoc/>
+    public async Task DisposeAsync()
+    {
+        if (Instance is not null)
+        {
+            await Instance.CloseAsync();
+        }
+
+        _playwright?.Dispose();
+    }
+
+    private static string? Find()
+    {
+        if (Environment.GetEnvironmentVariable("RAYTRACER_BROWSER") is { Length: > 0 } named)
+        {
+            return named;
+        }
+
+        string[] folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
+        return s_names.SelectMany(name => folders.Select(folder => Path.Combine(folder, name))).FirstOrDefault(File.Exists);
+    }
+}
+
+/// <summary>Tests that use the browser run one after the other: they would make each other slow.</summary>
+[CollectionDefinition(Name, DisableParallelization = true)]
+public sealed class BrowserCollection : ICollectionFixture<ChromiumBrowser>
+{
+    /// <summary>The collection's name.</summary>
+    public const string Name = "browser";
+}

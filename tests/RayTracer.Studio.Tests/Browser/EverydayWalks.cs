@@ -1,0 +1,114 @@
+using Microsoft.Playwright;
+using static Microsoft.Playwright.Assertions;
+
+namespace RayTracer.Studio.Tests.Browser;
+
+/// <summary>What makes a window fit for every day.</summary>
+[Collection(BrowserCollection.Name)]
+[Trait("Category", "Browser")]
+public class EverydayWalks(ChromiumBrowser browser)
+{
+    [SkippableFact]
+    public async Task Keys_stand_on_a_sheet()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        await w.Stage.FocusAsync();
+        await w.Page.Keyboard.PressAsync("?");
+        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Name = "Keyboard shortcuts" })).ToBeVisibleAsync();
+        await w.Shot("shortcuts");
+        await w.Page.Keyboard.PressAsync("Escape");
+        await Expect(w.Page.GetByRole(AriaRole.Dialog)).ToHaveCountAsync(0);
+    }
+
+    [SkippableTheory]
+    [InlineData(ColorScheme.Dark, "dark")]
+    [InlineData(ColorScheme.Light, "light")]
+    public async Task It_is_dark_or_light_as_the_system_is(ColorScheme scheme, string name)
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene1", new() { ColorScheme = scheme });
+        await w.Painted(2);
+        await w.Shot(name, isShown: scheme == ColorScheme.Dark);
+        string colour = await w.Page.EvaluateAsync<string>("() => getComputedStyle(document.body).backgroundColor");
+        int red = int.Parse(colour.Split('(', ',')[1], System.Globalization.CultureInfo.InvariantCulture);
+        Assert.Equal(scheme == ColorScheme.Dark, red < 128);
+    }
+
+    [SkippableFact]
+    public async Task At_twice_the_size_everything_can_be_reached()
+    {
+        // What a window of 1280×800 is at 200 % zoom.
+        await using StudioWindow w = await StudioWindow.Open(
+            browser, "report/scene2", new() { ViewportSize = new() { Width = 640, Height = 400 }, DeviceScaleFactor = 2 });
+        await w.Painted();
+        await w.Shot("zoom-200");
+        Assert.Equal(0, await w.Page.EvaluateAsync<int>("() => document.documentElement.scrollWidth - innerWidth"));
+        foreach (string pane in new[] { "Properties pane", "Scene and files pane", "Source and insight pane" })
+        {
+            await w.Button(pane).ClickAsync();
+            await w.Shot("zoom-200-" + pane.Split(' ')[0].ToLowerInvariant());
+            await w.Button(pane).ClickAsync();
+        }
+    }
+
+    [SkippableFact]
+    public async Task The_keyboard_alone_opens_a_scene_and_changes_a_number()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser);
+        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Name = "Render a scene" })).ToBeVisibleAsync();
+        async Task Reach(Func<string, bool> isIt)
+        {
+            List<string> passed = [];
+            for (int i = 0; i < 120; i++)
+            {
+                await w.Page.Keyboard.PressAsync("Tab");
+                string name = await w.Page.EvaluateAsync<string>("() => (document.activeElement.getAttribute('aria-label') ?? document.activeElement.textContent ?? '') + ''");
+                if (isIt(name))
+                {
+                    return;
+                }
+
+                passed.Add(name);
+            }
+
+            Assert.Fail($"The Tab key does not get there, but to {string.Join(", ", passed.Take(60))}.");
+        }
+
+        await Reach(n => n.StartsWith("Open ", StringComparison.Ordinal) && n.Contains("mirror", StringComparison.OrdinalIgnoreCase));
+        await w.Page.Keyboard.PressAsync("Enter");
+        await w.Painted();
+        string before = w.Session.Document.Text;
+        await w.Page.Keyboard.PressAsync("Control+Home");
+        await Reach(n => n == "Object");
+        await w.Page.Keyboard.PressAsync("ArrowRight");
+        await w.Page.Keyboard.PressAsync("ArrowRight");
+        await Reach(n => n == "Size");
+        await w.Page.Keyboard.PressAsync("ArrowDown");
+        await w.Text("the size is another", t => t != before);
+    }
+
+    [SkippableFact]
+    public async Task Two_windows_show_the_same_scene()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        IPage other = await w.NewPage();
+        await w.Button("Add").ClickAsync();
+        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Shape: torus" }).ClickAsync();
+        await Expect(other.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("torus") })).ToBeVisibleAsync();
+        await other.GetByRole(AriaRole.Application, new() { NameRegex = new("Rendered picture") }).FocusAsync();
+        await other.Keyboard.PressAsync("Control+z");
+        await Expect(w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("torus") })).ToHaveCountAsync(0);
+    }
+
+    [SkippableFact]
+    public async Task A_page_with_a_wrong_secret_says_so()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        w.Expected.Add("403");
+        w.Expected.Add("401");
+        IPage page = await w.NewPage();
+        await page.EvaluateAsync("() => { sessionStorage.clear(); location.hash = 'token=wrong'; location.reload(); }");
+        await Expect(page.GetByText("This window is from an earlier start of the Studio.")).ToBeVisibleAsync();
+    }
+}

@@ -1,0 +1,62 @@
+using Microsoft.Playwright;
+using static Microsoft.Playwright.Assertions;
+
+namespace RayTracer.Studio.Tests.Browser;
+
+/// <summary>How students see how a picture came about.</summary>
+[Collection(BrowserCollection.Name)]
+[Trait("Category", "Browser")]
+public class InsideWalks(ChromiumBrowser browser)
+{
+    [SkippableFact]
+    public async Task The_paths_of_a_clicked_pixel_are_told_and_drawn()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await w.Painted(2);
+        await w.Button("Inspect a pixel").ClickAsync();
+
+        // The glass ball: refraction, then more.
+        await w.Click(0.36, 0.6);
+        ILocator table = w.Page.GetByRole(AriaRole.Region, new() { Name = "Vertices of the path" });
+        await Expect(table).ToContainTextAsync("glass ball");
+        await Expect(table).ToContainTextAsync("specular");
+        await Expect(w.Page.GetByRole(AriaRole.Application, new() { NameRegex = new("Paths in the scene") })).ToBeVisibleAsync();
+        await w.Shot("paths", isShown: true);
+    }
+
+    [SkippableFact]
+    public async Task Every_map_is_shown_in_the_picture()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "meshes/02-smooth");
+        await w.Painted();
+        ILocator map = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Show", Exact = true });
+        foreach (string name in new[] { "samples", "variance", "bvhCost", "depth", "normal", "albedo", "uv", "primitive", "light" })
+        {
+            int version = await w.Data("version");
+            await map.SelectOptionAsync(name);
+            await StudioWindow.Until($"{name} is painted", async () => await w.Data("version") > version);
+            await Task.Delay(200);
+            await w.Shot("map-" + name, isShown: name == "bvhCost");
+        }
+    }
+
+    [SkippableFact]
+    public async Task Convergence_is_plotted_beside_the_theory()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene3");
+        await w.Painted(16);
+        await w.Tab("Convergence");
+        await Expect(w.Page.GetByText("Measured slope")).ToBeVisibleAsync();
+        await w.Shot("convergence", isShown: true);
+    }
+
+    [SkippableFact]
+    public async Task The_reports_times_stand_beside_this_machines()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene3");
+        await w.Painted();
+        await w.Tab("Times");
+        await Expect(w.Page.GetByText("Core 2 Duo")).ToBeVisibleAsync();
+        await w.Shot("times");
+    }
+}

@@ -1,0 +1,100 @@
+using System.IO.Compression;
+using Microsoft.Playwright;
+using RayTracer.Imaging;
+using static Microsoft.Playwright.Assertions;
+
+namespace RayTracer.Studio.Tests.Browser;
+
+/// <summary>How work leaves the window.</summary>
+[Collection(BrowserCollection.Name)]
+[Trait("Category", "Browser")]
+public class SavingWalks(ChromiumBrowser browser)
+{
+    [SkippableFact]
+    public async Task A_scene_is_saved_and_what_was_not_touched_stays()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        string before = w.Session.Document.Text;
+        await w.Drag(0.5, 0.5, 0.6, 0.5);
+        await w.Text("the camera has moved", t => t != before);
+        await w.Page.Keyboard.PressAsync("Control+Shift+s");
+        ILocator dialog = w.Page.GetByRole(AriaRole.Dialog);
+        await Expect(dialog).ToBeVisibleAsync();
+        await w.Shot("save-as", isShown: true);
+        ILocator path = dialog.GetByRole(AriaRole.Textbox, new() { Name = "Path" });
+        await path.FillAsync(w.Folder);
+        await path.PressAsync("Enter");
+        await dialog.GetByRole(AriaRole.Textbox, new() { Name = "File name" }).FillAsync("mine.json");
+        await dialog.GetByRole(AriaRole.Button, new() { Name = "Save", Exact = true }).ClickAsync();
+        string file = Path.Combine(w.Folder, "mine.json");
+        await StudioWindow.Until("the file is there", () => Task.FromResult(File.Exists(file)));
+        Assert.Equal(w.Session.Document.Text, await File.ReadAllTextAsync(file));
+        Assert.Equal(before.Split('\n')[0], (await File.ReadAllTextAsync(file)).Split('\n')[0]);
+        Assert.False(w.Session.Document.IsDirty);
+    }
+
+    [SkippableTheory]
+    [InlineData("png", "PNG")]
+    [InlineData("exr", "OpenEXR")]
+    [InlineData("pfm", "PFM")]
+    public async Task A_picture_is_downloaded(string format, string label)
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/02-light");
+        await w.Painted();
+        await w.Button("Export picture").ClickAsync();
+        await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Format" }).SelectOptionAsync(new SelectOptionValue { Label = label });
+        if (format == "exr")
+        {
+            await w.Page.GetByRole(AriaRole.Checkbox, new() { Name = "Depth" }).CheckAsync();
+            await w.Shot("export");
+        }
+
+        IDownload download = await w.Page.RunAndWaitForDownloadAsync(() => w.Button("Download").ClickAsync());
+        string file = Path.Combine(w.Folder, "picture." + format);
+        await download.SaveAsAsync(file);
+        Textures.Picture picture = ImageFile.Read(file, false);
+        Assert.Equal((w.Session.View.RequireShown().Scene.Render.Width, w.Session.View.RequireShown().Scene.Render.Height), (picture.Width, picture.Height));
+    }
+
+    [SkippableFact]
+    public async Task A_bundle_holds_the_scene_and_its_pictures()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene1");
+        await w.Painted();
+        await w.Page.GetByRole(AriaRole.Button, new() { Name = "File", Exact = true }).ClickAsync();
+        IDownload download = await w.Page.RunAndWaitForDownloadAsync(() => w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Share bundle" }).ClickAsync());
+        string file = Path.Combine(w.Folder, "bundle.zip");
+        await download.SaveAsAsync(file);
+        using ZipArchive zip = ZipFile.OpenRead(file);
+        Assert.Contains(zip.Entries, e => e.Name == "globe.png");
+        Assert.Contains(zip.Entries, e => e.FullName == "scene.json");
+    }
+
+    [SkippableFact]
+    public async Task The_command_line_is_copied()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await w.Painted();
+        await w.Page.GetByRole(AriaRole.Button, new() { Name = "File", Exact = true }).ClickAsync();
+        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Copy command line" }).ClickAsync();
+        await StudioWindow.Until("it is on the clipboard", async () =>
+            (await w.Page.EvaluateAsync<string>("() => navigator.clipboard.readText()")).StartsWith("raytracer render ", StringComparison.Ordinal));
+    }
+
+    [SkippableFact]
+    public async Task A_file_that_is_dropped_is_opened()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser);
+        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Name = "Render a scene" })).ToBeVisibleAsync();
+        IJSHandle data = await w.Page.EvaluateHandleAsync(
+            "text => { const data = new DataTransfer(); data.items.add(new File([text], 'dropped.obj')); return data; }", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        foreach (string kind in new[] { "dragenter", "dragover", "drop" })
+        {
+            await w.Page.Locator("body").DispatchEventAsync(kind, new { dataTransfer = data });
+        }
+
+        await w.Painted();
+        Assert.Contains("dropped", w.Session.Document.Text, StringComparison.Ordinal);
+    }
+}

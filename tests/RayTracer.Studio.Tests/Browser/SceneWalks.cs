@@ -1,0 +1,154 @@
+using Microsoft.Playwright;
+using static Microsoft.Playwright.Assertions;
+
+namespace RayTracer.Studio.Tests.Browser;
+
+/// <summary>What students do with the things of a scene.</summary>
+[Collection(BrowserCollection.Name)]
+[Trait("Category", "Browser")]
+public class SceneWalks(ChromiumBrowser browser)
+{
+    [SkippableFact]
+    public async Task The_first_start_says_what_to_do_and_shows_around()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, isFirst: true);
+        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Name = "Render a scene" })).ToBeVisibleAsync();
+        ILocator pictures = w.Page.Locator("main img");
+        await StudioWindow.Until("thumbnails are made", async () => await pictures.CountAsync() >= 6);
+        await w.Shot("start", isShown: true);
+
+        // As soon as there is something to see.
+        await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("Open .*(Scene 1|scene1)") }).First.ClickAsync();
+        for (int step = 1; step < 5; step++)
+        {
+            await Expect(w.Page.GetByText($"Step {step} of 5")).ToBeVisibleAsync();
+            await w.Shot($"tour-{step}", isShown: step == 3);
+            await w.Button("Next").ClickAsync();
+        }
+
+        await w.Button("Done").ClickAsync();
+        await w.Page.ReloadAsync();
+        await w.Painted();
+        await Expect(w.Page.GetByText("Step 1 of 5")).ToHaveCountAsync(0);
+    }
+
+    [SkippableFact]
+    public async Task A_scene_of_the_gallery_is_opened_and_rendered()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser);
+        await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("Open .*mirror", System.Text.RegularExpressions.RegexOptions.IgnoreCase) }).First.ClickAsync();
+        await w.Painted();
+        Assert.Contains("mirror", w.Session.Document.Status.Name, StringComparison.Ordinal);
+    }
+
+    [SkippableFact]
+    public async Task What_is_clicked_in_the_picture_is_selected_and_its_material_can_be_changed()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await w.Painted();
+        string before = w.Session.Document.Text;
+
+        // The chrome ball.
+        await w.Click(0.66, 0.56);
+
+        ILocator row = w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("chrome ball") });
+        await Expect(row).ToHaveAttributeAsync("aria-selected", "true");
+        await w.Painted();
+        await w.Shot("selected", isShown: true);
+
+        ILocator radius = w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "radius", Exact = true });
+        await radius.FillAsync("1.25");
+        await radius.PressAsync("Enter");
+        await w.Text("the radius is written", t => t.Contains("\"center\": [1.35, 1, 0], \"radius\": 1.25", StringComparison.Ordinal));
+        Assert.Equal(before.Replace("\"radius\": 1, \"material\": \"chrome\"", "\"radius\": 1.25, \"material\": \"chrome\"", StringComparison.Ordinal), w.Session.Document.Text);
+        await w.Painted();
+    }
+
+    [SkippableFact]
+    public async Task A_colour_that_is_edited_shows()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await w.Painted();
+        await w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("^floor.*diffuse") }).ClickAsync();
+        ILocator name = w.Page.GetByRole(AriaRole.Combobox, new() { NameRegex = new("name of a colour") }).First;
+        await name.FillAsync("teal");
+        await name.PressAsync("Enter");
+        await w.Text("the colour is written", t => t.Contains("\"floor\": { \"type\": \"diffuse\", \"color\": \"teal\" }", StringComparison.Ordinal));
+        await w.Painted();
+    }
+
+    [SkippableFact]
+    public async Task Things_are_added_duplicated_renamed_and_deleted_by_keys()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        string before = w.Session.Document.Text;
+        await w.Button("Add").ClickAsync();
+        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Shape: box" }).ClickAsync();
+        await w.Text("a box is there", t => t.Contains("\"box\"", StringComparison.Ordinal));
+        string withBox = w.Session.Document.Text;
+
+        await w.Stage.FocusAsync();
+        await w.Page.Keyboard.PressAsync("Control+d");
+        await w.Text("two are there", t => t.Split("\"type\": \"box\"").Length == 3);
+        await w.Page.Keyboard.PressAsync("F2");
+        await w.Page.GetByRole(AriaRole.Textbox, new() { Name = "New name" }).FillAsync("twin");
+        await w.Page.Keyboard.PressAsync("Enter");
+        await w.Text("it has its name", t => t.Contains("\"twin\"", StringComparison.Ordinal));
+        await w.Stage.FocusAsync();
+        await w.Page.Keyboard.PressAsync("Delete");
+        await w.Text("it is gone", t => !t.Contains("\"twin\"", StringComparison.Ordinal));
+        for (int i = 0; i < 4; i++)
+        {
+            await w.Page.Keyboard.PressAsync("Control+z");
+        }
+
+        await w.Text("undo goes back to the beginning", t => t == before);
+        Assert.NotEqual(before, withBox);
+    }
+
+    [SkippableFact]
+    public async Task A_shape_is_moved_by_its_handle()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await w.Painted();
+        await w.Click(0.66, 0.56);
+        await w.Button("Move").ClickAsync();
+        ILocator handle = w.Page.Locator(".gizmo [data-handle=x]").First;
+        LocatorBoundingBoxResult box = (await handle.BoundingBoxAsync())!;
+        await w.Shot("gizmo", isShown: true);
+        string before = w.Session.Document.Text;
+        (float x, float y) = (box.X + (box.Width * 0.8f), box.Y + (box.Height / 2));
+        await w.Page.Mouse.MoveAsync(x, y);
+        await w.Page.Mouse.DownAsync();
+        await w.Page.Mouse.MoveAsync(x + 40, y, new() { Steps = 6 });
+        await w.Page.Mouse.UpAsync();
+        await w.Text("the ball has moved along x", t => t != before && t.Contains(", 1, 0], \"radius\": 1, \"material\": \"chrome\"", StringComparison.Ordinal));
+    }
+
+    [SkippableFact]
+    public async Task A_click_with_the_focus_tool_makes_sharp_what_is_there()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/15-depth-of-field");
+        await w.Painted();
+        string before = w.Session.Document.Text;
+        await w.Button("Focus").ClickAsync();
+        await w.Click(0.3, 0.6);
+        await w.Text("the focus distance is another", t => t != before && t.Contains("focusDistance", StringComparison.Ordinal));
+    }
+
+    [SkippableFact]
+    public async Task Unsaved_changes_are_asked_about()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        await w.Drag(0.5, 0.5, 0.6, 0.5);
+        await StudioWindow.Until("there are changes", () => Task.FromResult(w.Session.Document.IsDirty));
+        await w.Tab("Gallery");
+        await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("Open .*glass") }).First.ClickAsync();
+        await Expect(w.Page.GetByText("Save your changes first?")).ToBeVisibleAsync();
+        await w.Shot("unsaved");
+        await w.Button("Cancel").ClickAsync();
+        Assert.Contains("01-sphere", w.Session.Document.Status.Name, StringComparison.Ordinal);
+    }
+}
