@@ -112,7 +112,7 @@ public sealed class ShapePlacementTests
         for (int i = 0; i < 100; i++)
         {
             text = ShapePlacement.Translate(text, "/shapes/0", new(0.01f, 0, 0));
-            text = ShapePlacement.Rotate(text, "/shapes/0", Vector3.UnitY, 1, Vector3.Zero);
+            text = ShapePlacement.Rotate(text, "/shapes/0", i % 2 == 0 ? Vector3.UnitY : -Vector3.UnitY, i % 2 == 0 ? 1 : -1, Vector3.Zero);
         }
 
         Assert.Single(text.At("/shapes/0/transform").Items);
