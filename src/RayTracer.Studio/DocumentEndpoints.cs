@@ -1,4 +1,5 @@
 using System.Text.Json;
+using RayTracer.Scenes;
 using RayTracer.Session;
 using static RayTracer.Studio.DocumentRequests;
 
@@ -34,17 +35,24 @@ internal static class DocumentEndpoints
             (int revision, string text) = document.Current;
             return Answers.Json(new { revision, text });
         });
-        api.MapGet("/outline", () => Answers.Json(document.Read.Root is { } root
-            ? Outline.Of(document.Revision, root)
-            : document.Content.LastGood is { } good ? Outline.Of(good.Revision, good.Read.Root!) : throw new DocumentException("the text cannot be read yet")));
+        api.MapGet("/outline", () =>
+        {
+            (int revision, JsonNode root) = Readable(document);
+            return Answers.Json(Outline.Of(revision, root));
+        });
         api.MapGet("/schema", () => Results.Bytes(Schema.Value, "application/json"));
-        api.MapGet("/value", (string? pointer) => Answers.Json(PropertyValues.At(JsonText.Of(document.Read).Root, Needed(pointer, "pointer"))));
+        api.MapGet("/value", (string? pointer) => Answers.Json(PropertyValues.At(Readable(document).Root, Needed(pointer, "pointer"))));
         api.MapPost("/select", (At request) =>
         {
             session.Selection.Select(request.Pointer);
             return Answers.Done(session);
         });
     }
+
+    // While the text is no JSON, which happens at every other key that is typed, what it last was is still shown.
+    private static (int Revision, JsonNode Root) Readable(SceneDocument document) => document.Read.Root is { } root ? (document.Revision, root)
+        : document.Content.LastGood is { } good ? (good.Revision, good.Read.Root!)
+        : throw new DocumentException("the text cannot be read yet");
 
     private static void MapText(RouteGroupBuilder api, StudioSession session)
     {

@@ -119,7 +119,7 @@ const english = {
   dock: { label: "Source and insight", source: "Source", paths: "Light paths", maps: "Heat maps", convergence: "Convergence", times: "Times" },
   editor: {
     label: "Scene source", problems: "Problems", fine: "No problems", at: (line: number, column: number) => `Line ${line}, column ${column}`,
-    goTo: (line: number, column: number, message: string) => `Go to line ${line}, column ${column}: ${message}`,
+    goTo: "Go to",
     byDefault: (value: string) => `Default: ${value}`, count: (n: number) => (n === 1 ? "1 problem" : `${n} problems`),
   },
   paths: {

@@ -17,8 +17,9 @@ export function SourceTab() {
         <ul class="problems" aria-label={texts.editor.problems}>
           {diagnostics.map((d) => (
             <li key={`${d.from}${d.message}`}>
-              <button type="button" class={`list-button ${d.severity}`} aria-label={texts.editor.goTo(d.line, d.column, d.message)} onClick={() => showRange(d.from, d.to)}>
+              <button type="button" class={`list-button ${d.severity}`} onClick={() => showRange(d.from, d.to)}>
                 <Icon name="warning" />
+                <span class="hidden-text">{texts.editor.goTo}</span>
                 <span class="place">{d.line}:{d.column}</span>
                 <span>{d.message}</span>
               </button>

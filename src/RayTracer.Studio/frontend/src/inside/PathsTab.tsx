@@ -39,8 +39,8 @@ function SampleList({ answer }: { answer: PathsAnswer }) {
       <ul aria-label={t.list}>
         {answer.samples.map((s) => (
           <li key={s.sample}>
-            <button type="button" class="list-button" aria-pressed={s.sample === chosenSample.value} aria-label={`${t.sample} ${s.sample}`} onClick={() => (chosenSample.value = s.sample)}>
-              <span class="swatch" style={{ background: toHex(s.radiance) }} />{s.sample}<span class="figures">{rgb(s.radiance)}</span>
+            <button type="button" class="list-button" aria-pressed={s.sample === chosenSample.value} onClick={() => (chosenSample.value = s.sample)}>
+              <span class="swatch" style={{ background: toHex(s.radiance) }} /><span class="hidden-text">{t.sample}</span> {s.sample}<span class="figures">{rgb(s.radiance, 2)}</span>
             </button>
           </li>
         ))}

@@ -8,8 +8,11 @@ import { mergeMoves, type Move, type MoveKind } from "./moves";
 import { cameraMoves } from "./stage";
 
 async function send(moves: Move[]): Promise<void> {
-  for (const move of moves) await post("view/camera", move);
-  if (moves.at(-1)?.end) cameraMoves.value = false;
+  try {
+    for (const move of moves) await post("view/camera", move);
+  } finally {
+    if (moves.at(-1)?.end) cameraMoves.value = false;
+  }
 }
 
 const latest = new Latest<Move[]>(send, complain, mergeMoves);
