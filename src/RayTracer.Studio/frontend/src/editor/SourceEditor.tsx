@@ -1,5 +1,5 @@
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, indentWithTab } from "@codemirror/commands";
+import { defaultKeymap } from "@codemirror/commands";
 import { bracketMatching, foldGutter, foldKeymap, indentUnit } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
@@ -72,7 +72,7 @@ function create(root: ShadowRoot, text: string, startRevision: number): { view: 
           { key: "Mod-y", mac: "Mod-Shift-z", run: command("redo"), preventDefault: true },
           { key: "Mod-Shift-z", run: command("redo"), preventDefault: true },
           { key: "Mod-s", run: command("save"), preventDefault: true },
-          ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...foldKeymap, ...lintKeymap, ...defaultKeymap, indentWithTab,
+          ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...foldKeymap, ...lintKeymap, ...defaultKeymap,
         ]),
         EditorView.updateListener.of((update) => {
           const isOwn = update.transactions.some((t) => t.docChanged && !t.annotation(fromServer));
