@@ -23,7 +23,7 @@ public class SourceWalks(ChromiumBrowser browser)
         await w.Page.Keyboard.PressAsync("End");
         await w.Page.Keyboard.TypeAsync("x");
 
-        ILocator problem = w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("Go to line") }).First;
+        ILocator problem = w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("unknown word") }).First;
         await Expect(problem).ToBeVisibleAsync();
         await Expect(w.Page.GetByText("The text has an error: this is the last good picture.")).ToBeVisibleAsync();
         Assert.NotNull(w.Session.Document.Content.LastGood);
