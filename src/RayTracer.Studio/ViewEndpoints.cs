@@ -46,9 +46,6 @@ internal static class ViewEndpoints
     /// <summary>What is to change; what is null stays.</summary>
     internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, ViewMap? Map)
     {
-        /// <summary>Whether all of the picture is to be rendered: a region that is null stays.</summary>
-        public bool WholePicture { get; init; }
-
         public ViewSettings Apply(ViewSettings settings) => settings with
         {
             Mode = Action switch
@@ -62,7 +59,7 @@ internal static class ViewEndpoints
             Samples = Quality is { } quality ? (int)quality : Samples ?? settings.Samples,
             Threads = Threads ?? settings.Threads,
             Map = Map ?? settings.Map,
-            Region = WholePicture ? null : Region switch
+            Region = Region switch
             {
                 null => settings.Region,
                 [] => null,

@@ -21,6 +21,11 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>
     public async Task<int> Save(string path, PictureRequest request, bool overwrite)
     {
+        if (string.IsNullOrWhiteSpace(path) || path.Contains('\0', StringComparison.Ordinal))
+        {
+            throw new SessionException("A picture needs the name of a file.");
+        }
+
         string full = Path.GetFullPath(path, Path.GetFullPath(document.Place.Folder is "" ? "." : document.Place.Folder));
         bool hasLayers = Path.GetExtension(full).Equals(".exr", StringComparison.OrdinalIgnoreCase);
         string[] beside = hasLayers ? [] : [.. request.Layers.Select(kind => AovFiles.Beside(full, kind))];

@@ -79,7 +79,18 @@ public sealed class FrameBoard
     }
 
     /// <summary>The newest frame is seen in another way.</summary>
-    public void SeeAnew() => Changes.Advance();
+    public void SeeAnew()
+    {
+        lock (_lock)
+        {
+            if (_newest is null)
+            {
+                return;
+            }
+        }
+
+        Changes.Advance();
+    }
 
     private void GiveBack(Hanging frame)
     {

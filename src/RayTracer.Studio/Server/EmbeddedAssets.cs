@@ -1,21 +1,16 @@
 using System.Collections.Frozen;
 using System.Reflection;
 using System.Security.Cryptography;
-using System.Text;
+using System.Text.RegularExpressions;
 
 namespace RayTracer.Studio;
 
 /// <summary>The pages, which are within the program. They are found by their exact names only: there is no path that could lead elsewhere.</summary>
-internal sealed class EmbeddedAssets
+internal sealed partial class EmbeddedAssets
 {
     private const string Prefix = "wwwroot/";
     private const string Start = "/index.html";
 
-    // In the page, this is replaced by a number used once, with which its scripts may mark their own style sheets.
-    private const string NoncePlace = "__STYLE_NONCE__";
-
-    // Vite gives these names that hold a hash of their content, so they never change.
-    private const string Hashed = "/assets/";
     private readonly FrozenDictionary<string, Asset> _assets;
 
     /// <summary>Reads the table.</summary>
@@ -45,46 +40,31 @@ internal sealed class EmbeddedAssets
         }
 
         response.ContentType = asset.Type;
-        return path == Start ? SendStart(context, asset) : SendFile(context, asset, path.StartsWith(Hashed, StringComparison.Ordinal));
-    }
-
-    private static Task SendStart(HttpContext context, Asset page)
-    {
-        string nonce = Convert.ToHexStringLower(RandomNumberGenerator.GetBytes(16));
-        context.Response.Headers.ContentSecurityPolicy = ContentPolicy.Header(nonce);
-        context.Response.Headers.CacheControl = "no-store";
-        byte[] body = Encoding.UTF8.GetBytes(Encoding.UTF8.GetString(page.Body).Replace(NoncePlace, nonce, StringComparison.Ordinal));
-        return Send(context, body);
-    }
-
-    private static Task SendFile(HttpContext context, Asset asset, bool isHashed)
-    {
-        context.Response.Headers.ETag = asset.Tag;
-        context.Response.Headers.CacheControl = isHashed ? "public, max-age=31536000, immutable" : "no-cache";
-        if (context.Request.Headers.IfNoneMatch == asset.Tag)
+        response.Headers.ETag = asset.Tag;
+        response.Headers.CacheControl = asset.IsHashed ? "public, max-age=31536000, immutable" : "no-cache";
+        if (request.Headers.IfNoneMatch == asset.Tag)
         {
-            context.Response.StatusCode = StatusCodes.Status304NotModified;
+            response.StatusCode = StatusCodes.Status304NotModified;
             return Task.CompletedTask;
         }
 
-        return Send(context, asset.Body);
+        response.ContentLength = asset.Body.Length;
+        return HttpMethods.IsGet(request.Method) ? response.Body.WriteAsync(asset.Body, context.RequestAborted).AsTask() : Task.CompletedTask;
     }
 
-    private static Task Send(HttpContext context, byte[] body)
-    {
-        context.Response.ContentLength = body.Length;
-        return HttpMethods.IsGet(context.Request.Method) ? context.Response.Body.WriteAsync(body, context.RequestAborted).AsTask() : Task.CompletedTask;
-    }
-
-    private sealed record Asset(byte[] Body, string Type, string Tag)
+    private sealed partial record Asset(byte[] Body, string Type, string Tag, bool IsHashed)
     {
         public static Asset Read(Assembly assembly, string name)
         {
             using Stream stream = assembly.GetManifestResourceStream(name)!;
             byte[] body = new byte[stream.Length];
             stream.ReadExactly(body);
-            return new(body, TypeOf(Path.GetExtension(name)), $"\"{Convert.ToHexStringLower(SHA256.HashData(body).AsSpan(0, 16))}\"");
+            return new(body, TypeOf(Path.GetExtension(name)), $"\"{Convert.ToHexStringLower(SHA256.HashData(body).AsSpan(0, 16))}\"", HashInName.IsMatch(name));
         }
+
+        // Bundlers give files such names, whose content never changes.
+        [GeneratedRegex(@"-[A-Za-z0-9_]{8,}\.\w+$")]
+        private static partial Regex HashInName { get; }
 
         private static string TypeOf(string extension) => extension switch
         {

@@ -81,7 +81,7 @@ internal sealed class LocalGuard(string token)
         headers["Referrer-Policy"] = "no-referrer";
         headers["Cross-Origin-Resource-Policy"] = "same-origin";
         headers["Cross-Origin-Opener-Policy"] = "same-origin";
-        headers.ContentSecurityPolicy = ContentPolicy.Header(styleNonce: null);
+        headers.ContentSecurityPolicy = ContentPolicy.Header;
         if (isApi)
         {
             headers.CacheControl = "no-store";
