@@ -60,6 +60,18 @@ internal sealed class StudioWindow : IAsyncDisposable
         return window;
     }
 
+    /// <summary>As <see cref="Open"/>, with a scene that takes very long to be finished.</summary>
+    public static async Task<StudioWindow> OpenEndless(ChromiumBrowser browser)
+    {
+        StudioWindow window = await Open(browser);
+        string path = Path.Combine(window.Folder, "endless.json");
+        string text = await File.ReadAllTextAsync(ProjectFolder.PathOf("scenes", "report", "scene2.json"));
+        await File.WriteAllTextAsync(path, text.Replace("\"samplesPerPixel\": 16", "\"samplesPerPixel\": 102400", StringComparison.Ordinal));
+        window.Session.Files.Open(path);
+        await window.Painted();
+        return window;
+    }
+
     /// <summary>Opens another window on the same Studio.</summary>
     public async Task<IPage> NewPage()
     {

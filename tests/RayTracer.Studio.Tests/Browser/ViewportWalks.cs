@@ -59,12 +59,10 @@ public class ViewportWalks(ChromiumBrowser browser)
     [SkippableFact]
     public async Task Exposure_and_tone_map_change_the_picture_and_render_nothing_again()
     {
-        await using StudioWindow w = await StudioWindow.Open(browser, "primer/02-light");
-        await w.Painted();
+        await using StudioWindow w = await StudioWindow.OpenEndless(browser);
         await w.Button("Stop").ClickAsync();
         await Expect(w.Status).ToContainTextAsync("stopped");
-        int painted = await w.Data("painted");
-        int samples = await w.Data("samples");
+        (int painted, int samples) = await Settled(w);
 
         await w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "Exposure", Exact = true }).FillAsync("2");
         await w.Page.Keyboard.PressAsync("Enter");
@@ -93,8 +91,7 @@ public class ViewportWalks(ChromiumBrowser browser)
     [SkippableFact]
     public async Task Pause_holds_the_samples_and_continue_goes_on()
     {
-        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
-        await w.Painted();
+        await using StudioWindow w = await StudioWindow.OpenEndless(browser);
         await w.Button("Pause or continue").ClickAsync();
         await Expect(w.Status).ToContainTextAsync("paused");
         await w.Button("Pause or continue").ClickAsync();
@@ -125,6 +122,20 @@ public class ViewportWalks(ChromiumBrowser browser)
         Assert.Equal(8.0 * w.Session.View.RequireShown().Scene.Render.Width, enlarged, 1.0);
         await w.Button("Fit picture to window").ClickAsync();
         Assert.Equal(fitted, (await w.Canvas.BoundingBoxAsync())!.Width, 1.0);
+    }
+
+    // Frames painted and samples shown, once a stopped picture's last frame has come.
+    private static async Task<(int Painted, int Samples)> Settled(StudioWindow w)
+    {
+        (int Painted, int Samples) now = default;
+        await StudioWindow.Until("no more frames come", async () =>
+        {
+            (int, int) before = now;
+            await Task.Delay(300);
+            now = (await w.Data("painted"), await w.Data("samples"));
+            return now == before;
+        });
+        return now;
     }
 
     // The lines of a text that do not hold a word.
