@@ -1,8 +1,10 @@
 using BenchmarkDotNet.Running;
 using RayTracer.Benchmarks;
 using RayTracer.Benchmarks.Embree;
+using RayTracer.Benchmarks.Studio;
 
-// "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle tree with Embree; anything else goes to
+// "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle tree with Embree; "studio [SCENE]" measures
+// how quickly the Studio follows a hand; anything else goes to
 // BenchmarkDotNet ("--filter *").
 if (args.Length > 0 && args[0] == "ratios")
 {
@@ -12,6 +14,11 @@ if (args.Length > 0 && args[0] == "ratios")
 if (args.Length > 0 && args[0] == "embree")
 {
     return EmbreeBenchmark.Run(args[1..]);
+}
+
+if (args.Length > 0 && args[0] == "studio")
+{
+    return await StudioBenchmark.Run(args[1..]);
 }
 
 BenchmarkSwitcher.FromAssembly(typeof(Ratios).Assembly).Run(args);

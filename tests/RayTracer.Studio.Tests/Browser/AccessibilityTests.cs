@@ -6,6 +6,7 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>What axe-core, an independent checker, finds serious: nothing. It comes with the front end's packages, where those are installed.</summary>
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
 public class AccessibilityTests(ChromiumBrowser browser)
 {
     [SkippableTheory]

@@ -6,6 +6,7 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>What makes a window fit for every day.</summary>
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
 public class EverydayWalks(ChromiumBrowser browser)
 {
     [SkippableFact]

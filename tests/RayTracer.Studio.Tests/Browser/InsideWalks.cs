@@ -6,6 +6,7 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>How students see how a picture came about.</summary>
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
 public class InsideWalks(ChromiumBrowser browser)
 {
     [SkippableFact]

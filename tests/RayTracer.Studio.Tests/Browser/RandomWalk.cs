@@ -6,6 +6,7 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>Someone who tries everything.</summary>
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
 public class RandomWalk(ChromiumBrowser browser)
 {
     private static readonly string[] s_keys =

@@ -8,6 +8,7 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>How work leaves the window.</summary>
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
 public class SavingWalks(ChromiumBrowser browser)
 {
     [SkippableFact]

@@ -6,6 +6,7 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>What students do with the things of a scene.</summary>
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
 public class SceneWalks(ChromiumBrowser browser)
 {
     [SkippableFact]

@@ -6,6 +6,7 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>What students do with the scene's text.</summary>
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
 public class SourceWalks(ChromiumBrowser browser)
 {
     [SkippableFact]

@@ -7,6 +7,7 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>What students do with the picture.</summary>
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
 public class ViewportWalks(ChromiumBrowser browser)
 {
     [SkippableFact]
