@@ -56,7 +56,7 @@ internal static class ViewEndpoints
                 "continue" or "restart" => RenderMode.Running,
                 _ => throw new SessionException($"There is no action \"{Action}\": it may be stop, pause, continue or restart."),
             },
-            Samples = Quality is { } quality ? (int)quality : Samples ?? settings.Samples,
+            Samples = Quality is { } quality ? (int)quality : Samples switch { null => settings.Samples, 0 => null, _ => Samples },
             Threads = Threads ?? settings.Threads,
             Map = Map ?? settings.Map,
             Region = Region switch

@@ -12,6 +12,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private static readonly TimeSpan NoiseEvery = TimeSpan.FromSeconds(1);
     private readonly PreviewPlan _previews = new();
     private readonly LinearPicture _preview = new();
+    private readonly Dictionary<(int Width, int Height), Film> _previewFilms = [];
     private readonly MapPictures _maps = new();
     private readonly PublishPace _pace = new();
     private SlicePlan _plan = new(default, 0);
@@ -114,6 +115,7 @@ internal sealed class FilmWork(FrameBoard frames)
         {
             Film = null;
             _maps.Clear();
+            _previewFilms.Clear();
             Film = FilmBudget.Create(width, height);
         }
 
@@ -145,7 +147,8 @@ internal sealed class FilmWork(FrameBoard frames)
         };
         Scene scene = order.Scene.WithView(order.Camera, coarse, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("A preview cannot be rendered.");
         long start = Stopwatch.GetTimestamp();
-        (Film film, RenderStatistics statistics) = new RTracer(scene, new() { Threads = order.Threads }).Render(cancellation: cancellation);
+        Film film = PreviewFilm(coarse);
+        RenderStatistics statistics = new RTracer(scene, new() { Threads = order.Threads }).Render(film, null, cancellation);
         if (statistics.Cancelled)
         {
             return;
@@ -159,6 +162,20 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         _isStale |= !frames.IsWatched;
+    }
+
+    // One for each size: a moving hand would leave hundreds of megabytes behind.
+    private Film PreviewFilm(RenderDescription coarse)
+    {
+        if (_previewFilms.TryGetValue((coarse.Width, coarse.Height), out Film? film))
+        {
+            film.Clear();
+            return film;
+        }
+
+        film = new(coarse.Width, coarse.Height);
+        _previewFilms.Add((coarse.Width, coarse.Height), film);
+        return film;
     }
 
     private void Render(RenderOrder order, CancellationToken cancellation)

@@ -11,6 +11,7 @@ public sealed class MapPictures
     // Means of more change nothing that eyes see.
     private const int MostSamples = 16;
     private AovFilm? _film;
+    private Film? _size;
     private int _samples;
     private (long Picture, ViewMap Map) _of;
 
@@ -38,7 +39,7 @@ public sealed class MapPictures
         if (_of != (order.Picture, order.Map))
         {
             (_of, _samples) = ((order.Picture, order.Map), 0);
-            _film = new(size, [ImageOf(order.Map)!.Value]);
+            Prepare(size, ImageOf(order.Map)!.Value);
         }
 
         int next = Math.Min(Goal(order), Math.Max(1, _samples * 4));
@@ -53,8 +54,22 @@ public sealed class MapPictures
         }
     }
 
+    // Large images are made seldom: the runtime would let many of them lie about before it collects them.
+    private void Prepare(Film size, Aov kind)
+    {
+        if (_film is not null && _size == size && _film.Has(kind))
+        {
+            _film.Clear();
+            return;
+        }
+
+        _film = null;
+        GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: false);
+        (_film, _size) = (new(size, [kind]), size);
+    }
+
     /// <summary>Memory is given back.</summary>
-    public void Clear() => (_film, _of) = (null, default);
+    public void Clear() => (_film, _size, _of) = (null, null, default);
 
     /// <summary>The picture of a map; null where it cannot be shown yet.</summary>
     public IImageRows? Picture(RenderOrder order, Film film) => order.Map switch

@@ -72,6 +72,20 @@ public sealed class AovFilm
     /// <summary>Whether there is an image.</summary>
     public bool Has(Aov kind) => Kinds.Contains(kind);
 
+    /// <summary>Forgets all samples, so that the memory serves other images of this size and these kinds.</summary>
+    public void Clear()
+    {
+        foreach (Int128[]? sums in _sums)
+        {
+            Array.Clear(sums ?? []);
+        }
+
+        Array.Clear(_hits ?? []);
+        Array.Clear(_counts);
+        Array.Clear(_primitives ?? []);
+        Array.Clear(_costs ?? []);
+    }
+
     /// <summary>Reads a row of an image.</summary>
     /// <param name="kind">Which image.</param>
     /// <param name="y">The row, from the top.</param>

@@ -112,4 +112,79 @@ public class EverydayWalks(ChromiumBrowser browser)
         await page.EvaluateAsync("() => { sessionStorage.clear(); location.hash = 'token=wrong'; location.reload(); }");
         await Expect(page.GetByText("This window is from an earlier start of the Studio.")).ToBeVisibleAsync();
     }
+
+    [SkippableFact]
+    public async Task Work_that_was_not_saved_is_offered_again()
+    {
+        DirectoryInfo user = Directory.CreateTempSubdirectory("studio-user-");
+        try
+        {
+            string text;
+            await using (StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere", user: user.FullName))
+            {
+                await w.Painted();
+                await w.Drag(0.5, 0.5, 0.6, 0.5);
+                await StudioWindow.Until("there are changes", () => Task.FromResult(w.Session.Document.IsDirty));
+                text = w.Session.Document.Text;
+            }
+
+            await using StudioWindow again = await StudioWindow.Open(browser, user: user.FullName);
+            await again.Button("Recover").ClickAsync();
+            await again.Text("the changes are back", t => t == text);
+            await again.Painted();
+        }
+        finally
+        {
+            user.Delete(recursive: true);
+        }
+    }
+
+    [SkippableFact]
+    public async Task A_window_whose_Studio_is_gone_says_so()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        w.Expected.Add("ERR_CONNECTION_REFUSED");
+        w.Expected.Add("ERR_EMPTY_RESPONSE");
+        w.Expected.Add("ERR_INCOMPLETE_CHUNKED_ENCODING");
+        w.Expected.Add("ERR_CONNECTION_RESET");
+        await w.Server.DisposeAsync();
+        await Expect(w.Page.GetByText("The Studio does not answer. Trying again …")).ToBeVisibleAsync(new() { Timeout = 30_000 });
+        await w.Shot("lost");
+    }
+
+    [SkippableFact]
+    public async Task A_draft_takes_fewer_samples_than_the_file_says()
+    {
+        await using StudioWindow w = await StudioWindow.OpenEndless(browser);
+        await w.Tab("Render");
+        await w.Page.GetByRole(AriaRole.Radio, new() { Name = "Draft" }).Or(w.Button("Draft")).ClickAsync();
+        await StudioWindow.Until("there are fewer", () => Task.FromResult(w.Session.View.Loop.Status.SamplesTotal < 1000));
+        await w.Page.GetByRole(AriaRole.Radio, new() { Name = "As written" }).Or(w.Button("As written")).ClickAsync();
+        await StudioWindow.Until("there are as many as the file says", () => Task.FromResult(w.Session.View.Loop.Status.SamplesTotal == 102400));
+        await w.Shot("render-settings", isShown: true);
+    }
+
+    [SkippableFact]
+    public async Task Two_fingers_come_nearer()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere", new() { HasTouch = true });
+        await w.Painted();
+        string before = w.Session.Document.Text;
+        (float x, float y) = await w.Point(0.5, 0.5);
+        ICDPSession touch = await w.Page.Context.NewCDPSessionAsync(w.Page);
+        async Task Fingers(string kind, float apart) => await touch.SendAsync("Input.dispatchTouchEvent", new()
+        {
+            ["type"] = kind,
+            ["touchPoints"] = kind == "touchEnd" ? Array.Empty<object>() : new object[] { new { x = x - apart, y, id = 1 }, new { x = x + apart, y, id = 2 } },
+        });
+        await Fingers("touchStart", 40);
+        for (int i = 1; i <= 6; i++)
+        {
+            await Fingers("touchMove", 40 + (10 * i));
+        }
+
+        await Fingers("touchEnd", 0);
+        await w.Text("the camera is nearer", t => t != before);
+    }
 }

@@ -22,7 +22,7 @@ public class SavingWalks(ChromiumBrowser browser)
         await w.Page.Keyboard.PressAsync("Control+Shift+s");
         ILocator dialog = w.Page.GetByRole(AriaRole.Dialog);
         await Expect(dialog).ToBeVisibleAsync();
-        await w.Shot("save-as", isShown: true);
+        await w.Shot("save-as");
         ILocator path = dialog.GetByRole(AriaRole.Textbox, new() { Name = "Path" });
         await path.FillAsync(w.Folder);
         await path.PressAsync("Enter");
@@ -48,7 +48,7 @@ public class SavingWalks(ChromiumBrowser browser)
         if (format == "exr")
         {
             await w.Page.GetByRole(AriaRole.Checkbox, new() { Name = "Depth" }).CheckAsync();
-            await w.Shot("export");
+            await w.Shot("export", isShown: true);
         }
 
         IDownload download = await w.Page.RunAndWaitForDownloadAsync(() => w.Button("Download").ClickAsync());

@@ -7,12 +7,12 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>A Studio and a window on it. What goes wrong in the page or the server fails the test when it is closed.</summary>
 internal sealed class StudioWindow : IAsyncDisposable
 {
-    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("studio-walk-");
+    private readonly DirectoryInfo _folder;
     private readonly StringWriter _errors;
     private readonly List<string> _troubles = [];
     private readonly IBrowserContext _context;
 
-    private StudioWindow(IBrowserContext context, StringWriter errors) => (_context, _errors) = (context, errors);
+    private StudioWindow(IBrowserContext context, DirectoryInfo folder, StringWriter errors) => (_context, _folder, _errors) = (context, folder, errors);
 
     public StudioSession Session { get; private init; } = null!;
 
@@ -37,7 +37,9 @@ internal sealed class StudioWindow : IAsyncDisposable
     /// <param name="scene">A shipped scene to begin with, as "report/scene2"; null for the empty state.</param>
     /// <param name="more">Changes the window.</param>
     /// <param name="isFirst">Whether it is the user's first time, so that the tour is offered.</param>
-    public static async Task<StudioWindow> Open(ChromiumBrowser browser, string? scene = null, BrowserNewContextOptions? more = null, bool isFirst = false)
+    /// <param name="user">The user's folder; null for a new one.</param>
+    public static async Task<StudioWindow> Open(
+        ChromiumBrowser browser, string? scene = null, BrowserNewContextOptions? more = null, bool isFirst = false, string? user = null)
     {
         Skip.If(browser.Instance is null, browser.WhyNot);
         BrowserNewContextOptions options = more ?? new();
@@ -45,8 +47,9 @@ internal sealed class StudioWindow : IAsyncDisposable
         options.Permissions = ["clipboard-read", "clipboard-write"];
         options.ReducedMotion = ReducedMotion.Reduce;
         IBrowserContext context = await browser.Instance!.NewContextAsync(options);
-        DirectoryInfo user = Directory.CreateTempSubdirectory("studio-user-");
-        StudioSession session = new(new UserFolders(Path.Combine(user.FullName, "state"), Path.Combine(user.FullName, "cache"), user.FullName));
+        DirectoryInfo folder = Directory.CreateTempSubdirectory("studio-walk-");
+        user ??= folder.FullName;
+        StudioSession session = new(new UserFolders(Path.Combine(user, "state"), Path.Combine(user, "cache"), user));
         if (scene is not null)
         {
             session.Files.Open(ProjectFolder.PathOf("scenes", scene + ".json"));
@@ -54,7 +57,7 @@ internal sealed class StudioWindow : IAsyncDisposable
 
         StringWriter errors = new();
         StudioServer server = await StudioServer.Start(session, new() { Errors = errors });
-        StudioWindow window = new(context, errors) { Session = session, Server = server };
+        StudioWindow window = new(context, folder, errors) { Session = session, Server = server };
         await context.AddInitScriptAsync($"localStorage.getItem('studio.tourSeen') ?? localStorage.setItem('studio.tourSeen', '{(isFirst ? "false" : "true")}')");
         window.Page = await window.NewPage();
         return window;

@@ -88,7 +88,8 @@ const english = {
   },
   render: {
     quality: "Quality", draft: "Draft", good: "Good", final: "Final",
-    draftWhy: "Few samples and short paths: to arrange things", goodWhy: "Enough to judge the light", finalWhy: "Everything as the scene file says",
+    written: "As written",
+    draftWhy: "16 samples a pixel: to arrange things", goodWhy: "256 samples a pixel: to judge the light", finalWhy: "1,024 samples a pixel: to print", writtenWhy: "As many samples as the scene file says",
     size: "Size", ownSize: "as written", threads: "Threads", threadsWhy: "One core is left free by default, so that the window stays quick",
     more: "Details",
   },

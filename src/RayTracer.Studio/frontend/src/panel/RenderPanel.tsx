@@ -32,13 +32,14 @@ export function RenderPanel() {
         <div class="row-field">
           <Segments
             label={t.quality}
-            value={render.quality ?? "final"}
+            value={render.quality ?? "written"}
             choices={[
               { value: "draft", label: t.draft, tip: t.draftWhy },
               { value: "good", label: t.good, tip: t.goodWhy },
               { value: "final", label: t.final, tip: t.finalWhy },
+              { value: "written", label: t.written, tip: t.writtenWhy },
             ]}
-            onChange={(quality) => set({ quality: quality as Quality })}
+            onChange={(quality) => set(quality === "written" ? { samples: 0 } : { quality: quality as Quality })}
           />
         </div>
         <span class="no-reset" />
