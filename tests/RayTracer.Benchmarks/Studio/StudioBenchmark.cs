@@ -140,7 +140,7 @@ internal static class StudioBenchmark
 
     private static double Command(string scene)
     {
-        using Process process = Process.Start(new ProcessStartInfo("dotnet", [s_command, "render", scene, "--threads", "1", "--json", "--quiet"]) { RedirectStandardOutput = true })!;
+        using Process process = Process.Start(new ProcessStartInfo("dotnet", [s_command, "render", scene, "--threads", "1", "--json", "--quiet"]) { RedirectStandardOutput = true, UseShellExecute = false })!;
         using JsonDocument json = JsonDocument.Parse(process.StandardOutput.ReadToEnd());
         process.WaitForExit();
         return json.RootElement.GetProperty("paths").GetDouble() / json.RootElement.GetProperty("renderSeconds").GetDouble();

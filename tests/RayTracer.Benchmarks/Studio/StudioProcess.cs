@@ -11,7 +11,7 @@ internal sealed class StudioProcess : IDisposable
 
     private StudioProcess(string scene)
     {
-        ProcessStartInfo start = new("dotnet", [Program("RayTracer.Studio", "RayTracer.Studio.dll"), scene, "--no-browser"]) { RedirectStandardOutput = true };
+        ProcessStartInfo start = new("dotnet", [Program("RayTracer.Studio", "RayTracer.Studio.dll"), scene, "--no-browser"]) { RedirectStandardOutput = true, UseShellExecute = false };
         start.Environment["XDG_STATE_HOME"] = Path.Combine(_user.FullName, "state");
         start.Environment["XDG_CACHE_HOME"] = Path.Combine(_user.FullName, "cache");
         _process = Process.Start(start)!;

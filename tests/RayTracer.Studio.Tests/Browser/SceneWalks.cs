@@ -88,10 +88,12 @@ public class SceneWalks(ChromiumBrowser browser)
         await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Shape: box" }).ClickAsync();
         await w.Text("a box is there", t => t.Contains("\"box\"", StringComparison.Ordinal));
         string withBox = w.Session.Document.Text;
+        await Expect(w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("^box.*box") })).ToHaveAttributeAsync("aria-selected", "true");
 
         await w.Stage.FocusAsync();
         await w.Page.Keyboard.PressAsync("Control+d");
         await w.Text("two are there", t => t.Split("\"type\": \"box\"").Length == 3);
+        await Expect(w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("^box.*box") })).ToHaveCountAsync(2);
         await w.Page.Keyboard.PressAsync("F2");
         await w.Page.GetByRole(AriaRole.Textbox, new() { Name = "New name" }).FillAsync("twin");
         await w.Page.Keyboard.PressAsync("Enter");

@@ -52,7 +52,7 @@ internal sealed class StudioWindow : IAsyncDisposable
         StudioSession session = new(new UserFolders(Path.Combine(user, "state"), Path.Combine(user, "cache"), user));
         if (scene is not null)
         {
-            session.Files.Open(ProjectFolder.PathOf("scenes", scene + ".json"));
+            session.Files.Open(Copy(scene, folder));
         }
 
         StringWriter errors = new();
@@ -171,6 +171,21 @@ internal sealed class StudioWindow : IAsyncDisposable
             string all = string.Join("\n", _troubles.Append(server).Where(t => t.Length > 0 && !Expected.Exists(e => t.Contains(e, StringComparison.Ordinal))));
             Assert.True(all.Length == 0, all);
         }
+    }
+
+    // Of the scene and what lies beside it: a walk may save.
+    private static string Copy(string scene, DirectoryInfo folder)
+    {
+        string from = Path.GetDirectoryName(ProjectFolder.PathOf("scenes", scene + ".json"))!;
+        string to = Path.Combine(folder.FullName, "scenes", Path.GetFileName(from));
+        foreach (string file in Directory.EnumerateFiles(from, "*", SearchOption.AllDirectories))
+        {
+            string copy = Path.Combine(to, Path.GetRelativePath(from, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(copy)!);
+            File.Copy(file, copy);
+        }
+
+        return Path.Combine(to, Path.GetFileName(scene) + ".json");
     }
 
     private void Trouble(string text)
