@@ -18,7 +18,7 @@ public class RandomWalk(ChromiumBrowser browser)
     [SkippableFact]
     public async Task Hundreds_of_actions_at_random_end_without_an_error()
     {
-        int actions = TestSettings.Scale(120, 500);
+        int actions = TestSettings.Scale(40, 500);
         Random random = new(TestSettings.Seed + 7);
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
 

@@ -98,6 +98,8 @@ public class SceneWalks(ChromiumBrowser browser)
         await w.Page.GetByRole(AriaRole.Textbox, new() { Name = "New name" }).FillAsync("twin");
         await w.Page.Keyboard.PressAsync("Enter");
         await w.Text("it has its name", t => t.Contains("\"twin\"", StringComparison.Ordinal));
+        await Expect(w.Page.GetByRole(AriaRole.Dialog)).ToHaveCountAsync(0);
+        await Expect(w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("^twin") })).ToHaveAttributeAsync("aria-selected", "true");
         await w.Stage.FocusAsync();
         await w.Page.Keyboard.PressAsync("Delete");
         await w.Text("it is gone", t => !t.Contains("\"twin\"", StringComparison.Ordinal));
