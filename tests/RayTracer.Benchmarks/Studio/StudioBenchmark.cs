@@ -25,7 +25,7 @@ internal static class StudioBenchmark
         {
             string sized = Sized(scene, folder, 800, 600, 16);
             using IPlaywright playwright = await Playwright.CreateAsync();
-            await using IBrowser browser = await playwright.Chromium.LaunchAsync(new() { ExecutablePath = Browser(), Args = ["--no-sandbox", "--disable-dev-shm-usage"] });
+            await using IBrowser browser = await playwright.Chromium.LaunchAsync(new() { ExecutablePath = InstalledBrowser.Find() ?? throw new FileNotFoundException(InstalledBrowser.WhyNot), Args = ["--no-sandbox", "--disable-dev-shm-usage"] });
             await Interaction(browser, sized);
             await Throughput(browser, Sized(scene, folder, 800, 600, 102400), sized, folder);
             if (minutes > 0)
@@ -166,10 +166,4 @@ internal static class StudioBenchmark
         double[] sorted = [.. times.Order()];
         Console.WriteLine($"{what,-30} {sorted[sorted.Length / 2],8:F0} ms in the median, {sorted[(int)(0.95 * (sorted.Length - 1))]:F0} ms of 95 %, {sorted[^1]:F0} ms at most");
     }
-
-    private static string Browser() =>
-        Environment.GetEnvironmentVariable("RAYTRACER_BROWSER") is { Length: > 0 } named ? named
-            : new[] { "chromium", "chromium-browser", "google-chrome" }
-                .SelectMany(name => (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Select(folder => Path.Combine(folder, name)))
-                .FirstOrDefault(File.Exists) ?? throw new FileNotFoundException("There is no browser: install chromium, or name one in RAYTRACER_BROWSER.");
 }

@@ -5,7 +5,6 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>The browser that all walks share: Chromium or Chrome as it is installed; without one, they are skipped with the reason.</summary>
 public sealed class ChromiumBrowser : IAsyncLifetime
 {
-    private static readonly string[] s_names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
     private IPlaywright? _playwright;
 
     /// <summary>The browser; null where there is none.</summary>
@@ -17,10 +16,10 @@ public sealed class ChromiumBrowser : IAsyncLifetime
     /// <inheritdoc/>
     public async Task InitializeAsync()
     {
-        string? program = Find();
+        string? program = InstalledBrowser.Find();
         if (program is null)
         {
-            WhyNot = $"no browser: none of {string.Join(", ", s_names)} is installed (RAYTRACER_BROWSER names another one)";
+            WhyNot = InstalledBrowser.WhyNot;
             return;
         }
 
@@ -39,17 +38,6 @@ public sealed class ChromiumBrowser : IAsyncLifetime
         }
 
         _playwright?.Dispose();
-    }
-
-    private static string? Find()
-    {
-        if (Environment.GetEnvironmentVariable("RAYTRACER_BROWSER") is { Length: > 0 } named)
-        {
-            return named;
-        }
-
-        string[] folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
-        return s_names.SelectMany(name => folders.Select(folder => Path.Combine(folder, name))).FirstOrDefault(File.Exists);
     }
 }
 

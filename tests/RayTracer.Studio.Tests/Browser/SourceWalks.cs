@@ -14,13 +14,7 @@ public class SourceWalks(ChromiumBrowser browser)
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
         await w.Painted();
-        ILocator editor = w.Page.Locator(".cm-content");
-        await editor.ClickAsync();
-        await w.Page.Keyboard.PressAsync("Control+Home");
-        await w.Page.Keyboard.PressAsync("Control+f");
-        await w.Page.Keyboard.TypeAsync("\"chrome\": {");
-        await w.Page.Keyboard.PressAsync("Enter");
-        await w.Page.Keyboard.PressAsync("Escape");
+        await Find(w, "\"chrome\": {");
         await w.Page.Keyboard.PressAsync("End");
         await w.Page.Keyboard.TypeAsync("x");
 
@@ -39,13 +33,7 @@ public class SourceWalks(ChromiumBrowser browser)
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
         await w.Painted();
-        ILocator editor = w.Page.Locator(".cm-content");
-        await editor.ClickAsync();
-        await w.Page.Keyboard.PressAsync("Control+Home");
-        await w.Page.Keyboard.PressAsync("Control+f");
-        await w.Page.Keyboard.TypeAsync("\"render\": {");
-        await w.Page.Keyboard.PressAsync("Enter");
-        await w.Page.Keyboard.PressAsync("Escape");
+        await Find(w, "\"render\": {");
         await w.Page.Keyboard.PressAsync("ArrowRight");
         await w.Page.Keyboard.TypeAsync(" \"maxD");
         await Expect(w.Page.GetByRole(AriaRole.Option, new() { NameRegex = new("maxDiffuseDepth") })).ToBeVisibleAsync();
@@ -70,5 +58,16 @@ public class SourceWalks(ChromiumBrowser browser)
         Assert.True(await w.Data("painted") >= painted);
         await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("problem") }).First.ClickAsync();
         await Expect(w.Page.GetByText("The text has an error: this is the last good picture.")).ToBeVisibleAsync();
+    }
+
+    // Selects a text in the editor.
+    private static async Task Find(StudioWindow w, string text)
+    {
+        await w.Page.Locator(".cm-content").ClickAsync();
+        await w.Page.Keyboard.PressAsync("Control+Home");
+        await w.Page.Keyboard.PressAsync("Control+f");
+        await w.Page.Keyboard.TypeAsync(text);
+        await w.Page.Keyboard.PressAsync("Enter");
+        await w.Page.Keyboard.PressAsync("Escape");
     }
 }
