@@ -221,12 +221,13 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
         TurnToRay(ref surface);
     }
 
-    // Turns to the shading normal on the ray's side of the surface. Where the ray would come from behind it, near outlines, the
+    // Turns to the shading normal, on the ray's side of the surface: which of its two directions that is, is only asked here, in the
+    // world, since a transform that stretches may take it across. Where the ray would come from behind it, near outlines, the
     // normal is mirrored across the plane perpendicular to the ray, so that it does not: it stays a unit vector, on the ray's
     // side of the surface, and nothing jumps.
     private static void Smooth(ref SurfaceW surface)
     {
-        Vec3W shading = surface.Inside.Select(-surface.Shading, surface.Shading);
+        Vec3W shading = (Vec3W.Dot(surface.Shading, surface.Facing) < 0f).Select(-surface.Shading, surface.Shading);
         FloatW along = Vec3W.Dot(surface.Incoming, shading);
         surface.Facing = Vec3W.NegatedMultiplyAdd(surface.Incoming, FloatW.Max(along, 0f) * 2f, shading);
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);

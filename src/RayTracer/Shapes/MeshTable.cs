@@ -125,10 +125,8 @@ internal sealed unsafe class MeshTable : SurfaceTable
 
     private void DescribeShading(UIntW i, UIntW j, UIntW k, FloatW b, FloatW c, ref SurfaceW surface)
     {
-        // Where corners have none, or theirs cancel out, the triangle is flat; none points through to the other side.
-        Vec3W shading = Mix(_normals!.Pointer, i, j, k, b, c);
-        FloatW along = Vec3W.Dot(shading, surface.Normal);
-        Vec3W unit = Vec3W.Normalize((along < 0f).Select(-shading, shading));
+        // Where corners have none, or theirs cancel out, the triangle is flat.
+        Vec3W unit = Vec3W.Normalize(Mix(_normals!.Pointer, i, j, k, b, c));
         MaskW isGood = Vec3W.Dot(unit, unit) > 0.5f;
         surface.Shading = isGood.Select(unit, surface.Normal);
     }
