@@ -96,6 +96,19 @@ public class PlacedScenesTests
     }
 
     [Fact]
+    public void A_smooth_thing_that_a_stretch_turns_inside_out_has_the_same_normals_as_one_made_so()
+    {
+        // Steep normals at the corners: before the stretch they are on the surface's side, after it on the other.
+        const string stretch = """ "transform": [{ "scale": [2, 0.3, -0.8], "rotate": 33, "axis": [1, 2, 3], "translate": [0.3, 0.2, 0] }] }""";
+        double[] moved = NormalsSeen(Scene("""{ "type": "instance", "of": { "type": "mesh", OCTAHEDRON, NORMALS },""" + stretch));
+        double[] made = NormalsSeen(Scene("""{ "type": "mesh", OCTAHEDRON, NORMALS,""" + stretch));
+        for (int i = 0; i < made.Length; i++)
+        {
+            Assert.True(Math.Abs(made[i] - moved[i]) < 1e-3, $"pixel {i / 3 % 128}, {i / 3 / 128}: {moved[i]}, {made[i]}");
+        }
+    }
+
+    [Fact]
     public void An_object_is_not_seen_by_itself() => Assert.Equal(
         Film(Scene("""{ "type": "sphere", "center": [0, 0, 0] }""")).ComputeHash(),
         Film(Scene("""{ "type": "sphere", "center": [0, 0, 0] }""").Replace("\"shapes\":", "\"objects\": { \"ball\": { \"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 2 } }, \"shapes\":", StringComparison.Ordinal)).ComputeHash());
@@ -109,6 +122,19 @@ public class PlacedScenesTests
             .Replace("] /* end */", "] } ] /* end */", StringComparison.Ordinal);
         BlockTest test = BlockTest.Compare(SceneRuns.RenderText(moved, s_seeds, firstSeed: 1), SceneRuns.RenderText(still, s_seeds, firstSeed: 1001));
         ErrorBudget.Geometry.Check(test.P, $"camera and scene moved: {test}");
+    }
+
+    private static double[] NormalsSeen(string json)
+    {
+        AovFilm film = new(new(128, 96), [Aov.Normal]);
+        new FirstHitPass(Load(json.Replace("\"width\": 32, \"height\": 24, \"samplesPerPixel\": 16", "\"width\": 128, \"height\": 96, \"samplesPerPixel\": 1", StringComparison.Ordinal))).Render(film);
+        double[] normals = new double[128 * 96 * 3];
+        for (int y = 0; y < 96; y++)
+        {
+            film.ReadRow(Aov.Normal, y, normals.AsSpan(y * 128 * 3, 128 * 3));
+        }
+
+        return normals;
     }
 
     private static string Scene(string shape) => """
@@ -125,10 +151,12 @@ public class PlacedScenesTests
         """.Replace("SHAPE", shape, StringComparison.Ordinal).Replace("CUBE", Cube, StringComparison.Ordinal)
         .Replace("OCTAHEDRON", Octahedron, StringComparison.Ordinal).Replace("NORMALS", Normals, StringComparison.Ordinal);
 
-    private static Film Film(string json)
+    private static Film Film(string json) => new RTracer(Load(json)).Render().Film;
+
+    private static Scene Load(string json)
     {
         SceneLoadResult result = SceneLoader.Build(SceneReader.ReadText(json, "test.json"), ".");
         Assert.Equal("", Diagnostic.Format(result.Diagnostics));
-        return new RTracer(result.Scene!).Render().Film;
+        return result.Scene!;
     }
 }
