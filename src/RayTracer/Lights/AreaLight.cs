@@ -20,6 +20,9 @@ public sealed class AreaLight(Shape shape, int primitive) : LightSource(0, primi
     public Shape Shape => shape;
 
     /// <inheritdoc/>
+    public override void Pdf(in LightHitW hit, out FloatW pdf) => shape.SamplePdf(hit.From, hit.Distance, hit.Cosine, out pdf);
+
+    /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
     {
         if (_plainSphere is null)

@@ -20,6 +20,24 @@ internal sealed unsafe class InstancedLight(Shape shape, SurfaceTable table, int
     private readonly LuminaireMaterial _luminaire = (LuminaireMaterial)shape.Material;
 
     /// <inheritdoc/>
+    public override void Pdf(in LightHitW hit, out FloatW pdf)
+    {
+        float* memory = stackalloc float[InstanceMaps.Floats];
+        InstanceMaps maps = new(memory);
+        maps.Fill(instances, Instance, hit.Time);
+        Vec3W inside = maps.PointBack(hit.From);
+        Vec3W along = maps.VectorBack(hit.Direction);
+
+        // Lengths in the world over lengths in the space, along the ray.
+        FloatW stretch = 1f / FloatW.Sqrt(Vec3W.Dot(along, along));
+        Vec3W direction = along * stretch;
+        FloatW distance = hit.Distance / stretch;
+        FloatW cosine = FloatW.CopySign(Vec3W.Dot(direction, NormalAt(Vec3W.MultiplyAdd(direction, distance, inside))), hit.Cosine);
+        shape.SamplePdf(inside, distance, cosine, out FloatW pdfInside);
+        pdf = pdfInside * (stretch * stretch * stretch) / FloatW.Abs(maps.Determinant());
+    }
+
+    /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
     {
         float* memory = stackalloc float[InstanceMaps.Floats];

@@ -18,6 +18,14 @@ public abstract class LightSource(int instance, int primitive)
     /// <summary>The light's number among the shapes of the world itself; −1 where it is none of them.</summary>
     internal int OwnPrimitive { get; } = instance == 0 ? primitive : -1;
 
+    /// <summary>Whether the light comes from single points or directions, which no ray meets by chance.</summary>
+    public virtual bool IsDelta => false;
+
+    /// <summary>The density, per steradian, with which <see cref="Sample"/> chooses the direction of a ray that meets this light.</summary>
+    /// <param name="hit">Where rays meet the light.</param>
+    /// <param name="pdf">The density; zero where the light is seen from behind.</param>
+    public abstract void Pdf(in LightHitW hit, out FloatW pdf);
+
     /// <summary>Chooses a point of the light for each lit point.</summary>
     /// <param name="from">The lit points.</param>
     /// <param name="u">First random number.</param>

@@ -27,6 +27,21 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
     private const int Numbers = 17;
 
     /// <inheritdoc/>
+    public override void Pdf(in LightHitW hit, out FloatW pdf)
+    {
+        float* met = stackalloc float[Numbers * 16];
+        for (int lane = 0; lane < FloatW.Count; lane++)
+        {
+            int triangle = (int)hit.Primitive[lane] - mesh.FirstPrimitive;
+            Write(triangle, choice.Probability(triangle), 0, met + lane);
+        }
+
+        Place(met, hit.Time, out Vec3W a, out Vec3W b, out Vec3W c, out _);
+        Vec3W normal = Vec3W.Cross(b - a, c - a);
+        pdf = AreaSample.Pdf(hit.Distance, hit.Cosine, FloatW.Sqrt(Vec3W.Dot(normal, normal)) * 0.5f) * Load(met, Probability);
+    }
+
+    /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
     {
         float* chosen = stackalloc float[Numbers * 16];
@@ -35,19 +50,7 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
             Choose(u[lane], chosen + lane);
         }
 
-        Vec3W a = Corner(chosen, 0);
-        Vec3W b = Corner(chosen, 3);
-        Vec3W c = Corner(chosen, 6);
-        FloatW mirrors = 1f;
-        if (instances is not null)
-        {
-            float* memory = stackalloc float[InstanceMaps.Floats];
-            InstanceMaps maps = new(memory);
-            maps.Fill(instances, Instance, time);
-            (a, b, c) = (maps.Point(a), maps.Point(b), maps.Point(c));
-            mirrors = FloatW.CopySign(1f, maps.Determinant());
-        }
-
+        Place(chosen, time, out Vec3W a, out Vec3W b, out Vec3W c, out FloatW mirrors);
         Vec3W toB = b - a;
         Vec3W toC = c - a;
         Vec3W normal = Vec3W.Cross(toB, toC) * mirrors;
@@ -79,12 +82,34 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
 
     private static FloatW Largest(Vec3W p) => FloatW.Max(FloatW.Abs(p.X), FloatW.Max(FloatW.Abs(p.Y), FloatW.Abs(p.Z)));
 
+    // The corners in the world, and −1 where the way there mirrors them.
+    private void Place(float* chosen, in FloatW time, out Vec3W a, out Vec3W b, out Vec3W c, out FloatW mirrors)
+    {
+        a = Corner(chosen, 0);
+        b = Corner(chosen, 3);
+        c = Corner(chosen, 6);
+        mirrors = 1f;
+        if (instances is not null)
+        {
+            float* memory = stackalloc float[InstanceMaps.Floats];
+            InstanceMaps maps = new(memory);
+            maps.Fill(instances, Instance, time);
+            (a, b, c) = (maps.Point(a), maps.Point(b), maps.Point(c));
+            mirrors = FloatW.CopySign(1f, maps.Determinant());
+        }
+    }
+
     private void Choose(float u, float* to)
     {
         int triangle = choice.Choose(ref u, out float probability);
+        Write(triangle, probability, u, to);
+    }
+
+    private void Write(int triangle, float probability, float rest, float* to)
+    {
         (Vector3 a, Vector3 b, Vector3 c) = mesh.Corners(triangle);
         (Vector2 uvA, Vector2 uvB, Vector2 uvC) = mesh.UvOf(triangle);
-        ReadOnlySpan<float> numbers = [a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z, uvA.X, uvA.Y, uvB.X, uvB.Y, uvC.X, uvC.Y, probability, u];
+        ReadOnlySpan<float> numbers = [a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z, uvA.X, uvA.Y, uvB.X, uvB.Y, uvC.X, uvC.Y, probability, rest];
         for (int i = 0; i < Numbers; i++)
         {
             to[i * FloatW.Count] = numbers[i];

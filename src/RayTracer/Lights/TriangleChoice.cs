@@ -9,7 +9,7 @@ internal sealed class TriangleChoice
     private readonly float[] _upTo;
 
     /// <summary>Makes the table.</summary>
-    /// <param name="triangles">The triangles.</param>
+    /// <param name="triangles">The triangles, in the order of their numbers.</param>
     /// <param name="area">The area of each.</param>
     public TriangleChoice(int[] triangles, Func<int, double> area)
     {
@@ -28,6 +28,13 @@ internal sealed class TriangleChoice
 
     /// <summary>Whether there is an area, and not too large a one.</summary>
     public bool IsFinite { get; }
+
+    /// <summary>The probability with which a triangle is chosen.</summary>
+    public float Probability(int triangle)
+    {
+        int i = Array.BinarySearch(_triangles, triangle);
+        return i < 0 ? 0 : _upTo[i] - (i == 0 ? 0 : _upTo[i - 1]);
+    }
 
     /// <summary>Chooses.</summary>
     /// <param name="u">A number from 0 up to 1. Out: one that is as random again, within what was chosen.</param>

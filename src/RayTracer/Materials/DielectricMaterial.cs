@@ -76,6 +76,7 @@ public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, Fr
         }
 
         scatter.Specular = MaskW.All;
+        scatter.Delta = MaskW.All;
         scatter.Absorbed = MaskW.None;
     }
 

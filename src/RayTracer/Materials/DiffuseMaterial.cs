@@ -58,6 +58,7 @@ public sealed class DiffuseMaterial(Texture texture) : Material
         scatter.Direction = frame.ToWorld(Warp.CosineHemisphere(u, v));
         scatter.Weight = surface.DiffuseColor;
         scatter.Specular = MaskW.None;
+        scatter.Delta = MaskW.None;
         scatter.Absorbed = MaskW.None;
     }
 }

@@ -59,6 +59,9 @@ public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular,
     public override bool IsLit => true;
 
     /// <inheritdoc/>
+    public override bool HasDensity => diffuse.HasDensity || specular.HasDensity;
+
+    /// <inheritdoc/>
     public override bool UsesUv => diffuse.UsesUv || specular.UsesUv;
 
     /// <inheritdoc/>
@@ -115,6 +118,7 @@ public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular,
         scatter.Direction = reflected.Select(coat.Direction, scatter.Direction);
         scatter.Weight = reflected.Select(coat.Weight, scatter.Weight);
         scatter.Specular = reflected.Select(coat.Specular, scatter.Specular);
+        scatter.Delta = reflected.Select(coat.Delta, scatter.Delta);
         scatter.Absorbed = reflected.Select(coat.Absorbed, scatter.Absorbed);
     }
 }

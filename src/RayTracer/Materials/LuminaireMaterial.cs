@@ -66,6 +66,12 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     public override bool IsLit => inner is { IsLit: true };
 
     /// <inheritdoc/>
+    public override bool HasDensity => inner is { HasDensity: true };
+
+    /// <inheritdoc/>
+    public override bool Transmits => inner is { Transmits: true };
+
+    /// <inheritdoc/>
     public override bool UsesUv => texture.Constant is null || inner is { UsesUv: true };
 
     /// <inheritdoc/>

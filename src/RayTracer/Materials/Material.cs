@@ -20,6 +20,12 @@ public abstract class Material
     /// <summary>Whether light sources are sampled at hits on it: whether <see cref="Brdf"/> may be other than zero.</summary>
     public virtual bool IsLit => false;
 
+    /// <summary>Whether <see cref="Bsdf"/> and <see cref="Pdf"/> may be other than zero, so that light can come from a direction that is chosen elsewhere.</summary>
+    public virtual bool HasDensity => IsLit || Scattering.Specular == SpecularLobe.Glossy;
+
+    /// <summary>Whether <see cref="Bsdf"/> may be other than zero for directions through the surface.</summary>
+    public virtual bool Transmits => false;
+
     /// <summary>Whether <see cref="Emission"/> may be other than zero.</summary>
     public virtual bool Emits => false;
 
@@ -144,6 +150,9 @@ public struct ScatterW
     /// depth, and emission met by the new ray counts (report: cel).
     /// </summary>
     public MaskW Specular;
+
+    /// <summary>Whether the choice was a single direction, which neither <see cref="Material.Bsdf"/> nor <see cref="Material.Pdf"/> holds.</summary>
+    public MaskW Delta;
 
     /// <summary>Whether the path ends here.</summary>
     public MaskW Absorbed;

@@ -69,6 +69,7 @@ public sealed class PhongMetalMaterial(Texture texture, float exponent) : Materi
         scatter.Direction = frame.ToWorld(Warp.CosinePowerLobe(u, v, exponent));
         texture.Evaluate(surface.U, surface.V, out scatter.Weight);
         scatter.Specular = MaskW.All;
+        scatter.Delta = MaskW.None;
         scatter.Absorbed = Vec3W.Dot(scatter.Direction, surface.Facing) <= 0f;
     }
 }

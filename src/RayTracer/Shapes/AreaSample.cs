@@ -5,6 +5,12 @@ namespace RayTracer.Shapes;
 /// <summary>What light sources share whose points are chosen uniformly by area.</summary>
 internal static class AreaSample
 {
+    /// <summary>The density per steradian of a point that was chosen uniformly by area; zero from behind.</summary>
+    /// <param name="distance">Distance to the point.</param>
+    /// <param name="cosine">Cosine between the normal there and the way back.</param>
+    /// <param name="area">The area.</param>
+    public static FloatW Pdf(FloatW distance, FloatW cosine, FloatW area) => (cosine > 0f).Select(distance * distance / (cosine * area), 0f);
+
     /// <summary>A light sample from the vector to a point that was chosen uniformly by area.</summary>
     public static void Sample(in Vec3W to, in Vec3W normal, FloatW area, out ShapeSampleW sample)
     {

@@ -54,6 +54,14 @@ public sealed class Box(Material material, string name, Vector3 a, Vector3 b) : 
     public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new KernelBatch<BoxKernel>(shapes);
 
     /// <summary>Uniformly by area over the faces, three at the most, that are seen from the point.</summary>
+    public override void SamplePdf(in Vec3W from, in FloatW distance, in FloatW cosine, out FloatW pdf)
+    {
+        FloatW areaX = FloatW.Abs(Side(from.X, 0)) * (_size.Y * _size.Z);
+        FloatW areaY = FloatW.Abs(Side(from.Y, 1)) * (_size.Z * _size.X);
+        pdf = AreaSample.Pdf(distance, cosine, FloatW.MultiplyAdd(FloatW.Abs(Side(from.Z, 2)), _size.X * _size.Y, areaX + areaY));
+    }
+
+    /// <inheritdoc/>
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
         FloatW signX = Side(from.X, 0);

@@ -70,16 +70,19 @@ public abstract class ConicalShape : Shape
         return has;
     }
 
+    /// <inheritdoc/>
+    public override void SamplePdf(in Vec3W from, in FloatW distance, in FloatW cosine, out FloatW pdf)
+    {
+        SeenCap((Vec3W)Frame.Origin - from, out _, out _, out FloatW capArea);
+        pdf = AreaSample.Pdf(distance, cosine, capArea + SideArea);
+    }
+
     /// <summary>Uniformly by area over the side and the cap, one at the most, that is seen from the point.</summary>
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
         Vec3W to = (Vec3W)Frame.Origin - from;
-        FloatW height = -Vec3W.Dot(to, Frame.Axis);
         float half = 0.5f * Height;
-        MaskW above = HasCaps ? height > half : MaskW.None;
-        MaskW below = HasCaps ? height < -half : MaskW.None;
-        FloatW radius = above.Select(TopRadius, Radius);
-        FloatW capArea = (above | below).Select(radius * radius * float.Pi, 0f);
+        SeenCap(to, out MaskW above, out FloatW radius, out FloatW capArea);
         FloatW area = capArea + SideArea;
 
         // v chooses side or cap, and what is left of it a height or a distance from the axis: both are denser where the circle is longer.
@@ -101,5 +104,16 @@ public abstract class ConicalShape : Shape
         ConicalKernel.CapUv(x * capPart, y * capPart, sign, out FloatW capU, out FloatW capV);
         sample.U = isSide.Select(u, capU);
         sample.V = isSide.Select(along, capV);
+    }
+
+    // The cap that is seen from a point, if there is one: whether it is the upper one, its radius, and its area.
+    private void SeenCap(in Vec3W toOrigin, out MaskW above, out FloatW radius, out FloatW area)
+    {
+        FloatW height = -Vec3W.Dot(toOrigin, Frame.Axis);
+        float half = 0.5f * Height;
+        above = HasCaps ? height > half : MaskW.None;
+        MaskW below = HasCaps ? height < -half : MaskW.None;
+        radius = above.Select(TopRadius, Radius);
+        area = (above | below).Select(radius * radius * float.Pi, 0f);
     }
 }

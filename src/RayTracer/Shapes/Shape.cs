@@ -41,6 +41,13 @@ public abstract class Shape(Material material, string name)
     /// <param name="sample">The chosen points.</param>
     public abstract void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample);
 
+    /// <summary>The density, per steradian, with which <see cref="SamplePoint"/> chooses a point of the shape.</summary>
+    /// <param name="from">The lit points.</param>
+    /// <param name="distance">Distance to the point.</param>
+    /// <param name="cosine">Cosine between the outward normal there and the direction back to the lit point.</param>
+    /// <param name="pdf">The density; zero where the point is seen from behind.</param>
+    public virtual void SamplePdf(in Vec3W from, in FloatW distance, in FloatW cosine, out FloatW pdf) => pdf = AreaSample.Pdf(distance, cosine, Area);
+
     /// <summary>
     /// The shape that this one becomes by a map, uv and front included; null where it would be of another kind: rays are then transformed instead.
     /// </summary>

@@ -69,6 +69,20 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
         SphereBatch.Uv(normal, out sample.U, out sample.V);
     }
 
+    /// <inheritdoc/>
+    public override void SamplePdf(in Vec3W from, in FloatW distance, in FloatW cosine, out FloatW pdf)
+    {
+        if (LightSampling == SphereLightSampling.Surface)
+        {
+            pdf = AreaSample.Pdf(distance, cosine, Area);
+            return;
+        }
+
+        Vec3W toCenter = (Vec3W)center - from;
+        FloatW sin2Rim = radius * radius / Vec3W.Dot(toCenter, toCenter);
+        pdf = ((sin2Rim < 1f) & (cosine > 0f)).Select((1f / (2 * float.Pi)) / RimHeight(sin2Rim), 0f);
+    }
+
     /// <summary>As <see cref="SamplePoint"/>, without uv.</summary>
     internal void SampleDirection(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
@@ -91,8 +105,8 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
         FloatW inverse = FloatW.Sqrt(inverse2);
         FloatW sin2Rim = inverse2 * (radius * radius);
 
-        // 1 − cos of the rim, without the cancellation for small and far lights; u picks a height within it.
-        FloatW height = sin2Rim / (1f + FloatW.Sqrt(FloatW.Max(1f - sin2Rim, 0f)));
+        // u picks a height within that of the rim.
+        FloatW height = RimHeight(sin2Rim);
         FloatW below = u * height;
         FloatW sin2 = FloatW.Max(below * (2f - below), 0f);
         FloatW cos = 1f - below;
@@ -109,6 +123,9 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
         sample.InversePdf = (sin2Rim < 1f).Select(height * (2 * float.Pi), 0f);
         sample.U = sample.V = default;
     }
+
+    // 1 − cos of the rim, without the cancellation for small and far lights.
+    private static FloatW RimHeight(FloatW sin2Rim) => sin2Rim / (1f + FloatW.Sqrt(FloatW.Max(1f - sin2Rim, 0f)));
 
     /// <summary>Uniformly over the whole surface, as in the report; half of the points are hidden.</summary>
     private void SampleSurface(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)

@@ -190,6 +190,7 @@ public class RTracerTests
             scatter.Direction = surface.Facing + (Vec3W)new System.Numerics.Vector3(direction);
             scatter.Weight = new Rgb(1, 1 + weight, 1);
             scatter.Specular = MaskW.All;
+            scatter.Delta = MaskW.None;
             scatter.Absorbed = MaskW.None;
         }
     }
