@@ -69,6 +69,9 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     public override bool HasDensity => inner is { HasDensity: true };
 
     /// <inheritdoc/>
+    public override Media.Medium? Interior => inner?.Interior;
+
+    /// <inheritdoc/>
     public override bool Transmits => inner is { Transmits: true };
 
     /// <inheritdoc/>

@@ -1,3 +1,4 @@
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 
@@ -25,6 +26,12 @@ public abstract class Material
 
     /// <summary>Whether <see cref="Bsdf"/> may be other than zero for directions through the surface.</summary>
     public virtual bool Transmits => false;
+
+    /// <summary>What fills the inside of the shape; null for empty space.</summary>
+    public virtual Medium? Interior => null;
+
+    /// <summary>Whether all light goes straight through, so that a path has no vertex here.</summary>
+    public virtual bool IsBoundary => false;
 
     /// <summary>Whether <see cref="Emission"/> may be other than zero.</summary>
     public virtual bool Emits => false;
