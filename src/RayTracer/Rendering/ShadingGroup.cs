@@ -1,6 +1,7 @@
 using RayTracer.Acceleration;
 using RayTracer.Materials;
 using RayTracer.Media;
+using RayTracer.Textures;
 
 namespace RayTracer.Rendering;
 
@@ -21,7 +22,14 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
 
     public bool HasShadingNormals { get; } = batch.HasShadingNormals;
 
-    public bool HasTint { get; } = batch.HasTint;
+    /// <summary>Whether the diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>
+    public bool HasTint { get; } = batch.HasTint && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
+
+    /// <summary>Whether a texture asks for colours that the surface has not.</summary>
+    public bool LacksTint { get; } = !batch.HasTint && (material.Inputs & TextureInputs.VertexColor) != TextureInputs.None;
+
+    /// <summary>Whether a texture asks for the point in the shape's own coordinates.</summary>
+    public bool UsesLocal { get; } = (material.Inputs & TextureInputs.ObjectPoint) != TextureInputs.None;
 
     public int OnlyIndex => onlyIndex;
 

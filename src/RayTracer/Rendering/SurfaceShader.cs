@@ -122,6 +122,11 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             Smooth(ref surface);
         }
 
+        if (group.LacksTint)
+        {
+            surface.Tint = Rgb.White;
+        }
+
         group.Material.Prepare(ref surface);
         if (group.HasTint)
         {
@@ -147,6 +152,10 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
         group.Batch.Describe(primitives, needsUv, ref surface);
+        if (group.UsesLocal)
+        {
+            surface.Local = surface.Point;
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
