@@ -22,11 +22,16 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
 
     public bool HasShadingNormals { get; } = batch.HasShadingNormals;
 
+    /// <summary>Whether light is scattered with other normals than the surface's own, so that it could leak through it.</summary>
+    public bool MayLeak { get; } = batch.HasShadingNormals || material.TurnsNormal;
+
+    public bool UsesTangent { get; } = material.UsesTangent;
+
     /// <summary>Whether the diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>
     public bool HasTint { get; } = batch.HasTint && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
 
-    /// <summary>Whether a texture asks for colours that the surface has not.</summary>
-    public bool LacksTint { get; } = !batch.HasTint && (material.Inputs & TextureInputs.VertexColor) != TextureInputs.None;
+    /// <summary>Whether the surface has no colours of its own.</summary>
+    public bool LacksTint { get; } = !batch.HasTint;
 
     /// <summary>Whether a texture asks for the point in the shape's own coordinates.</summary>
     public bool UsesLocal { get; } = (material.Inputs & TextureInputs.ObjectPoint) != TextureInputs.None;

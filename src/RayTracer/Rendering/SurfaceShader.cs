@@ -122,6 +122,11 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             Smooth(ref surface);
         }
 
+        if (group.UsesTangent)
+        {
+            surface.SetTangent();
+        }
+
         if (group.LacksTint)
         {
             surface.Tint = Rgb.White;
@@ -155,6 +160,11 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         if (group.UsesLocal)
         {
             surface.Local = surface.Point;
+        }
+
+        if (group.UsesTangent)
+        {
+            group.Batch.DescribeTangents(primitives, ref surface);
         }
     }
 
@@ -191,7 +201,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         surface.Distance = FloatW.Pick(stream.Distance, index);
         surface.Point = Vec3W.MultiplyAdd(maps.VectorBack(surface.Incoming), surface.Distance, maps.PointBack(stream.PickOrigin(index)));
         DescribeTable(group, stream, index, needsUv, ref surface);
-        maps.Describe(group.HasShadingNormals, ref surface);
+        maps.Describe(group.HasShadingNormals, group.UsesTangent, ref surface);
         TurnToRay(ref surface);
     }
 
