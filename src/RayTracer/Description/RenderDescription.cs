@@ -55,6 +55,10 @@ public sealed record RenderDescription
     [Parameter("How the samples of a pixel are placed.")]
     public SamplerKind Sampler { get; init; } = SamplerKind.Sobol;
 
+    /// <summary>How much the surroundings of a pixel's middle count in its colour.</summary>
+    [Parameter("How much the surroundings of a pixel's middle count in its colour. Without it, a pixel is the mean of what its square shows.")]
+    public FilterDescription Filter { get; init; } = new();
+
     /// <summary>How sphere lights are sampled.</summary>
     [Parameter("How spheres that shine are sampled: within the cone in which they are seen, or over the whole surface as the report did (noisier).")]
     public SphereLightSampling SphereLightSampling { get; init; } = SphereLightSampling.Cone;
