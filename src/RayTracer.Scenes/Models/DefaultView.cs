@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
@@ -82,6 +83,7 @@ public static class DefaultView
     {
         GroupDescription group => group.Shapes.Any(IsLamp),
         InstanceDescription { Of: { } of } => IsLamp(of),
+        PunctualLightDescription => true,
         _ => shape.Material is LuminaireMaterialDescription { Multiplier: > 1 },
     };
 }

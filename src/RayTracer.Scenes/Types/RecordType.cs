@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using System.Reflection;
 using System.Text.Json;
 using RayTracer.Description;
+using RayTracer.Lights;
 
 namespace RayTracer.Scenes;
 
@@ -34,6 +35,9 @@ public sealed class RecordType
 
     /// <summary>What the thing is; empty for a record without a type.</summary>
     public string Summary { get; }
+
+    /// <summary>Whether it is a light by itself, whatever its material.</summary>
+    public bool IsLight => _type.IsSubclassOf(typeof(PunctualLightDescription));
 
     /// <summary>The parameters: the record's own, then those that all of its kind have.</summary>
     public IReadOnlyList<RecordParameter> Parameters { get; }

@@ -64,6 +64,10 @@ internal static class NewThing
                 Set("b", at + ((view.Right - view.Up) * s));
                 Set("c", at + (view.Up * s));
                 break;
+            case "point" or "spot":
+                Set("position", at);
+                shape["intensity"] = JsonValues.Vector(new((float)(LampRadiance * s * s)));
+                break;
             case "group":
                 shape["shapes"] = new JsonArray(Shape(SceneTypes.Shapes.Find("sphere")!, view, at, null, null));
                 break;

@@ -78,8 +78,9 @@ public sealed record Outline(
         SceneValue? made = material?.Resolved(root);
         string summary = shape.Child("of")?.Reference ?? (shape.Child("file")?.Node is { Kind: JsonKind.String, Text.Length: > 0 } file ? file.Text : null)
             ?? material?.Reference ?? made?.Type?.Name ?? "";
+        bool isLight = made?.Type?.Name == "luminaire" || shape.Type is { IsLight: true };
         return new(
-            shape.Pointer, name, type, summary, made?.Type?.Name == "luminaire", made is null ? null : MainColor(root, made),
+            shape.Pointer, name, type, summary, isLight, made is null ? null : MainColor(root, made),
             shape.Child("shapes") is { IsList: true } inner ? ListOf(root, inner) : []);
     }
 

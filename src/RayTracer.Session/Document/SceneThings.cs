@@ -31,7 +31,7 @@ public static class SceneThings
         }
 
         JsonObject shape = NewThing.Shape(record, SceneView.Of(text.Root), Place(text, near), text.Root.Find("objects")?.Members.Select(m => m.Key).FirstOrDefault(), file);
-        if (isLight)
+        if (isLight && !record.IsLight)
         {
             shape["material"] = NewThing.Lamp();
             if (type == "plane")

@@ -31,6 +31,9 @@ internal static class ShapeNumbers
             "box" when keepsTurn => Of(("a", At("a")), ("b", At("b"))),
             "rectangle" when map.Determinant > 0 => Of(("corner", At("corner")), ("edgeU", map.Vector(shape.Vector("edgeU"))), ("edgeV", map.Vector(shape.Vector("edgeV")))),
             "triangle" when map.Determinant > 0 => Of(("a", At("a")), ("b", At("b")), ("c", At("c"))),
+            "point" => Of(("position", At("position"))),
+            "spot" => Of(("position", At("position")), Direction(shape, "direction", map)),
+            "directional" => Of(Direction(shape, "direction", map)),
             "plane" => Plane(shape, map, isTextured, scale),
             _ => null,
         };
@@ -58,6 +61,7 @@ internal static class ShapeNumbers
             "rectangle" => shape.Vector("corner") + (0.5f * (shape.Vector("edgeU") + shape.Vector("edgeV"))),
             "triangle" => Mean("a", "b", "c"),
             "plane" => shape.Vector("point"),
+            "point" or "spot" => shape.Vector("position"),
             _ => default,
         };
     }

@@ -53,6 +53,9 @@ internal sealed unsafe class World
     /// <summary>The instances; null where there are none.</summary>
     public InstanceTable? Instances { get; }
 
+    /// <summary>Whether anything moves while the shutter is open.</summary>
+    public bool Moves => Instances is { Moves: true } || Itself.Contents.Lights.Exists(l => !l.Motion.IsStill);
+
     /// <summary>Whether there is nothing but shapes in the world itself.</summary>
     public bool IsPlain => Itself.Tree is null && Instances is null;
 

@@ -1,3 +1,4 @@
+using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
@@ -61,6 +62,9 @@ internal sealed class SceneAssembler(SceneBuilder builder)
                 case ModelDescription model:
                     AddModel(model, place, target);
                     break;
+                case PunctualLightDescription light:
+                    AddLight(light, place, target);
+                    break;
                 default:
                     AddShape(description, place, target);
                     break;
@@ -111,7 +115,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
 
     private void AddInstance(ShapeDescription subject, SpaceContents contents, Motion motion, SpaceContents target)
     {
-        if ((long)contents.Instances.Count + target.Instances.Count >= MaximumInstances)
+        if ((long)contents.Instances.Count + target.Instances.Count + contents.Lights.Count + target.Lights.Count >= MaximumInstances)
         {
             if (!builder.HasErrors)
             {
@@ -137,6 +141,21 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         foreach (PlacedSpace inner in contents.Instances.ToArray())
         {
             target.Instances.Add(new(inner.Contents, motion * inner.Motion, source));
+        }
+
+        foreach (PlacedLight inner in contents.Lights.ToArray())
+        {
+            target.Lights.Add(inner with { Motion = motion * inner.Motion });
+        }
+    }
+
+    private void AddLight(PunctualLightDescription light, in Transform place, SpaceContents target)
+    {
+        int before = builder.Complaints.Count;
+        light.Check(place, builder);
+        if (builder.Complaints.Count == before)
+        {
+            target.Lights.Add(new(light, Motion.Still(place)));
         }
     }
 

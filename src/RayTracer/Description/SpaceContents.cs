@@ -1,3 +1,4 @@
+using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
@@ -16,11 +17,15 @@ internal sealed class SpaceContents
     /// <summary>Other spaces, none of which holds instances of its own that are seen: those are listed here too.</summary>
     public List<PlacedSpace> Instances { get; } = [];
 
-    /// <summary>Whether there is anything but instances.</summary>
+    /// <summary>Lights without extent, those of instances among them.</summary>
+    public List<PlacedLight> Lights { get; } = [];
+
+    /// <summary>Whether there is anything that rays can meet but instances.</summary>
     public bool HasSurfaces => Shapes.Count + Meshes.Count > 0;
 
     /// <summary>Number of things that shine.</summary>
     public int CountLights() => Shapes.Count(s => s.Material.Emits)
+        + Lights.Count
         + Meshes.Sum(m => m.Materials.Count(material => material.Emits))
         + Instances.Sum(i => i.Contents.Shapes.Count(s => s.Material.Emits) + i.Contents.Meshes.Sum(m => m.Materials.Count(material => material.Emits)));
 }
@@ -37,3 +42,8 @@ internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform
 /// <param name="Motion">Where it is.</param>
 /// <param name="Source">What it was made from; null where that is not kept.</param>
 internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeDescription? Source);
+
+/// <summary>A light without extent in a space.</summary>
+/// <param name="Light">What it is, found free of faults.</param>
+/// <param name="Motion">Where its own space is.</param>
+internal sealed record PlacedLight(PunctualLightDescription Light, Motion Motion);

@@ -10,7 +10,7 @@ namespace RayTracer.Lights;
 /// <summary>Finds what shines in a scene.</summary>
 internal static class LightList
 {
-    /// <summary>All sources: shapes of the world, its meshes, and then those that instances show.</summary>
+    /// <summary>All sources: shapes of the world, its meshes, those that instances show, and then those without extent.</summary>
     public static LightSource[] Create(World world)
     {
         List<LightSource> lights =
@@ -21,7 +21,7 @@ internal static class LightList
             AddInstance(lights, world.Instances!, instance);
         }
 
-        return [.. lights];
+        return [.. lights, .. world.Itself.Contents.Lights.Select(l => l.Light.Create(l.Motion))];
     }
 
     private static unsafe void AddInstance(List<LightSource> lights, InstanceTable instances, int instance)

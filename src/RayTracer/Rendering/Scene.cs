@@ -26,7 +26,7 @@ public sealed class Scene
         Shapes = World.Itself.Shapes;
         Batches = World.Itself.Batches;
         Primitives = World.Itself.Primitives;
-        IsTimed = camera.Moves || World.Instances is { Moves: true };
+        IsTimed = camera.Moves || World.Moves;
         Groups = ShadingGroup.Create(World, out int[] groupOf);
         GroupOfPrimitive = groupOf;
         Lights = LightList.Create(World);
@@ -45,7 +45,7 @@ public sealed class Scene
         Shapes = other.Shapes;
         Batches = other.Batches;
         Primitives = other.Primitives;
-        IsTimed = camera.Moves || World.Instances is { Moves: true };
+        IsTimed = camera.Moves || World.Moves;
         Groups = other.Groups;
         GroupOfPrimitive = other.GroupOfPrimitive;
         Lights = other.Lights;

@@ -225,6 +225,52 @@ public class DirectLightTests
         }
     }
 
+    [Theory]
+    [InlineData("")]
+    [InlineData(""", { "type": "mesh", "positions": [[50, 0, 0], [51, 0, 0], [50, 1, 0]], "triangles": [[0, 1, 2]] }""")]
+    public void A_point_light_lights_the_floor_by_the_cosine_over_the_squared_distance(string beside) => Check(
+        "point light",
+        Render($$"""{ "type": "point", "position": [1, 1.5, -0.5], "intensity": [4, 2, 1] }""", samples: 64, beside: beside),
+        (p, channel) => Math.Pow(2, 2 - channel) * FromPoint(p, new(1, 1.5, -0.5)));
+
+    [Fact]
+    public void A_spot_light_lights_the_floor_by_its_angle_to_the_axis() => Check(
+        "spot light",
+        Render("""{ "type": "spot", "position": [0.5, 2, 0], "direction": [-0.5, -2, 0], "intensity": [4, 2, 1], "cutoffAngle": 60, "beamWidth": 0 }"""),
+        (p, channel) =>
+        {
+            Vec3D to = p - new Vec3D(0.5, 2, 0);
+            double angle = Math.Acos(to.Unit.Dot(new Vec3D(-0.5, -2, 0).Unit));
+            return Math.Pow(2, 2 - channel) * FromPoint(p, new(0.5, 2, 0)) * (1 - (angle * 3 / Math.PI));
+        });
+
+    [Theory]
+    [InlineData("")]
+    [InlineData(""", { "type": "mesh", "positions": [[50, 0, 0], [51, 0, 0], [50, 1, 0]], "triangles": [[0, 1, 2]] }""")]
+    [InlineData(""", { "type": "instance", "of": { "type": "torus", "center": [50, 1, 0], "radius": 1 } }""")]
+    public void A_directional_light_lights_the_floor_by_the_cosine(string beside) => Check(
+        "directional light",
+        Render("""{ "type": "directional", "direction": [3, -4, 0], "irradiance": [4, 2, 1] }""", samples: 64, beside: beside),
+        (_, channel) => Math.Pow(2, 2 - channel) * 0.8);
+
+    // All kinds of things that rays meet, between the floor and a light infinitely far away.
+    [Theory]
+    [InlineData("""{ "type": "sphere", "center": [0, 9, 0], "radius": 5 }""")]
+    [InlineData("""{ "type": "box", "a": [-5, 8, -5], "b": [5, 9, 5] }""")]
+    [InlineData("""{ "type": "cylinder", "bottom": [0, 8, 0], "top": [0, 9, 0], "radius": 5 }""")]
+    [InlineData("""{ "type": "cone", "bottom": [0, 8, 0], "top": [0, 9, 0], "radius": 5 }""")]
+    [InlineData("""{ "type": "torus", "center": [0, 1e3, 0], "axis": [1, 0, 0], "radius": 8, "tubeRadius": 7.5 }""")]
+    [InlineData("""{ "type": "disk", "center": [0, 1e6, 0], "normal": [0, 1, 0], "radius": 5 }""")]
+    [InlineData("""{ "type": "plane", "point": [0, 9, 0], "normal": [0, 1, 0] }""")]
+    [InlineData("""{ "type": "rectangle", "corner": [-5, 9, -5], "edgeU": [0, 0, 10], "edgeV": [10, 0, 0] }""")]
+    [InlineData("""{ "type": "triangle", "a": [-50, 9, -50], "b": [-50, 9, 50], "c": [50, 9, 0] }""")]
+    [InlineData("""{ "type": "mesh", "positions": [[-50, 1e6, -50], [-50, 1e6, 50], [50, 1e6, 0]], "triangles": [[0, 1, 2]] }""")]
+    [InlineData("""{ "type": "instance", "of": { "type": "sphere", "center": [0, 9, 0], "radius": 5 }, "transform": [{ "scale": [2, 1, 1] }] }""")]
+    public void Nothing_is_too_far_away_to_hide_a_directional_light(string between) => Check(
+        between, Render("""{ "type": "directional", "irradiance": [4, 2, 1] }""", samples: 16, beside: ", " + between), (_, _) => 0);
+
+    private static double FromPoint(Vec3D p, Vec3D light) => (light - p).Unit.Y / (light - p).Dot(light - p);
+
     private static (Vec3D Right, Vec3D Top) Axes(Vec3D normal)
     {
         Vec3D right = (Math.Abs(normal.Unit.Y) > 0.9999 ? new Vec3D(0, 0, -1) : s_up).Cross(normal).Unit;
@@ -239,10 +285,10 @@ public class DirectLightTests
         return [center + left - half, center + end - half, center + end + half, center + left + half];
     }
 
-    private static ImageSamples Render(string lights, string sampling = "cone", int samples = 1024) => SceneRuns.RenderText($$"""
+    private static ImageSamples Render(string lights, string sampling = "cone", int samples = 1024, string beside = "") => SceneRuns.RenderText($$"""
         { "camera": { "position": [0, 3, 0.25], "lookAt": [0, 0, 0], "fieldOfView": 30 },
           "render": { "width": {{Edge}}, "height": {{Edge}}, "samplesPerPixel": {{samples}}, "maxDiffuseDepth": 0, "sphereLightSampling": "{{sampling}}" },
-          "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.5, 0.5, 0.5] } } ],
+          "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.5, 0.5, 0.5] } }{{beside}} ],
           "lights": [ {{lights}} ] }
         """, TestSettings.Scale(24, 96));
 

@@ -14,7 +14,7 @@ internal static class BitScenes
 
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, "shapes", Hills, .. Meshes, .. In("primer")];
+        [.. Report, .. Samplers, "shapes", Hills, .. Meshes, .. Lights, .. In("primer")];
 
     /// <summary>Names of scenes whose auxiliary images are looked at.</summary>
     public static string[] Auxiliary => ["aov/everything-sobol", "aov/meshes/01-cube", "aov/meshes/02-smooth", "aov/meshes/04-motion-blur"];
@@ -27,6 +27,9 @@ internal static class BitScenes
 
     /// <summary>Names of the scenes of meshes, instances and motion.</summary>
     public static IReadOnlyList<string> Meshes => In("meshes");
+
+    /// <summary>Names of the scenes of lights.</summary>
+    public static IReadOnlyList<string> Lights => In("lights");
 
     private static string[] In(string folder) =>
         [.. Directory.GetFiles(ProjectFolder.PathOf("scenes", folder), "*.json").Select(f => $"{folder}/{Path.GetFileNameWithoutExtension(f)}").Order(StringComparer.Ordinal)];

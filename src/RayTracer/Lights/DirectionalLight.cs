@@ -1,0 +1,46 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Lights;
+
+/// <summary>Describes a <see cref="DirectionalLight"/>.</summary>
+[SceneType("directional", "Light that comes from infinitely far away along one direction, as that of a sun without extent: its shadows are sharp. No ray meets it. Transforms turn it, but do not change how strong it is.")]
+public sealed record DirectionalLightDescription : PunctualLightDescription
+{
+    /// <summary>Where the light goes.</summary>
+    [Parameter("The direction in which the light travels, of any length.")]
+    public Vector3 Direction { get; init; } = new(0, -1, 0);
+
+    /// <summary>Irradiance.</summary>
+    [Parameter("Irradiance on a surface that faces the light.", Unit = "power per area", Minimum = 0)]
+    public Rgb Irradiance { get; init; } = Rgb.White;
+
+    internal override void Check(in Transform place, SceneBuilder builder)
+    {
+        base.Check(place, builder);
+        CheckDirection(nameof(Direction), Direction, place, builder);
+    }
+
+    internal override LightSource Create(Motion motion) => new DirectionalLight(Direction, Irradiance, motion);
+}
+
+/// <summary>Light from infinitely far away, along one direction.</summary>
+/// <param name="direction">Where it travels in its own space, of any length above zero.</param>
+/// <param name="irradiance">Irradiance on a surface that faces it: power per area.</param>
+/// <param name="motion">Where its own space is in the world.</param>
+public sealed class DirectionalLight(Vector3 direction, Rgb irradiance, Motion motion) : PunctualLight(Vector3.Zero, direction.Unit(), motion)
+{
+    /// <inheritdoc/>
+    public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
+    {
+        Place(time, out _, out Vec3W along);
+        sample.Direction = -along;
+        sample.Distance = float.PositiveInfinity;
+        sample.Cosine = 1f;
+        sample.InversePdf = 1f;
+        sample.U = sample.V = default;
+        radiance = irradiance;
+    }
+}

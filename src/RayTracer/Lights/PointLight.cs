@@ -1,0 +1,42 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Lights;
+
+/// <summary>Describes a <see cref="PointLight"/>.</summary>
+[SceneType("point", "A light at a point, without extent: it shines alike in all directions, and its shadows are sharp. No ray meets it. Transforms move it, but do not change how strong it is.")]
+public sealed record PointLightDescription : PunctualLightDescription
+{
+    /// <summary>Where it stands.</summary>
+    [Parameter("Where it stands.", Unit = "scene units")]
+    public Vector3 Position { get; init; }
+
+    /// <summary>Radiant intensity.</summary>
+    [Parameter("Radiant intensity in every direction: a surface that faces it at distance d receives the irradiance of this over d².", Unit = "power per steradian", Minimum = 0)]
+    public Rgb Intensity { get; init; } = Rgb.White;
+
+    internal override void Check(in Transform place, SceneBuilder builder)
+    {
+        base.Check(place, builder);
+        CheckPosition(nameof(Position), Position, place, builder);
+    }
+
+    internal override LightSource Create(Motion motion) => new PointLight(Position, Intensity, motion);
+}
+
+/// <summary>A light at a point that shines alike in all directions.</summary>
+/// <param name="position">Where it stands in its own space.</param>
+/// <param name="intensity">Radiant intensity: power per steradian.</param>
+/// <param name="motion">Where its own space is in the world.</param>
+public sealed class PointLight(Vector3 position, Rgb intensity, Motion motion) : PunctualLight(position, Vector3.UnitZ, motion)
+{
+    /// <inheritdoc/>
+    public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
+    {
+        Place(time, out Vec3W place, out _);
+        Towards(place - from, out sample, out FloatW inverseSquare);
+        radiance = (RgbW)intensity * inverseSquare;
+    }
+}

@@ -1,0 +1,49 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Lights;
+
+/// <summary>
+/// Describes a light without extent. It stands among the shapes, so that groups, transforms, motions and instances place it as they place
+/// them; but rays never meet it.
+/// </summary>
+public abstract record PunctualLightDescription : ShapeDescription
+{
+    /// <summary>Returns null: there is no shape.</summary>
+    public sealed override Shape? Build(SceneBuilder builder) => null;
+
+    /// <summary>Reports why it cannot be built at a place.</summary>
+    /// <param name="place">Where its own space stands in the space that it is put into.</param>
+    /// <param name="builder">Takes the diagnostics.</param>
+    internal virtual void Check(in Transform place, SceneBuilder builder)
+    {
+        if (!ReferenceEquals(Material, DefaultMaterial))
+        {
+            builder.Error(this, nameof(Material), "a light without extent has no surface, so it cannot have a material");
+        }
+    }
+
+    /// <summary>The light, once <see cref="Check"/> found nothing wrong.</summary>
+    /// <param name="motion">Where its own space is in the world.</param>
+    internal abstract LightSource Create(Motion motion);
+
+    /// <summary>Reports it where a position is moved too far away.</summary>
+    private protected void CheckPosition(string property, Vector3 position, in Transform place, SceneBuilder builder)
+    {
+        if (!place.Point(position).IsFinite())
+        {
+            builder.Error(this, property, "the transform moves the light to numbers too large to compute with");
+        }
+    }
+
+    /// <summary>Reports it where a direction has no length, or becomes one of too little or too much of it.</summary>
+    private protected void CheckDirection(string property, Vector3 direction, in Transform place, SceneBuilder builder)
+    {
+        if (builder.HasDirection(this, property, direction) && !place.Vector(direction.Unit()).Unit().IsFinite())
+        {
+            builder.Error(this, property, "the transform turns the direction into numbers too large or too small to compute with");
+        }
+    }
+}

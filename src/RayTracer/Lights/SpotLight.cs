@@ -1,0 +1,113 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Lights;
+
+/// <summary>Describes a <see cref="SpotLight"/>.</summary>
+[SceneType("spot", "A light at a point, without extent, that shines into a cone: as strong within its beam, and weaker from there to the cone's edge. No ray meets it. Transforms move and turn it, but do not change how strong or how wide it is.")]
+public sealed record SpotLightDescription : PunctualLightDescription
+{
+    /// <summary>Where it stands.</summary>
+    [Parameter("Where it stands.", Unit = "scene units")]
+    public Vector3 Position { get; init; }
+
+    /// <summary>Where it shines.</summary>
+    [Parameter("The direction in which it shines, of any length.")]
+    public Vector3 Direction { get; init; } = new(0, -1, 0);
+
+    /// <summary>Radiant intensity within the beam.</summary>
+    [Parameter("Radiant intensity within the beam: a surface that faces it there at distance d receives the irradiance of this over d².", Unit = "power per steradian", Minimum = 0)]
+    public Rgb Intensity { get; init; } = Rgb.White;
+
+    /// <summary>Angle from the axis to the edge of the cone.</summary>
+    [Parameter("The angle between the direction and the edge of the cone, beyond which there is no light.", Unit = "degrees", Minimum = 0, MinimumIsExclusive = true, Maximum = 180)]
+    public float CutoffAngle { get; init; } = 20;
+
+    /// <summary>Angle from the axis up to which it is as strong as along it; null for three quarters of <see cref="CutoffAngle"/>.</summary>
+    [Parameter("The angle between the direction and the edge of the beam, within which it is of full strength; at most the cutoff angle. Without it, three quarters of that.", Unit = "degrees", Minimum = 0, Maximum = 180)]
+    public float? BeamWidth { get; init; }
+
+    /// <summary>How it falls between the two.</summary>
+    [Parameter("How it falls from the edge of the beam to that of the cone: in proportion to the angle, or as glTF's spot lights do, by the square of a number that falls with the angle's cosine.")]
+    public SpotFalloff Falloff { get; init; }
+
+    internal override void Check(in Transform place, SceneBuilder builder)
+    {
+        base.Check(place, builder);
+        CheckPosition(nameof(Position), Position, place, builder);
+        CheckDirection(nameof(Direction), Direction, place, builder);
+        if (BeamWidth > CutoffAngle)
+        {
+            builder.Error(this, nameof(BeamWidth), $"the beam cannot be wider than the cone: it must be at most the \"cutoffAngle\" of {CutoffAngle}, but is {BeamWidth}");
+        }
+    }
+
+    internal override LightSource Create(Motion motion) =>
+        new SpotLight(Position, Direction, Intensity, CutoffAngle, BeamWidth ?? 0.75f * CutoffAngle, Falloff, motion);
+}
+
+/// <summary>A light at a point that shines into a cone.</summary>
+public sealed class SpotLight : PunctualLight
+{
+    // Instead of infinity where the beam reaches up to the edge: finite, so that nothing times it is nothing.
+    private const float Steepest = 1e9f;
+    private const float Radians = float.Pi / 180;
+    private readonly Rgb _intensity;
+    private readonly bool _isSmooth;
+
+    // The angle, or its cosine, where the light ends, and the factor that brings the beam's edge to 1 from there.
+    private readonly float _end;
+    private readonly float _slope;
+
+    /// <summary>Makes one.</summary>
+    /// <param name="position">Where it stands in its own space.</param>
+    /// <param name="direction">Where it shines in its own space, of any length above zero.</param>
+    /// <param name="intensity">Radiant intensity within the beam: power per steradian.</param>
+    /// <param name="cutoffAngle">Angle between the direction and the edge, in degrees.</param>
+    /// <param name="beamWidth">Angle between the direction and where it begins to fall, in degrees.</param>
+    /// <param name="falloff">How it falls.</param>
+    /// <param name="motion">Where its own space is in the world.</param>
+    public SpotLight(Vector3 position, Vector3 direction, Rgb intensity, float cutoffAngle, float beamWidth, SpotFalloff falloff, Motion motion)
+        : base(position, direction.Unit(), motion)
+    {
+        _intensity = intensity;
+        _isSmooth = falloff == SpotFalloff.Smooth;
+        _end = cutoffAngle * Radians;
+        float beam = beamWidth * Radians;
+        if (_isSmooth)
+        {
+            LaneMath.SinCos(_end, out _, out _end);
+            LaneMath.SinCos(beam, out _, out beam);
+        }
+
+        _slope = beam == _end ? (_isSmooth ? Steepest : -Steepest) : 1 / (beam - _end);
+    }
+
+    /// <inheritdoc/>
+    public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
+    {
+        Place(time, out Vec3W place, out Vec3W axis);
+        Towards(place - from, out sample, out FloatW inverseSquare);
+        FloatW falloff = Strength(axis, sample.Direction);
+        sample.InversePdf = (falloff > 0f).Select(sample.InversePdf, 0f);
+        radiance = (RgbW)_intensity * (falloff * inverseSquare);
+    }
+
+    // The share of the full intensity that goes against a direction.
+    private FloatW Strength(in Vec3W axis, in Vec3W back)
+    {
+        FloatW cosine = -Vec3W.Dot(axis, back);
+        if (_isSmooth)
+        {
+            FloatW part = FloatW.Max(FloatW.Min((cosine - _end) * _slope, 1f), 0f);
+            return part * part;
+        }
+
+        // By both sine and cosine: near the axis, the cosine alone would round narrow beams to steps.
+        Vec3W across = Vec3W.Cross(axis, back);
+        FloatW angle = LaneMath.Atan2(FloatW.Sqrt(Vec3W.Dot(across, across)), cosine);
+        return FloatW.Max(FloatW.Min((angle - _end) * _slope, 1f), 0f);
+    }
+}
