@@ -131,6 +131,8 @@ public sealed class Scene
         CheckRange(builder, render, nameof(render.SamplesPerPixel), render.SamplesPerPixel, 1, 1 << 24);
         CheckRange(builder, render, nameof(render.MaxDiffuseDepth), render.MaxDiffuseDepth, 0, (int)PathState.DepthMask);
         CheckRange(builder, render, nameof(render.MaxSpecularDepth), render.MaxSpecularDepth, 0, (int)PathState.DepthMask);
+        CheckRange(builder, render, nameof(render.MaxDepth), render.MaxDepth, -1, RenderDescription.LongestPath);
+        CheckRange(builder, render, nameof(render.RouletteDepth), render.RouletteDepth, 1, RenderDescription.LongestPath);
         if (Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint)
         {
             builder.Error(render, nameof(RenderDescription.SamplesPerPixel), complaint);

@@ -32,9 +32,15 @@ public sealed class VertexSamples(Sampler sampler)
     /// <summary>The number that chooses between lobes.</summary>
     public FloatW Choice()
     {
-        sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);
-        sampler.Pair(points, 0, out FloatW u, out _);
+        Decisions(out FloatW u, out _);
         return u;
+    }
+
+    /// <summary>The number that decides whether a path goes on.</summary>
+    public FloatW Roulette()
+    {
+        Decisions(out _, out FloatW v);
+        return v;
     }
 
     /// <summary>The two numbers that choose a point on a light.</summary>
@@ -43,4 +49,10 @@ public sealed class VertexSamples(Sampler sampler)
     /// <param name="v">Second number.</param>
     public void Light(int light, out FloatW u, out FloatW v) =>
         sampler.Pair(_points, Dimensions.FirstLight + (uint)light, out u, out v);
+
+    private void Decisions(out FloatW u, out FloatW v)
+    {
+        sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);
+        sampler.Pair(points, 0, out u, out v);
+    }
 }
