@@ -86,6 +86,11 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
             Smooth(ref surface);
         }
 
+        if (!group.HasTint)
+        {
+            surface.Tint = Rgb.White;
+        }
+
         group.Material.Prepare(ref surface);
         if (group.HasTint)
         {
