@@ -14,13 +14,15 @@ internal sealed class SceneOverrides
     private readonly ParsedOption<long?> _seed = OptionValues.Parameter("--seed", nameof(RenderDescription.Seed));
     private readonly ParsedOption<long?> _diffuseDepth = OptionValues.Parameter("--max-diffuse-depth", nameof(RenderDescription.MaxDiffuseDepth));
     private readonly ParsedOption<long?> _specularDepth = OptionValues.Parameter("--max-specular-depth", nameof(RenderDescription.MaxSpecularDepth));
+    private readonly ParsedOption<long?> _maxDepth = OptionValues.Parameter("--max-depth", nameof(RenderDescription.MaxDepth));
+    private readonly ParsedOption<Integrator?> _integrator = OptionValues.Choice<Integrator>("--integrator", "How the light is computed. Replaces the scene's.");
     private readonly ParsedOption<SamplerKind?> _sampler = OptionValues.Choice<SamplerKind>("--sampler", "How the samples of a pixel are placed. Replaces the scene's.");
     private readonly Option[] _all;
 
     /// <summary>Gives a command the options.</summary>
     public SceneOverrides(Command command)
     {
-        _all = [_width.Symbol, _height.Symbol, _samples.Symbol, _seed.Symbol, _sampler.Symbol, _diffuseDepth.Symbol, _specularDepth.Symbol];
+        _all = [_width.Symbol, _height.Symbol, _samples.Symbol, _seed.Symbol, _sampler.Symbol, _integrator.Symbol, _maxDepth.Symbol, _diffuseDepth.Symbol, _specularDepth.Symbol];
         Array.ForEach(_all, command.Options.Add);
     }
 
@@ -42,6 +44,8 @@ internal sealed class SceneOverrides
             Seed = _seed.Value(result) ?? old.Seed,
             MaxDiffuseDepth = (int)(_diffuseDepth.Value(result) ?? old.MaxDiffuseDepth),
             MaxSpecularDepth = (int)(_specularDepth.Value(result) ?? old.MaxSpecularDepth),
+            MaxDepth = (int)(_maxDepth.Value(result) ?? old.MaxDepth),
+            Integrator = _integrator.Value(result) ?? old.Integrator,
             Sampler = _sampler.Value(result) ?? old.Sampler,
         };
         Option? changed = new Option[] { _samples.Symbol, _sampler.Symbol }.FirstOrDefault(o => result.GetResult(o) is { Implicit: false });

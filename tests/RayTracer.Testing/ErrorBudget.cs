@@ -34,6 +34,9 @@ public static class ErrorBudget
     /// <summary>Properties of geometry that hold in distribution only.</summary>
     public static TestFamily Geometry { get; } = new("geometry", 5e-5, 100, "equivalent scenes have the same expected image");
 
+    /// <summary>Integrators against one another.</summary>
+    public static TestFamily Transport { get; } = new("transport", 5e-5, 100, "integrators have the same expected image");
+
     /// <summary>The tests of the tests: p-values under the null hypothesis.</summary>
     public static TestFamily NullRuns { get; } = new("null runs", 1e-4, 200, "p-values below a are no more frequent than a");
 
@@ -42,5 +45,5 @@ public static class ErrorBudget
 
     /// <summary>All families.</summary>
     public static IReadOnlyList<TestFamily> Families { get; } =
-        [Oracle, References, Warps, Lights, Materials, Samplers, Analytic, Geometry, NullRuns, Images];
+        [Oracle, References, Warps, Lights, Materials, Samplers, Analytic, Geometry, Transport, NullRuns, Images];
 }

@@ -18,6 +18,31 @@ public enum SamplerKind
     Independent,
 }
 
+/// <summary>How the light that arrives at a pixel is computed.</summary>
+public enum Integrator
+{
+    /// <summary>The report's: light sources are sampled at matt surfaces, and mirror-like lobes are followed; ambient light, and limits of diffuse and specular depth.</summary>
+    Report,
+
+    /// <summary>Path tracing: light sources and surfaces are both sampled and weighed against each other, without bias.</summary>
+    Path,
+
+    /// <summary>As path, with light that comes straight from the sources only.</summary>
+    Direct,
+
+    /// <summary>Ambient occlusion: how much of an even, white sky each surface sees.</summary>
+    Ao,
+
+    /// <summary>The normals with which surfaces are shaded, as colours.</summary>
+    Normals,
+
+    /// <summary>The surface coordinates, as red and green.</summary>
+    Uv,
+
+    /// <summary>The fraction of the light that surfaces send on.</summary>
+    Albedo,
+}
+
 /// <summary>How light sources that are spheres are sampled.</summary>
 public enum SphereLightSampling
 {
@@ -43,17 +68,40 @@ public sealed record RenderDescription
     [Parameter("Samples in each pixel. The jittered and regular samplers need a square (1, 4, 9, 16 …).", Minimum = 1, Maximum = 16777216)]
     public int SamplesPerPixel { get; init; } = 16;
 
+    /// <summary>The most edges of a path without a limit.</summary>
+    public const int LongestPath = 30000;
+
+    /// <summary>How the light that arrives at a pixel is computed.</summary>
+    [Parameter("How the light is computed: as in the report, by path tracing without bias, direct light only, ambient occlusion, or a view of the surfaces alone.")]
+    public Integrator Integrator { get; init; } = Integrator.Report;
+
+    /// <summary>How many edges a path may have after the camera, with the path integrator; −1 for no limit.</summary>
+    [Parameter("With the path integrator: how many edges a path may have. 1 shows lamps only, 2 direct light, and each more one bounce more; -1 sets no limit.", Minimum = -1, Maximum = LongestPath)]
+    public int MaxDepth { get; init; } = -1;
+
+    /// <summary>After how many edges paths may end at random, with the path integrator.</summary>
+    [Parameter("With the path integrator: after how many edges paths that carry little light may end at random. That changes the noise, not the picture.", Minimum = 1, Maximum = LongestPath)]
+    public int RouletteDepth { get; init; } = 5;
+
+    /// <summary>Beyond which distance nothing occludes, with the ambient occlusion integrator; 0 for no limit.</summary>
+    [Parameter("With the ao integrator: surfaces further away than this do not darken; 0 sets no limit.", Unit = "scene units", Minimum = 0)]
+    public float OcclusionDistance { get; init; }
+
     /// <summary>How many diffuse bounces a path may have.</summary>
-    [Parameter("How many diffuse bounces a path may have; 0 leaves direct light only.", Minimum = 0, Maximum = 255)]
+    [Parameter("With the report integrator: how many diffuse bounces a path may have; 0 leaves direct light only.", Minimum = 0, Maximum = 255)]
     public int MaxDiffuseDepth { get; init; } = 4;
 
     /// <summary>How many specular bounces (mirror, metal, glass) a path may have.</summary>
-    [Parameter("How many specular bounces (mirror, metal, glass) a path may have.", Minimum = 0, Maximum = 255)]
+    [Parameter("With the report integrator: how many specular bounces (mirror, metal, glass) a path may have.", Minimum = 0, Maximum = 255)]
     public int MaxSpecularDepth { get; init; } = 4;
 
     /// <summary>How the samples of a pixel are placed.</summary>
     [Parameter("How the samples of a pixel are placed.")]
     public SamplerKind Sampler { get; init; } = SamplerKind.Sobol;
+
+    /// <summary>How much the surroundings of a pixel's middle count in its colour.</summary>
+    [Parameter("How much the surroundings of a pixel's middle count in its colour. Without it, a pixel is the mean of what its square shows.")]
+    public FilterDescription Filter { get; init; } = new();
 
     /// <summary>How sphere lights are sampled.</summary>
     [Parameter("How spheres that shine are sampled: within the cone in which they are seen, or over the whole surface as the report did (noisier).")]

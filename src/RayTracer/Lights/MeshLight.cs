@@ -26,6 +26,12 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
     private const int Rest = 16;
     private const int Numbers = 17;
 
+    /// <summary>The table that the triangles are in.</summary>
+    public MeshTable Mesh => mesh;
+
+    /// <summary>What they are made of.</summary>
+    public LuminaireMaterial Luminaire => luminaire;
+
     /// <inheritdoc/>
     public override void Pdf(in LightHitW hit, out FloatW pdf)
     {

@@ -20,18 +20,35 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
 
     public long ShadowRays { get; private set; }
 
+    /// <summary>
+    /// The share of one way to choose a direction among two (Veach 1997, section 9.2, power heuristic with exponent 2): pdf² / (pdf² + other²).
+    /// </summary>
+    /// <param name="pdf">Density of that way.</param>
+    /// <param name="other">Density of the other.</param>
+    public static FloatW Weight(FloatW pdf, FloatW other)
+    {
+        FloatW ratio = other / pdf;
+        return 1f / FloatW.MultiplyAdd(ratio, ratio, 1f);
+    }
+
     /// <summary>Adds the light of all sources to the radiance of a packet, or has its shadow rays wait in the queue.</summary>
     /// <param name="surface">The lit points.</param>
+    /// <param name="material">
+    /// What scatters the light, by its BSDF, where scattered rays are to find the rest of it; null where what is scattered is the same for all
+    /// directions on the ray's side and <paramref name="weight"/> has it, and no scattered ray looks for lights.
+    /// </param>
     /// <param name="isSmoothed">Whether the points are shaded with another normal than the surface's own.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
     /// <param name="time">Times in seconds; used only where something moves.</param>
     /// <param name="active">Lanes in use.</param>
-    /// <param name="weight">Throughput times BRDF.</param>
+    /// <param name="weight">Throughput, times BRDF where there is no material.</param>
     /// <param name="radiance">Added to.</param>
-    public void Add(in SurfaceW surface, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
+    public void Add(in SurfaceW surface, Material? material, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
         Vec3W origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point);
+        bool transmits = material is { Transmits: true };
+        Vec3W from = transmits ? surface.Point : origin;
         RgbW arriving = default;
         queue?.Begin(weight);
         for (int first = 0; first < _lights.Length; first += Batch)
@@ -40,18 +57,33 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
             for (int i = 0; i < count; i++)
             {
                 samples.Light(first + i, out FloatW u, out FloatW v);
-                _lights[first + i].Sample(origin, u, v, time, out _samples[i], out _radiance[i]);
+                _lights[first + i].Sample(from, u, v, time, out _samples[i], out _radiance[i]);
             }
 
             for (int i = 0; i < count; i++)
             {
                 ref readonly ShapeSampleW sample = ref _samples[i];
                 FloatW cosine = Vec3W.Dot(sample.Direction, surface.Facing);
-                MaskW free = active & (cosine > 0f) & (sample.InversePdf > 0f);
-                if (isSmoothed)
+                MaskW free = active & (sample.InversePdf > 0f);
+                if (transmits)
                 {
-                    // Light from behind the surface itself would come through it.
-                    free &= Vec3W.Dot(sample.Direction, side) > 0f;
+                    free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
+                    origin = SurfaceShader.Leave(surface, sample.Direction);
+                    cosine = FloatW.Abs(cosine);
+                }
+                else
+                {
+                    free &= cosine > 0f;
+                    if (isSmoothed)
+                    {
+                        // Light from behind the surface itself would come through it.
+                        free &= Vec3W.Dot(sample.Direction, side) > 0f;
+                    }
+                }
+
+                if (material is not null && free.Any)
+                {
+                    Scatter(surface, material, first + i, sample, ref free, ref _radiance[i]);
                 }
 
                 uint wanted = free.Bits;
@@ -73,6 +105,19 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
         if (queue is null)
         {
             radiance = RgbW.MultiplyAdd(weight, arriving, radiance);
+        }
+    }
+
+    // What of a light's sample goes on, and what scattered rays leave of it.
+    private void Scatter(in SurfaceW surface, Material material, int light, in ShapeSampleW sample, ref MaskW free, ref RgbW radiance)
+    {
+        material.Bsdf(surface, sample.Direction, out RgbW bsdf);
+        free = free.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f));
+        radiance *= bsdf;
+        if (!_lights[light].IsDelta)
+        {
+            material.Pdf(surface, sample.Direction, out FloatW pdf);
+            radiance *= Weight(1f, pdf * sample.InversePdf);
         }
     }
 }

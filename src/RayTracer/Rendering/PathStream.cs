@@ -10,7 +10,7 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal sealed unsafe class PathStream
 {
-    private const int Columns = 18;
+    private const int Columns = 19;
     private readonly PinnedBuffer<float> _memory;
 
     /// <summary>Makes an empty stream.</summary>
@@ -47,6 +47,7 @@ internal sealed unsafe class PathStream
         State = (uint*)Next();
         Instance = (uint*)Next();
         Time = Next();
+        Pdf = Next();
     }
 
     public int Capacity { get; }
@@ -77,6 +78,9 @@ internal sealed unsafe class PathStream
 
     /// <summary>The path's time in seconds; set only where something moves.</summary>
     public float* Time { get; }
+
+    /// <summary>The density, per steradian, with which the ray's direction was chosen; set only where a light may be met that was sampled too.</summary>
+    public float* Pdf { get; }
 
     /// <summary>Number of the path in the tile: pixel · samples + sample.</summary>
     public uint* Path { get; }
@@ -126,6 +130,9 @@ internal sealed unsafe class PathStream
 
     /// <summary>Sets the times of the chosen lanes of a packet that is appended next.</summary>
     public void SetTime(uint lanes, in FloatW time) => time.Compress(Time + Count, lanes);
+
+    /// <summary>Sets the densities of the chosen lanes of a packet that is appended next.</summary>
+    public void SetPdf(uint lanes, in FloatW pdf) => pdf.Compress(Pdf + Count, lanes);
 
     /// <summary>Radiance gathered by the paths of a packet.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

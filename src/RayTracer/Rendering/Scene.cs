@@ -21,6 +21,7 @@ public sealed class Scene
         Background = background;
         Ambient = ambient;
         Sampler = Sampler.Create(render);
+        Filter = PixelFilter.Create(render.Filter);
         World = world;
         Shapes = World.Itself.Shapes;
         Batches = World.Itself.Batches;
@@ -39,6 +40,7 @@ public sealed class Scene
         Background = other.Background;
         Ambient = other.Ambient;
         Sampler = Sampler.Create(render);
+        Filter = PixelFilter.Create(render.Filter);
         World = other.World;
         Shapes = other.Shapes;
         Batches = other.Batches;
@@ -57,6 +59,9 @@ public sealed class Scene
 
     /// <summary>Where random numbers come from.</summary>
     public Sampler Sampler { get; }
+
+    /// <summary>Places samples around the middle of their pixel; null for the mean over the pixel's own square.</summary>
+    public PixelFilter? Filter { get; }
 
     /// <summary>Radiance where nothing is hit.</summary>
     public Rgb Background { get; }
@@ -126,6 +131,8 @@ public sealed class Scene
         CheckRange(builder, render, nameof(render.SamplesPerPixel), render.SamplesPerPixel, 1, 1 << 24);
         CheckRange(builder, render, nameof(render.MaxDiffuseDepth), render.MaxDiffuseDepth, 0, (int)PathState.DepthMask);
         CheckRange(builder, render, nameof(render.MaxSpecularDepth), render.MaxSpecularDepth, 0, (int)PathState.DepthMask);
+        CheckRange(builder, render, nameof(render.MaxDepth), render.MaxDepth, -1, RenderDescription.LongestPath);
+        CheckRange(builder, render, nameof(render.RouletteDepth), render.RouletteDepth, 1, RenderDescription.LongestPath);
         if (Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint)
         {
             builder.Error(render, nameof(RenderDescription.SamplesPerPixel), complaint);
@@ -134,6 +141,16 @@ public sealed class Scene
         if (!(render.Shutter.Y >= render.Shutter.X) || !float.IsFinite(render.Shutter.Y - render.Shutter.X))
         {
             builder.Error(render, nameof(RenderDescription.Shutter), $"the shutter must not close before it opens, but it opens at {render.Shutter.X} and closes at {render.Shutter.Y}");
+        }
+
+        if (FilterCurve.Fault(render.Filter) is var (property, fault))
+        {
+            builder.Error(render.Filter, property, fault);
+        }
+
+        if (camera.Lens is { Shape: LensShape.Bladed, Blades: < 3 or > 64 })
+        {
+            builder.Error(camera.Lens, nameof(LensDescription.Blades), $"a bladed lens has 3 to 64 blades, not {camera.Lens.Blades}");
         }
 
         if (camera.Lens is { Shape: not LensShape.EyeJitter, ApertureRadius: 0, FocusDistance: > 0 })

@@ -27,6 +27,8 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
     // The material's constant answers, asked once.
     public bool IsLit { get; } = material.IsLit;
 
+    public bool HasDensity { get; } = material.HasDensity;
+
     public bool Emits { get; } = material.Emits;
 
     public bool UsesUv { get; } = material.UsesUv;

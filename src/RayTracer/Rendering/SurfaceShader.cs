@@ -1,6 +1,6 @@
-using System.Numerics;
 using System.Runtime.CompilerServices;
 using RayTracer.Acceleration;
+using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
@@ -8,40 +8,59 @@ using RayTracer.Sampling;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// What happens where paths meet a surface (report, listing 6.3): emission, ambient light, light from the sources, and
-/// the choice of the next ray.
+/// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
+/// and how a ray leaves it.
 /// </summary>
-internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder)
+internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder)
 {
-    private readonly DirectLight _directLight = new(scene, queue);
-    private readonly VertexSamples _vertex = new(scene.Sampler);
-    private RayGenerator _generator = null!;
     private SampleRange _samples;
 
-    public long ShadowRays => _directLight.ShadowRays;
+    /// <summary>How many shadow rays were traced.</summary>
+    public virtual long ShadowRays => 0;
+
+    protected Scene Scene => scene;
+
+    protected FinishedPaths Finished => finished;
+
+    protected PathRecorder? Recorder => recorder;
+
+    /// <summary>The random numbers of the vertex that is shaded.</summary>
+    protected VertexSamples Vertex { get; } = new(scene.Sampler);
+
+    protected RayGenerator Generator { get; private set; } = null!;
+
+    /// <summary>Makes that of a scene's integrator.</summary>
+    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) => scene.Render.Integrator switch
+    {
+        Integrator.Report => new ReportShader(scene, finished, queue, recorder),
+        Integrator.Path or Integrator.Direct => new PathShader(scene, finished, queue, recorder),
+        Integrator.Ao => new OcclusionShader(scene, finished, recorder),
+        _ => new ViewShader(scene, finished, recorder),
+    };
 
     /// <summary>Prepares for a tile.</summary>
     public void Begin(RayGenerator generator, SampleRange samples)
     {
-        _generator = generator;
+        Generator = generator;
         _samples = samples;
     }
 
     /// <summary>Ends the paths that left the scene.</summary>
     public void Miss(PathStream stream, uint* members, int count)
     {
-        RgbW background = scene.Background;
         for (int i = 0; i < count; i += FloatW.Count)
         {
             uint* index = members + i;
-            RgbW radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), background, stream.PickRadiance(index));
+            MaskW active = MaskW.First(count - i);
+            Vec3W direction = stream.PickDirection(index);
+            Arrive(stream, index, direction, out RgbW arriving);
+            RgbW radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), arriving, stream.PickRadiance(index));
 
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
-            Vec3W direction = stream.PickDirection(index);
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
-            recorder?.Missed(stream, index, MaskW.First(count - i));
-            finished.Append(MaskW.First(count - i).Bits, radiance, UIntW.Pick(stream.Path, index));
+            recorder?.Missed(stream, index, active);
+            finished.Append(active.Bits, radiance, UIntW.Pick(stream.Path, index));
         }
     }
 
@@ -60,7 +79,9 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
     }
 
     /// <summary>Adds what waits to the paths that went on to the next stream, or ended.</summary>
-    public void Flush(PathStream next) => queue?.Flush(finished, next);
+    public virtual void Flush(PathStream next)
+    {
+    }
 
     /// <summary>Describes where paths met the surfaces of a group: all that a material needs.</summary>
     /// <param name="scene">The scene.</param>
@@ -127,88 +148,17 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
     }
 
-    private void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    /// <summary>Shades a packet of hits of one group.</summary>
+    protected abstract void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active);
+
+    /// <summary>The radiance that arrives where rays meet nothing.</summary>
+    protected virtual void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving) => arriving = scene.Background;
+
+    /// <summary>Turns to the random numbers of the vertex.</summary>
+    protected void BeginVertex(in UIntW path, in UIntW vertex)
     {
-        // Random numbers first: their long chain of multiplications then overlaps with the description of the surface.
-        UIntW path = UIntW.Pick(stream.Path, index);
-        UIntW state = UIntW.Pick(stream.State, index);
         PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
-        UIntW diffuseDepth = state & PathState.DepthMask;
-        UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
-        _vertex.Begin(UIntW.Gather(_generator.PixelKeys, pixel), sample, diffuseDepth + specularDepth);
-        Describe(scene, group, stream, index, group.UsesUv, out SurfaceW surface);
-        FloatW time = scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
-        RgbW throughput = stream.PickThroughput(index);
-        RgbW radiance = stream.PickRadiance(index);
-
-        // Light that the surface itself sends towards the ray's origin.
-        Material material = group.Material;
-        if (group.Emits)
-        {
-            AddEmission(material, surface, throughput, state, ref radiance);
-        }
-
-        recorder?.Emitted(path, active, radiance);
-
-        if (!scene.Ambient.IsBlack)
-        {
-            material.AmbientResponse(surface, out RgbW response);
-            radiance = RgbW.MultiplyAdd(throughput * response, scene.Ambient, radiance);
-        }
-
-        recorder?.Brightened(path, active, radiance);
-
-        // Light from the sources.
-        if (group.IsLit)
-        {
-            material.Brdf(surface, out RgbW brdf);
-            if (queue is { IsFull: true })
-            {
-                queue.Flush(finished, next);
-            }
-
-            _directLight.Add(surface, group.HasShadingNormals, _vertex, time, active, throughput * brdf, ref radiance);
-        }
-
-        // Where the path goes on.
-        material.Scatter(surface, _vertex, out ScatterW scatter);
-        throughput *= scatter.Weight;
-        UIntW limit = scatter.Specular.Select((UIntW)(uint)scene.Render.MaxSpecularDepth, (uint)scene.Render.MaxDiffuseDepth);
-        MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;
-
-        // Written so that a path whose throughput is not a number goes on, and is counted at its end.
-        MaskW isDark = (throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f);
-        MaskW alive = active.Except(scatter.Absorbed).Except(isDark) & goesOn;
-        if (group.HasShadingNormals)
-        {
-            alive = alive.Except(Leaks(surface, scatter.Direction));
-        }
-
-        recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
-        uint ended = active.Except(alive).Bits;
-        uint going = alive.Bits;
-        if (queue is not null && group.IsLit)
-        {
-            queue.End(ended, finished.Count, going, next.Count);
-        }
-
-        if (ended != 0)
-        {
-            finished.Append(ended, radiance, path);
-        }
-
-        if (going != 0)
-        {
-            UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);
-            UIntW emission = scatter.Specular.Select((UIntW)PathState.CountsEmission, 0u);
-            Vec3W origin = Leave(surface, scatter.Direction);
-            if (scene.IsTimed)
-            {
-                next.SetTime(going, time);
-            }
-
-            next.Append(going, origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission);
-        }
+        Vertex.Begin(UIntW.Gather(Generator.PixelKeys, pixel), sample, vertex);
     }
 
     // As DescribePlain, in the space that each lane's instance shows.
@@ -240,24 +190,22 @@ internal sealed unsafe class SurfaceShader(Scene scene, FinishedPaths finished, 
 
     // Directions that lie on different sides of the surface and of the plane that it is shaded as: what is reflected would come through
     // it, and what is refracted would not (Veach 1997, section 5.3). They carry no light.
-    private static MaskW Leaks(in SurfaceW surface, in Vec3W direction)
+    public static MaskW Leaks(in SurfaceW surface, in Vec3W direction)
     {
         FloatW side = Vec3W.Dot(direction, surface.Inside.Select(-surface.Normal, surface.Normal));
         return side * Vec3W.Dot(direction, surface.Facing) <= 0f;
     }
 
-    private static void AddEmission(Material material, in SurfaceW surface, in RgbW throughput, UIntW state, ref RgbW radiance)
+    /// <summary>The cosine between the shape's own normal and the way back along the ray; negative from behind.</summary>
+    protected static FloatW CosineOfEmission(in SurfaceW surface)
     {
-        MaskW counts = ~UIntW.Equal(state & PathState.CountsEmission, 0u);
         FloatW cosine = FloatW.Min(FloatW.Abs(Vec3W.Dot(surface.Incoming, surface.Normal)), 1f);
-        cosine = surface.Inside.Select(-cosine, cosine);
-        material.Emission(cosine, surface.U, surface.V, out RgbW emitted);
-        radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
+        return surface.Inside.Select(-cosine, cosine);
     }
 
     // Off the surface, on the side where the ray goes.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vec3W Leave(in SurfaceW surface, in Vec3W direction)
+    public static Vec3W Leave(in SurfaceW surface, in Vec3W direction)
     {
         FloatW side = FloatW.CopySign(surface.Offset, Vec3W.Dot(direction, surface.Normal));
         return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);

@@ -33,8 +33,8 @@ internal sealed unsafe class Wavefront
         _next = new(streamSize);
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
-        _finished = new(streamSize, _accumulator);
-        _shader = new(scene, _finished, scene.World.IsPlain || scene.Lights.Count == 0 ? null : new(scene), recorder);
+        _finished = new(scene, streamSize, _generator, _accumulator);
+        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.Lights.Count == 0 ? null : new(scene), recorder);
         _hits = new(scene.World.RoomForHits(streamSize));
         _members = new(scene, streamSize);
     }

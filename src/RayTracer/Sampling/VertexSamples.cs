@@ -41,8 +41,7 @@ public sealed class VertexSamples(Sampler sampler)
             return _rest;
         }
 
-        sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);
-        sampler.Pair(points, 0, out FloatW u, out _);
+        Decisions(out FloatW u, out _);
         return u;
     }
 
@@ -68,10 +67,23 @@ public sealed class VertexSamples(Sampler sampler)
         _hasRest = true;
     }
 
+    /// <summary>The number that decides whether a path goes on.</summary>
+    public FloatW Roulette()
+    {
+        Decisions(out _, out FloatW v);
+        return v;
+    }
+
     /// <summary>The two numbers that choose a point on a light.</summary>
     /// <param name="light">The light's number.</param>
     /// <param name="u">First number.</param>
     /// <param name="v">Second number.</param>
     public void Light(int light, out FloatW u, out FloatW v) =>
         sampler.Pair(_points, Dimensions.FirstLight + (uint)light, out u, out v);
+
+    private void Decisions(out FloatW u, out FloatW v)
+    {
+        sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);
+        sampler.Pair(points, 0, out u, out v);
+    }
 }

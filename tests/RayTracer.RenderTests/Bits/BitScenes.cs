@@ -14,7 +14,7 @@ internal static class BitScenes
 
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, "shapes", Hills, .. Meshes, .. In("primer")];
+        [.. Report, .. Samplers, "shapes", "cornell", Hills, .. Meshes, .. In("primer")];
 
     /// <summary>Names of scenes whose auxiliary images are looked at.</summary>
     public static string[] Auxiliary => ["aov/everything-sobol", "aov/meshes/01-cube", "aov/meshes/02-smooth", "aov/meshes/04-motion-blur"];

@@ -1,0 +1,56 @@
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Ambient occlusion (Landis 2002): from where a camera ray meets a surface, a ray in a direction that is chosen in proportion to the cosine brings
+/// white light, unless it meets something near.
+/// </summary>
+internal sealed unsafe class OcclusionShader(Scene scene, FinishedPaths finished, PathRecorder? recorder) : SurfaceShader(scene, finished, recorder)
+{
+    private readonly float _reach = scene.Render.OcclusionDistance > 0 ? scene.Render.OcclusionDistance : float.PositiveInfinity;
+
+    protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving) => arriving = Numerics.Rgb.White;
+
+    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    {
+        UIntW path = UIntW.Pick(stream.Path, index);
+        MaskW isSecond = ~UIntW.Equal(UIntW.Pick(stream.State, index) & PathState.DepthMask, 0u);
+        BeginVertex(path, 0u);
+        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
+        FloatW far = (FloatW.Pick(stream.Distance, index) > _reach).Select(1f, 0f);
+        RgbW radiance = new(far, far, far);
+        Recorder?.Emitted(path, active, radiance);
+        Recorder?.Brightened(path, active, radiance);
+
+        Vertex.Direction(out FloatW u, out FloatW v);
+        Onb.FromNormal(surface.Facing, out Onb frame);
+        ScatterW scatter = new() { Direction = frame.ToWorld(Warp.CosineHemisphere(u, v)), Weight = Numerics.Rgb.White, Absorbed = MaskW.None };
+        MaskW alive = active.Except(isSecond);
+        if (group.HasShadingNormals)
+        {
+            alive = alive.Except(Leaks(surface, scatter.Direction));
+        }
+
+        Recorder?.Scattered(stream, index, active, alive, group.Material, surface, scatter);
+        uint going = alive.Bits;
+        uint ended = active.Bits & ~going;
+        if (ended != 0)
+        {
+            RgbW arrived = isSecond.Select(radiance, default);
+            Finished.Append(ended, arrived, path);
+        }
+
+        if (going != 0)
+        {
+            if (Scene.IsTimed)
+            {
+                next.SetTime(going, FloatW.Pick(stream.Time, index));
+            }
+
+            next.Append(going, Leave(surface, scatter.Direction), scatter.Direction, Numerics.Rgb.White, Numerics.Rgb.Black, path, PathState.OneDiffuse);
+        }
+    }
+}

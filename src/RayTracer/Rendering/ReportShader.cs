@@ -1,0 +1,107 @@
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// What happens where paths meet a surface in the report (listing 6.3): emission, ambient light, light from the sources, and the choice of the next
+/// ray.
+/// </summary>
+internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) : SurfaceShader(scene, finished, recorder)
+{
+    private readonly DirectLight _directLight = new(scene, queue);
+
+    public override long ShadowRays => _directLight.ShadowRays;
+
+    public override void Flush(PathStream next) => queue?.Flush(Finished, next);
+
+    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    {
+        // Random numbers first: their long chain of multiplications then overlaps with the description of the surface.
+        UIntW path = UIntW.Pick(stream.Path, index);
+        UIntW state = UIntW.Pick(stream.State, index);
+        UIntW diffuseDepth = state & PathState.DepthMask;
+        UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
+        BeginVertex(path, diffuseDepth + specularDepth);
+        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
+        FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
+        RgbW throughput = stream.PickThroughput(index);
+        RgbW radiance = stream.PickRadiance(index);
+
+        // Light that the surface itself sends towards the ray's origin.
+        Material material = group.Material;
+        if (group.Emits)
+        {
+            AddEmission(material, surface, throughput, state, ref radiance);
+        }
+
+        Recorder?.Emitted(path, active, radiance);
+
+        if (!Scene.Ambient.IsBlack)
+        {
+            material.AmbientResponse(surface, out RgbW response);
+            radiance = RgbW.MultiplyAdd(throughput * response, Scene.Ambient, radiance);
+        }
+
+        Recorder?.Brightened(path, active, radiance);
+
+        // Light from the sources.
+        if (group.IsLit)
+        {
+            material.Brdf(surface, out RgbW brdf);
+            if (queue is { IsFull: true })
+            {
+                queue.Flush(Finished, next);
+            }
+
+            _directLight.Add(surface, null, group.HasShadingNormals, Vertex, time, active, throughput * brdf, ref radiance);
+        }
+
+        // Where the path goes on.
+        material.Scatter(surface, Vertex, out ScatterW scatter);
+        throughput *= scatter.Weight;
+        UIntW limit = scatter.Specular.Select((UIntW)(uint)Scene.Render.MaxSpecularDepth, (uint)Scene.Render.MaxDiffuseDepth);
+        MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;
+
+        // Written so that a path whose throughput is not a number goes on, and is counted at its end.
+        MaskW isDark = (throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f);
+        MaskW alive = active.Except(scatter.Absorbed).Except(isDark) & goesOn;
+        if (group.HasShadingNormals)
+        {
+            alive = alive.Except(Leaks(surface, scatter.Direction));
+        }
+
+        Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
+        uint ended = active.Except(alive).Bits;
+        uint going = alive.Bits;
+        if (queue is not null && group.IsLit)
+        {
+            queue.End(ended, Finished.Count, going, next.Count);
+        }
+
+        if (ended != 0)
+        {
+            Finished.Append(ended, radiance, path);
+        }
+
+        if (going != 0)
+        {
+            UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);
+            UIntW emission = scatter.Specular.Select((UIntW)PathState.CountsEmission, 0u);
+            Vec3W origin = Leave(surface, scatter.Direction);
+            if (Scene.IsTimed)
+            {
+                next.SetTime(going, time);
+            }
+
+            next.Append(going, origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission);
+        }
+    }
+
+    private static void AddEmission(Material material, in SurfaceW surface, in RgbW throughput, UIntW state, ref RgbW radiance)
+    {
+        MaskW counts = ~UIntW.Equal(state & PathState.CountsEmission, 0u);
+        material.Emission(CosineOfEmission(surface), surface.U, surface.V, out RgbW emitted);
+        radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
+    }
+}
