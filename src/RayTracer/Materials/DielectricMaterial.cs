@@ -1,6 +1,7 @@
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
+using RayTracer.Textures;
 
 namespace RayTracer.Materials;
 
@@ -30,8 +31,17 @@ public sealed record DielectricMaterialDescription : MaterialDescription
     [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did (with the angle on the side of the lower index).")]
     public FresnelModel Fresnel { get; init; } = FresnelModel.Exact;
 
+    /// <summary>Factor on all that is reflected.</summary>
+    [Parameter("Factor on what is reflected, per channel: 1 for what glass really does.", Minimum = 0, Maximum = 1)]
+    public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
+
+    /// <summary>Factor on all that is refracted.</summary>
+    [Parameter("Factor on what is refracted, per channel: 1 for what glass really does. It counts at every boundary; to tint the inside, use extinction.", Minimum = 0, Maximum = 1)]
+    public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
+
     /// <inheritdoc/>
-    public override Material Build(SceneBuilder builder) => new DielectricMaterial(RefractiveIndex, Extinction, Fresnel);
+    public override Material Build(SceneBuilder builder) => new DielectricMaterial(
+        RefractiveIndex, Extinction, Fresnel, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance));
 }
 
 /// <summary>
@@ -42,10 +52,17 @@ public sealed record DielectricMaterialDescription : MaterialDescription
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 0.</param>
 /// <param name="extinction">Extinction coefficient of the inside, per scene unit.</param>
 /// <param name="model">How the reflectance is computed.</param>
-public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, FresnelModel model) : Material
+/// <param name="reflectedPart">Factor on what is reflected; null for 1.</param>
+/// <param name="refractedPart">Factor on what is refracted; null for 1.</param>
+public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null) : Material
 {
+    private readonly bool _isColored = (reflectedPart is not null && reflectedPart.Constant != Rgb.White) || (refractedPart is not null && refractedPart.Constant != Rgb.White);
+
     /// <inheritdoc/>
     public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
+
+    /// <inheritdoc/>
+    public override bool UsesUv => _isColored && (reflectedPart is { Constant: null } || refractedPart is { Constant: null });
 
     /// <inheritdoc/>
     public override bool UsesDistance => !extinction.IsBlack;
@@ -75,6 +92,11 @@ public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, Fr
             scatter.Weight = surface.Inside.Select(scatter.Weight * Transmittance(surface.Distance), scatter.Weight);
         }
 
+        if (_isColored)
+        {
+            Color(surface, reflected, ref scatter.Weight);
+        }
+
         scatter.Specular = MaskW.All;
         scatter.Delta = MaskW.All;
         scatter.Absorbed = MaskW.None;
@@ -90,6 +112,15 @@ public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, Fr
         float r = (refractiveIndex - 1) / (refractiveIndex + 1);
         MaskW fromDenser = eta > 1f;
         return Fresnel.Schlick(fromDenser.Select(cosTransmitted, cosIncident), r * r);
+    }
+
+    private void Color(in SurfaceW surface, MaskW reflected, ref RgbW weight)
+    {
+        RgbW above = Rgb.White;
+        RgbW through = Rgb.White;
+        reflectedPart?.Evaluate(surface.U, surface.V, out above);
+        refractedPart?.Evaluate(surface.U, surface.V, out through);
+        weight *= reflected.Select(above, through);
     }
 
     // Beer 1852; report, section 6.2.6: the fraction of light that is left after a distance.

@@ -107,6 +107,11 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             Smooth(ref surface);
         }
 
+        if (!group.HasTint)
+        {
+            surface.Tint = Rgb.White;
+        }
+
         group.Material.Prepare(ref surface);
         if (group.HasTint)
         {
