@@ -33,8 +33,8 @@ internal static class ConvertVerb
         }
 
         // The names of files in the scene are meant from where it was.
-        JsonText text = FileNames.Move(JsonText.Of(SceneWriter.Write(result.Description!)), Folder(path), Folder(target));
-        AtomicFile.Write(target, stream => stream.Write(Encoding.UTF8.GetBytes(text.Text)));
+        string text = FileNames.Move(SceneWriter.Write(result.Description!), Folder(path), Folder(target));
+        AtomicFile.Write(target, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
         return ExitStatus.Fine;
     }
 

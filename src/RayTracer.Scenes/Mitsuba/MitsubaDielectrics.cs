@@ -49,9 +49,7 @@ internal sealed class MitsubaDielectrics(MitsubaTextures textures)
         switch (bsdf.Type)
         {
             case "dielectric":
-                Refuse(bsdf, "specular_reflectance", reflectance);
-                Refuse(bsdf, "specular_transmittance", transmittance);
-                return new DielectricMaterialDescription { RefractiveIndex = index };
+                return new DielectricMaterialDescription { RefractiveIndex = index, SpecularReflectance = reflectance, SpecularTransmittance = transmittance };
             case "thindielectric":
                 return new ThinDielectricMaterialDescription { RefractiveIndex = index, SpecularReflectance = reflectance, SpecularTransmittance = transmittance };
             default:
@@ -106,12 +104,4 @@ internal sealed class MitsubaDielectrics(MitsubaTextures textures)
 
     private static float Index(MitsubaObject bsdf, string name, float standard) =>
         bsdf.Property(name) is { Name: "string" } ? bsdf.Choice(name, standard, s_indices) : bsdf.Float(name, standard, 1e-3f);
-
-    private static void Refuse(MitsubaObject bsdf, string name, TextureDescription factor)
-    {
-        if (factor is not SolidTextureDescription { Color: { R: 1, G: 1, B: 1 } })
-        {
-            bsdf.Log.Error(bsdf.PlaceOf(name), $"smooth glass with a {Quotation.Of(name)} other than 1 is not read here");
-        }
-    }
 }

@@ -7,15 +7,19 @@ namespace RayTracer.Scenes;
 internal static class MitsubaMeshes
 {
     /// <summary>A mesh of a file.</summary>
-    public static ShapeDescription Read(MitsubaObject shape, MaterialDescription material) => new MeshDescription
+    public static ShapeDescription? Read(MitsubaObject shape, MaterialDescription material)
     {
-        File = shape.FileName() ?? "",
-        Part = shape.Type == "serialized" ? shape.Integer("shape_index", 0, 0) : -1,
-        Shading = shape.Boolean("face_normals", false) ? MeshShading.Flat : MeshShading.Smooth,
-        FlipNormals = shape.Boolean("flip_normals", false),
-        FlipV = shape.Boolean("flip_tex_coords", shape.Type == "obj"),
-        IgnoreColors = true,
-        Material = material,
-        Transform = MitsubaSurfaces.Steps(shape.Transform()),
-    };
+        MeshDescription mesh = new()
+        {
+            File = shape.FileName() ?? "",
+            Part = shape.Type == "serialized" ? shape.Integer("shape_index", 0, 0) : -1,
+            Shading = shape.Boolean("face_normals", false) ? MeshShading.Flat : MeshShading.Smooth,
+            FlipNormals = shape.Boolean("flip_normals", false),
+            FlipV = shape.Boolean("flip_tex_coords", shape.Type == "obj"),
+            IgnoreColors = true,
+            Material = material,
+            Transform = MitsubaSurfaces.Steps(shape.Transform()),
+        };
+        return mesh.File.Length > 0 ? mesh : null;
+    }
 }

@@ -57,6 +57,12 @@ internal sealed class MitsubaMetals(MitsubaTextures textures)
 
     private static (Metal? Name, Rgb? Eta, Rgb? K) Index(MitsubaObject bsdf)
     {
+        bsdf.Ignore("eta", "k");
+        if (bsdf.Has("material") && bsdf.Has("eta"))
+        {
+            bsdf.Log.Error(bsdf.PlaceOf("eta"), "either \"material\" or \"eta\" and \"k\" may be given, but not both");
+        }
+
         if (bsdf.Has("material"))
         {
             return (bsdf.Choice("material", Metal.None, s_names), null, null);

@@ -41,6 +41,10 @@ internal static class MitsubaXml
             using XmlReader reader = XmlReader.Create(stream, settings);
             return ReadRoot(reader, path, log);
         }
+        catch (XmlException e) when (e.LineNumber == 0 && e.Message.Contains("DTD", StringComparison.Ordinal))
+        {
+            log.Error(file, "a document type (<!DOCTYPE …>) is not read: leave it out");
+        }
         catch (XmlException e)
         {
             log.Error(new(path, e.LineNumber, e.LinePosition), $"this is no XML: {Reason(e)}");

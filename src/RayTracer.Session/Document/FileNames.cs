@@ -26,5 +26,9 @@ public static class FileNames
             .Select(n => new TextEdit(n.Start, n.End, JsonLayout.Quote(Relative(to, Path.GetFullPath(Path.Combine(from, n.Text)))))));
     }
 
+    /// <summary>As the other one, for a text that is JSON.</summary>
+    /// <exception cref="DocumentException">It is none.</exception>
+    public static string Move(string text, string from, string to) => Move(JsonText.Of(text), from, to).Text;
+
     private static string Relative(string folder, string file) => Path.GetRelativePath(folder, file).Replace('\\', '/');
 }
