@@ -149,6 +149,16 @@ public struct SurfaceW
     /// <summary>How far a new ray must start from the point, along the normal, so as not to meet the same surface again.</summary>
     public FloatW Offset;
 
+    /// <summary>Sets <see cref="Tangent"/> to what <see cref="AlongU"/> is beside <see cref="Facing"/>; where that is nothing, or no number, to any direction there.</summary>
+    public void SetTangent()
+    {
+        Vec3W beside = Vec3W.NegatedMultiplyAdd(Facing, Vec3W.Dot(AlongU, Facing), AlongU);
+        FloatW length2 = Vec3W.Dot(beside, beside);
+        Onb.FromNormal(Facing, out Onb any);
+        MaskW isGood = length2 > 1e-30f & length2 < 1e30f;
+        Tangent = isGood.Select(beside * (1f / FloatW.Sqrt(length2)), any.U);
+    }
+
     /// <summary>The frame in which microfacets are described: W is <see cref="Facing"/>.</summary>
     /// <param name="isTurned">Whether U must be <see cref="Tangent"/>; any direction otherwise.</param>
     /// <param name="frame">The frame.</param>

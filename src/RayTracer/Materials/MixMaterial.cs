@@ -128,6 +128,7 @@ public sealed class MixMaterial(Material first, Material second, Texture weight)
     {
         Specular = first.Scattering.Specular == second.Scattering.Specular ? first.Scattering.Specular : SpecularLobe.Glossy,
         ReciprocityException = first.Scattering.ReciprocityException ?? second.Scattering.ReciprocityException,
+        EnergyException = first.Scattering.EnergyException ?? second.Scattering.EnergyException,
         KeepsEnergy = first.Scattering.KeepsEnergy && second.Scattering.KeepsEnergy,
     };
 

@@ -58,13 +58,13 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, material, group.HasShadingNormals, Vertex, time, goesOn, throughput, ref radiance);
+            _directLight.Add(surface, material, group.MayLeak, Vertex, time, goesOn, throughput, ref radiance);
         }
 
         material.Scatter(surface, Vertex, out ScatterW scatter);
         throughput *= scatter.Weight;
         MaskW alive = goesOn.Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
-        if (group.HasShadingNormals)
+        if (group.MayLeak)
         {
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }

@@ -20,6 +20,11 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
 
     public bool HasShadingNormals { get; } = batch.HasShadingNormals;
 
+    /// <summary>Whether light is scattered with other normals than the surface's own, so that it could leak through it.</summary>
+    public bool MayLeak { get; } = batch.HasShadingNormals || material.TurnsNormal;
+
+    public bool UsesTangent { get; } = material.UsesTangent;
+
     public bool HasTint { get; } = batch.HasTint;
 
     public int OnlyIndex => onlyIndex;

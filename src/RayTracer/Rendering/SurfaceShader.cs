@@ -107,6 +107,11 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             Smooth(ref surface);
         }
 
+        if (group.UsesTangent)
+        {
+            surface.SetTangent();
+        }
+
         if (!group.HasTint)
         {
             surface.Tint = Rgb.White;
@@ -137,6 +142,10 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
         group.Batch.Describe(primitives, needsUv, ref surface);
+        if (group.UsesTangent)
+        {
+            group.Batch.DescribeTangents(primitives, ref surface);
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -172,7 +181,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         surface.Distance = FloatW.Pick(stream.Distance, index);
         surface.Point = Vec3W.MultiplyAdd(maps.VectorBack(surface.Incoming), surface.Distance, maps.PointBack(stream.PickOrigin(index)));
         DescribeTable(group, stream, index, needsUv, ref surface);
-        maps.Describe(group.HasShadingNormals, ref surface);
+        maps.Describe(group.HasShadingNormals, group.UsesTangent, ref surface);
         TurnToRay(ref surface);
     }
 
