@@ -14,8 +14,9 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed class Scene
 {
-    private Scene(RenderDescription render, Camera camera, Rgb background, Rgb ambient, World world)
+    private Scene(RenderDescription render, Camera camera, Rgb background, EnvironmentLight? environment, Rgb ambient, World world)
     {
+        Environment = environment;
         Render = render;
         Camera = camera;
         Background = background;
@@ -37,6 +38,7 @@ public sealed class Scene
         Render = render;
         Camera = camera;
         Background = other.Background;
+        Environment = other.Environment;
         Ambient = other.Ambient;
         Sampler = Sampler.Create(render);
         World = other.World;
@@ -58,8 +60,11 @@ public sealed class Scene
     /// <summary>Where random numbers come from.</summary>
     public Sampler Sampler { get; }
 
-    /// <summary>Radiance where nothing is hit.</summary>
+    /// <summary>Radiance where nothing is hit, unless there is an <see cref="Environment"/>.</summary>
     public Rgb Background { get; }
+
+    /// <summary>What rays see that leave the scene; null where that is the <see cref="Background"/>.</summary>
+    public EnvironmentLight? Environment { get; }
 
     /// <summary>Ambient radiance.</summary>
     public Rgb Ambient { get; }
@@ -69,6 +74,10 @@ public sealed class Scene
 
     /// <summary>What shines.</summary>
     public IReadOnlyList<LightSource> Lights { get; }
+
+    /// <summary>What the integrator samples for light: what shines, and where it traces paths, the environment behind it.</summary>
+    internal IReadOnlyList<LightSource> SampledLights =>
+        Environment is not null && Render.Integrator is Integrator.Path or Integrator.Direct ? [.. Lights, Environment] : Lights;
 
     /// <summary>Those shapes packed by kind.</summary>
     public IReadOnlyList<ShapeBatch> Batches { get; }
@@ -115,7 +124,7 @@ public sealed class Scene
     /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
     internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder) =>
         View(description.Camera, description.Render, builder) is var (render, camera)
-            ? new Scene(render, camera, description.Background, description.Ambient, new World(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop))
+            ? new Scene(render, camera, description.Background, builder.Environment(description), description.Ambient, new World(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop))
             : null;
 
     // Checks how a scene is to be seen.
