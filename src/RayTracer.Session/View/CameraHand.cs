@@ -29,11 +29,16 @@ public sealed class CameraHand(SceneDocument document, PictureView view)
     /// <param name="x">Column.</param>
     /// <param name="y">Row.</param>
     /// <returns>The distance of the plane in focus.</returns>
-    /// <exception cref="SessionException">Nothing is seen there.</exception>
+    /// <exception cref="SessionException">Nothing is seen there, or the camera has no lens.</exception>
     /// <exception cref="DocumentException">The text is no JSON at the moment.</exception>
     public float Focus(float x, float y)
     {
         ShownScene shown = view.RequireShown();
+        if (shown.Camera.Projection == Projection.Spherical)
+        {
+            throw new SessionException("A spherical camera has no lens: everything is sharp.");
+        }
+
         float distance = Picking.DepthAt(shown, x, y) ?? throw new SessionException("There is nothing to focus on: the ray meets nothing.", SessionFault.Missing);
         CameraDescription camera = shown.Camera with { Lens = shown.Camera.Lens with { FocusDistance = distance } };
         view.Take(camera);
@@ -73,6 +78,7 @@ public sealed class CameraHand(SceneDocument document, PictureView view)
             text = Set(text, "/camera/lookAt", written.LookAt, camera.LookAt);
             text = Set(text, "/camera/up", written.Up, camera.Up);
             text = Set(text, "/camera/fieldOfView", written.FieldOfView, camera.FieldOfView);
+            text = Set(text, "/camera/viewSize", written.ViewSize, camera.ViewSize);
             return Set(text, "/camera/lens/focusDistance", written.Lens.FocusDistance, camera.Lens.FocusDistance);
         });
         view.Release(revision);

@@ -1,4 +1,5 @@
 using System.Numerics;
+using RayTracer.Cameras;
 using RayTracer.Description;
 using RayTracer.Numerics;
 
@@ -30,7 +31,8 @@ public static class CameraMotion
     public static CameraDescription Look(CameraDescription camera, float dx, float dy)
     {
         Vector3 view = camera.LookAt - camera.Position;
-        return camera with { LookAt = camera.Position + Turned(camera, view, -dx * camera.FieldOfView, dy * camera.FieldOfView) };
+        float degrees = camera.Projection == Projection.Spherical ? DegreesOfHeight : camera.FieldOfView;
+        return camera with { LookAt = camera.Position + Turned(camera, view, -dx * degrees, dy * degrees) };
     }
 
     /// <summary>Moves the camera across its view, so that what lies in the distance of the point looked at goes with the hand.</summary>
@@ -46,16 +48,28 @@ public static class CameraMotion
     }
 
     /// <summary>Narrows the field of view (upwards) or widens it; the camera stays.</summary>
+    /// <exception cref="SessionException">The camera is spherical and sees everything.</exception>
     public static CameraDescription Zoom(CameraDescription camera, float dy)
     {
-        float tangent = LaneMath.Tan(camera.FieldOfView * (float.Pi / 360)) * Factor(dy);
-        float degrees = LaneMath.Atan2(tangent, 1) * (360 / float.Pi);
-        return camera with { FieldOfView = float.Clamp(degrees, NarrowestDegrees, WidestDegrees) };
+        switch (camera.Projection)
+        {
+            case Projection.Orthographic:
+                return camera with { ViewSize = camera.ViewSize * Factor(dy) };
+            case Projection.Spherical:
+                throw new SessionException("A spherical camera sees all directions: there is no field of view to change.");
+            default:
+                float tangent = LaneMath.Tan(camera.FieldOfView * (float.Pi / 360)) * Factor(dy);
+                float degrees = LaneMath.Atan2(tangent, 1) * (360 / float.Pi);
+                return camera with { FieldOfView = float.Clamp(degrees, NarrowestDegrees, WidestDegrees) };
+        }
     }
 
-    /// <summary>Moves the camera towards the point that it looks at (upwards) or away from it; it never gets there.</summary>
-    public static CameraDescription Dolly(CameraDescription camera, float dy) =>
-        camera with { Position = camera.LookAt + ((camera.Position - camera.LookAt) * Factor(dy)) };
+    /// <summary>
+    /// Moves the camera towards the point that it looks at (upwards) or away from it; it never gets there. Of an orthographic one, nearness is what it shows.
+    /// </summary>
+    public static CameraDescription Dolly(CameraDescription camera, float dy) => camera.Projection == Projection.Orthographic
+        ? Zoom(camera, dy)
+        : camera with { Position = camera.LookAt + ((camera.Position - camera.LookAt) * Factor(dy)) };
 
     /// <summary>Moves the camera, and the point that it looks at with it, to the right, downwards and forward.</summary>
     /// <param name="camera">The camera.</param>
@@ -83,15 +97,15 @@ public static class CameraMotion
     /// <param name="aspect">Width of the picture over its height.</param>
     public static float HeightAt(CameraDescription camera, float distance, float aspect)
     {
-        bool isAcross = camera.FieldOfViewAxis switch
+        float perHeight = ViewPlane.Extent(camera.FieldOfViewAxis, aspect, 1);
+        return camera.Projection switch
         {
-            FieldOfViewAxis.Vertical => false,
-            FieldOfViewAxis.Horizontal => true,
-            FieldOfViewAxis.Smaller => aspect < 1,
-            _ => aspect > 1,
+            Projection.Orthographic => camera.ViewSize / perHeight,
+
+            // The quarter of the sphere around the middle, as a pinhole camera would show it.
+            Projection.Spherical => 2 * distance,
+            _ => 2 * distance * LaneMath.Tan(camera.FieldOfView * (float.Pi / 360)) / perHeight,
         };
-        float extent = 2 * distance * LaneMath.Tan(camera.FieldOfView * (float.Pi / 360));
-        return isAcross ? extent / aspect : extent;
     }
 
     private static CameraDescription Moved(CameraDescription camera, Vector3 by) =>

@@ -43,6 +43,6 @@ public static class DescriptionEquality
         return true;
     }
 
-    private static bool IsRecord(object value) => value is SceneDescription or CameraDescription or RenderDescription or LensDescription
+    private static bool IsRecord(object value) => value is SceneDescription or CameraDescription or RenderDescription or LensDescription or FilterDescription
         or ShapeDescription or MaterialDescription or TextureDescription or EnvironmentDescription or TransformDescription or KeyframeDescription;
 }

@@ -25,6 +25,11 @@ public static class Picking
             return null;
         }
 
+        if (shown.Camera.Projection == Projection.Orthographic)
+        {
+            return hit.Distance;
+        }
+
         // The cosine between the ray and the viewing direction, by where the pixel lies in a picture at distance 1.
         RenderDescription render = shown.Scene.Render;
         float pixel = CameraMotion.HeightAt(shown.Camera, 1, shown.Aspect) / render.Height;

@@ -10,42 +10,19 @@ namespace RayTracer.Cameras;
 /// <summary>A camera with a thin lens; without an aperture, a pinhole.</summary>
 public sealed class Camera
 {
-    private readonly Vector3 _eye;
-    private readonly Vector3 _corner;
-    private readonly Vector3 _stepX;
-    private readonly Vector3 _stepY;
-    private readonly Vector3 _right;
-    private readonly Vector3 _up;
-    private readonly LensDescription _lens;
-
+    private readonly CameraProjection _projection;
+    private readonly Lens? _lens;
     private readonly Motion _motion;
 
-    private Camera(CameraDescription camera, Vector3 forward, Vector3 right, int width, int height, Motion motion)
+    private Camera(CameraProjection projection, Lens? lens, Motion motion)
     {
+        _projection = projection;
+        _lens = lens;
         _motion = motion;
-        _eye = camera.Position;
-        _right = right;
-        _up = right.Cross(forward);
-        _lens = camera.Lens;
-        float focus = _lens.FocusDistance > 0 ? _lens.FocusDistance : (camera.LookAt - camera.Position).Dot(forward);
-
-        // The part of the plane in focus that the picture shows.
-        bool vertical = camera.FieldOfViewAxis switch
-        {
-            FieldOfViewAxis.Vertical => true,
-            FieldOfViewAxis.Horizontal => false,
-            FieldOfViewAxis.Smaller => height <= width,
-            _ => height >= width,
-        };
-        float extent = 2 * focus * LaneMath.Tan(camera.FieldOfView * (float.Pi / 360));
-        float pixel = extent / (vertical ? height : width);
-        _stepX = right * pixel;
-        _stepY = _up * -pixel;
-        _corner = forward * focus - _stepX * (0.5f * width) - _stepY * (0.5f * height);
     }
 
     /// <summary>Whether rays use the lens dimensions.</summary>
-    public bool HasLens => _lens.Shape == LensShape.EyeJitter ? _lens.Jitter != Vector3.Zero : _lens.ApertureRadius > 0;
+    public bool HasLens => _lens is not null;
 
     /// <summary>Whether the camera moves in time.</summary>
     public bool Moves => !_motion.IsStill;
@@ -80,8 +57,17 @@ public sealed class Camera
             return null;
         }
 
+        bool hasLens = camera.Lens.Shape == LensShape.EyeJitter ? camera.Lens.Jitter != Vector3.Zero : camera.Lens.ApertureRadius > 0;
+        if (hasLens && camera.Projection == Projection.Spherical)
+        {
+            builder.Error(camera, nameof(CameraDescription.Lens), "a spherical camera looks in all directions and cannot have a lens");
+        }
+
+        Vector3 up = right.Cross(forward);
+        float focus = camera.Lens.FocusDistance > 0 ? camera.Lens.FocusDistance : (camera.LookAt - camera.Position).Dot(forward);
+        CameraProjection projection = CameraProjection.Create(camera, forward, right, up, focus, width, height);
         Motion motion = TransformSteps.Motion(camera, camera.Transform, camera.Motion, builder);
-        return new Camera(camera, forward, right, width, height, motion);
+        return new Camera(projection, hasLens ? new Lens(camera.Lens, right, up) : null, motion);
     }
 
     /// <summary>Takes rays to where the camera is.</summary>
@@ -105,8 +91,8 @@ public sealed class Camera
     /// <param name="direction">Its unit direction.</param>
     internal void CentralRay(float x, float y, float time, out Vec3W origin, out Vec3W direction)
     {
-        origin = _eye;
-        direction = Vec3W.Normalize(Vec3W.MultiplyAdd(_stepX, x, Vec3W.MultiplyAdd(_stepY, y, _corner)));
+        _projection.Rays(x, y, out origin, out Vec3W toFocus);
+        direction = Vec3W.Normalize(toFocus);
         if (IsPlaced)
         {
             Place(time, ref origin, ref direction);
@@ -124,39 +110,14 @@ public sealed class Camera
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void GenerateRays(FloatW x, FloatW y, Sampler sampler, in UIntW pixelKey, in UIntW sample, out Vec3W origin, out Vec3W direction)
     {
-        Vec3W toFocus = Vec3W.MultiplyAdd(_stepX, x, Vec3W.MultiplyAdd(_stepY, y, _corner));
-        if (HasLens)
+        _projection.Rays(x, y, out origin, out Vec3W toFocus);
+        if (_lens is not null)
         {
-            LensPoint(sampler, pixelKey, sample, out Vec3W shift);
-            origin = (Vec3W)_eye + shift;
-            direction = Vec3W.Normalize(toFocus - shift);
+            _lens.Point(sampler, pixelKey, sample, out Vec3W shift);
+            origin += shift;
+            toFocus -= shift;
         }
-        else
-        {
-            origin = _eye;
-            direction = Vec3W.Normalize(toFocus);
-        }
-    }
 
-    private void LensPoint(Sampler sampler, in UIntW pixelKey, in UIntW sample, out Vec3W shift)
-    {
-        sampler.Begin(pixelKey, sample, Dimensions.Lens, out SamplePoints lens);
-        sampler.Pair(lens, 0, out FloatW u, out FloatW v);
-        switch (_lens.Shape)
-        {
-            case LensShape.Disk:
-                Warp.ConcentricDisk(u, v, out FloatW x, out FloatW y);
-                shift = Vec3W.MultiplyAdd(_right * _lens.ApertureRadius, x, (Vec3W)(_up * _lens.ApertureRadius) * y);
-                break;
-            case LensShape.Square:
-                float side = 2 * _lens.ApertureRadius;
-                shift = Vec3W.MultiplyAdd(_right * side, u - 0.5f, (Vec3W)(_up * side) * (v - 0.5f));
-                break;
-            default:
-                sampler.Begin(pixelKey, sample, Dimensions.Camera, out SamplePoints camera);
-                sampler.Pair(camera, 0, out FloatW w, out _);
-                shift = new((u - 0.5f) * _lens.Jitter.X, (v - 0.5f) * _lens.Jitter.Y, (w - 0.5f) * _lens.Jitter.Z);
-                break;
-        }
+        direction = Vec3W.Normalize(toFocus);
     }
 }

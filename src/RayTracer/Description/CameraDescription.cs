@@ -16,6 +16,22 @@ public enum FieldOfViewAxis
 
     /// <summary>The larger of width and height.</summary>
     Larger,
+
+    /// <summary>The diagonal of the picture.</summary>
+    Diagonal,
+}
+
+/// <summary>How the camera maps what it sees to the picture.</summary>
+public enum Projection
+{
+    /// <summary>By rays through one point: what is farther away is smaller.</summary>
+    Perspective,
+
+    /// <summary>By parallel rays: nothing gets smaller with distance.</summary>
+    Orthographic,
+
+    /// <summary>All directions around one point: longitude across the picture, latitude along its height (equirectangular).</summary>
+    Spherical,
 }
 
 /// <summary>Describes the camera.</summary>
@@ -33,12 +49,20 @@ public sealed record CameraDescription
     [Parameter("The direction that is up in the picture; it need not be perpendicular to the viewing direction.")]
     public Vector3 Up { get; init; } = new(0, 1, 0);
 
+    /// <summary>How what is seen is mapped to the picture.</summary>
+    [Parameter("How what is seen is mapped to the picture: perspective, orthographic (parallel rays; viewSize tells how much they show), or spherical (all directions around the eye: 360 degrees across the picture and 180 along its height, the point looked at in the middle; pixels are square in a picture twice as wide as high).")]
+    public Projection Projection { get; init; } = Projection.Perspective;
+
+    /// <summary>Extent of what an orthographic camera shows over <see cref="FieldOfViewAxis"/>.</summary>
+    [Parameter("Only for orthographic: how much the picture shows, over the height unless fieldOfViewAxis says otherwise.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
+    public float ViewSize { get; init; } = 2;
+
     /// <summary>Full angle of the field of view over <see cref="FieldOfViewAxis"/>.</summary>
-    [Parameter("Full angle that the picture shows, over the height unless fieldOfViewAxis says otherwise.", Unit = "degrees", Minimum = 0.001, Maximum = 179)]
+    [Parameter("Only for perspective: full angle that the picture shows, over the height unless fieldOfViewAxis says otherwise.", Unit = "degrees", Minimum = 0.001, Maximum = 179)]
     public float FieldOfView { get; init; } = 40;
 
     /// <summary>Which extent of the picture <see cref="FieldOfView"/> measures.</summary>
-    [Parameter("Which extent of the picture the field of view measures.")]
+    [Parameter("Which extent of the picture the field of view, or viewSize, measures.")]
     public FieldOfViewAxis FieldOfViewAxis { get; init; } = FieldOfViewAxis.Vertical;
 
     /// <summary>The lens.</summary>

@@ -30,6 +30,9 @@ public enum Integrator
     /// <summary>As path, with light that comes straight from the sources only.</summary>
     Direct,
 
+    /// <summary>As path, with media that absorb and scatter light inside shapes.</summary>
+    VolPath,
+
     /// <summary>Ambient occlusion: how much of an even, white sky each surface sees.</summary>
     Ao,
 
@@ -98,6 +101,10 @@ public sealed record RenderDescription
     /// <summary>How the samples of a pixel are placed.</summary>
     [Parameter("How the samples of a pixel are placed.")]
     public SamplerKind Sampler { get; init; } = SamplerKind.Sobol;
+
+    /// <summary>How much the surroundings of a pixel's middle count in its colour.</summary>
+    [Parameter("How much the surroundings of a pixel's middle count in its colour. Without it, a pixel is the mean of what its square shows.")]
+    public FilterDescription Filter { get; init; } = new();
 
     /// <summary>How sphere lights are sampled.</summary>
     [Parameter("How spheres that shine are sampled: within the cone in which they are seen, or over the whole surface as the report did (noisier).")]

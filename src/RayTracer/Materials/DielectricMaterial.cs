@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 
@@ -26,12 +27,16 @@ public sealed record DielectricMaterialDescription : MaterialDescription
     [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). It counts where a ray meets this surface from inside, over the way since the last hit (or the camera): not on a way that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
     public Rgb Extinction { get; init; }
 
+    /// <summary>What fills the inside besides.</summary>
+    [Parameter("What fills the inside: milk, fog, a coloured liquid. The volPath integrator shows it.")]
+    public MediumDescription Interior { get; init; } = new();
+
     /// <summary>How the reflectance is computed.</summary>
     [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did (with the angle on the side of the lower index).")]
     public FresnelModel Fresnel { get; init; } = FresnelModel.Exact;
 
     /// <inheritdoc/>
-    public override Material Build(SceneBuilder builder) => new DielectricMaterial(RefractiveIndex, Extinction, Fresnel);
+    public override Material Build(SceneBuilder builder) => new DielectricMaterial(RefractiveIndex, Extinction, Fresnel, Interior.Build());
 }
 
 /// <summary>
@@ -42,10 +47,14 @@ public sealed record DielectricMaterialDescription : MaterialDescription
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 0.</param>
 /// <param name="extinction">Extinction coefficient of the inside, per scene unit.</param>
 /// <param name="model">How the reflectance is computed.</param>
-public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, FresnelModel model) : Material
+/// <param name="interior">What fills the inside besides; null for nothing.</param>
+public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, FresnelModel model, Medium? interior = null) : Material
 {
     /// <inheritdoc/>
     public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
+
+    /// <inheritdoc/>
+    public override Medium? Interior => interior;
 
     /// <inheritdoc/>
     public override bool UsesDistance => !extinction.IsBlack;

@@ -1,3 +1,4 @@
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 
@@ -14,6 +15,9 @@ public abstract class Material
     /// <summary>What it was made from; null where that is not kept.</summary>
     internal Description.MaterialDescription? Source { get; set; }
 
+    /// <summary>What its textures depend on, as far as they come from descriptions.</summary>
+    internal Textures.TextureInputs Inputs { get; set; }
+
     /// <summary>Which laws of scattering the material keeps.</summary>
     public abstract ScatteringProperties Scattering { get; }
 
@@ -25,6 +29,12 @@ public abstract class Material
 
     /// <summary>Whether <see cref="Bsdf"/> may be other than zero for directions through the surface.</summary>
     public virtual bool Transmits => false;
+
+    /// <summary>What fills the inside of the shape; null for empty space.</summary>
+    public virtual Medium? Interior => null;
+
+    /// <summary>Whether all light goes straight through, so that a path has no vertex here.</summary>
+    public virtual bool IsBoundary => false;
 
     /// <summary>Whether <see cref="Emission"/> may be other than zero.</summary>
     public virtual bool Emits => false;
@@ -99,6 +109,9 @@ public struct SurfaceW
     /// <summary>The point.</summary>
     public Vec3W Point;
 
+    /// <summary>The point in the coordinates in which the shape's own numbers are given; set only where a texture depends on it.</summary>
+    public Vec3W Local;
+
     /// <summary>The shape's own unit normal, outward.</summary>
     public Vec3W Normal;
 
@@ -111,7 +124,7 @@ public struct SurfaceW
     /// <summary>The outward unit normal with which the surface is shaded; set only where it may differ from <see cref="Normal"/>.</summary>
     public Vec3W Shading;
 
-    /// <summary>What the diffuse colour is multiplied by; set only by surfaces that have colours of their own.</summary>
+    /// <summary>What the diffuse colour is multiplied by; set only by surfaces that have colours of their own, and to white where a texture asks for them in vain.</summary>
     public RgbW Tint;
 
     /// <summary>Unit direction of the ray, towards the surface.</summary>

@@ -10,12 +10,18 @@ internal sealed unsafe class FinishedPaths
     private readonly PinnedBuffer<float> _radiance;
     private readonly PinnedBuffer<uint> _path;
     private readonly SampleAccumulator _accumulator;
+    private readonly Scene _scene;
+    private readonly RayGenerator _generator;
+    private readonly bool _hasWeights;
     private readonly int _stride;
     private SampleRange _samples;
     private int _count;
 
-    public FinishedPaths(int capacity, SampleAccumulator accumulator)
+    public FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator)
     {
+        _scene = scene;
+        _generator = generator;
+        _hasWeights = scene.Filter is { HasWeights: true };
         _stride = capacity + (2 * FloatW.Count);
         _radiance = new(3L * _stride);
         _path = new(_stride);
@@ -64,6 +70,12 @@ internal sealed unsafe class FinishedPaths
         {
             PathNumber.Split(UIntW.Load(_path.Pointer + i), _samples, out UIntW pixel, out UIntW sample);
             RgbW radiance = new(FloatW.Load(r + i), FloatW.Load(g + i), FloatW.Load(b + i));
+            if (_hasWeights)
+            {
+                UIntW key = UIntW.Gather(_generator.PixelKeys, MaskW.First(_count - i).Select(pixel, 0u));
+                radiance *= RayGenerator.Weight(_scene, key, sample);
+            }
+
             _accumulator.Add(Math.Min(FloatW.Count, _count - i), pixel, sample, radiance);
         }
 

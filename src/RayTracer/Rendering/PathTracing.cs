@@ -1,3 +1,5 @@
+using RayTracer.Sampling;
+
 namespace RayTracer.Rendering;
 
 /// <summary>
@@ -32,6 +34,9 @@ public sealed class PathTracing(Scene scene)
             paths.AddRange(recorder.Paths());
         }
 
-        return paths;
+        return scene.Filter is { HasWeights: true } ? [.. paths.Select(p => p with { Weight = Weight(x, y, p.Sample) })] : paths;
     }
+
+    private float Weight(int x, int y, int sample) =>
+        RayGenerator.Weight(scene, Hash.PixelKey((uint)scene.Render.Seed, (uint)((y * scene.Render.Width) + x)), (uint)sample)[0];
 }

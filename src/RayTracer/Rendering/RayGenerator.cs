@@ -47,18 +47,35 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
             pixel = MaskW.First(count).Select(pixel, 0u);
             UIntW key = UIntW.Gather(_key.Pointer, pixel);
             scene.Sampler.Begin(key, sample, Dimensions.Pixel, out SamplePoints points);
-            scene.Sampler.Pair(points, 0, out FloatW u, out FloatW v);
+            scene.Sampler.Pair(points, 0, out FloatW x, out FloatW y);
+            scene.Filter?.Place(ref x, ref y);
             scene.Camera.GenerateRays(
-                FloatW.Gather(_x.Pointer, pixel) + u, FloatW.Gather(_y.Pointer, pixel) + v, scene.Sampler, key, sample, out Vec3W origin, out Vec3W direction);
+                FloatW.Gather(_x.Pointer, pixel) + x, FloatW.Gather(_y.Pointer, pixel) + y, scene.Sampler, key, sample, out Vec3W origin, out Vec3W direction);
             uint lanes = MaskW.First(count).Bits;
             if (scene.IsTimed || scene.Camera.IsPlaced)
             {
                 Place(stream, lanes, key, sample, ref origin, ref direction);
             }
 
+            if (scene.HasMedia)
+            {
+                stream.SetMedia(lanes, 0u, 0f);
+            }
+
             stream.Append(lanes, origin, direction, Rgb.White, Rgb.Black, path, PathState.CountsEmission);
             _issued += count;
         }
+    }
+
+    /// <summary>What the pixel filter multiplies the radiance of samples by; ask only where it <see cref="PixelFilter.HasWeights"/>.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="key">Keys of the pixels.</param>
+    /// <param name="sample">Numbers of the samples.</param>
+    public static FloatW Weight(Scene scene, in UIntW key, in UIntW sample)
+    {
+        scene.Sampler.Begin(key, sample, Dimensions.Pixel, out SamplePoints points);
+        scene.Sampler.Pair(points, 0, out FloatW u, out FloatW v);
+        return scene.Filter!.Weight(u, v);
     }
 
     // Gives paths their times, and takes the camera to where it is then.

@@ -3,6 +3,7 @@ using RayTracer.Cameras;
 using RayTracer.Description;
 using RayTracer.Lights;
 using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Shapes;
@@ -14,6 +15,8 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed class Scene
 {
+    private readonly Medium[] _media;
+
     private Scene(RenderDescription render, Camera camera, Rgb background, EnvironmentLight? environment, Rgb ambient, World world)
     {
         Environment = environment;
@@ -22,6 +25,7 @@ public sealed class Scene
         Background = background;
         Ambient = ambient;
         Sampler = Sampler.Create(render);
+        Filter = PixelFilter.Create(render.Filter);
         World = world;
         Shapes = World.Itself.Shapes;
         Batches = World.Itself.Batches;
@@ -29,6 +33,8 @@ public sealed class Scene
         IsTimed = camera.Moves || World.Moves;
         Groups = ShadingGroup.Create(World, out int[] groupOf);
         GroupOfPrimitive = groupOf;
+        _media = ShadingGroup.NumberInteriors(Groups);
+        Media = new(_media);
         Lights = LightList.Create(World);
     }
 
@@ -41,6 +47,7 @@ public sealed class Scene
         Environment = other.Environment;
         Ambient = other.Ambient;
         Sampler = Sampler.Create(render);
+        Filter = PixelFilter.Create(render.Filter);
         World = other.World;
         Shapes = other.Shapes;
         Batches = other.Batches;
@@ -48,6 +55,8 @@ public sealed class Scene
         IsTimed = camera.Moves || World.Moves;
         Groups = other.Groups;
         GroupOfPrimitive = other.GroupOfPrimitive;
+        _media = other._media;
+        Media = other.Media;
         Lights = other.Lights;
     }
 
@@ -59,6 +68,9 @@ public sealed class Scene
 
     /// <summary>Where random numbers come from.</summary>
     public Sampler Sampler { get; }
+
+    /// <summary>Places samples around the middle of their pixel; null for the mean over the pixel's own square.</summary>
+    public PixelFilter? Filter { get; }
 
     /// <summary>Radiance where nothing is hit, unless there is an <see cref="Environment"/>.</summary>
     public Rgb Background { get; }
@@ -77,7 +89,7 @@ public sealed class Scene
 
     /// <summary>What the integrator samples for light: what shines, and where it traces paths, the environment behind it.</summary>
     internal IReadOnlyList<LightSource> SampledLights =>
-        Environment is not null && Render.Integrator is Integrator.Path or Integrator.Direct ? [.. Lights, Environment] : Lights;
+        Environment is not null && Render.Integrator != Integrator.Report ? [.. Lights, Environment] : Lights;
 
     /// <summary>Those shapes packed by kind.</summary>
     public IReadOnlyList<ShapeBatch> Batches { get; }
@@ -91,10 +103,19 @@ public sealed class Scene
     /// <summary>Whether anything moves while the shutter is open, so that paths have times.</summary>
     internal bool IsTimed { get; }
 
+    /// <summary>What fills shapes.</summary>
+    internal MediumTable Media { get; }
+
+    /// <summary>Whether media absorb and scatter light: there are some, and the integrator is one that shows them.</summary>
+    internal bool HasMedia => _media.Length > 0 && Render.Integrator == Integrator.VolPath;
+
+    /// <summary>The number of a medium in <see cref="Media"/>; 0 for none.</summary>
+    internal uint NumberOf(Medium? medium) => (uint)(Array.IndexOf(_media, medium) + 1);
+
     /// <summary>What is shaded together.</summary>
     internal ShadingGroup[] Groups { get; }
 
-    /// <summary>The group of each primitive, and, one further, what stands for rays that hit nothing.</summary>
+    /// <summary>The group of each primitive, and, further on, what stands for rays that hit nothing and for those that a medium scatters.</summary>
     internal int[] GroupOfPrimitive { get; }
 
     /// <summary>Everything that can be seen, one by one; what instances show, once for each of them, where it stands when the shutter opens.</summary>
@@ -145,6 +166,16 @@ public sealed class Scene
         if (!(render.Shutter.Y >= render.Shutter.X) || !float.IsFinite(render.Shutter.Y - render.Shutter.X))
         {
             builder.Error(render, nameof(RenderDescription.Shutter), $"the shutter must not close before it opens, but it opens at {render.Shutter.X} and closes at {render.Shutter.Y}");
+        }
+
+        if (FilterCurve.Fault(render.Filter) is var (property, fault))
+        {
+            builder.Error(render.Filter, property, fault);
+        }
+
+        if (camera.Lens is { Shape: LensShape.Bladed, Blades: < 3 or > 64 })
+        {
+            builder.Error(camera.Lens, nameof(LensDescription.Blades), $"a bladed lens has 3 to 64 blades, not {camera.Lens.Blades}");
         }
 
         if (camera.Lens is { Shape: not LensShape.EyeJitter, ApertureRadius: 0, FocusDistance: > 0 })

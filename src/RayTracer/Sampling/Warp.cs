@@ -83,6 +83,26 @@ public static class Warp
         y = r * wide.Select(sin, cos);
     }
 
+    /// <summary>A point of the regular polygon whose corners lie on the unit circle: pdf = 1 / (n/2 · sin 2π/n).</summary>
+    /// <param name="u">First random number: it also chooses one of the triangles around the middle.</param>
+    /// <param name="v">Second random number.</param>
+    /// <param name="corners">Number n of corners, at least 3.</param>
+    /// <param name="turn">By how much of a turn the first corner lies from the x axis towards y, in [0, 1).</param>
+    /// <param name="x">First coordinate of the point.</param>
+    /// <param name="y">Second coordinate of the point.</param>
+    public static void RegularPolygon(FloatW u, FloatW v, int corners, float turn, out FloatW x, out FloatW y)
+    {
+        FloatW scaled = u * corners;
+        FloatW corner = FloatW.Min(FloatW.Floor(scaled), corners - 1);
+        UniformTriangle(FloatW.Min(scaled - corner, FloatBits.OneMinusEpsilon), v, out FloatW middle, out FloatW next);
+        FloatW here = FloatW.MultiplyAdd(corner, 1f / corners, turn);
+        LaneMath.SinCosTurn(here, out FloatW sin, out FloatW cos);
+        LaneMath.SinCosTurn(here + (1f / corners), out FloatW nextSin, out FloatW nextCos);
+        FloatW first = 1f - middle - next;
+        x = FloatW.MultiplyAdd(cos, first, nextCos * next);
+        y = FloatW.MultiplyAdd(sin, first, nextSin * next);
+    }
+
     /// <summary>Barycentric coordinates of a uniform point of a triangle: pdf = 1/area (Shirley &amp; Chiu 1997's square root map).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void UniformTriangle(FloatW u, FloatW v, out FloatW b1, out FloatW b2)

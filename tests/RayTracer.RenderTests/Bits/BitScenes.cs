@@ -14,7 +14,7 @@ internal static class BitScenes
 
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, "shapes", "cornell", Hills, .. Meshes, .. Lights, .. In("primer")];
+        [.. Report, .. Samplers, "shapes", "cornell", Hills, .. Folders.SelectMany(In)];
 
     /// <summary>Names of scenes whose auxiliary images are looked at.</summary>
     public static string[] Auxiliary => ["aov/everything-sobol", "aov/meshes/01-cube", "aov/meshes/02-smooth", "aov/meshes/04-motion-blur"];
@@ -30,6 +30,10 @@ internal static class BitScenes
 
     /// <summary>Names of the scenes of lights.</summary>
     public static IReadOnlyList<string> Lights => In("lights");
+
+    // All folders of scenes but those of the report, which are larger, and those that are wrong.
+    private static IEnumerable<string> Folders =>
+        Directory.GetDirectories(ProjectFolder.PathOf("scenes")).Select(f => Path.GetFileName(f)).Where(f => f is not ("broken" or "report")).Order(StringComparer.Ordinal);
 
     private static string[] In(string folder) =>
         [.. Directory.GetFiles(ProjectFolder.PathOf("scenes", folder), "*.json").Select(f => $"{folder}/{Path.GetFileNameWithoutExtension(f)}").Order(StringComparer.Ordinal)];

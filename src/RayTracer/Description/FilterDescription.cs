@@ -1,0 +1,44 @@
+namespace RayTracer.Description;
+
+/// <summary>The curve of a pixel filter.</summary>
+public enum FilterShape
+{
+    /// <summary>The mean of what the square shows.</summary>
+    Box,
+
+    /// <summary>Falls linearly to zero.</summary>
+    Tent,
+
+    /// <summary>A bell, lowered so that it ends in zero.</summary>
+    Gaussian,
+
+    /// <summary>Mitchell's and Netravali's piecewise cubic curve, with negative lobes that sharpen edges.</summary>
+    Mitchell,
+
+    /// <summary>Harris's window of four cosines, a bell without tails.</summary>
+    BlackmanHarris,
+}
+
+/// <summary>Describes how much the surroundings of a pixel's middle count in its colour: the same curve along and across.</summary>
+public sealed record FilterDescription
+{
+    /// <summary>The curve.</summary>
+    [Parameter("The curve: box (sharp squares), tent, gaussian and blackmanHarris (soft bells), or mitchell (sharper, with negative lobes beside edges).")]
+    public FilterShape Shape { get; init; } = FilterShape.Box;
+
+    /// <summary>Where the curve ends; zero for what is usual.</summary>
+    [Parameter("How far from the pixel's middle the curve ends. 0 means what is usual: 0.5 for box, 1 for tent, 1.5 for gaussian and blackmanHarris, 2 for mitchell.", Unit = "pixels", Minimum = 0, Maximum = 16)]
+    public float Radius { get; init; }
+
+    /// <summary>Standard deviation of the bell; zero for a third of the radius.</summary>
+    [Parameter("Only for gaussian: standard deviation of the bell. 0 means a third of the radius.", Unit = "pixels", Minimum = 0, Maximum = 16)]
+    public float Deviation { get; init; }
+
+    /// <summary>Mitchell's and Netravali's B.</summary>
+    [Parameter("Only for mitchell: the parameter B, which blurs.", Minimum = 0, Maximum = 1)]
+    public float B { get; init; } = 1f / 3;
+
+    /// <summary>Mitchell's and Netravali's C.</summary>
+    [Parameter("Only for mitchell: the parameter C, which sharpens and rings.", Minimum = 0, Maximum = 1)]
+    public float C { get; init; } = 1f / 3;
+}
