@@ -143,10 +143,31 @@ public sealed class Scene
             : null;
 
     /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
-    internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder) =>
-        View(description.Camera, description.Render, builder) is var (render, camera)
-            ? new Scene(render, camera, description.Background, builder.Environment(description), description.Ambient, new World(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop))
-            : null;
+    internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder)
+    {
+        if (View(description.Camera, description.Render, builder) is not var (render, camera))
+        {
+            return null;
+        }
+
+        World world = new(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop);
+        Scene scene = new(render, camera, description.Background, builder.Environment(description), description.Ambient, world);
+        scene.WarnOfWhatIsNotShown(description, builder);
+        return scene;
+    }
+
+    private void WarnOfWhatIsNotShown(SceneDescription description, SceneBuilder builder)
+    {
+        if (!Ambient.IsBlack && Render.Integrator != Integrator.Report)
+        {
+            builder.Warn(description, nameof(Ambient), "only the report integrator knows ambient light: here it has no effect");
+        }
+
+        if (_media.Length > 0 && Render.Integrator is (Integrator.Report or Integrator.Path or Integrator.Direct))
+        {
+            builder.Warn(description.Render, nameof(Render.Integrator), "there are media inside shapes, which only the volPath integrator shows");
+        }
+    }
 
     // Checks how a scene is to be seen.
     private static (RenderDescription Render, Camera Camera)? View(CameraDescription camera, RenderDescription render, SceneBuilder builder)
