@@ -20,6 +20,7 @@ internal static class CommandLine
         ("render", "Renders a scene into image files.", RenderVerb.Build),
         ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
         ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
+        ("convert", "Writes a scene of another format in the native one.", ConvertVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),
         ("bench", "Measures how many rays are traced in a second.", BenchVerb.Build),
         ("reproduce", "Renders the pictures and tables of the report that the project follows.", ReproduceVerb.Build),

@@ -18,6 +18,11 @@ public sealed class ImageSamples(int width, int height)
     /// <summary>Number of images.</summary>
     public int Count => _images.Count;
 
+    /// <summary>A number of an image.</summary>
+    /// <param name="image">Which image, from 0.</param>
+    /// <param name="index">Which number: three a pixel, rows from top to bottom.</param>
+    public float Value(int image, int index) => _images[image][index];
+
     /// <summary>Takes a copy of an image.</summary>
     /// <exception cref="ArgumentException">It has another size.</exception>
     public void Add(IImageRows image)

@@ -10,7 +10,7 @@ public sealed class SphericalGrid
 {
     private const int Rings = 40;
     private const int Sectors = 12;
-    private static readonly GaussLegendreRule s_rule = new(0, 1, 8);
+    private readonly GaussLegendreRule _rule;
     private readonly Vector3D _axis;
     private readonly Vector3D _first;
     private readonly Vector3D _second;
@@ -22,8 +22,10 @@ public sealed class SphericalGrid
     /// <param name="axis">Unit vector: the middle of the lobe.</param>
     /// <param name="normal">Unit normal of the surface, across whose horizon densities may jump; on the axis's side.</param>
     /// <param name="scale">Of the lobe: 1 − cosine at which its density has dropped to about a half.</param>
-    public SphericalGrid(Vector3D axis, Vector3D normal, double scale)
+    /// <param name="points">Points of the quadrature of a cell in each direction.</param>
+    public SphericalGrid(Vector3D axis, Vector3D normal, double scale, int points = 8)
     {
+        _rule = new(0, 1, points);
         // The sectors are laid from the normal, so that the horizon is symmetric to their borders.
         Vector3D up = normal - (axis * axis.Dot(normal));
         _axis = axis;
@@ -72,15 +74,15 @@ public sealed class SphericalGrid
     }
 
     // An integral in pieces, from one break to the next.
-    private static double Quadrature(double from, double[] breaks, double to, Func<double, double> f)
+    private double Quadrature(double from, double[] breaks, double to, Func<double, double> f)
     {
         double sum = 0;
         double start = from;
         foreach (double end in breaks.Select(b => Math.Clamp(b, from, to)).Append(to).Order())
         {
-            for (int i = 0; start < end && i < s_rule.Order; i++)
+            for (int i = 0; start < end && i < _rule.Order; i++)
             {
-                sum += (end - start) * s_rule.GetWeight(i) * f(start + ((end - start) * s_rule.GetAbscissa(i)));
+                sum += (end - start) * _rule.GetWeight(i) * f(start + ((end - start) * _rule.GetAbscissa(i)));
             }
 
             start = end;

@@ -11,6 +11,7 @@ public static class ModelFile
         [".gltf"] = GltfReader.Read,
         [".obj"] = ObjReader.Read,
         [".ply"] = PlyReader.Read,
+        [".serialized"] = SerializedReader.Read,
         [".stl"] = StlReader.Read,
     };
 

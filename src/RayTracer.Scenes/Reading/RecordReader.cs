@@ -314,6 +314,11 @@ internal sealed class RecordReader
 
     private TextureDescription? Texture(RecordParameter parameter, JsonNode node)
     {
+        if (parameter.IsNumber && node.Kind == JsonKind.Number)
+        {
+            return _numbers.Number(parameter, node) is float number ? Solid(node, new(number, number, number)) : null;
+        }
+
         TextureDescription? texture = Texture(parameter.Key, node, parameter);
         if (texture is not null && parameter.RangeComplaint(texture) is { } complaint)
         {

@@ -5,7 +5,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Reads a scene file, or a model file as a scene of its own, and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
+/// <summary>Reads a scene file, native or of Mitsuba, or a model file as a scene of its own, and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
 public static class SceneLoader
 {
     /// <summary>Loads a scene, or a model, which gets a camera and light where it has none.</summary>
@@ -20,7 +20,7 @@ public static class SceneLoader
     {
         string folder = Path.GetDirectoryName(path) ?? "";
         ModelFolder models = new(folder);
-        SceneReadResult read = ModelFile.IsModel(path) ? ModelScene.Read(path, models) : SceneReader.Read(path);
+        SceneReadResult read = ModelFile.IsModel(path) ? ModelScene.Read(path, models) : MitsubaReader.IsScene(path) ? MitsubaReader.Read(path) : SceneReader.Read(path);
         return Build(read, folder, models, overrides, readPicture, keepsSources: false);
     }
 
@@ -87,8 +87,8 @@ public static class SceneLoader
     private static Diagnostic ToDiagnostic(SceneComplaint complaint, SceneReadResult read)
     {
         Severity severity = complaint.IsError ? Severity.Error : Severity.Warning;
-        return read.SourceMap.Find(complaint.Subject, complaint.Property) is { } node
-            ? read.Source!.At(node.Start, severity, complaint.Message)
+        return read.SourceMap.Find(complaint.Subject, complaint.Property) is { } node ? read.Source!.At(node.Start, severity, complaint.Message)
+            : read.SourceMap.PlaceOf(complaint.Subject) is { } place ? place.At(severity, complaint.Message)
             : new(FileName(read), 0, 0, severity, complaint.Message);
     }
 

@@ -4,6 +4,7 @@ namespace RayTracer.Scenes;
 public sealed class SourceMap
 {
     private readonly Dictionary<object, JsonNode> _nodes = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<object, SourcePlace> _places = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<object, HashSet<string>> _replaced = new(ReferenceEqualityComparer.Instance);
     private readonly HashSet<object> _incomplete = new(ReferenceEqualityComparer.Instance);
 
@@ -32,6 +33,11 @@ public sealed class SourceMap
 
     internal void Add(object record, JsonNode node) => _nodes[record] = node;
 
+    // For files that are no JSON.
+    internal void Add(object record, SourcePlace place) => _places[record] = place;
+
+    internal SourcePlace? PlaceOf(object record) => _places.TryGetValue(record, out SourcePlace place) ? place : null;
+
     // A record some of whose values could not be read: what else is said about it may be a consequence.
     internal void MarkIncomplete(object record) => _incomplete.Add(record);
 
@@ -40,6 +46,11 @@ public sealed class SourceMap
     // Gives a changed copy of a record the positions of all values that are still those of the file.
     internal void Follow(object original, object copy)
     {
+        if (PlaceOf(original) is { } place)
+        {
+            _places[copy] = place;
+        }
+
         if (ReferenceEquals(original, copy) || !_nodes.TryGetValue(original, out JsonNode? node))
         {
             return;

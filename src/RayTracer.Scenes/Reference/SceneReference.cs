@@ -109,6 +109,7 @@ public static class SceneReference
         ParameterKind.Vector2 => "[number, number]",
         ParameterKind.Vector3 => "[number, number, number]",
         ParameterKind.Color => "colour",
+        ParameterKind.Texture when parameter.IsNumber => "number or [texture](#textures)",
         ParameterKind.Texture => "[texture](#textures)",
         ParameterKind.Material => "[material](#materials)",
         ParameterKind.Materials => "list of [materials](#materials)",

@@ -129,6 +129,7 @@ public static class SceneSchema
         ParameterKind.Vector2 => Numbers(2, Number("number", parameter)),
         ParameterKind.Vector3 => Numbers(3, Number("number", parameter)),
         ParameterKind.Color => Reference("color"),
+        ParameterKind.Texture when parameter.IsNumber => new() { ["anyOf"] = new JsonArray(Number("number", parameter), Reference("texture")) },
         ParameterKind.Texture => Reference("texture"),
         ParameterKind.Material => Reference("material"),
         ParameterKind.Materials => List(Reference("material")),

@@ -55,6 +55,9 @@ public sealed class RecordParameter
     /// <summary>Whether a scene file must give the parameter.</summary>
     public bool Required => _attribute.Required;
 
+    /// <summary>Whether a number may stand in place of a texture.</summary>
+    public bool IsNumber => _attribute.IsNumber;
+
     /// <summary>What may be written as its value.</summary>
     public ParameterKind Kind { get; }
 

@@ -4,13 +4,16 @@ using RayTracer.Scenes;
 namespace RayTracer.Session;
 
 /// <summary>The files that a scene's text names.</summary>
-internal static class FileNames
+public static class FileNames
 {
     /// <summary>The places of all names: of pictures and models, and of the schema.</summary>
-    public static IEnumerable<SceneValue> All(JsonText text) => SceneValue.Scene(text.Root).WithInner()
+    internal static IEnumerable<SceneValue> All(JsonText text) => SceneValue.Scene(text.Root).WithInner()
         .Where(v => v is { Parameter.Kind: ParameterKind.File, Node: { Kind: JsonKind.String, Text.Length: > 0 } node } && !node.Text.Contains('\0', StringComparison.Ordinal));
 
     /// <summary>Writes relative names anew for a text that moves to another folder, so that they name the same files. Names of no file stay.</summary>
+    /// <param name="text">The scene.</param>
+    /// <param name="from">The folder from which its names are meant.</param>
+    /// <param name="to">The folder from which they are to be meant.</param>
     public static JsonText Move(JsonText text, string from, string to)
     {
         IEnumerable<Scenes.JsonNode> names = All(text).Select(v => v.Node!);
@@ -22,6 +25,10 @@ internal static class FileNames
         return text.With(names.Where(n => !Path.IsPathRooted(n.Text) && File.Exists(Path.Combine(from, n.Text)))
             .Select(n => new TextEdit(n.Start, n.End, JsonLayout.Quote(Relative(to, Path.GetFullPath(Path.Combine(from, n.Text)))))));
     }
+
+    /// <summary>As the other one, for a text that is JSON.</summary>
+    /// <exception cref="DocumentException">It is none.</exception>
+    public static string Move(string text, string from, string to) => Move(JsonText.Of(text), from, to).Text;
 
     private static string Relative(string folder, string file) => Path.GetRelativePath(folder, file).Replace('\\', '/');
 }

@@ -36,7 +36,7 @@ public sealed class SceneFiles
 
     /// <summary>Whether a file can be opened, by its name.</summary>
     public static bool CanOpen(string name) =>
-        Path.GetExtension(name).ToLowerInvariant() is ".json" or ".zip" || ModelFile.IsModel(name);
+        Path.GetExtension(name).ToLowerInvariant() is ".json" or ".zip" || ModelFile.IsModel(name) || MitsubaReader.IsScene(name);
 
     /// <summary>Begins a new scene.</summary>
     /// <param name="discard">Whether changes that were not saved may go.</param>
@@ -47,7 +47,7 @@ public sealed class SceneFiles
         Show(SceneTextFile.NewScene, new("new scene.json", null, _folders.Home), isSaved: true);
     }
 
-    /// <summary>Opens a scene file, a model file as a new scene that shows it, or a bundle.</summary>
+    /// <summary>Opens a scene file, a scene of Mitsuba or a model file as a new scene that shows it, or a bundle.</summary>
     /// <param name="path">The file's whole path.</param>
     /// <param name="discard">Whether changes that were not saved may go.</param>
     /// <exception cref="DocumentException">It cannot be opened, or there are such changes; the document is as it was.</exception>
@@ -158,6 +158,12 @@ public sealed class SceneFiles
         if (ModelFile.IsModel(path))
         {
             Show(SceneTextFile.ReadModel(path), new(Path.GetFileNameWithoutExtension(path) + ".json", null, folder), isSaved: true);
+            return;
+        }
+
+        if (MitsubaReader.IsScene(path))
+        {
+            Show(SceneTextFile.ReadMitsuba(path), new(Path.GetFileNameWithoutExtension(path) + ".json", null, folder), isSaved: true);
             return;
         }
 

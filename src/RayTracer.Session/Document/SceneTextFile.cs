@@ -72,6 +72,16 @@ internal static class SceneTextFile
         }
     });
 
+    /// <summary>Makes a scene's text of one in Mitsuba's format.</summary>
+    /// <exception cref="DocumentException">There is something wrong with it.</exception>
+    public static string ReadMitsuba(string path)
+    {
+        SceneReadResult read = MitsubaReader.Read(path);
+        return read.Description is { } scene
+            ? SceneWriter.Write(scene)
+            : throw new DocumentException($"{Path.GetFileName(path)} cannot be opened: {read.Diagnostics.First(d => d.Severity == Severity.Error)}");
+    }
+
     /// <summary>Writes a scene file under a temporary name and renames it.</summary>
     /// <exception cref="DocumentException">It cannot be written; the old file is untouched.</exception>
     public static void Write(string path, string text, string lineEnd)

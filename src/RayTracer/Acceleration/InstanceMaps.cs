@@ -63,8 +63,9 @@ internal readonly unsafe ref struct InstanceMaps(float* memory)
 
     /// <summary>Moves a surface from the space into the world.</summary>
     /// <param name="hasShading">Whether it is shaded with a normal of its own.</param>
+    /// <param name="hasTangents">Whether it is told how points move with u and v.</param>
     /// <param name="surface">In: the surface in the space. Out: in the world, with the offset that all roundings on the way need.</param>
-    public void Describe(bool hasShading, ref SurfaceW surface)
+    public void Describe(bool hasShading, bool hasTangents, ref SurfaceW surface)
     {
         Vec3W inside = surface.Point;
         surface.Point = Point(inside);
@@ -79,6 +80,12 @@ internal readonly unsafe ref struct InstanceMaps(float* memory)
         if (hasShading)
         {
             surface.Shading = Vec3W.Normalize(NormalOut(surface.Shading));
+        }
+
+        if (hasTangents)
+        {
+            surface.AlongU = Vector(surface.AlongU);
+            surface.AlongV = Vector(surface.AlongV);
         }
     }
 

@@ -23,6 +23,9 @@ internal unsafe interface IShapeKernel
 
     /// <summary>As <see cref="SurfaceTable.Describe"/>.</summary>
     static abstract void Describe(in PrimitiveIndex primitives, float* table, bool needsUv, ref SurfaceW surface);
+
+    /// <summary>As <see cref="SurfaceTable.DescribeTangents"/>.</summary>
+    static abstract void DescribeTangents(in PrimitiveIndex primitives, float* table, ref SurfaceW surface);
 }
 
 /// <summary>Shapes whose occlusion is told by the nearest hit.</summary>
@@ -79,4 +82,8 @@ internal sealed unsafe class KernelBatch<TKernel> : ShapeBatch
     /// <inheritdoc/>
     public override void Describe(in PrimitiveIndex primitives, bool needsUv, ref SurfaceW surface) =>
         TKernel.Describe(primitives, Table, needsUv, ref surface);
+
+    /// <inheritdoc/>
+    public override void DescribeTangents(in PrimitiveIndex primitives, ref SurfaceW surface) =>
+        TKernel.DescribeTangents(primitives, Table, ref surface);
 }

@@ -32,4 +32,9 @@ public abstract class SurfaceTable(int count, int stride)
     /// In: the hit point as computed along the ray. Out: that point moved onto the surface, the outward normal, the offset, and uv where wanted.
     /// </param>
     public abstract void Describe(in PrimitiveIndex primitives, bool needsUv, ref SurfaceW surface);
+
+    /// <summary>Describes how points of the surface move with u and with v; (0, 0, 0), or no number, where that is not known.</summary>
+    /// <param name="primitives">The primitives hit.</param>
+    /// <param name="surface">In: as <see cref="Describe"/> left it, with uv. Out: <see cref="SurfaceW.AlongU"/> and <see cref="SurfaceW.AlongV"/>.</param>
+    public abstract void DescribeTangents(in PrimitiveIndex primitives, ref SurfaceW surface);
 }

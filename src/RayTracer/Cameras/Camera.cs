@@ -63,11 +63,35 @@ public sealed class Camera
             builder.Error(camera, nameof(CameraDescription.Lens), "a spherical camera looks in all directions and cannot have a lens");
         }
 
+        if (!IsWindow(camera, builder))
+        {
+            return null;
+        }
+
         Vector3 up = right.Cross(forward);
         float focus = camera.Lens.FocusDistance > 0 ? camera.Lens.FocusDistance : (camera.LookAt - camera.Position).Dot(forward);
         CameraProjection projection = CameraProjection.Create(camera, forward, right, up, focus, width, height);
         Motion motion = TransformSteps.Motion(camera, camera.Transform, camera.Motion, builder);
         return new Camera(projection, hasLens ? new Lens(camera.Lens, right, up) : null, motion);
+    }
+
+    private static bool IsWindow(CameraDescription camera, SceneBuilder builder)
+    {
+        IReadOnlyList<float> window = camera.Window;
+        string? complaint = window switch
+        {
+            { Count: 0 } => null,
+            { Count: not 4 } => $"a window has four numbers (x, y, width and height), but this one has {window.Count}",
+            _ when camera.Projection == Projection.Spherical => "a spherical camera shows all directions and cannot have a window",
+            _ => window[2] > 0 && window[3] > 0 && window[0] + window[2] < 1.0001f && window[1] + window[3] < 1.0001f ? null
+                : "a window needs a width and a height above 0, and must not reach beyond the picture",
+        };
+        if (complaint is not null)
+        {
+            builder.Error(camera, nameof(CameraDescription.Window), complaint);
+        }
+
+        return complaint is null;
     }
 
     /// <summary>Takes rays to where the camera is.</summary>

@@ -17,14 +17,14 @@ internal sealed class OrthographicProjection : CameraProjection
     /// <param name="right">Unit direction to the right in the picture.</param>
     /// <param name="up">Unit direction upwards in the picture.</param>
     /// <param name="pixel">How much a pixel shows, in scene units.</param>
-    /// <param name="width">Width of the picture in pixels.</param>
-    /// <param name="height">Height of the picture in pixels.</param>
-    public OrthographicProjection(Vector3 eye, Vector3 toFocus, Vector3 right, Vector3 up, float pixel, int width, int height)
+    /// <param name="middleX">From the left edge of the picture to the viewing direction, in pixels.</param>
+    /// <param name="middleY">From the top edge.</param>
+    public OrthographicProjection(Vector3 eye, Vector3 toFocus, Vector3 right, Vector3 up, float pixel, float middleX, float middleY)
     {
         _toFocus = toFocus;
         _stepX = right * pixel;
         _stepY = up * -pixel;
-        _corner = eye - _stepX * (0.5f * width) - _stepY * (0.5f * height);
+        _corner = eye - _stepX * middleX - _stepY * middleY;
     }
 
     /// <inheritdoc/>

@@ -17,14 +17,14 @@ internal sealed class PerspectiveProjection : CameraProjection
     /// <param name="right">Unit direction to the right in the picture.</param>
     /// <param name="up">Unit direction upwards in the picture.</param>
     /// <param name="pixel">How much of the plane in focus a pixel shows.</param>
-    /// <param name="width">Width of the picture in pixels.</param>
-    /// <param name="height">Height of the picture in pixels.</param>
-    public PerspectiveProjection(Vector3 eye, Vector3 toFocus, Vector3 right, Vector3 up, float pixel, int width, int height)
+    /// <param name="middleX">From the left edge of the picture to the viewing direction, in pixels.</param>
+    /// <param name="middleY">From the top edge.</param>
+    public PerspectiveProjection(Vector3 eye, Vector3 toFocus, Vector3 right, Vector3 up, float pixel, float middleX, float middleY)
     {
         _eye = eye;
         _stepX = right * pixel;
         _stepY = up * -pixel;
-        _corner = toFocus - _stepX * (0.5f * width) - _stepY * (0.5f * height);
+        _corner = toFocus - _stepX * middleX - _stepY * middleY;
     }
 
     /// <inheritdoc/>

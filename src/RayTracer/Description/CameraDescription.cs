@@ -65,6 +65,10 @@ public sealed record CameraDescription
     [Parameter("Which extent of the picture the field of view, or viewSize, measures.")]
     public FieldOfViewAxis FieldOfViewAxis { get; init; } = FieldOfViewAxis.Vertical;
 
+    /// <summary>The part of the whole picture that is shown: where it begins from the upper left, and its size, in fractions of the whole; empty for all of it.</summary>
+    [Parameter("The part of the whole picture that is shown: x and y of its upper left corner, its width and its height, in fractions of the whole. Field of view and viewSize measure the whole. Without it, all is shown.", Minimum = 0, Maximum = 1)]
+    public IReadOnlyList<float> Window { get; init; } = [];
+
     /// <summary>The lens.</summary>
     [Parameter("The lens, for depth of field. Without it the camera is a pinhole.")]
     public LensDescription Lens { get; init; } = new();

@@ -28,4 +28,7 @@ public sealed class ParameterAttribute(string summary) : Attribute
 
     /// <summary>Whether the text is the path of a file, relative to the scene file's folder.</summary>
     public bool IsFile { get; init; }
+
+    /// <summary>Whether a texture stands for a number, so that a number may be written: the red channel counts.</summary>
+    public bool IsNumber { get; init; }
 }

@@ -211,7 +211,12 @@ internal sealed class SceneAssembler(SceneBuilder builder)
                 using (builder.Within(mesh, nameof(MeshDescription.File)))
                 using (builder.Replace(mesh.Material))
                 {
-                    AddMeshesOf(mesh, model.Scene.Shapes, Motion.Still(place), target);
+                    int parts = 0;
+                    AddMeshesOf(mesh, model.Scene.Shapes, Motion.Still(place), target, ref parts);
+                    if (mesh.Part >= parts)
+                    {
+                        builder.Error(mesh, nameof(MeshDescription.Part), $"there is no mesh {mesh.Part} in \"{mesh.File}\": it has {parts}, counted from 0");
+                    }
                 }
             }
 
@@ -219,34 +224,36 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         }
 
         Material[] materials = mesh.Materials.Count > 0 ? [.. mesh.Materials.Select(builder.SurfaceMaterial)] : [builder.SurfaceMaterial(mesh.Material)];
-        AddTriangles(mesh, materials, place, target);
+        AddTriangles(mesh, mesh, materials, place, target);
     }
 
     // Only the triangles of a file, made of what the mesh says.
-    private void AddMeshesOf(MeshDescription parent, IEnumerable<ShapeDescription> shapes, Motion outer, SpaceContents target)
+    private void AddMeshesOf(MeshDescription parent, IEnumerable<ShapeDescription> shapes, Motion outer, SpaceContents target, ref int parts)
     {
         foreach (ShapeDescription shape in shapes)
         {
             Motion place = outer * TransformSteps.Motion(shape, shape.Transform, shape.Motion, builder);
             switch (shape)
             {
+                case MeshDescription when parent.Part >= 0 && parent.Part != parts++:
+                    break;
                 case MeshDescription mesh:
                     Material[] materials = parent.Materials.Count > 0 ? [.. parent.Materials.Select(builder.SurfaceMaterial)] : [builder.SurfaceMaterial(parent.Material)];
-                    AddTriangles(mesh, materials, place.At(builder.Shutter.Open), target);
+                    AddTriangles(parent, mesh, materials, place.At(builder.Shutter.Open), target);
                     break;
                 case GroupDescription group:
-                    AddMeshesOf(parent, group.Shapes, place, target);
+                    AddMeshesOf(parent, group.Shapes, place, target, ref parts);
                     break;
                 case InstanceDescription { Of: { } of }:
-                    AddMeshesOf(parent, [of], place, target);
+                    AddMeshesOf(parent, [of], place, target, ref parts);
                     break;
             }
         }
     }
 
-    private void AddTriangles(MeshDescription mesh, Material[] materials, in Transform place, SpaceContents target)
+    private void AddTriangles(MeshDescription wanted, MeshDescription mesh, Material[] materials, in Transform place, SpaceContents target)
     {
-        MeshData? data = Mended(mesh);
+        MeshData? data = Mended(wanted, mesh);
         if (data is null || data.TriangleCount == 0)
         {
             return;
@@ -274,17 +281,24 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         target.Meshes.Add(new(data, materials, place, builder.SourceOf(mesh)));
     }
 
-    private MeshData? Mended(MeshDescription mesh)
+    // What one file's mesh becomes in one shape is not kept for others.
+    private MeshData? Mended(MeshDescription wanted, MeshDescription mesh)
     {
         object key = (object?)mesh.Data ?? mesh;
-        if (!_mended.TryGetValue(key, out MeshData? data))
+        if (MeshVariant.IsOwn(wanted) && _mended.TryGetValue(key, out MeshData? known))
         {
-            data = MeshDoctor.Mend(mesh.Data ?? Inline(mesh), out string report);
+            return known;
+        }
+
+        MeshData data = MeshDoctor.Mend(MeshVariant.Of(mesh.Data ?? Inline(mesh), wanted), out string report);
+        if (MeshVariant.IsOwn(wanted))
+        {
             _mended.Add(key, data);
-            if (report.Length > 0)
-            {
-                builder.Warn(mesh, null, $"{Name(mesh)}: {report}");
-            }
+        }
+
+        if (report.Length > 0)
+        {
+            builder.Warn(mesh, null, $"{Name(mesh)}: {report}");
         }
 
         return data;

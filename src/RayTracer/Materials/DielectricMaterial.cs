@@ -1,6 +1,8 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
+using RayTracer.Textures;
 
 namespace RayTracer.Materials;
 
@@ -26,12 +28,25 @@ public sealed record DielectricMaterialDescription : MaterialDescription
     [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). It counts where a ray meets this surface from inside, over the way since the last hit (or the camera): not on a way that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
     public Rgb Extinction { get; init; }
 
+    /// <summary>What fills the inside besides.</summary>
+    [Parameter("What fills the inside: milk, fog, a coloured liquid. The volPath integrator shows it.")]
+    public MediumDescription Interior { get; init; } = new();
+
     /// <summary>How the reflectance is computed.</summary>
     [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did (with the angle on the side of the lower index).")]
     public FresnelModel Fresnel { get; init; } = FresnelModel.Exact;
 
+    /// <summary>Factor on all that is reflected.</summary>
+    [Parameter("Factor on what is reflected, per channel: 1 for what glass really does.", Minimum = 0, Maximum = 1)]
+    public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
+
+    /// <summary>Factor on all that is refracted.</summary>
+    [Parameter("Factor on what is refracted, per channel: 1 for what glass really does. It counts at every boundary; to tint the inside, use extinction.", Minimum = 0, Maximum = 1)]
+    public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
+
     /// <inheritdoc/>
-    public override Material Build(SceneBuilder builder) => new DielectricMaterial(RefractiveIndex, Extinction, Fresnel);
+    public override Material Build(SceneBuilder builder) => new DielectricMaterial(
+        RefractiveIndex, Extinction, Fresnel, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), Interior.Build());
 }
 
 /// <summary>
@@ -42,10 +57,22 @@ public sealed record DielectricMaterialDescription : MaterialDescription
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 0.</param>
 /// <param name="extinction">Extinction coefficient of the inside, per scene unit.</param>
 /// <param name="model">How the reflectance is computed.</param>
-public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, FresnelModel model) : Material
+/// <param name="reflectedPart">Factor on what is reflected; null for 1.</param>
+/// <param name="refractedPart">Factor on what is refracted; null for 1.</param>
+/// <param name="interior">What fills the inside besides; null for nothing.</param>
+public sealed class DielectricMaterial(
+    float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null, Medium? interior = null) : Material
 {
+    private readonly bool _isColored = (reflectedPart is not null && reflectedPart.Constant != Rgb.White) || (refractedPart is not null && refractedPart.Constant != Rgb.White);
+
     /// <inheritdoc/>
     public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
+
+    /// <inheritdoc/>
+    public override Medium? Interior => interior;
+
+    /// <inheritdoc/>
+    public override bool UsesUv => _isColored && (reflectedPart is { Constant: null } || refractedPart is { Constant: null });
 
     /// <inheritdoc/>
     public override bool UsesDistance => !extinction.IsBlack;
@@ -75,6 +102,11 @@ public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, Fr
             scatter.Weight = surface.Inside.Select(scatter.Weight * Transmittance(surface.Distance), scatter.Weight);
         }
 
+        if (_isColored)
+        {
+            Color(surface, reflected, ref scatter.Weight);
+        }
+
         scatter.Specular = MaskW.All;
         scatter.Delta = MaskW.All;
         scatter.Absorbed = MaskW.None;
@@ -90,6 +122,15 @@ public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, Fr
         float r = (refractiveIndex - 1) / (refractiveIndex + 1);
         MaskW fromDenser = eta > 1f;
         return Fresnel.Schlick(fromDenser.Select(cosTransmitted, cosIncident), r * r);
+    }
+
+    private void Color(in SurfaceW surface, MaskW reflected, ref RgbW weight)
+    {
+        RgbW above = Rgb.White;
+        RgbW through = Rgb.White;
+        reflectedPart?.Evaluate(surface.U, surface.V, out above);
+        refractedPart?.Evaluate(surface.U, surface.V, out through);
+        weight *= reflected.Select(above, through);
     }
 
     // Beer 1852; report, section 6.2.6: the fraction of light that is left after a distance.

@@ -69,10 +69,19 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     public override bool HasDensity => inner is { HasDensity: true };
 
     /// <inheritdoc/>
+    public override Media.Medium? Interior => inner?.Interior;
+
+    /// <inheritdoc/>
     public override bool Transmits => inner is { Transmits: true };
 
     /// <inheritdoc/>
     public override bool UsesUv => texture.Constant is null || inner is { UsesUv: true };
+
+    /// <inheritdoc/>
+    public override bool UsesTangent => inner is { UsesTangent: true };
+
+    /// <inheritdoc/>
+    public override bool TurnsNormal => inner is { TurnsNormal: true };
 
     /// <inheritdoc/>
     public override bool UsesDistance => inner is { UsesDistance: true };

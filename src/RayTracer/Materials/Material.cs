@@ -1,3 +1,4 @@
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 
@@ -29,11 +30,23 @@ public abstract class Material
     /// <summary>Whether <see cref="Bsdf"/> may be other than zero for directions through the surface.</summary>
     public virtual bool Transmits => false;
 
+    /// <summary>What fills the inside of the shape; null for empty space.</summary>
+    public virtual Medium? Interior => null;
+
+    /// <summary>Whether all light goes straight through, so that a path has no vertex here.</summary>
+    public virtual bool IsBoundary => false;
+
     /// <summary>Whether <see cref="Emission"/> may be other than zero.</summary>
     public virtual bool Emits => false;
 
     /// <summary>Whether any result depends on uv; where not, uv need not be computed.</summary>
     public virtual bool UsesUv => false;
+
+    /// <summary>Whether any result depends on <see cref="SurfaceW.Tangent"/>; then it uses uv too.</summary>
+    public virtual bool UsesTangent => false;
+
+    /// <summary>Whether <see cref="Prepare"/> turns <see cref="SurfaceW.Facing"/>.</summary>
+    public virtual bool TurnsNormal => false;
 
     /// <summary>Whether scattering depends on <see cref="SurfaceW.Distance"/>, the length of the ray.</summary>
     public virtual bool UsesDistance => false;
@@ -117,7 +130,15 @@ public struct SurfaceW
     /// <summary>The outward unit normal with which the surface is shaded; set only where it may differ from <see cref="Normal"/>.</summary>
     public Vec3W Shading;
 
-    /// <summary>What the diffuse colour is multiplied by; set only by surfaces that have colours of their own, and to white where a texture asks for them in vain.</summary>
+    /// <summary>
+    /// Unit vector along which u grows, perpendicular to <see cref="Facing"/>; set only where <see cref="Material.UsesTangent"/>.
+    /// </summary>
+    public Vec3W Tangent;
+
+    /// <summary>How the point moves with u and with v; set only where <see cref="Material.UsesTangent"/>.</summary>
+    public Vec3W AlongU, AlongV;
+
+    /// <summary>What the diffuse colour is multiplied by: 1 where surfaces have no colours of their own.</summary>
     public RgbW Tint;
 
     /// <summary>Unit direction of the ray, towards the surface.</summary>
@@ -135,11 +156,35 @@ public struct SurfaceW
     /// <summary>Whether the ray comes from inside, against the shape's own normal.</summary>
     public MaskW Inside;
 
-    /// <summary>Colour of the diffuse part; set by <see cref="Material.Prepare"/>.</summary>
+    /// <summary>Colour of the diffuse part; set by <see cref="Material.Prepare"/>, then multiplied by <see cref="Tint"/>.</summary>
     public RgbW DiffuseColor;
 
     /// <summary>How far a new ray must start from the point, along the normal, so as not to meet the same surface again.</summary>
     public FloatW Offset;
+
+    /// <summary>Sets <see cref="Tangent"/> to what <see cref="AlongU"/> is beside <see cref="Facing"/>; where that is nothing, or no number, to any direction there.</summary>
+    public void SetTangent()
+    {
+        Vec3W beside = Vec3W.NegatedMultiplyAdd(Facing, Vec3W.Dot(AlongU, Facing), AlongU);
+        FloatW length2 = Vec3W.Dot(beside, beside);
+        Onb.FromNormal(Facing, out Onb any);
+        MaskW isGood = length2 > 1e-30f & length2 < 1e30f;
+        Tangent = isGood.Select(beside * (1f / FloatW.Sqrt(length2)), any.U);
+    }
+
+    /// <summary>The frame in which microfacets are described: W is <see cref="Facing"/>.</summary>
+    /// <param name="isTurned">Whether U must be <see cref="Tangent"/>; any direction otherwise.</param>
+    /// <param name="frame">The frame.</param>
+    public readonly void Frame(bool isTurned, out Onb frame)
+    {
+        if (isTurned)
+        {
+            frame = new(Tangent, Vec3W.Cross(Facing, Tangent), Facing);
+            return;
+        }
+
+        Onb.FromNormal(Facing, out frame);
+    }
 }
 
 /// <summary>How paths go on from a surface.</summary>

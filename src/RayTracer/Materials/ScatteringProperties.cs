@@ -15,6 +15,9 @@ public sealed record ScatteringProperties
     /// </summary>
     public string? ReciprocityException { get; init; }
 
+    /// <summary>Why more light may go on than arrives; null where that never is so.</summary>
+    public string? EnergyException { get; init; }
+
     /// <summary>
     /// Whether, with colours of one and nothing absorbed inside, all light goes on: the weights of <see cref="Material.Scatter"/>
     /// have mean 1, measured in radiance over the squared refractive index. Where not, the mean is at most 1.

@@ -35,4 +35,8 @@ public readonly struct Onb
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vec3W ToWorld(Vec3W local) =>
         Vec3W.MultiplyAdd(U, local.X, Vec3W.MultiplyAdd(V, local.Y, W * local.Z));
+
+    /// <summary>The coordinates of a vector along U, V and W.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vec3W ToLocal(Vec3W world) => new(Vec3W.Dot(world, U), Vec3W.Dot(world, V), Vec3W.Dot(world, W));
 }

@@ -29,7 +29,7 @@ internal sealed unsafe class OcclusionShader(Scene scene, FinishedPaths finished
         Onb.FromNormal(surface.Facing, out Onb frame);
         ScatterW scatter = new() { Direction = frame.ToWorld(Warp.CosineHemisphere(u, v)), Weight = Numerics.Rgb.White, Absorbed = MaskW.None };
         MaskW alive = active.Except(isSecond);
-        if (group.HasShadingNormals)
+        if (group.MayLeak)
         {
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }

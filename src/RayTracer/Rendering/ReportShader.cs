@@ -54,7 +54,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, null, group.HasShadingNormals, Vertex, time, active, throughput * brdf, ref radiance);
+            _directLight.Add(surface, null, 0u, group.MayLeak, Vertex, time, active, throughput * brdf, ref radiance);
         }
 
         // Where the path goes on.
@@ -66,7 +66,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         // Written so that a path whose throughput is not a number goes on, and is counted at its end.
         MaskW isDark = (throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f);
         MaskW alive = active.Except(scatter.Absorbed).Except(isDark) & goesOn;
-        if (group.HasShadingNormals)
+        if (group.MayLeak)
         {
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }

@@ -9,10 +9,13 @@ namespace RayTracer.Sampling;
 /// <param name="sampler">Where the numbers come from.</param>
 public sealed class VertexSamples(Sampler sampler)
 {
+    private const float LargestBelowOne = 0.99999994f;
     private UIntW _pixelKey;
     private UIntW _sample;
     private UIntW _group;
     private SamplePoints _points;
+    private FloatW _rest;
+    private bool _hasRest;
 
     /// <summary>Turns to a vertex.</summary>
     /// <param name="pixelKey">Keys of the pixels.</param>
@@ -24,6 +27,7 @@ public sealed class VertexSamples(Sampler sampler)
         _sample = sample;
         _group = (vertex * Dimensions.GroupsPerVertex) + Dimensions.FirstVertex;
         sampler.Begin(pixelKey, sample, _group, out _points);
+        _hasRest = false;
     }
 
     /// <summary>The two numbers that choose the direction of scattering.</summary>
@@ -32,8 +36,35 @@ public sealed class VertexSamples(Sampler sampler)
     /// <summary>The number that chooses between lobes.</summary>
     public FloatW Choice()
     {
+        if (_hasRest)
+        {
+            return _rest;
+        }
+
         Decisions(out FloatW u, out _);
         return u;
+    }
+
+    /// <summary>
+    /// Chooses one of two parts. What is left of the number, again spread evenly over [0, 1), then is the parts' own <see cref="Choice"/>:
+    /// to be given to each of them by <see cref="Leave"/>.
+    /// </summary>
+    /// <param name="probability">That of the second part.</param>
+    /// <param name="rest">What is left of the number.</param>
+    public MaskW Choose(in FloatW probability, out FloatW rest)
+    {
+        FloatW u = Choice();
+        MaskW second = u < probability;
+        rest = second.Select(u / probability, (u - probability) / (1f - probability));
+        rest = FloatW.Min(rest, LargestBelowOne);
+        return second;
+    }
+
+    /// <summary>Sets the number that the next <see cref="Choice"/> of this vertex is.</summary>
+    public void Leave(in FloatW rest)
+    {
+        _rest = rest;
+        _hasRest = true;
     }
 
     /// <summary>The number that decides whether a path goes on.</summary>
@@ -49,6 +80,16 @@ public sealed class VertexSamples(Sampler sampler)
     /// <param name="v">Second number.</param>
     public void Light(int light, out FloatW u, out FloatW v) =>
         sampler.Pair(_points, Dimensions.FirstLight + (uint)light, out u, out v);
+
+    /// <summary>The two numbers that decide how far a path flies through a medium.</summary>
+    /// <param name="crossings">How many boundaries it has crossed since the vertex.</param>
+    /// <param name="u">First number.</param>
+    /// <param name="v">Second number.</param>
+    public void Flight(UIntW crossings, out FloatW u, out FloatW v)
+    {
+        sampler.Begin(_pixelKey, _sample, (_group << 8) + Dimensions.FirstFlight + crossings, out SamplePoints points);
+        sampler.Pair(points, 0, out u, out v);
+    }
 
     private void Decisions(out FloatW u, out FloatW v)
     {

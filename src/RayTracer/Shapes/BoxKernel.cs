@@ -71,6 +71,18 @@ internal readonly unsafe struct BoxKernel : IShapeKernel
         }
     }
 
+    /// <inheritdoc/>
+    public static void DescribeTangents(in PrimitiveIndex primitives, float* table, ref SurfaceW surface)
+    {
+        Vec3W size = primitives.ReadVector(table, Maximum) - primitives.ReadVector(table, 0);
+        Vec3W n = surface.Normal;
+        FloatW side = n.X + n.Y + n.Z;
+        MaskW isX = FloatW.Abs(n.X) > 0f;
+        MaskW isY = FloatW.Abs(n.Y) > 0f;
+        surface.AlongU = new Vec3W(isX.Select(0f, size.X), 0f, isX.Select(-size.Z, 0f)) * side;
+        surface.AlongV = new(0f, isY.Select(0f, size.Y), isY.Select(-size.Z, 0f));
+    }
+
     /// <summary>uv of a point of the face of a normal, given as parts of the box's size from the corner of the smallest coordinates.</summary>
     public static void Uv(in Vec3W place, in Vec3W normal, out FloatW u, out FloatW v)
     {

@@ -131,6 +131,23 @@ internal readonly unsafe struct ConicalKernel : IShapeKernel
         }
     }
 
+    /// <inheritdoc/>
+    public static void DescribeTangents(in PrimitiveIndex primitives, float* table, ref SurfaceW surface)
+    {
+        LocalFrameW frame = new(primitives, table);
+        Vec3W p = frame.PointToLocal(surface.Point);
+        Vec3W n = frame.ToLocal(surface.Normal);
+        MaskW isCap = FloatW.MultiplyAdd(n.X, n.X, n.Y * n.Y) < 1e-10f;
+        FloatW capRadius = (n.Z > 0f).Select(primitives.Read(table, TopRadius), primitives.Read(table, BottomRadius));
+        FloatW sign = FloatW.CopySign(1f, n.Z);
+        FloatW distance = FloatW.Sqrt(FloatW.MultiplyAdd(p.X, p.X, p.Y * p.Y));
+        FloatW slope = primitives.Read(table, Slope) / distance;
+        Vec3W around = new Vec3W(p.Y, -p.X, 0f) * (2f * float.Pi);
+        Vec3W upwards = new Vec3W(p.X * slope, p.Y * slope, 1f) * (primitives.Read(table, Half) * 2f);
+        surface.AlongU = frame.ToWorld(isCap.Select(new Vec3W(capRadius * sign * 2f, 0f, 0f), around));
+        surface.AlongV = frame.ToWorld(isCap.Select(new Vec3W(0f, capRadius * -2f, 0f), upwards));
+    }
+
     /// <summary>uv on a cap, of a point given in radii: as on the level disk that it is where the shape is upright.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void CapUv(FloatW x, FloatW y, FloatW sign, out FloatW u, out FloatW v)

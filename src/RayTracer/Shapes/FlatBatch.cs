@@ -117,6 +117,18 @@ internal sealed unsafe class FlatBatch : ShapeBatch
         }
     }
 
+    /// <inheritdoc/>
+    public override void DescribeTangents(in PrimitiveIndex primitives, ref SurfaceW surface)
+    {
+        // What changes v by nothing, and u by 1; and the other way round.
+        Vec3W u = primitives.ReadVector(Table, MapU);
+        Vec3W v = primitives.ReadVector(Table, MapV);
+        Vec3W keepsV = Vec3W.Cross(v, surface.Normal);
+        Vec3W keepsU = Vec3W.Cross(surface.Normal, u);
+        surface.AlongU = keepsV * (1f / Vec3W.Dot(u, keepsV));
+        surface.AlongV = keepsU * (1f / Vec3W.Dot(v, keepsU));
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static MaskW IsWithin(Outline outline, float* q, Vec3W p)
     {

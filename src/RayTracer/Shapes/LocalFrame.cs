@@ -96,6 +96,9 @@ internal readonly unsafe struct LocalFrameW
         return new(Vec3W.Dot(v, _right), Vec3W.Dot(v, _front), Vec3W.Dot(v, _axis));
     }
 
+    /// <summary>Brings world directions into the frames.</summary>
+    public Vec3W ToLocal(in Vec3W v) => new(Vec3W.Dot(v, _right), Vec3W.Dot(v, _front), Vec3W.Dot(v, _axis));
+
     /// <summary>The local vector as the world sees it.</summary>
     public Vec3W ToWorld(in Vec3W v) => Vec3W.MultiplyAdd(_right, v.X, Vec3W.MultiplyAdd(_front, v.Y, _axis * v.Z));
 

@@ -3,6 +3,19 @@ using RayTracer.Description;
 
 namespace RayTracer.Shapes;
 
+/// <summary>Which normals a mesh is shaded with.</summary>
+public enum MeshShading
+{
+    /// <summary>Its own, and none where it has none.</summary>
+    Own,
+
+    /// <summary>None: every triangle is flat.</summary>
+    Flat,
+
+    /// <summary>Its own, and where it has none the mean of those of the triangles around each corner.</summary>
+    Smooth,
+}
+
 /// <summary>Describes a mesh of triangles, from a file, from numbers in the scene file, or from a program.</summary>
 [SceneType("mesh", "Triangles that share corners, from a model file or from numbers written here. Their front, which shines if they are a luminaire, is where the corners are seen counter-clockwise. What is wrong with a mesh is mended where possible, and reported.")]
 public sealed record MeshDescription : ShapeDescription
@@ -38,6 +51,26 @@ public sealed record MeshDescription : ShapeDescription
     /// <summary>Which of <see cref="Materials"/> each triangle is made of; empty where all are made of the first.</summary>
     [Parameter("For each triangle, which of the materials it is made of, from 0.")]
     public IReadOnlyList<int> MaterialOfTriangle { get; init; } = [];
+
+    /// <summary>Which of the meshes of <see cref="File"/>, from 0; −1 for all.</summary>
+    [Parameter("Which of the meshes of the file, from 0; −1 takes all of them.", Minimum = -1)]
+    public int Part { get; init; } = -1;
+
+    /// <summary>Which normals the mesh is shaded with.</summary>
+    [Parameter("Which normals the mesh is shaded with: its own (flat triangles where it has none), none at all, or its own and where it has none the mean of the triangles around each corner, weighted by their angles there.")]
+    public MeshShading Shading { get; init; } = MeshShading.Own;
+
+    /// <summary>Whether the mesh is turned inside out.</summary>
+    [Parameter("Whether the mesh is turned inside out: its front becomes its back.")]
+    public bool FlipNormals { get; init; }
+
+    /// <summary>Whether v is counted from the other end.</summary>
+    [Parameter("Whether v is counted from the other end: 1 − v takes its place.")]
+    public bool FlipV { get; init; }
+
+    /// <summary>Whether the colours of corners are left out.</summary>
+    [Parameter("Whether the colours that a file gives its corners are left out. Otherwise the material's colour is multiplied by them.")]
+    public bool IgnoreColors { get; init; }
 
     /// <summary>The triangles as a program gives them, instead of the file or the lists; null where there are none.</summary>
     public MeshData? Data { get; init; }

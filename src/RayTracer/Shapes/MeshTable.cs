@@ -123,6 +123,33 @@ internal sealed unsafe class MeshTable : SurfaceTable
         }
     }
 
+    /// <inheritdoc/>
+    public override void DescribeTangents(in PrimitiveIndex primitives, ref SurfaceW surface)
+    {
+        if (_uv is null)
+        {
+            surface.AlongU = surface.AlongV = new(0f, 0f, 0f);
+            return;
+        }
+
+        uint* indices = (uint*)_indices.Pointer;
+        float* uv = (float*)_uv.Pointer;
+        UIntW first = primitives.Offset * 3u;
+        UIntW i = UIntW.Gather(indices, first);
+        UIntW j = UIntW.Gather(indices, first + 1u);
+        UIntW k = UIntW.Gather(indices, first + 2u);
+        Vec3W a = Read(_positions.Pointer, i);
+        Vec3W toB = Read(_positions.Pointer, j) - a;
+        Vec3W toC = Read(_positions.Pointer, k) - a;
+        FloatW uB = FloatW.Gather(uv, j * 2u) - FloatW.Gather(uv, i * 2u);
+        FloatW uC = FloatW.Gather(uv, k * 2u) - FloatW.Gather(uv, i * 2u);
+        FloatW vB = FloatW.Gather(uv + 1, j * 2u) - FloatW.Gather(uv + 1, i * 2u);
+        FloatW vC = FloatW.Gather(uv + 1, k * 2u) - FloatW.Gather(uv + 1, i * 2u);
+        FloatW inverse = 1f / FloatW.NegatedMultiplyAdd(vB, uC, uB * vC);
+        surface.AlongU = Vec3W.NegatedMultiplyAdd(toC, vB, toB * vC) * inverse;
+        surface.AlongV = Vec3W.NegatedMultiplyAdd(toB, uC, toC * uB) * inverse;
+    }
+
     private void DescribeShading(UIntW i, UIntW j, UIntW k, FloatW b, FloatW c, ref SurfaceW surface)
     {
         // Where corners have none, or theirs cancel out, the triangle is flat.

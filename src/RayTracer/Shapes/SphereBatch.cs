@@ -106,6 +106,16 @@ internal sealed unsafe class SphereBatch : ShapeBatch
         }
     }
 
+    /// <inheritdoc/>
+    public override void DescribeTangents(in PrimitiveIndex primitives, ref SurfaceW surface)
+    {
+        Vec3W n = surface.Normal;
+        FloatW radius = primitives.Read(Table, Radius);
+        FloatW ring = FloatW.Sqrt(FloatW.MultiplyAdd(n.X, n.X, n.Z * n.Z));
+        surface.AlongU = new Vec3W(n.Z, 0f, -n.X) * (radius * (2f * float.Pi));
+        surface.AlongV = new Vec3W(-n.Y * n.X / ring, ring, -n.Y * n.Z / ring) * (radius * float.Pi);
+    }
+
     /// <summary>Longitude and latitude: u = ½ + atan2(x, z)/2π, v = acos(−y)/π.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void Uv(in Vec3W normal, out FloatW u, out FloatW v)

@@ -66,6 +66,19 @@ internal readonly unsafe struct TorusKernel : IShapeKernel
         }
     }
 
+    /// <inheritdoc/>
+    public static void DescribeTangents(in PrimitiveIndex primitives, float* table, ref SurfaceW surface)
+    {
+        LocalFrameW frame = new(primitives, table);
+        Vec3W p = frame.PointToLocal(surface.Point);
+        Vec3W n = frame.ToLocal(surface.Normal);
+        FloatW distance = FloatW.Sqrt(FloatW.MultiplyAdd(p.X, p.X, p.Y * p.Y));
+        FloatW outward = FloatW.MultiplyAdd(n.X, p.X, n.Y * p.Y) / distance;
+        FloatW inwards = -n.Z / distance;
+        surface.AlongU = frame.ToWorld(new Vec3W(p.Y, -p.X, 0f) * (2f * float.Pi));
+        surface.AlongV = frame.ToWorld(new Vec3W(p.X * inwards, p.Y * inwards, outward) * (primitives.Read(table, Tube) * (2f * float.Pi)));
+    }
+
     // The first distance above zero at which rays cross the surface.
     private static FloatW Cross(float* q, in Vec3W origin, in Vec3W direction, bool onlyOutwards)
     {

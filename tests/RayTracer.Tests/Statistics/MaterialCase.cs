@@ -1,6 +1,7 @@
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Textures;
+using MetalName = RayTracer.Materials.Metal;
 
 namespace RayTracer.Tests.Statistics;
 
@@ -14,6 +15,18 @@ internal sealed record MaterialCase(string Name, Material Material)
 
     /// <summary>Refractive index of its inside.</summary>
     public double Index { get; init; } = 1;
+
+    /// <summary>Whether it is not black from behind.</summary>
+    public bool SeenFromBehind { get; init; } = true;
+
+    /// <summary>How far a mean over a grid of samples may lie from the albedo.</summary>
+    public double AlbedoTolerance { get; init; } = 1e-5;
+
+    /// <summary>How far a moment of a grid of samples may lie from the integral.</summary>
+    public double MeanTolerance { get; init; } = 1e-4;
+
+    /// <summary>Points of the quadrature of a cell in each direction: more for narrow lobes beside that around the mirror direction.</summary>
+    public int QuadraturePoints { get; init; } = 8;
 
     /// <summary>What part of the light goes on, if known; null where it is not all the same whatever the angle.</summary>
     public Rgb? Albedo { get; init; }
@@ -41,6 +54,36 @@ internal sealed record MaterialCase(string Name, Material Material)
         new("glass on white", new DiffuseSpecularMaterial(Diffuse(1, 1, 1), Glass(1.5f, Rgb.Black), 0.2f)) { Index = 1.5, Albedo = Rgb.White, IsMixture = true },
         new("lamp", new LuminaireMaterial(new SolidTexture(Rgb.White), 2, 1, null)) { Albedo = Rgb.Black },
         new("diffuse lamp", new LuminaireMaterial(new SolidTexture(Rgb.White), 2, 1, Diffuse(0.8f, 0.5f, 0.2f))) { Albedo = new(0.8f, 0.5f, 0.2f) },
+        new("mirror", new ConductorMaterial(new(MetalName.None), Solid(1))) { Albedo = Rgb.White },
+        new("copper mirror", new ConductorMaterial(new(MetalName.Copper), new UvTexture())),
+        Rough("perfect rough metal", MetalName.None, MicrofacetDistribution.Ggx, 0.3f, 0.3f),
+        Rough("polished gold", MetalName.Gold, MicrofacetDistribution.Ggx, 0.05f, 0.05f),
+        Rough("brushed aluminium", MetalName.Aluminium, MicrofacetDistribution.Ggx, 0.4f, 0.15f),
+        Rough("coarse iron", MetalName.Iron, MicrofacetDistribution.Ggx, 1, 1),
+        Rough("hammered silver", MetalName.Silver, MicrofacetDistribution.Beckmann, 0.3f, 0.3f),
+        Rough("brushed titanium", MetalName.Titanium, MicrofacetDistribution.Beckmann, 0.2f, 0.5f),
+        Rough("coarse tungsten", MetalName.Tungsten, MicrofacetDistribution.Beckmann, 0.8f, 0.8f),
+        new("textured copper", new RoughConductorMaterial(new(MetalName.Copper), new(MicrofacetDistribution.Ggx, new UvTexture(), new UvTexture()), new UvTexture())) { Exponent = 16 },
+        Frosted("frosted glass", 1.5f, MicrofacetDistribution.Ggx, 0.3f, 0.3f),
+        Frosted("frosted bubble", 1 / 1.4f, MicrofacetDistribution.Ggx, 0.4f, 0.4f),
+        Frosted("streaked glass", 1.5f, MicrofacetDistribution.Ggx, 0.5f, 0.25f),
+        Frosted("rough water", 1.33f, MicrofacetDistribution.Beckmann, 0.4f, 0.4f),
+        new("pane", new ThinDielectricMaterial(1.5f, Solid(1), Solid(1))) { Albedo = Rgb.White },
+        new("red pane", new ThinDielectricMaterial(1.5f, Solid(1), new UvTexture())),
+        new("white plastic", new PlasticMaterial(Solid(1), 1.49f, true, Solid(1))) { Albedo = Rgb.White, AlbedoTolerance = MeanOfTwo },
+        new("plastic", new PlasticMaterial(new UvTexture(), 1.6f, false, Solid(0.8f))) { AlbedoTolerance = MeanOfTwo },
+        new("deep plastic", new PlasticMaterial(new UvTexture(), 1.3f, true, Solid(1))) { AlbedoTolerance = MeanOfTwo },
+        new("white rough plastic", new RoughPlasticMaterial(Solid(1), 1.5f, true, Solid(1), MicrofacetDistribution.Ggx, 0.1f)) { Exponent = 100 },
+        new("rough plastic", new RoughPlasticMaterial(new UvTexture(), 1.49f, false, Solid(1), MicrofacetDistribution.Beckmann, 0.3f)) { Exponent = 10 },
+        new("one-sided plastic", new OneSidedMaterial(new PlasticMaterial(Solid(0.5f), 1.5f, true, Solid(1)))) { SeenFromBehind = false },
+        new("two-sided", new TwoSidedMaterial(Diffuse(0.2f, 0.5f, 0.8f), new OneSidedMaterial(RoughIron(0.3f)))) { Exponent = 10 },
+        new("white on both sides", new TwoSidedMaterial(Diffuse(1, 1, 1), Diffuse(1, 1, 1))) { Albedo = Rgb.White },
+        new("mix of white", new MixMaterial(Diffuse(1, 1, 1), Glass(1.5f, Rgb.Black), Solid(0.3f))) { Index = 1.5, Albedo = Rgb.White, IsMixture = true },
+        new("mix of two colours", new MixMaterial(new DiffuseMaterial(new UvTexture()), Diffuse(1, 0.5f, 0), new UvTexture())) { IsMixture = true },
+        new("rust", new MixMaterial(Diffuse(0.7f, 0.3f, 0.1f), RoughIron(0.3f), new UvTexture())) { Exponent = 10, IsMixture = true },
+        new("mix of mixes", new MixMaterial(new MixMaterial(Diffuse(1, 0.5f, 0), Glass(1.5f, Rgb.Black), Solid(0.3f)), new MixMaterial(Diffuse(0, 0.5f, 1), RoughIron(0.5f), Solid(0.6f)), Solid(0.4f))) { Index = 1.5, Exponent = 4, IsMixture = true },
+        new("white lace", new MaskMaterial(Diffuse(1, 1, 1), new UvTexture())) { Albedo = Rgb.White },
+        new("iron mesh", new MaskMaterial(RoughIron(0.4f), Solid(0.7f))) { Exponent = 4 },
         new("metal lamp", new LuminaireMaterial(new SolidTexture(Rgb.White), 2, 1, Metal(20).Material)) { Exponent = 20 },
     ];
 
@@ -49,6 +92,24 @@ internal sealed record MaterialCase(string Name, Material Material)
 
     /// <inheritdoc/>
     public override string ToString() => Name;
+
+    // Where lobes of different weights are chosen by the multiples of the golden ratio, beside a grid of directions.
+    private const double MeanOfTwo = 4e-4;
+
+    // The last of 1,024 columns of cells holds all of a distribution's long tail.
+    private const double MeanOfTails = 4e-4;
+
+    private static SolidTexture Solid(float value) => new(new(value, value, value));
+
+    private static Roughness RoughnessOf(MicrofacetDistribution distribution, float alphaU, float alphaV) => new(distribution, Solid(alphaU), Solid(alphaV));
+
+    private static RoughConductorMaterial RoughIron(float alpha) => new(new(MetalName.Iron), RoughnessOf(MicrofacetDistribution.Ggx, alpha, alpha), Solid(1));
+
+    private static MaterialCase Rough(string name, MetalName metal, MicrofacetDistribution distribution, float alphaU, float alphaV) =>
+        new(name, new RoughConductorMaterial(new(metal), RoughnessOf(distribution, alphaU, alphaV), Solid(1))) { Exponent = 1 / (alphaU * alphaV), MeanTolerance = MeanOfTails };
+
+    private static MaterialCase Frosted(string name, float index, MicrofacetDistribution distribution, float alphaU, float alphaV) =>
+        new(name, new RoughDielectricMaterial(index, RoughnessOf(distribution, alphaU, alphaV), Solid(1), Solid(1))) { Index = index, Exponent = 1, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 };
 
     private static DiffuseMaterial Diffuse(float r, float g, float b) => new(new SolidTexture(new(r, g, b)));
 

@@ -47,6 +47,8 @@ internal sealed record SurfaceCase(double Cosine, bool Inside = false)
         surface.Distance = Distance;
         surface.U = U;
         surface.V = V;
+        surface.Tint = Rgb.White;
+        Turn(ref surface);
         material.Prepare(ref surface);
         return surface;
     }
@@ -58,5 +60,15 @@ internal sealed record SurfaceCase(double Cosine, bool Inside = false)
         surface.Cosine = FloatW.Abs(Vec3W.Dot(surface.Incoming, surface.Normal));
         surface.Inside = Vec3W.Dot(surface.Incoming, surface.Normal) > 0f;
         surface.Facing = surface.Inside.Select(-surface.Normal, surface.Normal);
+        Turn(ref surface);
+    }
+
+    // Along u is a direction of the surface's own, whichever side it is seen from.
+    private static void Turn(ref SurfaceW surface)
+    {
+        Onb.FromNormal(surface.Normal, out Onb frame);
+        surface.Tangent = Vec3W.MultiplyAdd(frame.U, 0.8f, frame.V * 0.6f);
+        surface.AlongU = surface.Tangent * 2f;
+        surface.AlongV = Vec3W.MultiplyAdd(frame.U, -0.5f, frame.V * 1.5f);
     }
 }

@@ -1,0 +1,25 @@
+using RayTracer.Description;
+using RayTracer.Shapes;
+
+namespace RayTracer.Scenes;
+
+/// <summary>Makes meshes of model files. Where a file has no normals they have smooth ones, unless faces are asked for.</summary>
+internal static class MitsubaMeshes
+{
+    /// <summary>A mesh of a file.</summary>
+    public static ShapeDescription? Read(MitsubaObject shape, MaterialDescription material)
+    {
+        MeshDescription mesh = new()
+        {
+            File = shape.FileName() ?? "",
+            Part = shape.Type == "serialized" ? shape.Integer("shape_index", 0, 0) : -1,
+            Shading = shape.Boolean("face_normals", false) ? MeshShading.Flat : MeshShading.Smooth,
+            FlipNormals = shape.Boolean("flip_normals", false),
+            FlipV = shape.Boolean("flip_tex_coords", shape.Type == "obj"),
+            IgnoreColors = true,
+            Material = material,
+            Transform = MitsubaSurfaces.Steps(shape.Transform()),
+        };
+        return mesh.File.Length > 0 ? mesh : null;
+    }
+}

@@ -1,0 +1,78 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Scenes;
+
+/// <summary>Makes shapes: which they are, what they are made of, and whether they shine.</summary>
+internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, MitsubaEmitters emitters)
+{
+    private static readonly string[] s_types =
+        ["rectangle", "sphere", "disk", "cylinder", "cube", "obj", "ply", "serialized", "shapegroup", "instance", "merge"];
+
+    private readonly Dictionary<MitsubaObject, ShapeDescription> _groups = [];
+
+    /// <summary>The groups that instances show, by their names.</summary>
+    public Dictionary<string, ShapeDescription> Groups { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>The shape that a thing is; null where nothing of it is seen by itself, or after an error.</summary>
+    public ShapeDescription? Read(MitsubaObject shape)
+    {
+        ShapeDescription? made = shape.Type switch
+        {
+            "shapegroup" => Group(shape),
+            "instance" => Instance(shape),
+            "merge" => new GroupDescription { Shapes = Inner(shape) },
+            _ => Surface(shape),
+        };
+        shape.Finish();
+        return made is null || shape.Type == "shapegroup" ? null : reading.At(shape.Place, made with { Name = shape.Id });
+    }
+
+    private ShapeDescription[] Inner(MitsubaObject parent) => [.. parent.Children("shape").Select(Read).OfType<ShapeDescription>()];
+
+    private ShapeDescription? Group(MitsubaObject shape)
+    {
+        if (!_groups.TryGetValue(shape, out ShapeDescription? group))
+        {
+            group = reading.At(shape.Place, new GroupDescription { Name = shape.Id, Shapes = Inner(shape) });
+            _groups.Add(shape, group);
+            Groups[shape.Id.Length > 0 ? shape.Id : $"group {Groups.Count + 1}"] = group;
+        }
+
+        return group;
+    }
+
+    private InstanceDescription? Instance(MitsubaObject shape)
+    {
+        Transform place = shape.Transform();
+        if (shape.Only("shape") is not { Type: "shapegroup" } group)
+        {
+            reading.Log.Error(shape.Place, "an instance needs a shapegroup to show");
+            return null;
+        }
+
+        ShapeDescription? of = Group(group);
+        group.Finish();
+        return new() { Of = of, Transform = MitsubaSurfaces.Steps(place) };
+    }
+
+    private ShapeDescription? Surface(MitsubaObject shape)
+    {
+        if (!s_types.Contains(shape.Type))
+        {
+            reading.Log.Unknown(shape.TypePlace, $"shapes of the type {Quotation.Of(shape.Type)} are not read here", shape.Type, s_types);
+            return null;
+        }
+
+        MaterialDescription material = Material(shape);
+        return shape.Type is "obj" or "ply" or "serialized" ? MitsubaMeshes.Read(shape, material) : MitsubaSurfaces.Read(shape, material);
+    }
+
+    private MaterialDescription Material(MitsubaObject shape)
+    {
+        MitsubaObject? emitter = shape.Only("emitter");
+        MaterialDescription material = shape.Only("bsdf") is { } bsdf ? bsdfs.Read(bsdf) : emitter is null ? MitsubaBsdfs.Standard : MitsubaBsdfs.Black;
+        return emitter is null ? material : emitters.Area(emitter, material);
+    }
+}

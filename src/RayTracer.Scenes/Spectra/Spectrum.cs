@@ -1,0 +1,66 @@
+using RayTracer.Numerics;
+
+namespace RayTracer.Scenes;
+
+/// <summary>Numbers at wavelengths, linear in between and 0 beyond; and the colours that they are.</summary>
+/// <param name="wavelengths">In nm, rising.</param>
+/// <param name="values">As many numbers.</param>
+internal sealed class Spectrum(float[] wavelengths, float[] values)
+{
+    /// <summary>The number at a wavelength.</summary>
+    public double At(double wavelength)
+    {
+        if (!(wavelength >= wavelengths[0] && wavelength <= wavelengths[^1]))
+        {
+            return 0;
+        }
+
+        int next = Array.BinarySearch(wavelengths, (float)wavelength);
+        next = next >= 0 ? next : ~next;
+        if (next == 0)
+        {
+            return values[0];
+        }
+
+        double along = (wavelength - wavelengths[next - 1]) / ((double)wavelengths[next] - wavelengths[next - 1]);
+        return values[next - 1] + (along * ((double)values[next] - values[next - 1]));
+    }
+
+    /// <summary>The colour of light of this spectral radiance: 1 at all wavelengths has the luminance 1.</summary>
+    public Rgb Light() => Color(static _ => 1);
+
+    /// <summary>The colour of what reflects daylight (D65) so, or of a number that depends on the wavelength: 1 at all wavelengths is white.</summary>
+    public Rgb Reflectance() => Color(static w => Between(CieTables.D65, w));
+
+    // The integrals of CIE 15:2004, section 7.1, in steps of 1 nm, and linear sRGB of them (IEC 61966-2-1, section 5.2).
+    private Rgb Color(Func<double, double> illuminant)
+    {
+        (double x, double y, double z, double all) = (0, 0, 0, 0);
+        for (int w = CieTables.First; w <= CieTables.Last; w++)
+        {
+            double light = illuminant(w);
+            double value = light * At(w);
+            double luminance = Between(CieTables.Y, w);
+            x += value * Between(CieTables.X, w);
+            y += value * luminance;
+            z += value * Between(CieTables.Z, w);
+            all += light * luminance;
+        }
+
+        (x, y, z) = (x / all, y / all, z / all);
+        return new(
+            Positive((3.240479 * x) - (1.537150 * y) - (0.498535 * z)),
+            Positive((-0.969256 * x) + (1.875991 * y) + (0.041556 * z)),
+            Positive((0.055648 * x) - (0.204043 * y) + (1.057311 * z)));
+    }
+
+    // Colours that screens do not have.
+    private static float Positive(double channel) => (float)double.Max(channel, 0);
+
+    private static double Between(ReadOnlySpan<double> table, double wavelength)
+    {
+        double place = (wavelength - CieTables.First) / CieTables.Step;
+        int below = int.Min((int)place, table.Length - 2);
+        return table[below] + ((place - below) * (table[below + 1] - table[below]));
+    }
+}

@@ -1,0 +1,65 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Textures;
+
+namespace RayTracer.Materials;
+
+/// <summary>Describes a <see cref="BumpMapMaterial"/>.</summary>
+[SceneType("bumpMap", "Another material whose surface looks uneven: a texture tells how high it is.")]
+public sealed record BumpMapMaterialDescription : MaterialDescription
+{
+    /// <summary>The heights.</summary>
+    [Parameter("The heights: the red channel counts. Pictures should be raw, and not of interpolation \"nearest\".", Required = true)]
+    public TextureDescription Map { get; init; } = new SolidTextureDescription();
+
+    /// <summary>Factor on the heights.</summary>
+    [Parameter("Factor on the heights; negative turns hills into hollows.", Unit = "scene units")]
+    public float Scale { get; init; } = 1;
+
+    /// <summary>What scatters light.</summary>
+    [Parameter("What scatters light: a material of any type but a luminaire.", Required = true)]
+    public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
+
+    /// <inheritdoc/>
+    public override Material Build(SceneBuilder builder) =>
+        new BumpMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.Texture(Map), Scale);
+}
+
+/// <summary>Tilts normals as those of a surface that is moved outwards by a height (Blinn 1978).</summary>
+/// <param name="inner">What scatters light.</param>
+/// <param name="map">The heights; the red channel counts.</param>
+/// <param name="scale">Factor on the heights.</param>
+public sealed class BumpMapMaterial(Material inner, Texture map, float scale) : PerturbedMaterial(inner)
+{
+    // Half the distance of what is subtracted, in uv.
+    private const float Step = 1f / 4096;
+
+    /// <inheritdoc/>
+    protected override void Perturb(in SurfaceW surface, in Vec3W outward, out Vec3W normal)
+    {
+        FloatW slopeU = Slope(surface.U, surface.V, Step, 0f);
+        FloatW slopeV = Slope(surface.U, surface.V, 0f, Step);
+        Vec3W alongU = Move(surface.AlongU, outward, slopeU);
+        Vec3W alongV = Move(surface.AlongV, outward, slopeV);
+
+        // Scaled to about 1, so that no product is too small or too large a number.
+        alongU *= 1f / FloatW.Sqrt(Vec3W.Dot(alongU, alongU));
+        alongV *= 1f / FloatW.Sqrt(Vec3W.Dot(alongV, alongV));
+        normal = Vec3W.Cross(alongU, alongV);
+        normal *= FloatW.CopySign(1f, Vec3W.Dot(normal, outward));
+    }
+
+    // The vector within the surface of the normal, and the height that it climbs.
+    private static Vec3W Move(in Vec3W along, in Vec3W outward, FloatW slope) =>
+        Vec3W.MultiplyAdd(outward, slope - Vec3W.Dot(outward, along), along);
+
+    private FloatW Slope(in FloatW u, in FloatW v, float du, float dv)
+    {
+        map.Evaluate(u + du, v + dv, out RgbW after);
+        map.Evaluate(u - du, v - dv, out RgbW before);
+
+        // What the coordinates really are apart, once they are rounded.
+        FloatW distance = ((u + du) - (u - du)) + ((v + dv) - (v - dv));
+        return (distance > 0f).Select((after.R - before.R) * scale / distance, 0f);
+    }
+}

@@ -1,0 +1,19 @@
+using System.Runtime.CompilerServices;
+using RayTracer.Numerics;
+
+namespace RayTracer.Materials;
+
+/// <summary>How often one of two lobes is chosen.</summary>
+internal static class LobeChoice
+{
+    /// <summary>The probability of the first lobe, in proportion to what the two send on; a half where that is nothing.</summary>
+    /// <param name="first">What the first lobe sends on, about.</param>
+    /// <param name="second">What the second lobe sends on, about.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static FloatW Probability(RgbW first, RgbW second)
+    {
+        FloatW a = first.R + first.G + first.B;
+        FloatW sum = a + (second.R + second.G + second.B);
+        return (sum > 0f).Select(a / sum, 0.5f);
+    }
+}

@@ -1,0 +1,88 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+using RayTracer.Textures;
+
+namespace RayTracer.Materials;
+
+/// <summary>Describes a <see cref="MaskMaterial"/>.</summary>
+[SceneType("mask", "Another material with holes: leaves, wire mesh, lace. Where the opacity is 0, light passes straight on.")]
+public sealed record MaskMaterialDescription : MaterialDescription
+{
+    /// <summary>The material where the opacity is 1.</summary>
+    [Parameter("The material where the opacity is 1; of any type but a luminaire.", Required = true)]
+    public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
+
+    /// <summary>Share of the light that meets the material.</summary>
+    [Parameter("Share of the light that meets the material; the rest passes straight on. The red channel counts.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    public TextureDescription Opacity { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
+
+    /// <inheritdoc/>
+    public override Material Build(SceneBuilder builder) => new MaskMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.Texture(Opacity));
+}
+
+/// <summary>Lets a share of the light straight through, and scatters the rest by another material.</summary>
+/// <param name="inner">The other material.</param>
+/// <param name="opacity">The share that meets it; its red channel counts.</param>
+public sealed class MaskMaterial(Material inner, Texture opacity) : WrapperMaterial(inner)
+{
+    /// <inheritdoc/>
+    public override ScatteringProperties Scattering { get; } = inner.Scattering with { Specular = inner.HasDensity ? SpecularLobe.Glossy : SpecularLobe.Delta };
+
+    /// <inheritdoc/>
+    public override bool UsesUv => Inner.UsesUv || opacity.Constant is null;
+
+    /// <inheritdoc/>
+    public override void AmbientResponse(in SurfaceW surface, out RgbW response)
+    {
+        Inner.AmbientResponse(surface, out response);
+        response *= Opacity(surface);
+    }
+
+    /// <inheritdoc/>
+    public override void Albedo(in SurfaceW surface, out RgbW albedo)
+    {
+        Inner.Albedo(surface, out albedo);
+        albedo *= Opacity(surface);
+    }
+
+    /// <inheritdoc/>
+    public override void Brdf(in SurfaceW surface, out RgbW brdf)
+    {
+        Inner.Brdf(surface, out brdf);
+        brdf *= Opacity(surface);
+    }
+
+    /// <inheritdoc/>
+    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Inner.Bsdf(surface, direction, out bsdf);
+        bsdf *= Opacity(surface);
+    }
+
+    /// <inheritdoc/>
+    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
+    {
+        Inner.Pdf(surface, direction, out pdf);
+        pdf *= Opacity(surface);
+    }
+
+    /// <inheritdoc/>
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
+    {
+        MaskW meets = samples.Choose(Opacity(surface), out FloatW rest);
+        samples.Leave(rest);
+        Inner.Scatter(surface, samples, out scatter);
+        scatter.Direction = meets.Select(scatter.Direction, surface.Incoming);
+        scatter.Weight = meets.Select(scatter.Weight, Rgb.White);
+        scatter.Specular |= ~meets;
+        scatter.Delta |= ~meets;
+        scatter.Absorbed &= meets;
+    }
+
+    private FloatW Opacity(in SurfaceW surface)
+    {
+        opacity.Evaluate(surface.U, surface.V, out RgbW color);
+        return FloatW.Max(0f, FloatW.Min(color.R, 1f));
+    }
+}

@@ -1,0 +1,77 @@
+using System.Numerics;
+using RayTracer.Numerics;
+
+namespace RayTracer.Shapes;
+
+/// <summary>What a scene makes of the triangles of a mesh: flat or smooth, turned inside out, with other uv.</summary>
+internal static class MeshVariant
+{
+    /// <summary>Whether nothing is to be made of them.</summary>
+    public static bool IsOwn(MeshDescription wanted) =>
+        wanted is { Shading: MeshShading.Own, FlipNormals: false, FlipV: false, IgnoreColors: false };
+
+    /// <summary>The triangles as they are wanted; the same ones where they are.</summary>
+    public static MeshData Of(MeshData mesh, MeshDescription wanted)
+    {
+        if (IsOwn(wanted))
+        {
+            return mesh;
+        }
+
+        Vector3[]? normals = wanted.Shading switch
+        {
+            MeshShading.Flat => null,
+            MeshShading.Smooth => mesh.Normals ?? SmoothNormals(mesh),
+            _ => mesh.Normals,
+        };
+        return new(mesh.Positions, wanted.FlipNormals ? Turned(mesh.Indices) : mesh.Indices)
+        {
+            Normals = wanted.FlipNormals && normals is not null ? [.. normals.Select(n => -n)] : normals,
+            Uv = wanted.FlipV && mesh.Uv is not null ? [.. mesh.Uv.Select(uv => new Vector2(uv.X, 1 - uv.Y))] : mesh.Uv,
+            Colors = wanted.IgnoreColors ? null : mesh.Colors,
+            Tangents = wanted.FlipV || wanted.FlipNormals ? null : mesh.Tangents,
+            MaterialOfTriangle = mesh.MaterialOfTriangle,
+        };
+    }
+
+    private static int[] Turned(int[] indices)
+    {
+        int[] turned = [.. indices];
+        for (int i = 0; i + 2 < turned.Length; i += 3)
+        {
+            (turned[i + 1], turned[i + 2]) = (turned[i + 2], turned[i + 1]);
+        }
+
+        return turned;
+    }
+
+    /// <summary>The mean of the normals of the triangles around each corner, weighted by their angles there (Thürmer &amp; Wüthrich 1998).</summary>
+    private static Vector3[] SmoothNormals(MeshData mesh)
+    {
+        Vector3[] normals = new Vector3[mesh.Positions.Length];
+        for (int i = 0; i + 2 < mesh.Indices.Length; i += 3)
+        {
+            ReadOnlySpan<int> corners = mesh.Indices.AsSpan(i, 3);
+            if (!AreCorners(corners, normals.Length))
+            {
+                continue;
+            }
+
+            for (int j = 0; j < 3; j++)
+            {
+                Vector3 at = mesh.Positions[corners[j]];
+                Vector3 next = mesh.Positions[corners[(j + 1) % 3]] - at;
+                Vector3 last = mesh.Positions[corners[(j + 2) % 3]] - at;
+                Vector3 across = next.Cross(last);
+                float angle = LaneMath.Atan2(across.Norm(), next.Dot(last));
+                Vector3 weighted = across.Unit() * angle;
+                normals[corners[j]] += weighted.IsFinite() ? weighted : default;
+            }
+        }
+
+        return normals;
+    }
+
+    private static bool AreCorners(ReadOnlySpan<int> corners, int count) =>
+        (uint)corners[0] < count && (uint)corners[1] < count && (uint)corners[2] < count;
+}

@@ -1,0 +1,37 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+
+namespace RayTracer.Textures;
+
+/// <summary>Describes a <see cref="PolarTexture"/>.</summary>
+[SceneType("polar", "Another texture around the middle of uv, (½, ½): its u is the distance from there, 1 where the square from 0 to 1 ends, its v the angle from the direction of u, 1 for a full turn.")]
+public sealed record PolarTextureDescription : TextureDescription
+{
+    /// <summary>The texture.</summary>
+    [Parameter("The texture.", Required = true)]
+    public TextureDescription Texture { get; init; } = new SolidTextureDescription { Color = Rgb.White };
+
+    /// <inheritdoc/>
+    public override Texture Build(SceneBuilder builder) => new PolarTexture(builder.Texture(Texture));
+}
+
+/// <summary>Another texture in polar coordinates around (½, ½).</summary>
+/// <param name="texture">The other texture.</param>
+public sealed class PolarTexture(Texture texture) : Texture
+{
+    /// <inheritdoc/>
+    public override Rgb? Constant => texture.Constant;
+
+    /// <inheritdoc/>
+    public override long MemoryBytes => texture.MemoryBytes;
+
+    /// <inheritdoc/>
+    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color)
+    {
+        FloatW x = FloatW.MultiplyAdd(u, 2f, -1f);
+        FloatW y = FloatW.MultiplyAdd(v, 2f, -1f);
+        FloatW distance = FloatW.Sqrt(FloatW.MultiplyAdd(x, x, y * y));
+        FloatW turn = LaneMath.Atan2(y, x) * (0.5f / float.Pi);
+        texture.Evaluate(distance, (turn < 0f).Select(turn + 1f, turn), out color);
+    }
+}
