@@ -23,7 +23,7 @@ public sealed record MixMaterialDescription : MaterialDescription
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) =>
-        new MixMaterial(Side(builder, nameof(First), First), Side(builder, nameof(Second), Second), builder.Texture(Weight));
+        new MixMaterial(Side(builder, nameof(First), First), Side(builder, nameof(Second), Second), builder.NumberTexture(Weight));
 
     private Material Side(SceneBuilder builder, string property, MaterialDescription description)
     {
@@ -159,7 +159,7 @@ public sealed class MixMaterial(Material first, Material second, Texture weight)
 
     private FloatW Weight(in SurfaceW surface)
     {
-        weight.Evaluate(surface.U, surface.V, out RgbW color);
+        weight.Evaluate(surface, out RgbW color);
         return FloatW.Max(0f, FloatW.Min(color.R, 1f));
     }
 }
