@@ -14,6 +14,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
     private readonly HashSet<MitsubaObject> _open = [];
     private readonly MitsubaMetals _metals = new(textures);
     private readonly MitsubaDielectrics _dielectrics = new(textures);
+    private readonly MitsubaWrappers _wrappers = new(reading, textures);
 
     /// <summary>What surfaces are made of about which nothing is said.</summary>
     public static MaterialDescription Standard { get; } =
@@ -86,8 +87,16 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
                 TextureDescription weight = textures.Read(bsdf, "weight", 0.5f);
                 MaterialDescription[] mixed = Inner(bsdf, 2, 2, isTwoSided);
                 return new MixMaterialDescription { First = mixed[0], Second = mixed[1], Weight = weight };
+            case "normalmap":
+                return _wrappers.NormalMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]);
+            case "bumpmap":
+                return _wrappers.BumpMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]);
+            case "principled":
+                PrincipledMaterialDescription principled = _wrappers.Principled(bsdf);
+                bool isOpaque = principled.Transmission is SolidTextureDescription { Color.R: 0 };
+                return isOpaque ? Sided(bsdf, principled, isTwoSided) : principled;
             default:
-                string[] known = ["diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric", "twosided", "mask", "blendbsdf", "null"];
+                string[] known = ["diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric", "principled", "twosided", "mask", "blendbsdf", "normalmap", "bumpmap", "null"];
                 reading.Log.Unknown(bsdf.TypePlace, $"BSDFs of the type {Quotation.Of(bsdf.Type)} are not read here", bsdf.Type, known);
                 return Standard;
         }

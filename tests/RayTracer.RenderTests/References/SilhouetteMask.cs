@@ -2,6 +2,7 @@ using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
+using RayTracer.Textures;
 
 namespace RayTracer.RenderTests.References;
 
