@@ -43,7 +43,10 @@ public static class ErrorBudget
     /// <summary>The assertions of images for others' use.</summary>
     public static TestFamily Images { get; } = new("images", 5e-5, 50, "two sets of images have the same expectation");
 
+    /// <summary>Pixel filters, images of edges through them, and noise.</summary>
+    public static TestFamily Filters { get; } = new("filters", 2e-5, 200, "samples are spread as the filter's curve, edges as its integral, and noise about zero");
+
     /// <summary>All families.</summary>
     public static IReadOnlyList<TestFamily> Families { get; } =
-        [Oracle, References, Warps, Lights, Materials, Samplers, Analytic, Geometry, Transport, NullRuns, Images];
+        [Oracle, References, Warps, Lights, Materials, Samplers, Analytic, Geometry, Transport, NullRuns, Images, Filters];
 }

@@ -30,6 +30,9 @@ public enum Integrator
     /// <summary>As path, with light that comes straight from the sources only.</summary>
     Direct,
 
+    /// <summary>As path, with media that absorb and scatter light inside shapes.</summary>
+    VolPath,
+
     /// <summary>Ambient occlusion: how much of an even, white sky each surface sees.</summary>
     Ao,
 

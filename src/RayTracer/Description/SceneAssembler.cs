@@ -2,6 +2,7 @@ using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
+using RayTracer.Textures;
 
 namespace RayTracer.Description;
 
@@ -183,7 +184,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         {
             target.Shapes.Add(shape);
         }
-        else if (shape.Transformed(place) is { } moved)
+        else if (!NeedsOwnSpace(shape) && shape.Transformed(place) is { } moved)
         {
             moved.Source = shape.Source;
             target.Shapes.Add(moved);
@@ -195,6 +196,11 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             AddInstance(description, own, Motion.Still(place), target);
         }
     }
+
+    // Textures in space go with the shape.
+    private static bool NeedsOwnSpace(Shape shape) => shape.Bounds.IsFinite && DependsOnPlace(shape.Material);
+
+    private static bool DependsOnPlace(Material material) => (material.Inputs & TextureInputs.ObjectPoint) != TextureInputs.None;
 
     private void AddMesh(MeshDescription mesh, in Transform place, SpaceContents target)
     {
@@ -259,9 +265,17 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        if (data.Uv is null && materials.Any(m => m.UsesUv))
+        if (data.Uv is null && materials.Any(m => m.UsesUv && (m.Inputs & TextureInputs.Uv) != TextureInputs.None))
         {
             builder.Warn(mesh, null, $"{Name(mesh)} has no uv, so its texture shows the colour at (0, 0) everywhere");
+        }
+
+        if (!place.IsIdentity && materials.Any(DependsOnPlace))
+        {
+            SpaceContents own = new();
+            own.Meshes.Add(new(data, materials, Transform.Identity, builder.SourceOf(mesh)));
+            AddInstance(mesh, own, Motion.Still(place), target);
+            return;
         }
 
         target.Meshes.Add(new(data, materials, place, builder.SourceOf(mesh)));
@@ -294,6 +308,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     {
         Normals = mesh.Normals.Count > 0 ? [.. mesh.Normals] : null,
         Uv = mesh.Uv.Count > 0 ? [.. mesh.Uv] : null,
+        Colors = mesh.Colors.Count > 0 ? [.. mesh.Colors.Select(c => new Rgb(c.X, c.Y, c.Z))] : null,
         MaterialOfTriangle = mesh.MaterialOfTriangle.Count > 0 ? [.. mesh.MaterialOfTriangle] : null,
     };
 

@@ -27,10 +27,14 @@ public sealed record SceneComplaint(object Subject, string? Property, string Mes
 public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<string, ImportedModel>? loadModel = null)
 {
     private readonly Dictionary<object, object> _built = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<object, object> _numberTextures = new(ReferenceEqualityComparer.Instance);
     private readonly List<SceneComplaint> _complaints = [];
     private MaterialDescription _inherited = ShapeDescription.DefaultMaterial;
     private MaterialDescription? _replacement;
     private (object Subject, string Property)? _source;
+
+    // What the textures depend on that the material under way has asked for.
+    private TextureInputs _inputs;
 
     // How many materials are being built, the inner ones of others among them.
     private int _parts;
@@ -66,12 +70,39 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
     }
 
     /// <summary>The texture that a record describes; the same record gives the same object.</summary>
-    public Texture Texture(TextureDescription description) => Once(description, d => d.Build(this));
+    public Texture Texture(TextureDescription description)
+    {
+        Texture texture = ReadsNumbers ? Once(_numberTextures, description, d => d.Build(this)) : Once(description, d => d.Build(this));
+        _inputs |= texture.Inputs;
+        return texture;
+    }
+
+    /// <summary>As <see cref="Texture"/>, of one whose red channel counts as a number: pictures that do not say otherwise are read raw.</summary>
+    public Texture NumberTexture(TextureDescription description)
+    {
+        bool before = ReadsNumbers;
+        ReadsNumbers = true;
+        Texture texture = Texture(description);
+        ReadsNumbers = before;
+        return texture;
+    }
+
+    /// <summary>As <see cref="Texture"/>, of one that shines: lights are sampled by uv, so that is all it may depend on.</summary>
+    public Texture EmittedTexture(object subject, string property, TextureDescription description)
+    {
+        Texture texture = Texture(description);
+        if ((texture.Inputs & TextureInputs.BeyondUv) != TextureInputs.None)
+        {
+            Error(subject, property, "what shines must have a texture over uv: neither noise, marble and wood nor the colours of vertices");
+        }
+
+        return texture;
+    }
 
     /// <summary>
     /// The material that a record describes; the same record gives the same object. For a shape that says nothing about its material, that of the group around it.
     /// </summary>
-    public Material Material(MaterialDescription description) => _parts == 0 ? SurfaceMaterial(description) : Once(description, Describe);
+    public Material Material(MaterialDescription description) => _parts == 0 ? SurfaceMaterial(description) : Described(description);
 
     /// <summary>Loads the picture that a property of a record names; reports an error and returns a grey pixel if it cannot be read.</summary>
     public Picture Picture(object subject, string property, string path, bool raw)
@@ -131,12 +162,15 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
     /// <summary>The most shapes that rays are tested against one after the other, without a tree; null for what is fastest. Pictures are the same.</summary>
     internal int? LargestLoop { get; init; }
 
+    /// <summary>Whether the textures being built stand for numbers, so that pictures are read raw.</summary>
+    internal bool ReadsNumbers { get; private set; }
+
     /// <summary>When the shutter opens and closes, in seconds.</summary>
     internal (double Open, double Close) Shutter { get; private set; }
 
     /// <summary>The material of a shape's surface: what the model around it says, or else its own, or else that of the group around it.</summary>
     internal Material SurfaceMaterial(MaterialDescription description) =>
-        Once(_replacement ?? (ReferenceEquals(description, ShapeDescription.DefaultMaterial) ? _inherited : description), Describe);
+        Described(_replacement ?? (ReferenceEquals(description, ShapeDescription.DefaultMaterial) ? _inherited : description));
 
     /// <summary>Until the end of the scope, shapes that say nothing are made of this material, unless it says nothing itself.</summary>
     internal MaterialScope Inherit(MaterialDescription description)
@@ -173,10 +207,22 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
     /// <summary>What a part of a scene is remembered to be made from: where it comes from a file, the record that names the file.</summary>
     internal ShapeDescription? SourceOf(ShapeDescription part) => KeepsSources ? _source?.Subject as ShapeDescription ?? part : null;
 
+    // What a material's textures depend on, that around it depends on too.
+    private Material Described(MaterialDescription description)
+    {
+        Material material = Once(description, Describe);
+        _inputs |= material.Inputs;
+        return material;
+    }
+
     private Material Describe(MaterialDescription description)
     {
         _parts++;
+        TextureInputs outer = _inputs;
+        _inputs = TextureInputs.None;
         Material material = description.Build(this);
+        material.Inputs = _inputs;
+        _inputs = outer;
         _parts--;
         material.Source = KeepsSources ? description : null;
         return material;
@@ -187,12 +233,16 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
 
     private TBuilt Once<TDescription, TBuilt>(TDescription description, Func<TDescription, TBuilt> build)
         where TDescription : class
+        where TBuilt : class => Once(_built, description, build);
+
+    private static TBuilt Once<TDescription, TBuilt>(Dictionary<object, object> known, TDescription description, Func<TDescription, TBuilt> build)
+        where TDescription : class
         where TBuilt : class
     {
-        if (!_built.TryGetValue(description, out object? built))
+        if (!known.TryGetValue(description, out object? built))
         {
             built = build(description);
-            _built[description] = built;
+            known[description] = built;
         }
 
         return (TBuilt)built;

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Textures;
@@ -27,6 +28,10 @@ public sealed record DielectricMaterialDescription : MaterialDescription
     [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). It counts where a ray meets this surface from inside, over the way since the last hit (or the camera): not on a way that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
     public Rgb Extinction { get; init; }
 
+    /// <summary>What fills the inside besides.</summary>
+    [Parameter("What fills the inside: milk, fog, a coloured liquid. The volPath integrator shows it.")]
+    public MediumDescription Interior { get; init; } = new();
+
     /// <summary>How the reflectance is computed.</summary>
     [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did (with the angle on the side of the lower index).")]
     public FresnelModel Fresnel { get; init; } = FresnelModel.Exact;
@@ -41,7 +46,7 @@ public sealed record DielectricMaterialDescription : MaterialDescription
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) => new DielectricMaterial(
-        RefractiveIndex, Extinction, Fresnel, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance));
+        RefractiveIndex, Extinction, Fresnel, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), Interior.Build());
 }
 
 /// <summary>
@@ -54,12 +59,17 @@ public sealed record DielectricMaterialDescription : MaterialDescription
 /// <param name="model">How the reflectance is computed.</param>
 /// <param name="reflectedPart">Factor on what is reflected; null for 1.</param>
 /// <param name="refractedPart">Factor on what is refracted; null for 1.</param>
-public sealed class DielectricMaterial(float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null) : Material
+/// <param name="interior">What fills the inside besides; null for nothing.</param>
+public sealed class DielectricMaterial(
+    float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null, Medium? interior = null) : Material
 {
     private readonly bool _isColored = (reflectedPart is not null && reflectedPart.Constant != Rgb.White) || (refractedPart is not null && refractedPart.Constant != Rgb.White);
 
     /// <inheritdoc/>
     public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
+
+    /// <inheritdoc/>
+    public override Medium? Interior => interior;
 
     /// <inheritdoc/>
     public override bool UsesUv => _isColored && (reflectedPart is { Constant: null } || refractedPart is { Constant: null });

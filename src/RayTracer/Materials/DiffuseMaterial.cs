@@ -31,7 +31,7 @@ public sealed class DiffuseMaterial(Texture texture) : Material
     public override bool UsesUv => texture.Constant is null;
 
     /// <inheritdoc/>
-    public override void Prepare(ref SurfaceW surface) => texture.Evaluate(surface.U, surface.V, out surface.DiffuseColor);
+    public override void Prepare(ref SurfaceW surface) => texture.Evaluate(surface, out surface.DiffuseColor);
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response) => response = surface.DiffuseColor;

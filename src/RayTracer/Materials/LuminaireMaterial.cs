@@ -41,7 +41,7 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
         }
 
         bool isBlack = Material is DiffuseMaterialDescription { Color: SolidTextureDescription { Color.IsBlack: true } };
-        return new LuminaireMaterial(builder.Texture(Color), Multiplier, Exponent, isBlack ? null : builder.Material(Material));
+        return new LuminaireMaterial(builder.EmittedTexture(this, nameof(Color), Color), Multiplier, Exponent, isBlack ? null : builder.Material(Material));
     }
 }
 
@@ -67,6 +67,9 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
 
     /// <inheritdoc/>
     public override bool HasDensity => inner is { HasDensity: true };
+
+    /// <inheritdoc/>
+    public override Media.Medium? Interior => inner?.Interior;
 
     /// <inheritdoc/>
     public override bool Transmits => inner is { Transmits: true };

@@ -1,3 +1,4 @@
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 
@@ -14,6 +15,9 @@ public abstract class Material
     /// <summary>What it was made from; null where that is not kept.</summary>
     internal Description.MaterialDescription? Source { get; set; }
 
+    /// <summary>What its textures depend on, as far as they come from descriptions.</summary>
+    internal Textures.TextureInputs Inputs { get; set; }
+
     /// <summary>Which laws of scattering the material keeps.</summary>
     public abstract ScatteringProperties Scattering { get; }
 
@@ -25,6 +29,12 @@ public abstract class Material
 
     /// <summary>Whether <see cref="Bsdf"/> may be other than zero for directions through the surface.</summary>
     public virtual bool Transmits => false;
+
+    /// <summary>What fills the inside of the shape; null for empty space.</summary>
+    public virtual Medium? Interior => null;
+
+    /// <summary>Whether all light goes straight through, so that a path has no vertex here.</summary>
+    public virtual bool IsBoundary => false;
 
     /// <summary>Whether <see cref="Emission"/> may be other than zero.</summary>
     public virtual bool Emits => false;
@@ -104,6 +114,9 @@ public struct SurfaceW
 {
     /// <summary>The point.</summary>
     public Vec3W Point;
+
+    /// <summary>The point in the coordinates in which the shape's own numbers are given; set only where a texture depends on it.</summary>
+    public Vec3W Local;
 
     /// <summary>The shape's own unit normal, outward.</summary>
     public Vec3W Normal;

@@ -40,12 +40,12 @@ public sealed class PhongMetalMaterial(Texture texture, float exponent) : Materi
     public override bool UsesUv => texture.Constant is null;
 
     /// <inheritdoc/>
-    public override void AmbientResponse(in SurfaceW surface, out RgbW response) => texture.Evaluate(surface.U, surface.V, out response);
+    public override void AmbientResponse(in SurfaceW surface, out RgbW response) => texture.Evaluate(surface, out response);
 
     /// <inheritdoc/>
     public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
     {
-        texture.Evaluate(surface.U, surface.V, out RgbW color);
+        texture.Evaluate(surface, out RgbW color);
         FloatW cosine = Vec3W.Dot(direction, surface.Facing);
         Pdf(surface, direction, out FloatW pdf);
         bsdf = color * (cosine > 0f).Select(pdf / cosine, 0f);
@@ -67,7 +67,7 @@ public sealed class PhongMetalMaterial(Texture texture, float exponent) : Materi
         Vec3W mirror = Vec3W.Reflect(surface.Incoming, surface.Facing);
         Onb.FromNormal(mirror, out Onb frame);
         scatter.Direction = frame.ToWorld(Warp.CosinePowerLobe(u, v, exponent));
-        texture.Evaluate(surface.U, surface.V, out scatter.Weight);
+        texture.Evaluate(surface, out scatter.Weight);
         scatter.Specular = MaskW.All;
         scatter.Delta = MaskW.None;
         scatter.Absorbed = Vec3W.Dot(scatter.Direction, surface.Facing) <= 0f;

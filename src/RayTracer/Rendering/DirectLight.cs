@@ -2,6 +2,7 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 using RayTracer.Lights;
 using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Shapes;
@@ -15,6 +16,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
     private const int Batch = 8;
     private readonly LightSource[] _lights = [.. scene.Lights];
+    private readonly Transmittance? _transmittance = scene.HasMedia ? new(scene) : null;
     private readonly ShapeSampleW[] _samples = new ShapeSampleW[Batch];
     private readonly RgbW[] _radiance = new RgbW[Batch];
 
@@ -37,13 +39,14 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     /// What scatters the light, by its BSDF, where scattered rays are to find the rest of it; null where what is scattered is the same for all
     /// directions on the ray's side and <paramref name="weight"/> has it, and no scattered ray looks for lights.
     /// </param>
+    /// <param name="media">The media on the ray's side; used only where the scene has media.</param>
     /// <param name="isSmoothed">Whether the points are shaded with another normal than the surface's own.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
     /// <param name="time">Times in seconds; used only where something moves.</param>
     /// <param name="active">Lanes in use.</param>
     /// <param name="weight">Throughput, times BRDF where there is no material.</param>
     /// <param name="radiance">Added to.</param>
-    public void Add(in SurfaceW surface, Material? material, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
+    public void Add(in SurfaceW surface, Material? material, in UIntW media, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
         Vec3W origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point);
@@ -90,6 +93,14 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
                 if (wanted != 0)
                 {
                     ShadowRays += BitOperations.PopCount(wanted);
+                    if (_transmittance is not null)
+                    {
+                        UIntW there = SurfaceShader.MediaAlong(surface, sample.Direction, scene.NumberOf(material!.Interior), media);
+                        _transmittance.Trace(wanted, origin, sample.Direction, sample.Distance, there, time, _lights[first + i], out RgbW part);
+                        arriving = RgbW.MultiplyAdd(_radiance[i] * part, cosine, arriving);
+                        continue;
+                    }
+
                     scene.Primitives.Occlude(origin, sample.Direction, sample.Distance, _lights[first + i].OwnPrimitive, ref free);
                     if (queue is not null)
                     {
@@ -105,6 +116,35 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
         if (queue is null)
         {
             radiance = RgbW.MultiplyAdd(weight, arriving, radiance);
+        }
+    }
+
+    /// <summary>Adds the light of all sources that a medium scatters back along the ray.</summary>
+    /// <param name="point">The lit points.</param>
+    /// <param name="incoming">Unit directions of the rays.</param>
+    /// <param name="anisotropy">The medium's mean cosines of the angle of scattering.</param>
+    /// <param name="media">The media there.</param>
+    /// <param name="samples">Random numbers of the vertex.</param>
+    /// <param name="time">Times in seconds; used only where something moves.</param>
+    /// <param name="active">Lanes in use.</param>
+    /// <param name="weight">Throughput.</param>
+    /// <param name="radiance">Added to.</param>
+    public void AddInMedium(
+        in Vec3W point, in Vec3W incoming, in FloatW anisotropy, in UIntW media, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
+    {
+        for (int i = 0; i < _lights.Length; i++)
+        {
+            samples.Light(i, out FloatW u, out FloatW v);
+            _lights[i].Sample(point, u, v, time, out ShapeSampleW sample, out RgbW light);
+            MaskW lit = active & (sample.InversePdf > 0f);
+            if (lit.Any)
+            {
+                ShadowRays += BitOperations.PopCount(lit.Bits);
+                FloatW phase = HenyeyGreenstein.Evaluate(Vec3W.Dot(incoming, sample.Direction), anisotropy);
+                FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf);
+                _transmittance!.Trace(lit.Bits, point, sample.Direction, sample.Distance, media, time, _lights[i], out RgbW part);
+                radiance = RgbW.MultiplyAdd(weight * light * share, part, radiance);
+            }
         }
     }
 

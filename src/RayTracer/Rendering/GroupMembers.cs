@@ -13,12 +13,12 @@ internal sealed unsafe class GroupMembers
     public GroupMembers(Scene scene, int streamSize)
     {
         _scene = scene;
-        _counts = new int[scene.Groups.Length + 1];
+        _counts = new int[scene.Groups.Length + 2];
         _stride = streamSize + (2 * FloatW.Count);
         _members = new((long)_stride * _counts.Length);
     }
 
-    /// <summary>Number of groups; the last holds the paths that met nothing.</summary>
+    /// <summary>Number of groups; the last but one holds the paths that met nothing, and the last those that a medium scattered.</summary>
     public int Count => _counts.Length;
 
     /// <summary>Sorts the paths of a stream.</summary>

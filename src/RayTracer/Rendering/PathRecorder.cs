@@ -81,6 +81,40 @@ internal sealed unsafe class PathRecorder(Scene scene)
         }
     }
 
+    /// <summary>Takes down how paths go on from where a medium scattered them.</summary>
+    public void InMedium(PathStream stream, uint* index, MaskW active, MaskW alive, in Vec3W point, in FloatW pdf)
+    {
+        for (uint rest = active.Bits; rest != 0; rest &= rest - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(rest);
+            bool goesOn = (alive.Bits >> lane & 1) != 0;
+            Path path = _paths[stream.Path[index[lane]]];
+            path.Pending = Arrival(stream, index[lane], goesOn ? PathEvent.Diffuse : PathEvent.Ended) with
+            {
+                Position = Lane(point, lane),
+                Weight = Rgb.White,
+                Pdf = goesOn ? pdf[lane] : null,
+            };
+        }
+    }
+
+    /// <summary>Takes down where paths go straight through a boundary.</summary>
+    public void Crossed(PathStream stream, uint* index, MaskW active, in SurfaceW surface)
+    {
+        for (uint rest = active.Bits; rest != 0; rest &= rest - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(rest);
+            _paths[stream.Path[index[lane]]].Pending = Arrival(stream, index[lane], PathEvent.Specular) with
+            {
+                Position = Lane(surface.Point, lane),
+                Normal = Lane(surface.Facing, lane),
+                Primitive = (int)stream.Primitive[index[lane]],
+                Instance = scene.World.Instances is null ? 0 : (int)stream.Instance[index[lane]],
+                Weight = Rgb.White,
+            };
+        }
+    }
+
     /// <summary>Takes down what all paths of a step have gathered at its end, and takes the finished ones away.</summary>
     public void Take(FinishedPaths finished, PathStream next)
     {

@@ -1,6 +1,7 @@
 using System.Numerics;
 using RayTracer.Lights;
 using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
@@ -32,9 +33,16 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
+        if (Scene.HasMedia && group.Material.IsBoundary)
+        {
+            Cross(group, stream, next, index, active);
+            return;
+        }
+
         UIntW path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
         UIntW vertex = state & DepthBits;
+        UIntW media = Scene.HasMedia ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
         Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
         FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
@@ -58,7 +66,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, material, group.MayLeak, Vertex, time, goesOn, throughput, ref radiance);
+            _directLight.Add(surface, material, media, group.MayLeak, Vertex, time, goesOn, throughput, ref radiance);
         }
 
         material.Scatter(surface, Vertex, out ScatterW scatter);
@@ -85,12 +93,130 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         if (going != 0)
         {
-            GoOn(group, surface, scatter, time, going, throughput, radiance, path, vertex, next);
+            GoOn(group, surface, scatter, time, media, going, throughput, radiance, path, vertex, next);
         }
     }
 
+    /// <summary>
+    /// Chooses how far each ray flies before its medium scatters it: by the extinction of a channel that is chosen at random, with the density of all
+    /// three (Wilkie et al. 2014, the balance heuristic for a single path).
+    /// </summary>
+    public override void Fly(PathStream stream)
+    {
+        for (int i = 0; Scene.HasMedia && i < stream.Count; i += FloatW.Count)
+        {
+            UIntW media = UIntW.Load(stream.Media + i);
+            MaskW inside = MaskW.First(stream.Count - i).Except(UIntW.Equal(MediumStack.Innermost(media), 0u));
+            if (inside.Any)
+            {
+                Fly(stream, i, inside.Select(media, 0u), inside);
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Scatter(PathStream stream, PathStream next, uint* members, int count)
+    {
+        for (int i = 0; i < count; i += FloatW.Count)
+        {
+            ScatterPacket(stream, next, members + i, MaskW.First(count - i));
+        }
+    }
+
+    private void Fly(PathStream stream, int i, UIntW media, MaskW inside)
+    {
+        MaskW used = MaskW.First(stream.Count - i);
+        BeginVertex(used.Select(UIntW.Load(stream.Path + i), 0u), UIntW.Load(stream.State + i) & DepthBits);
+        Vertex.Flight(MediumStack.Crossings(media), out FloatW u, out FloatW v);
+        RgbW extinction = Scene.Media.Extinction(media);
+        RgbW albedo = Scene.Media.Albedo(media);
+        FloatW chosen = (u < 1f / 3).Select(extinction.R, (u < 2f / 3).Select(extinction.G, extinction.B));
+        FloatW flight = (chosen > 0f).Select(-LaneMath.Log(1f - v) / chosen, float.PositiveInfinity);
+
+        // What scatters nothing needs no chance.
+        FloatW distance = FloatW.Load(stream.Distance + i);
+        MaskW scatters = inside & (flight < distance) & (FloatW.Max(albedo.R, FloatW.Max(albedo.G, albedo.B)) > 0f);
+        MaskW isByChance = inside & (FloatW.Max(albedo.R, FloatW.Max(albedo.G, albedo.B)) > 0f);
+        RgbW left = MediumTable.Transmittance(extinction, FloatW.Min(flight, distance));
+        left = isByChance.Select(left, MediumTable.Transmittance(extinction, distance));
+        RgbW density = scatters.Select(left * extinction, left);
+        FloatW pdf = isByChance.Select((density.R + density.G + density.B) * (1f / 3), 1f);
+        RgbW weight = scatters.Select(density * albedo, left) * (pdf > 0f).Select(1f / pdf, 0f);
+        weight = inside.Select(weight, Rgb.White);
+        (weight.R * FloatW.Load(stream.ThroughputR + i)).Store(stream.ThroughputR + i);
+        (weight.G * FloatW.Load(stream.ThroughputG + i)).Store(stream.ThroughputG + i);
+        (weight.B * FloatW.Load(stream.ThroughputB + i)).Store(stream.ThroughputB + i);
+        scatters.Select(flight, distance).Store(stream.Distance + i);
+        scatters.Select((uint)Scene.World.Count + 1u, UIntW.Load(stream.Primitive + i)).Store(stream.Primitive + i);
+    }
+
+    // A vertex in a medium.
+    private void ScatterPacket(PathStream stream, PathStream next, uint* index, MaskW active)
+    {
+        UIntW path = UIntW.Pick(stream.Path, index);
+        UIntW vertex = UIntW.Pick(stream.State, index) & DepthBits;
+        UIntW media = UIntW.Pick(stream.Media, index);
+        BeginVertex(path, vertex);
+        FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
+        RgbW throughput = stream.PickThroughput(index);
+        RgbW radiance = stream.PickRadiance(index);
+        Vec3W incoming = stream.PickDirection(index);
+        Vec3W point = Vec3W.MultiplyAdd(incoming, FloatW.Pick(stream.Distance, index), stream.PickOrigin(index));
+        FloatW anisotropy = Scene.Media.Anisotropy(media);
+        Recorder?.Emitted(path, active, radiance);
+        Recorder?.Brightened(path, active, radiance);
+
+        MaskW alive = active & (vertex + 1u < _maxDepth);
+        alive = alive.Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
+        _directLight.AddInMedium(point, incoming, anisotropy, media, Vertex, time, alive, throughput, ref radiance);
+        Vertex.Direction(out FloatW u, out FloatW v);
+        Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
+        FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
+        Survive(vertex, ref alive, ref throughput);
+        Recorder?.InMedium(stream, index, active, alive, point, pdf);
+        uint going = alive.Bits;
+        uint ended = active.Bits & ~going;
+        if (ended != 0)
+        {
+            Finished.Append(ended, radiance, path);
+        }
+
+        if (going != 0)
+        {
+            if (Scene.IsTimed)
+            {
+                next.SetTime(going, time);
+            }
+
+            next.SetPdf(going, pdf);
+            next.SetMedia(going, MediumStack.Scattered(media), 0f);
+            next.Append(going, point, direction, throughput, radiance, path, (vertex + 1u) | (_lights.Count > 0 ? 0u : PathState.CountsEmission));
+        }
+    }
+
+    // A boundary: the path has no vertex there, only other media behind it.
+    private void Cross(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    {
+        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
+        Vec3W direction = surface.Incoming;
+        uint going = active.Bits;
+        Recorder?.Crossed(stream, index, active, surface);
+        if (Scene.IsTimed)
+        {
+            next.SetTime(going, FloatW.Pick(stream.Time, index));
+        }
+
+        next.SetPdf(going, FloatW.Pick(stream.Pdf, index));
+        next.SetMedia(
+            going,
+            MediumStack.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~surface.Inside),
+            FloatW.Pick(stream.Travelled, index) + FloatW.Pick(stream.Distance, index));
+        next.Append(
+            going, Leave(surface, direction), direction, stream.PickThroughput(index), stream.PickRadiance(index), UIntW.Pick(stream.Path, index), UIntW.Pick(stream.State, index));
+    }
+
     private void GoOn(
-        ShadingGroup group, in SurfaceW surface, in ScatterW scatter, in FloatW time, uint going, in RgbW throughput, in RgbW radiance, UIntW path, UIntW vertex, PathStream next)
+        ShadingGroup group, in SurfaceW surface, in ScatterW scatter, in FloatW time, in UIntW media, uint going, in RgbW throughput, in RgbW radiance, UIntW path, UIntW vertex, PathStream next)
     {
         if (Scene.IsTimed)
         {
@@ -101,6 +227,11 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         {
             group.Material.Pdf(surface, scatter.Direction, out FloatW pdf);
             next.SetPdf(going, pdf);
+        }
+
+        if (Scene.HasMedia)
+        {
+            next.SetMedia(going, MediumStack.Scattered(MediaAlong(surface, scatter.Direction, group.Interior, media)), 0f);
         }
 
         UIntW emission = group.HasDensity && _lights.Count > 0 ? scatter.Delta.Select((UIntW)PathState.CountsEmission, 0u) : PathState.CountsEmission;
@@ -133,11 +264,13 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         shared &= cosine > 0f;
         if (shared.Any)
         {
+            // Boundaries on the way are no vertices.
+            FloatW travelled = Scene.HasMedia ? FloatW.Pick(stream.Travelled, index) : 0f;
             LightHitW hit = new()
             {
-                From = stream.PickOrigin(index),
+                From = Vec3W.MultiplyAdd(surface.Incoming, -travelled, stream.PickOrigin(index)),
                 Direction = surface.Incoming,
-                Distance = FloatW.Pick(stream.Distance, index),
+                Distance = FloatW.Pick(stream.Distance, index) + travelled,
                 Cosine = cosine,
                 Time = time,
                 Primitive = UIntW.Pick(stream.Primitive, index),

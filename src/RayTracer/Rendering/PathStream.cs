@@ -10,7 +10,7 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal sealed unsafe class PathStream
 {
-    private const int Columns = 19;
+    private const int Columns = 21;
     private readonly PinnedBuffer<float> _memory;
 
     /// <summary>Makes an empty stream.</summary>
@@ -48,6 +48,8 @@ internal sealed unsafe class PathStream
         Instance = (uint*)Next();
         Time = Next();
         Pdf = Next();
+        Media = (uint*)Next();
+        Travelled = Next();
     }
 
     public int Capacity { get; }
@@ -81,6 +83,12 @@ internal sealed unsafe class PathStream
 
     /// <summary>The density, per steradian, with which the ray's direction was chosen; set only where a light may be met that was sampled too.</summary>
     public float* Pdf { get; }
+
+    /// <summary>The media that the path is in (<see cref="Media.MediumStack"/>); set only where there are media.</summary>
+    public uint* Media { get; }
+
+    /// <summary>How far the path has gone through boundaries since it last scattered; set only where there are media.</summary>
+    public float* Travelled { get; }
 
     /// <summary>Number of the path in the tile: pixel · samples + sample.</summary>
     public uint* Path { get; }
@@ -133,6 +141,13 @@ internal sealed unsafe class PathStream
 
     /// <summary>Sets the densities of the chosen lanes of a packet that is appended next.</summary>
     public void SetPdf(uint lanes, in FloatW pdf) => pdf.Compress(Pdf + Count, lanes);
+
+    /// <summary>Sets the media of the chosen lanes of a packet that is appended next, and how far they have gone through them.</summary>
+    public void SetMedia(uint lanes, in UIntW media, in FloatW travelled)
+    {
+        media.Compress(Media + Count, lanes);
+        travelled.Compress(Travelled + Count, lanes);
+    }
 
     /// <summary>Radiance gathered by the paths of a packet.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -57,6 +57,11 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
                 Place(stream, lanes, key, sample, ref origin, ref direction);
             }
 
+            if (scene.HasMedia)
+            {
+                stream.SetMedia(lanes, 0u, 0f);
+            }
+
             stream.Append(lanes, origin, direction, Rgb.White, Rgb.Black, path, PathState.CountsEmission);
             _issued += count;
         }

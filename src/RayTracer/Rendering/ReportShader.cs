@@ -54,7 +54,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, null, group.MayLeak, Vertex, time, active, throughput * brdf, ref radiance);
+            _directLight.Add(surface, null, 0u, group.MayLeak, Vertex, time, active, throughput * brdf, ref radiance);
         }
 
         // Where the path goes on.

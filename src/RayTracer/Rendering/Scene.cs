@@ -3,6 +3,7 @@ using RayTracer.Cameras;
 using RayTracer.Description;
 using RayTracer.Lights;
 using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Shapes;
@@ -14,6 +15,8 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed class Scene
 {
+    private readonly Medium[] _media;
+
     private Scene(RenderDescription render, Camera camera, Rgb background, Rgb ambient, World world)
     {
         Render = render;
@@ -29,6 +32,8 @@ public sealed class Scene
         IsTimed = camera.Moves || World.Moves;
         Groups = ShadingGroup.Create(World, out int[] groupOf);
         GroupOfPrimitive = groupOf;
+        _media = ShadingGroup.NumberInteriors(Groups);
+        Media = new(_media);
         Lights = LightList.Create(World);
     }
 
@@ -48,6 +53,8 @@ public sealed class Scene
         IsTimed = camera.Moves || World.Moves;
         Groups = other.Groups;
         GroupOfPrimitive = other.GroupOfPrimitive;
+        _media = other._media;
+        Media = other.Media;
         Lights = other.Lights;
     }
 
@@ -87,10 +94,19 @@ public sealed class Scene
     /// <summary>Whether anything moves while the shutter is open, so that paths have times.</summary>
     internal bool IsTimed { get; }
 
+    /// <summary>What fills shapes.</summary>
+    internal MediumTable Media { get; }
+
+    /// <summary>Whether media absorb and scatter light: there are some, and the integrator is one that shows them.</summary>
+    internal bool HasMedia => _media.Length > 0 && Render.Integrator == Integrator.VolPath;
+
+    /// <summary>The number of a medium in <see cref="Media"/>; 0 for none.</summary>
+    internal uint NumberOf(Medium? medium) => (uint)(Array.IndexOf(_media, medium) + 1);
+
     /// <summary>What is shaded together.</summary>
     internal ShadingGroup[] Groups { get; }
 
-    /// <summary>The group of each primitive, and, one further, what stands for rays that hit nothing.</summary>
+    /// <summary>The group of each primitive, and, further on, what stands for rays that hit nothing and for those that a medium scatters.</summary>
     internal int[] GroupOfPrimitive { get; }
 
     /// <summary>Everything that can be seen, one by one; what instances show, once for each of them, where it stands when the shutter opens.</summary>

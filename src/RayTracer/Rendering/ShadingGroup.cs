@@ -1,5 +1,7 @@
 using RayTracer.Acceleration;
 using RayTracer.Materials;
+using RayTracer.Media;
+using RayTracer.Textures;
 
 namespace RayTracer.Rendering;
 
@@ -25,9 +27,19 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
 
     public bool UsesTangent { get; } = material.UsesTangent;
 
-    public bool HasTint { get; } = batch.HasTint;
+    /// <summary>Whether the diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>
+    public bool HasTint { get; } = batch.HasTint && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
+
+    /// <summary>Whether the surface has no colours of its own.</summary>
+    public bool LacksTint { get; } = !batch.HasTint;
+
+    /// <summary>Whether a texture asks for the point in the shape's own coordinates.</summary>
+    public bool UsesLocal { get; } = (material.Inputs & TextureInputs.ObjectPoint) != TextureInputs.None;
 
     public int OnlyIndex => onlyIndex;
+
+    /// <summary>Number of the medium inside; 0 for none.</summary>
+    public uint Interior { get; set; }
 
     // The material's constant answers, asked once.
     public bool IsLit { get; } = material.IsLit;
@@ -42,7 +54,7 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
     public static ShadingGroup[] Create(World world, out int[] groupOf)
     {
         List<ShadingGroup> groups = [];
-        groupOf = new int[world.Count + 1];
+        groupOf = new int[world.Count + 2];
         foreach (Space space in world.Spaces)
         {
             foreach (SurfaceTable table in space.Tables)
@@ -51,9 +63,22 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
             }
         }
 
-        // Rays that hit nothing come after all groups.
-        groupOf[^1] = groups.Count;
+        // Rays that hit nothing come after all groups, and then those that a medium scatters.
+        groupOf[^2] = groups.Count;
+        groupOf[^1] = groups.Count + 1;
         return [.. groups];
+    }
+
+    /// <summary>Gives the media inside of groups numbers from 1, the same to equal ones, and tells which they are.</summary>
+    public static Medium[] NumberInteriors(ShadingGroup[] groups)
+    {
+        Medium[] media = [.. groups.Select(g => g.Material.Interior).OfType<Medium>().Distinct()];
+        foreach (ShadingGroup group in groups)
+        {
+            group.Interior = (uint)(Array.IndexOf(media, group.Material.Interior) + 1);
+        }
+
+        return media;
     }
 
     private static void Add(Space space, SurfaceTable table, bool isInstanced, int[] groupOf, List<ShadingGroup> groups)

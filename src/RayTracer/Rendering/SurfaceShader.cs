@@ -2,6 +2,7 @@ using System.Runtime.CompilerServices;
 using RayTracer.Acceleration;
 using RayTracer.Description;
 using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 
@@ -33,7 +34,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) => scene.Render.Integrator switch
     {
         Integrator.Report => new ReportShader(scene, finished, queue, recorder),
-        Integrator.Path or Integrator.Direct => new PathShader(scene, finished, queue, recorder),
+        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, recorder),
         Integrator.Ao => new OcclusionShader(scene, finished, recorder),
         _ => new ViewShader(scene, finished, recorder),
     };
@@ -78,6 +79,20 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         }
     }
 
+    /// <summary>Lets media scatter rays before they reach what they would meet.</summary>
+    public virtual void Fly(PathStream stream)
+    {
+    }
+
+    /// <summary>Shades what media have scattered.</summary>
+    /// <param name="stream">The paths.</param>
+    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="members">Indices of those paths in the stream, padded to whole packets.</param>
+    /// <param name="count">Their number.</param>
+    public virtual void Scatter(PathStream stream, PathStream next, uint* members, int count)
+    {
+    }
+
     /// <summary>Adds what waits to the paths that went on to the next stream, or ended.</summary>
     public virtual void Flush(PathStream next)
     {
@@ -112,7 +127,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             surface.SetTangent();
         }
 
-        if (!group.HasTint)
+        if (group.LacksTint)
         {
             surface.Tint = Rgb.White;
         }
@@ -142,6 +157,11 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
         group.Batch.Describe(primitives, needsUv, ref surface);
+        if (group.UsesLocal)
+        {
+            surface.Local = surface.Point;
+        }
+
         if (group.UsesTangent)
         {
             group.Batch.DescribeTangents(primitives, ref surface);
@@ -210,6 +230,22 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     {
         FloatW cosine = FloatW.Min(FloatW.Abs(Vec3W.Dot(surface.Incoming, surface.Normal)), 1f);
         return surface.Inside.Select(-cosine, cosine);
+    }
+
+    /// <summary>The media of a ray that leaves a surface, by those of the ray that came.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="direction">The ray's direction.</param>
+    /// <param name="interior">Number of the medium inside; 0 for none.</param>
+    /// <param name="media">The media of the ray that came.</param>
+    public static UIntW MediaAlong(in SurfaceW surface, in Vec3W direction, uint interior, UIntW media)
+    {
+        if (interior == 0)
+        {
+            return media;
+        }
+
+        FloatW outwards = Vec3W.Dot(direction, surface.Normal);
+        return MediumStack.Cross(media, interior, surface.Inside.Select(outwards, -outwards) > 0f, outwards < 0f);
     }
 
     // Off the surface, on the side where the ray goes.

@@ -34,7 +34,7 @@ internal sealed unsafe class Wavefront
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
         _finished = new(scene, streamSize, _generator, _accumulator);
-        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.Lights.Count == 0 ? null : new(scene), recorder);
+        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.Lights.Count == 0 || scene.HasMedia ? null : new(scene), recorder);
         _hits = new(scene.World.RoomForHits(streamSize));
         _members = new(scene, streamSize);
     }
@@ -76,6 +76,7 @@ internal sealed unsafe class Wavefront
 
             _scene.World.ClosestHit(_current, _hits.Pointer);
             ClosestHitRays += _current.Count;
+            _shader.Fly(_current);
             _members.Sort(_current);
             Shade();
             _recorder?.Take(_finished, _next);
@@ -98,6 +99,10 @@ internal sealed unsafe class Wavefront
             if (group == _scene.Groups.Length)
             {
                 _shader.Miss(_current, members, count);
+            }
+            else if (group > _scene.Groups.Length)
+            {
+                _shader.Scatter(_current, _next, members, count);
             }
             else
             {

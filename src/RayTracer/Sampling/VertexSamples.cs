@@ -81,6 +81,16 @@ public sealed class VertexSamples(Sampler sampler)
     public void Light(int light, out FloatW u, out FloatW v) =>
         sampler.Pair(_points, Dimensions.FirstLight + (uint)light, out u, out v);
 
+    /// <summary>The two numbers that decide how far a path flies through a medium.</summary>
+    /// <param name="crossings">How many boundaries it has crossed since the vertex.</param>
+    /// <param name="u">First number.</param>
+    /// <param name="v">Second number.</param>
+    public void Flight(UIntW crossings, out FloatW u, out FloatW v)
+    {
+        sampler.Begin(_pixelKey, _sample, (_group << 8) + Dimensions.FirstFlight + crossings, out SamplePoints points);
+        sampler.Pair(points, 0, out u, out v);
+    }
+
     private void Decisions(out FloatW u, out FloatW v)
     {
         sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);

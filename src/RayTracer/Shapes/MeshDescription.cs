@@ -40,6 +40,10 @@ public sealed record MeshDescription : ShapeDescription
     [Parameter("uv for each corner.")]
     public IReadOnlyList<Vector2> Uv { get; init; } = [];
 
+    /// <summary>A colour for each corner; empty where the mesh has none of its own.</summary>
+    [Parameter("A colour for each corner, linear red, green and blue: diffuse colours are multiplied by it, unless the material shows it by a texture of the type vertexColor.", Minimum = 0)]
+    public IReadOnlyList<Vector3> Colors { get; init; } = [];
+
     /// <summary>Materials for <see cref="MaterialOfTriangle"/>; empty where all triangles are of the mesh's material.</summary>
     [Parameter("Materials to choose from for each triangle. Without them, all are made of the mesh's material.")]
     public IReadOnlyList<MaterialDescription> Materials { get; init; } = [];

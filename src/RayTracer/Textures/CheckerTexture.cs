@@ -34,19 +34,19 @@ public sealed record CheckerTextureDescription : TextureDescription
 /// <param name="odd">Texture of the fields beside it.</param>
 /// <param name="scale">Factors on u and v.</param>
 /// <param name="offset">Added after scaling.</param>
-public sealed class CheckerTexture(Texture even, Texture odd, Vector2 scale, Vector2 offset) : Texture
+public sealed class CheckerTexture(Texture even, Texture odd, Vector2 scale, Vector2 offset) : Texture(TextureInputs.Uv | even.Inputs | odd.Inputs)
 {
     /// <inheritdoc/>
     public override long MemoryBytes => even.MemoryBytes + odd.MemoryBytes;
 
     /// <inheritdoc/>
-    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color)
+    public override void Evaluate(in TexturePointW at, out RgbW color)
     {
-        FloatW field = FloatW.Floor(FloatW.MultiplyAdd(u, scale.X, offset.X)) + FloatW.Floor(FloatW.MultiplyAdd(v, scale.Y, offset.Y));
+        FloatW field = FloatW.Floor(FloatW.MultiplyAdd(at.U, scale.X, offset.X)) + FloatW.Floor(FloatW.MultiplyAdd(at.V, scale.Y, offset.Y));
         FloatW half = field * 0.5f;
         MaskW isEven = FloatW.Floor(half) >= half;
-        even.Evaluate(u, v, out RgbW a);
-        odd.Evaluate(u, v, out RgbW b);
+        even.Evaluate(at, out RgbW a);
+        odd.Evaluate(at, out RgbW b);
         color = isEven.Select(a, b);
     }
 }

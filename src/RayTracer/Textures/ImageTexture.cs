@@ -60,15 +60,15 @@ public sealed record ImageTextureDescription : TextureDescription
     public Vector2 Offset { get; init; }
 
     /// <summary>Whether the file's numbers are taken as they are.</summary>
-    [Parameter("Whether the file's numbers are linear and taken as they are, instead of being decoded from sRGB. Floating-point files are always linear.")]
-    public bool Raw { get; init; }
+    [Parameter("Whether the file's numbers are linear and taken as they are, instead of being decoded from sRGB. If nothing is said, they are where the texture stands for a number, and not where it is a colour. Floating-point files are always linear.")]
+    public bool? Raw { get; init; }
 
-    /// <summary>The picture as a program gives it (decoded, or raw where <see cref="Raw"/>), instead of the file; null where there is none.</summary>
+    /// <summary>The picture as a program gives it (decoded, or raw), instead of the file; null where there is none.</summary>
     public Picture? Picture { get; init; }
 
     /// <inheritdoc/>
     public override Texture Build(SceneBuilder builder) =>
-        new ImageTexture(Picture ?? builder.Picture(this, nameof(File), File, Raw), Interpolation, Wrapping, Scale, Offset, VerticalWrapping);
+        new ImageTexture(Picture ?? builder.Picture(this, nameof(File), File, Raw ?? builder.ReadsNumbers), Interpolation, Wrapping, Scale, Offset, VerticalWrapping);
 }
 
 /// <summary>
@@ -112,11 +112,11 @@ public sealed unsafe class ImageTexture : Texture
     public override long MemoryBytes => 3L * sizeof(float) * _width * _height;
 
     /// <inheritdoc/>
-    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color)
+    public override void Evaluate(in TexturePointW at, out RgbW color)
     {
         // In texels; rows are counted from the top of the picture.
-        FloatW x = FloatW.MultiplyAdd(u, _scale.X, _offset.X) * _width;
-        FloatW y = (1f - FloatW.MultiplyAdd(v, _scale.Y, _offset.Y)) * _height;
+        FloatW x = FloatW.MultiplyAdd(at.U, _scale.X, _offset.X) * _width;
+        FloatW y = (1f - FloatW.MultiplyAdd(at.V, _scale.Y, _offset.Y)) * _height;
         switch (_interpolation)
         {
             case Interpolation.Nearest:

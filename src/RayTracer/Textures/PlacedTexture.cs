@@ -12,6 +12,10 @@ public sealed record PlacedTextureDescription : TextureDescription
     [Parameter("The texture.", Required = true)]
     public TextureDescription Texture { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
+    /// <summary>A matrix, row by row; empty for none.</summary>
+    [Parameter("A matrix, row by row: 2 rows of 3 numbers, of which the third column is added. Applied before the other parameters.")]
+    public IReadOnlyList<float> Matrix { get; init; } = [];
+
     /// <summary>Factors on u and v.</summary>
     [Parameter("Factors on u and v: 2 shows the texture twice as often, half as large; −1 mirrors it.")]
     public Vector2 Scale { get; init; } = Vector2.One;
@@ -25,7 +29,16 @@ public sealed record PlacedTextureDescription : TextureDescription
     public Vector2 Offset { get; init; }
 
     /// <inheritdoc/>
-    public override Texture Build(SceneBuilder builder) => new PlacedTexture(builder.Texture(Texture), Scale, Rotate, Offset);
+    public override Texture Build(SceneBuilder builder)
+    {
+        if (Matrix.Count is not (0 or 6))
+        {
+            builder.Error(this, nameof(Matrix), $"the matrix of a texture has 2 rows of 3 numbers, which makes 6, not {Matrix.Count}");
+            return builder.Texture(Texture);
+        }
+
+        return new PlacedTexture(builder.Texture(Texture), Scale, Rotate, Offset) { Matrix = Matrix.Count > 0 ? [.. Matrix] : null };
+    }
 }
 
 /// <summary>Another texture at other coordinates: scaled, turned, moved.</summary>
@@ -33,9 +46,12 @@ public sealed record PlacedTextureDescription : TextureDescription
 /// <param name="scale">Factors on u and v.</param>
 /// <param name="rotate">Angle by which the scaled uv is turned counter-clockwise about its origin, in degrees.</param>
 /// <param name="offset">Added last.</param>
-public sealed class PlacedTexture(Texture texture, Vector2 scale, float rotate, Vector2 offset) : Texture
+public sealed class PlacedTexture(Texture texture, Vector2 scale, float rotate, Vector2 offset) : Texture(texture.Inputs)
 {
     private readonly (float Sin, float Cos) _turn = Turn(rotate);
+
+    /// <summary>Two rows of three numbers that are applied first; null for none.</summary>
+    public float[]? Matrix { get; init; }
 
     /// <inheritdoc/>
     public override Rgb? Constant => texture.Constant;
@@ -44,13 +60,20 @@ public sealed class PlacedTexture(Texture texture, Vector2 scale, float rotate, 
     public override long MemoryBytes => texture.MemoryBytes;
 
     /// <inheritdoc/>
-    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color)
+    public override void Evaluate(in TexturePointW at, out RgbW color)
     {
-        FloatW x = u * scale.X;
-        FloatW y = v * scale.Y;
-        FloatW turnedU = FloatW.MultiplyAdd(x, _turn.Cos, FloatW.NegatedMultiplyAdd(y, _turn.Sin, offset.X));
-        FloatW turnedV = FloatW.MultiplyAdd(x, _turn.Sin, FloatW.MultiplyAdd(y, _turn.Cos, offset.Y));
-        texture.Evaluate(turnedU, turnedV, out color);
+        TexturePointW placed = at;
+        if (Matrix is { } m)
+        {
+            placed.U = FloatW.MultiplyAdd(at.U, m[0], FloatW.MultiplyAdd(at.V, m[1], m[2]));
+            placed.V = FloatW.MultiplyAdd(at.U, m[3], FloatW.MultiplyAdd(at.V, m[4], m[5]));
+        }
+
+        FloatW x = placed.U * scale.X;
+        FloatW y = placed.V * scale.Y;
+        placed.U = FloatW.MultiplyAdd(x, _turn.Cos, FloatW.NegatedMultiplyAdd(y, _turn.Sin, offset.X));
+        placed.V = FloatW.MultiplyAdd(x, _turn.Sin, FloatW.MultiplyAdd(y, _turn.Cos, offset.Y));
+        texture.Evaluate(placed, out color);
     }
 
     private static (float Sin, float Cos) Turn(float degrees)

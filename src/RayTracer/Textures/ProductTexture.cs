@@ -22,7 +22,7 @@ public sealed record ProductTextureDescription : TextureDescription
 /// <summary>Two textures multiplied, channel by channel.</summary>
 /// <param name="first">One factor.</param>
 /// <param name="second">The other factor.</param>
-public sealed class ProductTexture(Texture first, Texture second) : Texture
+public sealed class ProductTexture(Texture first, Texture second) : Texture(first.Inputs | second.Inputs)
 {
     /// <inheritdoc/>
     public override Rgb? Constant => first.Constant * second.Constant;
@@ -31,10 +31,10 @@ public sealed class ProductTexture(Texture first, Texture second) : Texture
     public override long MemoryBytes => first.MemoryBytes + second.MemoryBytes;
 
     /// <inheritdoc/>
-    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color)
+    public override void Evaluate(in TexturePointW at, out RgbW color)
     {
-        first.Evaluate(u, v, out RgbW a);
-        second.Evaluate(u, v, out RgbW b);
+        first.Evaluate(at, out RgbW a);
+        second.Evaluate(at, out RgbW b);
         color = a * b;
     }
 }

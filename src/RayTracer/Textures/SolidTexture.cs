@@ -17,11 +17,11 @@ public sealed record SolidTextureDescription : TextureDescription
 
 /// <summary>The same colour everywhere (the report's class of that name).</summary>
 /// <param name="value">The colour.</param>
-public sealed class SolidTexture(Rgb value) : Texture
+public sealed class SolidTexture(Rgb value) : Texture(TextureInputs.None)
 {
     /// <inheritdoc/>
     public override Rgb? Constant => value;
 
     /// <inheritdoc/>
-    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color) => color = value;
+    public override void Evaluate(in TexturePointW at, out RgbW color) => color = value;
 }

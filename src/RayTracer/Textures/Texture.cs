@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+using RayTracer.Materials;
 using RayTracer.Numerics;
 
 namespace RayTracer.Textures;
@@ -5,17 +7,56 @@ namespace RayTracer.Textures;
 /// <summary>
 /// A colour that may vary over a surface. (0, 0) in uv is the lower left corner of a picture, u grows to the right, v upwards.
 /// </summary>
-public abstract class Texture
+/// <param name="inputs">What the colour depends on.</param>
+public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
 {
+    /// <summary>What the colour depends on.</summary>
+    public TextureInputs Inputs => inputs;
+
     /// <summary>The colour if it is the same everywhere, else null; users may then skip computing uv.</summary>
     public virtual Rgb? Constant => null;
 
     /// <summary>The smallest rectangle of memory the texture keeps, in bytes: what <c>info</c> reports.</summary>
     public virtual long MemoryBytes => 0;
 
-    /// <summary>The colour at a point of the surface.</summary>
+    /// <summary>The colour at a point.</summary>
+    /// <param name="at">The point: what the texture's <see cref="Inputs"/> name of it.</param>
+    /// <param name="color">The colour there, linear.</param>
+    public abstract void Evaluate(in TexturePointW at, out RgbW color);
+
+    /// <summary>The colour where a path meets a surface.</summary>
+    /// <param name="surface">Where: <see cref="SurfaceW.U"/>, <see cref="SurfaceW.V"/>, and what else the texture's <see cref="Inputs"/> name.</param>
+    /// <param name="color">The colour there, linear.</param>
+    public void Evaluate(in SurfaceW surface, out RgbW color)
+    {
+        Unsafe.SkipInit(out TexturePointW at);
+        at.U = surface.U;
+        at.V = surface.V;
+        if ((inputs & TextureInputs.BeyondUv) != TextureInputs.None)
+        {
+            at.Local = surface.Local;
+            at.World = surface.Point;
+            at.VertexColor = surface.Tint;
+        }
+
+        Evaluate(at, out color);
+    }
+
+    /// <summary>The colour at a point of which only uv is known: textures in space are cut at z = 0, and vertices are white.</summary>
     /// <param name="u">First surface coordinate.</param>
     /// <param name="v">Second surface coordinate.</param>
     /// <param name="color">The colour there, linear.</param>
-    public abstract void Evaluate(in FloatW u, in FloatW v, out RgbW color);
+    public void Evaluate(in FloatW u, in FloatW v, out RgbW color)
+    {
+        Unsafe.SkipInit(out TexturePointW at);
+        at.U = u;
+        at.V = v;
+        if ((inputs & TextureInputs.BeyondUv) != TextureInputs.None)
+        {
+            at.Local = at.World = new(u, v, 0f);
+            at.VertexColor = Rgb.White;
+        }
+
+        Evaluate(at, out color);
+    }
 }

@@ -99,6 +99,24 @@ public class WarpTests
         Assert.Equal(0, Warp.CosineHemispherePdf(-0.5f)[0]);
     }
 
+    [Theory]
+    [InlineData(3, 0)]
+    [InlineData(4, 0.1f)]
+    [InlineData(5, 0.9f)]
+    [InlineData(16, 0.5f)]
+    public void Regular_polygon_is_uniform(int corners, float turn) => Check($"polygon of {corners} corners", (u, v, lane) =>
+    {
+        // Of the sector, which of the similar triangles, by area, and where on its outer side.
+        Warp.RegularPolygon(u, v, corners, turn, out FloatW x, out FloatW y);
+        double angle = Turn(x[lane], y[lane]) - turn;
+        double sector = Math.Floor((angle - Math.Floor(angle)) * corners);
+        double middle = 2 * Math.PI * (turn + ((sector + 0.5) / corners));
+        double half = Math.PI / corners;
+        double height = ((x[lane] * Math.Cos(middle)) + (y[lane] * Math.Sin(middle))) / Math.Cos(half);
+        double along = ((y[lane] * Math.Cos(middle)) - (x[lane] * Math.Sin(middle))) / (Math.Sin(half) * height);
+        return (height * height, (sector + (0.5 * (along + 1))) / corners);
+    });
+
     // A direction is tested by the share of the distribution that is nearer to the axis than it, and its turn around the axis.
     private static void CheckDirections(string what, Func<FloatW, FloatW, Vec3W> warp, Func<Vector3D, double> share) => Check(what, (u, v, lane) =>
     {

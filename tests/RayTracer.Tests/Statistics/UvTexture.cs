@@ -7,5 +7,5 @@ namespace RayTracer.Tests.Statistics;
 internal sealed class UvTexture : Texture
 {
     /// <inheritdoc/>
-    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color) => color = new(u, v, 1f);
+    public override void Evaluate(in TexturePointW at, out RgbW color) => color = new(at.U, at.V, 1f);
 }

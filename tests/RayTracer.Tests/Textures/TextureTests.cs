@@ -132,6 +132,83 @@ public class TextureTests
         Assert.Equal(expected, Red(texture, u, v));
     }
 
+    [Fact]
+    public void A_placed_textures_matrix_comes_first()
+    {
+        // (0.1, 0.2) → (0.1 + 2 · 0.2 + 0.05, 0.5 · 0.1 + 0.2 − 0.3) = (0.55, −0.05) → (1.1, −0.05).
+        PlacedTexture texture = new(new Statistics.UvTexture(), new(2, 1), 0, Vector2.Zero) { Matrix = [1, 2, 0.05f, 0.5f, 1, -0.3f] };
+        texture.Evaluate(0.1f, 0.2f, out RgbW color);
+        Assert.Equal(1.1f, color.R[0], 1e-6f);
+        Assert.Equal(-0.05f, color.G[0], 1e-6f);
+    }
+
+    [Theory]
+    [InlineData(GradientShape.Linear, -1, 0.3f, 0)]
+    [InlineData(GradientShape.Linear, 0.25f, 0.3f, 0.25)]
+    [InlineData(GradientShape.Linear, 7, 0.3f, 1)]
+    [InlineData(GradientShape.Radial, 0.5f, 0.5f, 0)]
+    [InlineData(GradientShape.Radial, 0.65f, 0.7f, 0.5)]
+    [InlineData(GradientShape.Radial, 0, 0, 1)]
+    [InlineData(GradientShape.Angular, 0.9f, 0.5f, 0)]
+    [InlineData(GradientShape.Angular, 0.5f, 0.9f, 0.25)]
+    [InlineData(GradientShape.Angular, 0.2f, 0.5f, 0.5)]
+    [InlineData(GradientShape.Angular, 0.6f, 0.4f, 0.875)]
+    public void Gradients_grow_along_their_shape(GradientShape shape, float u, float v, double expected) =>
+        Assert.Equal(expected, Red(new GradientTexture(shape, new SolidTexture(Rgb.Black), new SolidTexture(Rgb.White)), u, v), 6);
+
+    [Theory]
+    [InlineData(0.125f, 0.5f, 0)]
+    [InlineData(0.04f, 0.5f, 1)]
+    [InlineData(0.06f, 0.5f, 0)]
+    [InlineData(0.21f, 0.5f, 1)]
+    [InlineData(0.125f, 0.03f, 1)]
+    [InlineData(0.125f, 0.96f, 1)]
+    [InlineData(0.125f, 1.5f, 1)]
+    [InlineData(0.25f, 1.5f, 0)]
+    [InlineData(-0.125f, -0.5f, 1)]
+    [InlineData(0, -0.5f, 0)]
+    public void Bricks_lie_in_courses_that_are_shifted(float u, float v, float expected)
+    {
+        // Four bricks and one course in uv; the mortar is a tenth of a course thick, so 0.05 of uv on each side.
+        BrickTexture texture = new(new SolidTexture(Rgb.Black), new SolidTexture(Rgb.White), new(4, 1), 0.1f, 0.5f);
+        Assert.Equal(expected, Red(texture, u, v * 0.999f));
+    }
+
+    [Fact]
+    public void A_mix_goes_from_one_texture_to_the_other()
+    {
+        Texture weight = new PlacedTexture(new Statistics.UvTexture(), Vector2.One, 0, Vector2.Zero);
+        MixTexture texture = new(new SolidTexture(new(1, 0, 0)), new SolidTexture(new(3, 0, 0)), weight);
+        Assert.Null(texture.Constant);
+        Assert.Equal(TextureInputs.Uv, texture.Inputs);
+        foreach ((float u, float expected) in new[] { (-1f, 1f), (0f, 1f), (0.25f, 1.5f), (1f, 3f), (2f, 3f) })
+        {
+            Assert.Equal(expected, Red(texture, u, 0.9f));
+        }
+
+        MixTexture constant = new(new SolidTexture(new(1, 0, 0)), new SolidTexture(new(3, 1, 0)), new SolidTexture(new(0.5f, 0, 0)));
+        Assert.Equal((new Rgb(2, 0.5f, 0), TextureInputs.None), (constant.Constant!.Value, constant.Inputs));
+    }
+
+    [Fact]
+    public void Pictures_are_read_raw_where_they_stand_for_numbers_unless_they_say_otherwise()
+    {
+        List<(string, bool)> read = [];
+        RayTracer.Description.SceneBuilder builder = new((path, raw) =>
+        {
+            read.Add((path, raw));
+            return s_four;
+        });
+        ImageTextureDescription either = new() { File = "either" };
+        builder.Texture(either);
+        builder.NumberTexture(either);
+        builder.NumberTexture(either);
+        builder.NumberTexture(new ProductTextureDescription { First = new ImageTextureDescription { File = "inner" }, Second = new ImageTextureDescription { File = "decoded", Raw = false } });
+        builder.Texture(new ImageTextureDescription { File = "raw", Raw = true });
+        builder.Texture(new MixTextureDescription { First = either, Weight = either });
+        Assert.Equal([("either", false), ("either", true), ("inner", true), ("decoded", false), ("raw", true)], read);
+    }
+
     private static ImageTexture Texture(Interpolation interpolation, Wrapping wrapping) =>
         new(s_four, interpolation, wrapping, Vector2.One, Vector2.Zero);
 

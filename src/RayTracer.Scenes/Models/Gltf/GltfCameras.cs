@@ -29,10 +29,18 @@ internal sealed class GltfCameras(GltfDocument document)
             case "perspective":
                 GltfObject perspective = camera.RequiredChild("perspective");
                 aspectRatio = perspective.Has("aspectRatio") ? perspective.Number("aspectRatio", 1, 0) : null;
-                return Perspective(perspective, node, world);
+                float degrees = float.Clamp(perspective.RequiredNumber("yfov", float.Epsilon) * (180 / float.Pi), NarrowestDegrees, WidestDegrees);
+                return At(node, world) is { } eye ? eye with { FieldOfView = degrees } : null;
             case "orthographic":
-                document.Notes.Add("an orthographic camera is left out: there are only perspective ones");
-                return null;
+                GltfObject orthographic = camera.RequiredChild("orthographic");
+                (float across, float along) = (float.Abs(orthographic.RequiredNumber("xmag")), float.Abs(orthographic.RequiredNumber("ymag")));
+                if (!(across > 0 && along > 0 && float.IsFinite(2 * along)))
+                {
+                    throw orthographic.Error("ymag", "an orthographic camera must show something");
+                }
+
+                aspectRatio = across / along;
+                return At(node, world) is { } placed ? placed with { Projection = Projection.Orthographic, ViewSize = 2 * along } : null;
             default:
                 throw camera.Error("type", "expected \"perspective\" or \"orthographic\"");
         }
@@ -47,13 +55,9 @@ internal sealed class GltfCameras(GltfDocument document)
             : render;
     }
 
-    private CameraDescription? Perspective(GltfObject perspective, GltfObject node, Transform world)
+    // A node's camera in the middle of its space; null where that is nowhere.
+    private CameraDescription? At(GltfObject node, Transform world)
     {
-        if (!perspective.Has("yfov"))
-        {
-            throw perspective.Missing("yfov");
-        }
-
         // The point looked at is as far away as the coordinates are large, so that their rounding does not turn the view.
         Vector3 position = world.Point(Vector3.Zero);
         Vector3 lookAt = position - (world.Vector(Vector3.UnitZ).Unit() * float.Max(1, position.Norm()));
@@ -62,7 +66,6 @@ internal sealed class GltfCameras(GltfDocument document)
             Position = position,
             LookAt = lookAt,
             Up = world.Vector(Vector3.UnitY).Unit(),
-            FieldOfView = float.Clamp(perspective.Number("yfov", 1, float.Epsilon) * (180 / float.Pi), NarrowestDegrees, WidestDegrees),
         };
         if (camera.Position.IsFinite() && camera.LookAt.IsFinite() && camera.Up.IsFinite())
         {

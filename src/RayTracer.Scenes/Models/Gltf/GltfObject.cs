@@ -39,6 +39,10 @@ internal sealed class GltfObject(GltfSource source, JsonNode node, string path)
     public float Number(string key, float fallback, float minimum = float.MinValue, float maximum = float.MaxValue) =>
         node.Find(key) is { } value ? Number(key, value, minimum, maximum) : fallback;
 
+    /// <summary>A number that must be there.</summary>
+    public float RequiredNumber(string key, float minimum = float.MinValue, float maximum = float.MaxValue) =>
+        node.Find(key) is { } value ? Number(key, value, minimum, maximum) : throw Missing(key);
+
     /// <summary>A list of so many numbers; null where there is none.</summary>
     public float[]? Numbers(string key, int count, float minimum = float.MinValue, float maximum = float.MaxValue)
     {

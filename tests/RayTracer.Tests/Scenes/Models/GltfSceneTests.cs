@@ -78,13 +78,16 @@ public class GltfSceneTests
     }
 
     [Fact]
-    public void An_orthographic_camera_is_left_out_with_a_note()
+    public void An_orthographic_camera_shows_twice_its_magnifications()
     {
         TestGltf file = TestGltf.Triangle();
-        file.Add("cameras", """{ "type": "orthographic", "orthographic": { "xmag": 1, "ymag": 1, "zfar": 9, "znear": 0.1 } }""");
-        file.Add("nodes", """{ "camera": 0 }""");
-        Assert.Null(file.Import().Camera);
-        Assert.Contains(file.Import().Notes, n => n.Contains("orthographic", StringComparison.Ordinal));
+        file.Add("cameras", """{ "type": "orthographic", "orthographic": { "xmag": 3, "ymag": 1.5, "zfar": 9, "znear": 0.1 } }""");
+        file.Add("nodes", """{ "camera": 0, "translation": [1, 2, 3] }""");
+        ImportedModel model = file.Import();
+        CameraDescription camera = model.Camera!;
+        Assert.Equal((Projection.Orthographic, 3f, FieldOfViewAxis.Vertical), (camera.Projection, camera.ViewSize, camera.FieldOfViewAxis));
+        Assert.Equal((new Vector3(1, 2, 3), -1f), (camera.Position, (camera.LookAt - camera.Position).Unit().Z));
+        Assert.Equal((1200, 600), (model.Scene.Render.Width, model.Scene.Render.Height));
     }
 
     [Fact]

@@ -1,0 +1,45 @@
+using RayTracer.Description;
+using RayTracer.Media;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Materials;
+
+/// <summary>Describes an <see cref="InvisibleMaterial"/>.</summary>
+[SceneType("invisible", "A surface that all light goes straight through: the boundary of a cloud or of smoke, whose interior is seen with the volPath integrator.")]
+public sealed record InvisibleMaterialDescription : MaterialDescription
+{
+    /// <summary>What fills the shape.</summary>
+    [Parameter("What fills the (closed) shape; the volPath integrator shows it.")]
+    public MediumDescription Interior { get; init; } = new();
+
+    /// <inheritdoc/>
+    public override Material Build(SceneBuilder builder) => new InvisibleMaterial(Interior.Build());
+}
+
+/// <summary>A boundary that changes no light.</summary>
+/// <param name="interior">What is behind it; null for empty space.</param>
+public sealed class InvisibleMaterial(Medium? interior) : Material
+{
+    /// <inheritdoc/>
+    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
+
+    /// <inheritdoc/>
+    public override Medium? Interior => interior;
+
+    /// <inheritdoc/>
+    public override bool IsBoundary => true;
+
+    /// <inheritdoc/>
+    public override void Albedo(in SurfaceW surface, out RgbW albedo) => albedo = Rgb.White;
+
+    /// <inheritdoc/>
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
+    {
+        scatter.Direction = surface.Incoming;
+        scatter.Weight = Rgb.White;
+        scatter.Specular = MaskW.All;
+        scatter.Delta = MaskW.All;
+        scatter.Absorbed = MaskW.None;
+    }
+}

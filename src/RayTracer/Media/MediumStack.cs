@@ -1,0 +1,45 @@
+using RayTracer.Numerics;
+
+namespace RayTracer.Media;
+
+/// <summary>
+/// The media that a path is in, in one integer: three numbers of eight bits, the innermost one lowest, 0 for none; and above them how many boundaries
+/// the path has crossed since it last scattered.
+/// </summary>
+public static class MediumStack
+{
+    /// <summary>The most media of a scene.</summary>
+    public const int MaxMedia = 255;
+
+    private const uint Media = 0xffffff;
+    private const int CountShift = 24;
+
+    /// <summary>The innermost medium.</summary>
+    public static UIntW Innermost(UIntW stack) => stack & 0xffu;
+
+    /// <summary>How many boundaries were crossed.</summary>
+    public static UIntW Crossings(UIntW stack) => stack >> CountShift;
+
+    /// <summary>The stack after a boundary: of four media within each other, the outermost one is forgotten.</summary>
+    /// <param name="stack">The stack.</param>
+    /// <param name="medium">Number of the medium behind the boundary.</param>
+    /// <param name="crosses">Where the boundary is crossed.</param>
+    /// <param name="enters">Whether that is inwards.</param>
+    public static UIntW Cross(UIntW stack, uint medium, MaskW crosses, MaskW enters)
+    {
+        UIntW media = stack & Media;
+        UIntW entered = ((media << 8) | medium) & Media;
+
+        // What is left may be the innermost medium, or, where shapes overlap, one around it.
+        MaskW isFirst = UIntW.Equal(media & 0xffu, medium);
+        MaskW isSecond = UIntW.Equal((media >> 8) & 0xffu, medium);
+        MaskW isThird = UIntW.Equal(media >> 16, medium);
+        UIntW left = isFirst.Select(media >> 8, isSecond.Select((media & 0xffu) | ((media >> 16) << 8), isThird.Select(media & 0xffffu, media)));
+        UIntW crossings = Crossings(stack) + 1u;
+        crossings = (crossings > 0xffu).Select(0xffu, crossings);
+        return crosses.Select(enters.Select(entered, left) | (crossings << CountShift), stack);
+    }
+
+    /// <summary>The stack with no boundary crossed since.</summary>
+    public static UIntW Scattered(UIntW stack) => stack & Media;
+}

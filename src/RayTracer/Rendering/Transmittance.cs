@@ -1,0 +1,96 @@
+using RayTracer.Lights;
+using RayTracer.Media;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// What media leave of the light on its way from a light to where it is scattered, through boundaries that do not change its direction. Each thread has
+/// its own.
+/// </summary>
+/// <param name="scene">A scene with media.</param>
+internal sealed unsafe class Transmittance(Scene scene)
+{
+    private const int MaxBoundaries = 256;
+
+    // A ray that comes so near to a light has reached it.
+    private const float Reached = 1 - 1e-4f;
+    private readonly PinnedBuffer<int> _hits = new(scene.World.RoomForHits(16));
+    private PathStream _rays = new(16);
+    private PathStream _next = new(16);
+
+    /// <summary>Follows shadow rays.</summary>
+    /// <param name="lanes">Which lanes.</param>
+    /// <param name="origin">Where they start.</param>
+    /// <param name="direction">Their unit directions.</param>
+    /// <param name="distance">The distances to the light.</param>
+    /// <param name="media">The media in which they start.</param>
+    /// <param name="time">Times in seconds; used only where something moves.</param>
+    /// <param name="light">The light.</param>
+    /// <param name="transmittance">The fraction of the light that arrives; black in other lanes.</param>
+    public void Trace(
+        uint lanes, in Vec3W origin, in Vec3W direction, in FloatW distance, in UIntW media, in FloatW time, LightSource light, out RgbW transmittance)
+    {
+        float* arrived = stackalloc float[3 * 16];
+        new Span<float>(arrived, 3 * 16).Clear();
+        _rays.Count = 0;
+        Append(_rays, lanes, origin, direction, Rgb.White, UIntW.Iota, media, distance, time);
+        for (int boundary = 0; boundary < MaxBoundaries && _rays.Count > 0; boundary++)
+        {
+            scene.World.ClosestHit(_rays, _hits.Pointer);
+            _next.Count = 0;
+            for (uint i = 0; i < _rays.Count; i++)
+            {
+                Step(i, light, arrived);
+            }
+
+            (_rays, _next) = (_next, _rays);
+        }
+
+        transmittance = new(FloatW.Load(arrived), FloatW.Load(arrived + 16), FloatW.Load(arrived + 32));
+    }
+
+    // Takes a ray to what it meets: the light, something that stops it, or a boundary, from where it goes on.
+    private void Step(uint ray, LightSource light, float* arrived)
+    {
+        uint* index = stackalloc uint[16];
+        new Span<uint>(index, 16).Fill(ray);
+        float left = _rays.Travelled[ray];
+        float met = _rays.Distance[ray];
+        int primitive = (int)_rays.Primitive[ray];
+        bool isLight = primitive == light.Primitive && (scene.World.Instances is null || _rays.Instance[ray] == (uint)light.Instance);
+        bool isThere = isLight || met >= left * Reached;
+        ShadingGroup? group = isThere ? null : scene.Groups[scene.GroupOfPrimitive[primitive]];
+        if (group is { Material.IsBoundary: false })
+        {
+            return;
+        }
+
+        UIntW media = UIntW.Pick(_rays.Media, index);
+        RgbW transmittance = _rays.PickThroughput(index) * MediumTable.Transmittance(scene.Media.Extinction(media), float.Min(met, left));
+        if (group is null)
+        {
+            uint lane = _rays.Path[ray];
+            (arrived[lane], arrived[16 + lane], arrived[32 + lane]) = (transmittance.R[0], transmittance.G[0], transmittance.B[0]);
+            return;
+        }
+
+        SurfaceShader.Describe(scene, group, _rays, index, group.UsesUv, out Materials.SurfaceW surface);
+        UIntW beyond = MediumStack.Cross(media, group.Interior, MaskW.All, ~surface.Inside);
+        FloatW time = scene.IsTimed ? FloatW.Pick(_rays.Time, index) : 0f;
+        Vec3W start = SurfaceShader.Leave(surface, surface.Incoming);
+        Append(_next, 1u, start, surface.Incoming, transmittance, UIntW.Pick(_rays.Path, index), beyond, left - met, time);
+    }
+
+    private void Append(
+        PathStream to, uint lanes, in Vec3W origin, in Vec3W direction, in RgbW transmittance, in UIntW lane, in UIntW media, in FloatW left, in FloatW time)
+    {
+        if (scene.IsTimed)
+        {
+            to.SetTime(lanes, time);
+        }
+
+        to.SetMedia(lanes, media, left);
+        to.Append(lanes, origin, direction, transmittance, Rgb.Black, lane, 0u);
+    }
+}

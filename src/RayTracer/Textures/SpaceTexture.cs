@@ -1,0 +1,71 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+
+namespace RayTracer.Textures;
+
+/// <summary>Whose coordinates a texture in space uses.</summary>
+public enum TextureSpace
+{
+    /// <summary>Those in which the shape's own numbers are given: the texture goes with the shape.</summary>
+    Object,
+
+    /// <summary>Those of the world: shapes move through the texture.</summary>
+    World,
+}
+
+/// <summary>Describes a <see cref="SpaceTexture"/>.</summary>
+public abstract record SpaceTextureDescription : TextureDescription
+{
+    /// <summary>Whose coordinates are used.</summary>
+    [Parameter("Whose coordinates are used: the object's (those in which the shape's own numbers are given, before any transform, so that the texture goes with it) or the world's.")]
+    public TextureSpace Space { get; init; } = TextureSpace.Object;
+
+    /// <summary>How the texture is moved in these coordinates; empty where it is not.</summary>
+    [Parameter("How the texture is moved in these coordinates: steps, the first one applied first. A scale of 2 makes it twice as coarse.")]
+    public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
+
+    /// <summary>Where the texture stands.</summary>
+    internal TexturePlace Place(SceneBuilder builder) => new(Space, TransformSteps.Place(this, Transform, builder));
+}
+
+/// <summary>Where a texture stands in space.</summary>
+/// <param name="Space">Whose coordinates are used.</param>
+/// <param name="Transform">How it is moved in them.</param>
+public readonly record struct TexturePlace(TextureSpace Space, Transform Transform);
+
+/// <summary>A texture that fills space: what a surface cuts out of a block.</summary>
+/// <param name="place">Where it stands.</param>
+/// <param name="first">The texture where its amount is 0.</param>
+/// <param name="second">The texture where its amount is 1.</param>
+public abstract class SpaceTexture(TexturePlace place, Texture first, Texture second)
+    : BlendTexture(place.Space == TextureSpace.World ? TextureInputs.WorldPoint : TextureInputs.ObjectPoint, first, second)
+{
+    private readonly bool _isMoved = !place.Transform.IsIdentity;
+    private readonly float[] _back = Rows(place.Transform.Inverse());
+
+    /// <inheritdoc/>
+    protected sealed override void Amount(in TexturePointW at, out FloatW amount)
+    {
+        Vec3W point = place.Space == TextureSpace.World ? at.World : at.Local;
+        if (_isMoved)
+        {
+            point = new(Row(0, point), Row(4, point), Row(8, point));
+        }
+
+        Amount(point, out amount);
+    }
+
+    /// <summary>How much of the second texture there is, from 0 to 1.</summary>
+    /// <param name="point">Where, in the texture's own coordinates.</param>
+    /// <param name="amount">The amount.</param>
+    protected abstract void Amount(in Vec3W point, out FloatW amount);
+
+    private static float[] Rows(in Transform map) =>
+    [
+        (float)map.X.A, (float)map.X.B, (float)map.X.C, (float)map.X.D, (float)map.Y.A, (float)map.Y.B, (float)map.Y.C, (float)map.Y.D,
+        (float)map.Z.A, (float)map.Z.B, (float)map.Z.C, (float)map.Z.D,
+    ];
+
+    private FloatW Row(int i, in Vec3W p) =>
+        FloatW.MultiplyAdd(p.X, _back[i], FloatW.MultiplyAdd(p.Y, _back[i + 1], FloatW.MultiplyAdd(p.Z, _back[i + 2], _back[i + 3])));
+}

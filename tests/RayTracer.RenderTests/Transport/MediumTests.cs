@@ -1,0 +1,104 @@
+using RayTracer.Description;
+
+namespace RayTracer.RenderTests.Transport;
+
+/// <summary>Media against closed forms.</summary>
+public class MediumTests
+{
+    private static readonly int s_seeds = TestSettings.Scale(16, 96);
+
+    [Theory]
+    [InlineData("""{ "type": "invisible", "interior": { "extinction": [0.5, 2, 8], "albedo": [1, 1, 1], "anisotropy": 0 } }""", 1e-4)]
+    [InlineData("""{ "type": "invisible", "interior": { "extinction": [3, 3, 3], "albedo": [1, 1, 1], "anisotropy": 0.8 } }""", 1e-4)]
+    [InlineData("""{ "type": "invisible", "interior": { "extinction": [1, 0, 3], "albedo": [1, 1, 1], "anisotropy": -0.5 } }""", 1e-4)]
+    [InlineData("""{ "type": "dielectric", "refractiveIndex": 1.5, "interior": { "extinction": [2, 1, 0.5], "albedo": [1, 1, 1] } }""", 1e-3)]
+    public void What_only_scatters_is_not_seen_in_an_even_light(string material, double tolerance)
+    {
+        ImageSamples images = SceneRuns.RenderText(Ball(material, "[1, 1, 1]", ""), s_seeds);
+        for (int channel = 0; channel < 3; channel++)
+        {
+            // Paths that are cut off at the depth limit are missing.
+            BlockEstimate all = images.Estimate(new(0, 0, images.Width, images.Height), channel);
+            Assert.InRange(all.Mean, 1 - tolerance - (6 * Math.Sqrt(all.Variance)), 1 + 1e-4 + (6 * Math.Sqrt(all.Variance)));
+        }
+    }
+
+    [Fact]
+    public void What_only_absorbs_lets_through_what_Beers_law_says()
+    {
+        // Straight through the middle of a ball of radius 1, and of one within it whose medium counts there instead.
+        const string ball = """{ "type": "invisible", "interior": { "extinction": [0.5, 1, 0.1] } }""";
+        const string inner = """, { "type": "sphere", "center": [0, 0, 0], "radius": 0.25, "material": { "type": "invisible", "interior": { "extinction": [2, 0, 1e-9] } } }""";
+        Check(SceneRuns.RenderText(Ball(ball, "[1, 1, 1]", "", fieldOfView: 1e-3), 2), [Math.Exp(-1), Math.Exp(-2), Math.Exp(-0.2)]);
+        Check(SceneRuns.RenderText(Ball(ball, "[1, 1, 1]", inner, fieldOfView: 1e-3), 2), [Math.Exp(-0.75 - 1), Math.Exp(-1.5), Math.Exp(-0.15)]);
+    }
+
+    [Fact]
+    public void Shadows_of_media_are_as_dark_as_Beers_law_says()
+    {
+        // A lamp straight above the point looked at, with two balls in between: directly through both middles.
+        const string scene = """
+            { "camera": { "position": [3, 0.5, 0], "lookAt": [0, 0, 0], "fieldOfView": 0.001 },
+              "render": { "width": 2, "height": 2, "samplesPerPixel": 4, "integrator": "volPath", "maxDepth": 2 },
+              "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [1, 1, 1] } },
+                BALLS { "type": "sphere", "center": [0, 20, 0], "radius": 0.05, "material": { "type": "luminaire", "multiplier": 1e5 } } ] }
+            """;
+        const string balls = """
+            { "type": "sphere", "center": [0, 2, 0], "radius": 0.5, "material": { "type": "invisible", "interior": { "extinction": [1, 2, 3] } } },
+            { "type": "box", "a": [-1, 4, -1], "b": [1, 6, 1], "material": { "type": "invisible", "interior": { "extinction": [0.5, 0, 0.1], "albedo": [0.5, 0.5, 0.5] } } },
+            """;
+        double[] lit = Means(SceneRuns.RenderText(scene.Replace("BALLS", "", StringComparison.Ordinal), 1));
+        double[] dark = Means(SceneRuns.RenderText(scene.Replace("BALLS", balls, StringComparison.Ordinal), 1));
+        double[] depth = [1 + 1, 2, 3 + 0.2];
+        for (int channel = 0; channel < 3; channel++)
+        {
+            Assert.Equal(Math.Exp(-depth[channel]), dark[channel] / lit[channel], 2e-3);
+        }
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(0.7)]
+    [InlineData(-0.6)]
+    public void A_thin_cloud_scatters_once_as_the_phase_function_says(double anisotropy)
+    {
+        // Light along +x meets a thin ball; seen along -z, the light that is scattered by a right angle: extinction · albedo · way · phase(0) · irradiance.
+        string scene = $$"""
+            { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "fieldOfView": 0.01 },
+              "render": { "width": 4, "height": 4, "samplesPerPixel": 256, "integrator": "volPath", "maxDepth": 2 },
+              "lights": [{ "type": "directional", "direction": [1, 0, 0], "irradiance": [1, 1, 1] }],
+              "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "invisible", "interior": { "extinction": [0.02, 0.02, 0.02], "albedo": [1, 0.5, 0.25], "anisotropy": {{anisotropy.ToString(System.Globalization.CultureInfo.InvariantCulture)}} } } }] }
+            """;
+        ImageSamples images = SceneRuns.RenderText(scene, s_seeds);
+        double phase = (1 - (anisotropy * anisotropy)) / (4 * Math.PI * Math.Pow(1 + (anisotropy * anisotropy), 1.5));
+
+        // Out of the depth z of the ball's diameter, on the way there and from the light, the rest is lost: integrated by the midpoint rule.
+        const int steps = 2000;
+        double ways = Enumerable.Range(0, steps).Select(i => -1 + ((i + 0.5) * 2 / steps)).Sum(z => Math.Exp(-0.02 * ((1 - z) + Math.Sqrt(1 - (z * z)))) * 2 / steps);
+        double[] albedo = [1, 0.5, 0.25];
+        for (int channel = 0; channel < 3; channel++)
+        {
+            BlockEstimate all = images.Estimate(new(0, 0, 4, 4), channel);
+            double expected = 0.02 * albedo[channel] * phase * ways;
+            ErrorBudget.Analytic.Check(BlockTest.Welch(all, new(expected, 0, 1)), $"{all.Mean} ± {Math.Sqrt(all.Variance)}, expected {expected}");
+        }
+    }
+
+    private static void Check(ImageSamples images, double[] expected)
+    {
+        double[] means = Means(images);
+        for (int channel = 0; channel < 3; channel++)
+        {
+            Assert.Equal(expected[channel], means[channel], 1e-5);
+        }
+    }
+
+    private static double[] Means(ImageSamples images) => [.. Enumerable.Range(0, 3).Select(c => images.Estimate(new(0, 0, images.Width, images.Height), c).Mean)];
+
+    private static string Ball(string material, string background, string more, double fieldOfView = 40) => $$"""
+        { "camera": { "position": [0, 0, 4], "lookAt": [0, 0, 0], "fieldOfView": {{fieldOfView.ToString(System.Globalization.CultureInfo.InvariantCulture)}} },
+          "render": { "width": 16, "height": 16, "samplesPerPixel": 16, "integrator": "volPath" },
+          "background": {{background}},
+          "shapes": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": {{material}} } {{more}} ] }
+        """;
+}
