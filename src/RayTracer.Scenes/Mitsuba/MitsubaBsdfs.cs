@@ -23,6 +23,9 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
     /// <summary>What shining surfaces are made of about which nothing is said.</summary>
     public static MaterialDescription Black { get; } = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(Rgb.Black) };
 
+    /// <summary>Whether the integrator shows media: then boundaries of nothing do not count as edges of paths.</summary>
+    public bool IsVolumetric { get; set; }
+
     /// <summary>The materials that have names.</summary>
     public Dictionary<string, MaterialDescription> Named { get; } = new(StringComparer.Ordinal);
 
@@ -67,7 +70,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
             case "dielectric" or "thindielectric" or "roughdielectric":
                 return _dielectrics.Read(bsdf);
             case "null":
-                return new MaskMaterialDescription { Opacity = MitsubaTextures.Solid(Rgb.Black) };
+                return IsVolumetric ? new InvisibleMaterialDescription() : new MaskMaterialDescription { Opacity = MitsubaTextures.Solid(Rgb.Black) };
             default:
                 return MakeOfOthers(bsdf, isTwoSided);
         }

@@ -17,7 +17,7 @@ public sealed record PolarTextureDescription : TextureDescription
 
 /// <summary>Another texture in polar coordinates around (½, ½).</summary>
 /// <param name="texture">The other texture.</param>
-public sealed class PolarTexture(Texture texture) : Texture
+public sealed class PolarTexture(Texture texture) : Texture(texture.Inputs)
 {
     /// <inheritdoc/>
     public override Rgb? Constant => texture.Constant;
@@ -26,12 +26,14 @@ public sealed class PolarTexture(Texture texture) : Texture
     public override long MemoryBytes => texture.MemoryBytes;
 
     /// <inheritdoc/>
-    public override void Evaluate(in FloatW u, in FloatW v, out RgbW color)
+    public override void Evaluate(in TexturePointW at, out RgbW color)
     {
-        FloatW x = FloatW.MultiplyAdd(u, 2f, -1f);
-        FloatW y = FloatW.MultiplyAdd(v, 2f, -1f);
-        FloatW distance = FloatW.Sqrt(FloatW.MultiplyAdd(x, x, y * y));
+        FloatW x = FloatW.MultiplyAdd(at.U, 2f, -1f);
+        FloatW y = FloatW.MultiplyAdd(at.V, 2f, -1f);
         FloatW turn = LaneMath.Atan2(y, x) * (0.5f / float.Pi);
-        texture.Evaluate(distance, (turn < 0f).Select(turn + 1f, turn), out color);
+        TexturePointW polar = at;
+        polar.U = FloatW.Sqrt(FloatW.MultiplyAdd(x, x, y * y));
+        polar.V = (turn < 0f).Select(turn + 1f, turn);
+        texture.Evaluate(polar, out color);
     }
 }
