@@ -26,7 +26,7 @@ internal sealed class RenderVerb
 
     private RenderVerb(Command command)
     {
-        _scene = new("SCENE") { Description = "The scene file." };
+        _scene = new("SCENE") { Description = "The scene file: native (.json), of Mitsuba (.xml), or a model." };
         command.Arguments.Add(_scene);
         command.Options.Add(_outputs);
         _overrides = new(command);
