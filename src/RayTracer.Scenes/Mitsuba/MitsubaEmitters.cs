@@ -60,10 +60,14 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
     /// <summary>A scene with the light that comes from all around.</summary>
     public SceneDescription Environment(MitsubaObject emitter, SceneDescription scene)
     {
-        emitter.Ignore("sampling_weight");
+        emitter.Ignore("sampling_weight", "mis_compensation");
         if (emitter.Type == "constant")
         {
             scene = scene with { Background = MitsubaColors.Read(emitter, "radiance", Rgb.White, isLight: true) };
+        }
+        else
+        {
+            scene = scene with { Environment = reading.At(emitter.Place, Picture(emitter)) };
         }
 
         emitter.Finish();
@@ -72,6 +76,23 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
 
     /// <summary>Whether an emitter shines from all around.</summary>
     public static bool IsEnvironment(MitsubaObject emitter) => emitter.Type is "constant" or "envmap";
+
+    private ImageEnvironmentDescription Picture(MitsubaObject emitter)
+    {
+        Transform place = emitter.Transform();
+        if (place.UniformScale() is null)
+        {
+            reading.Log.Error(emitter.PlaceOf("to_world"), "an environment can be turned, but not stretched");
+            place = Transform.Identity;
+        }
+
+        return new()
+        {
+            File = emitter.FileName() ?? "",
+            Scale = emitter.Float("scale", 1, 0),
+            Transform = MitsubaSurfaces.Steps(place),
+        };
+    }
 
     private static PointLightDescription Point(MitsubaObject emitter) => new()
     {
