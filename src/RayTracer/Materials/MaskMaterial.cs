@@ -82,7 +82,7 @@ public sealed class MaskMaterial(Material inner, Texture opacity) : WrapperMater
 
     private FloatW Opacity(in SurfaceW surface)
     {
-        opacity.Evaluate(surface.U, surface.V, out RgbW color);
+        opacity.Evaluate(surface, out RgbW color);
         return FloatW.Max(0f, FloatW.Min(color.R, 1f));
     }
 }

@@ -41,7 +41,7 @@ public sealed class NormalMapMaterial(Material inner, Texture map, float strengt
     /// <inheritdoc/>
     protected override void Perturb(in SurfaceW surface, in Vec3W outward, out Vec3W normal)
     {
-        map.Evaluate(surface.U, surface.V, out RgbW color);
+        map.Evaluate(surface, out RgbW color);
         Onb frame = new(surface.Tangent, Vec3W.Cross(outward, surface.Tangent), outward);
         FloatW x = FloatW.MultiplyAdd(color.R, 2f, -1f) * strength;
         FloatW y = FloatW.MultiplyAdd(color.G, 2f, -1f) * strength;

@@ -129,7 +129,7 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
     public override bool UsesTangent => _isAnisotropic;
 
     /// <inheritdoc/>
-    public override void Prepare(ref SurfaceW surface) => textures.BaseColor.Evaluate(surface.U, surface.V, out surface.DiffuseColor);
+    public override void Prepare(ref SurfaceW surface) => textures.BaseColor.Evaluate(surface, out surface.DiffuseColor);
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response) => response = surface.DiffuseColor;
@@ -191,7 +191,7 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
 
     private static FloatW Red(Texture texture, in SurfaceW surface)
     {
-        texture.Evaluate(surface.U, surface.V, out RgbW color);
+        texture.Evaluate(surface, out RgbW color);
         return color.R;
     }
 

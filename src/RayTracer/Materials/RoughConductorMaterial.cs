@@ -72,7 +72,7 @@ public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness r
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
     {
         fresnel.Evaluate(surface.Cosine, out response);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW factor);
+        reflectance.Evaluate(surface, out RgbW factor);
         response *= factor;
     }
 
@@ -134,7 +134,7 @@ public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness r
     private void Reflectance(in SurfaceW surface, in FloatW cosine, out RgbW color)
     {
         fresnel.Evaluate(FloatW.Min(FloatW.Max(cosine, 0f), 1f), out color);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW factor);
+        reflectance.Evaluate(surface, out RgbW factor);
         color *= factor;
     }
 }

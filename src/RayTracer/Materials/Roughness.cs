@@ -28,8 +28,8 @@ public sealed class Roughness(MicrofacetDistribution distribution, Texture alpha
     /// <summary>The microfacets at a point.</summary>
     internal void Evaluate(in SurfaceW surface, out Microfacets microfacets)
     {
-        alphaU.Evaluate(surface.U, surface.V, out RgbW u);
-        alphaV.Evaluate(surface.U, surface.V, out RgbW v);
+        alphaU.Evaluate(surface, out RgbW u);
+        alphaV.Evaluate(surface, out RgbW v);
         microfacets = new(distribution, u.R, v.R);
     }
 }
