@@ -42,7 +42,7 @@ internal sealed class SceneContent
     {
         switch (value)
         {
-            case SceneDescription or ShapeDescription or MaterialDescription or TextureDescription when _seen.Add(value):
+            case SceneDescription or ShapeDescription or MaterialDescription or TextureDescription or EnvironmentDescription when _seen.Add(value):
                 VisitRecord(value);
                 break;
             case IDictionary named:

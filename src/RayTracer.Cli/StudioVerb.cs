@@ -11,7 +11,7 @@ internal static class StudioVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string?> scene = new("SCENE") { Description = "The scene or model file to open; without it, a new scene.", Arity = ArgumentArity.ZeroOrOne };
+        Argument<string?> scene = new("SCENE") { Description = "The scene (native, or of Mitsuba) or model file to open; without it, a new scene.", Arity = ArgumentArity.ZeroOrOne };
         ParsedOption<long?> port = OptionValues.Integer("--port", "The port to listen on; without it, a free one.", 0, 65535);
         Option<bool> noBrowser = new("--no-browser") { Description = "Opens no window, and prints the address only." };
         command.Arguments.Add(scene);

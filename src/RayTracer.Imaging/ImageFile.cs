@@ -3,10 +3,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Picture files of every format that is known: PNG, PFM and OpenEXR; and JPEG, which is read only.</summary>
+/// <summary>Picture files of every format that is known: PNG, PFM and OpenEXR; and JPEG and Radiance HDR, which are read only.</summary>
 public static class ImageFile
 {
-    private const string Formats = "PNG, JPEG, PFM and OpenEXR";
+    private const string Formats = "PNG, JPEG, PFM, OpenEXR and Radiance HDR";
     private static readonly string[] Extensions = [".png", ".pfm", ".exr"];
 
     /// <summary>Reads a picture file; its format is told by its first bytes, not by its name.</summary>
@@ -38,16 +38,21 @@ public static class ImageFile
             return ExrReader.Read(file);
         }
 
+        if (file.StartsWith(HdrReader.Signature))
+        {
+            return HdrReader.Read(file);
+        }
+
         return PfmReader.IsPfm(file) ? PfmReader.Read(file) : throw Unknown();
     }
 
-    /// <summary>Reads the texts that a picture file carries, in their order; of a PFM or JPEG, none.</summary>
+    /// <summary>Reads the texts that a picture file carries, in their order; of a PFM, JPEG or Radiance HDR, none.</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, file =>
         file.StartsWith(PngReader.Signature) ? PngReader.ReadText(file)
         : file.StartsWith(ExrReader.Signature) ? ExrReader.ReadText(file)
-        : PfmReader.IsPfm(file) || file.StartsWith(JpegReader.Signature) ? []
+        : PfmReader.IsPfm(file) || file.StartsWith(JpegReader.Signature) || file.StartsWith(HdrReader.Signature) ? []
         : throw Unknown());
 
     /// <summary>

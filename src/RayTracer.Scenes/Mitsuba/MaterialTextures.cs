@@ -11,7 +11,8 @@ internal static class MaterialTextures
     {
         Dictionary<string, object?> values = RecordType.Of(material.GetType()).Parameters.ToDictionary(p => p.PropertyName, p => p.Get(material));
         return values.Values.Any(v => v is (TextureDescription and not SolidTextureDescription) || (v is MaterialDescription inner && NeedUv(inner)))
-            || !Equals(values.GetValueOrDefault("AlphaU"), values.GetValueOrDefault("AlphaV"));
+            || !Equals(values.GetValueOrDefault("AlphaU"), values.GetValueOrDefault("AlphaV"))
+            || values.GetValueOrDefault("Anisotropic") is SolidTextureDescription { Color.R: not 0 };
     }
 
     /// <summary>A material with other textures.</summary>

@@ -14,6 +14,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
     private readonly HashSet<MitsubaObject> _open = [];
     private readonly MitsubaMetals _metals = new(textures);
     private readonly MitsubaDielectrics _dielectrics = new(textures);
+    private readonly MitsubaWrappers _wrappers = new(reading, textures);
 
     /// <summary>What surfaces are made of about which nothing is said.</summary>
     public static MaterialDescription Standard { get; } =
@@ -21,6 +22,9 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
 
     /// <summary>What shining surfaces are made of about which nothing is said.</summary>
     public static MaterialDescription Black { get; } = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(Rgb.Black) };
+
+    /// <summary>Whether the integrator shows media: then boundaries of nothing do not count as edges of paths.</summary>
+    public bool IsVolumetric { get; set; }
 
     /// <summary>The materials that have names.</summary>
     public Dictionary<string, MaterialDescription> Named { get; } = new(StringComparer.Ordinal);
@@ -66,7 +70,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
             case "dielectric" or "thindielectric" or "roughdielectric":
                 return _dielectrics.Read(bsdf);
             case "null":
-                return new MaskMaterialDescription { Opacity = MitsubaTextures.Solid(Rgb.Black) };
+                return IsVolumetric ? new InvisibleMaterialDescription() : new MaskMaterialDescription { Opacity = MitsubaTextures.Solid(Rgb.Black) };
             default:
                 return MakeOfOthers(bsdf, isTwoSided);
         }
@@ -86,8 +90,16 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
                 TextureDescription weight = textures.Read(bsdf, "weight", 0.5f);
                 MaterialDescription[] mixed = Inner(bsdf, 2, 2, isTwoSided);
                 return new MixMaterialDescription { First = mixed[0], Second = mixed[1], Weight = weight };
+            case "normalmap":
+                return _wrappers.NormalMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]);
+            case "bumpmap":
+                return _wrappers.BumpMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]);
+            case "principled":
+                PrincipledMaterialDescription principled = _wrappers.Principled(bsdf);
+                bool isOpaque = principled.Transmission is SolidTextureDescription { Color.R: 0 };
+                return isOpaque ? Sided(bsdf, principled, isTwoSided) : principled;
             default:
-                string[] known = ["diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric", "twosided", "mask", "blendbsdf", "null"];
+                string[] known = ["diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric", "principled", "twosided", "mask", "blendbsdf", "normalmap", "bumpmap", "null"];
                 reading.Log.Unknown(bsdf.TypePlace, $"BSDFs of the type {Quotation.Of(bsdf.Type)} are not read here", bsdf.Type, known);
                 return Standard;
         }

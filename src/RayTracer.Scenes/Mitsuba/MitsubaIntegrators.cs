@@ -10,8 +10,9 @@ internal static class MitsubaIntegrators
     {
         switch (integrator.Type)
         {
-            case "path":
-                render = render with { Integrator = Integrator.Path, MaxDepth = Depth(integrator), RouletteDepth = int.Min(integrator.Integer("rr_depth", 5, 1), RenderDescription.LongestPath) };
+            case "path" or "volpath" or "volpathmis":
+                Integrator kind = integrator.Type == "path" ? Integrator.Path : Integrator.VolPath;
+                render = render with { Integrator = kind, MaxDepth = Depth(integrator), RouletteDepth = int.Min(integrator.Integer("rr_depth", 5, 1), RenderDescription.LongestPath) };
                 break;
             case "direct":
                 integrator.Ignore("shading_samples", "emitter_samples", "bsdf_samples");
@@ -20,7 +21,7 @@ internal static class MitsubaIntegrators
             case "aov":
                 return Aov(integrator, render);
             default:
-                integrator.Log.Unknown(integrator.TypePlace, $"integrators of the type {Quotation.Of(integrator.Type)} are not read here", integrator.Type, ["path", "direct", "aov"]);
+                integrator.Log.Unknown(integrator.TypePlace, $"integrators of the type {Quotation.Of(integrator.Type)} are not read here", integrator.Type, ["path", "direct", "volpath", "volpathmis", "aov"]);
                 return render;
         }
 

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Numerics;
 using RayTracer.Shapes;
 
 namespace RayTracer.Scenes;
@@ -9,16 +10,19 @@ internal static class MitsubaMeshes
     /// <summary>A mesh of a file.</summary>
     public static ShapeDescription? Read(MitsubaObject shape, MaterialDescription material)
     {
+        // The front of flat faces is told by the order of their corners after the transform, so a mirror turns it inwards.
+        Transform place = shape.Transform();
+        bool isFlat = shape.Boolean("face_normals", false);
         MeshDescription mesh = new()
         {
             File = shape.FileName() ?? "",
             Part = shape.Type == "serialized" ? shape.Integer("shape_index", 0, 0) : -1,
-            Shading = shape.Boolean("face_normals", false) ? MeshShading.Flat : MeshShading.Smooth,
-            FlipNormals = shape.Boolean("flip_normals", false),
+            Shading = isFlat ? MeshShading.Flat : MeshShading.Smooth,
+            FlipNormals = shape.Boolean("flip_normals", false) != (isFlat && place.Determinant < 0),
             FlipV = shape.Boolean("flip_tex_coords", shape.Type == "obj"),
             IgnoreColors = true,
             Material = material,
-            Transform = MitsubaSurfaces.Steps(shape.Transform()),
+            Transform = MitsubaSurfaces.Steps(place),
         };
         return mesh.File.Length > 0 ? mesh : null;
     }

@@ -33,6 +33,7 @@ internal sealed class MitsubaScene
             scene = scene with { Render = MitsubaIntegrators.Read(integrator, scene.Render) };
         }
 
+        _bsdfs.IsVolumetric = scene.Render.Integrator == Integrator.VolPath;
         scene = Sensor(root, scene);
         scene = Emitters(root, scene);
         ShapeDescription[] shapes = [.. root.Children("shape").Select(_shapes.Read).OfType<ShapeDescription>()];

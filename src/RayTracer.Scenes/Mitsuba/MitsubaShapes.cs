@@ -73,6 +73,7 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, 
     {
         MitsubaObject? emitter = shape.Only("emitter");
         MaterialDescription material = shape.Only("bsdf") is { } bsdf ? bsdfs.Read(bsdf) : emitter is null ? MitsubaBsdfs.Standard : MitsubaBsdfs.Black;
-        return emitter is null ? material : emitters.Area(emitter, material);
+        MaterialDescription filled = MitsubaMedia.Fill(shape, material);
+        return emitter is null ? filled : emitters.Area(emitter, filled);
     }
 }

@@ -62,6 +62,11 @@ internal static class MitsubaTransforms
             return null;
         }
 
+        if (float.Abs(axis.Norm() - 1) > 1e-3f)
+        {
+            log.Warn(step.Place, "the axis is not of length 1: here this is a rotation about it, but Mitsuba 3 makes a stretched one of it");
+        }
+
         return Transform.Rotation(axis, angle);
     }
 

@@ -81,7 +81,7 @@ internal sealed class RecordReader
         }
 
         _bag.Unknown(
-            member.Start, $"unknown key {Quotation.Of(member.Key)} in {NameOf(type)}", member.Key, type.Parameters.Select(p => p.Key), "it may have");
+            member.Start, $"unknown key {Quotation.Of(member.Key)} in {NameOf(type)}", member.Key, type.Parameters.Select(p => p.Key).DefaultIfEmpty("type"), "it may have");
         return false;
     }
 
@@ -117,6 +117,8 @@ internal sealed class RecordReader
                 return Shape(parameter.Key, node);
             case ParameterKind.Shapes:
                 return List(parameter.Key, node, "shapes", item => (ShapeDescription?)Inline(item, SceneTypes.Shapes, parameter.Key));
+            case ParameterKind.Environment:
+                return Inline(node, SceneTypes.Environments, parameter.Key);
             case ParameterKind.Record:
                 return Is(node, JsonKind.Object, "an object { … }", parameter.Key) ? Record(node, RecordType.Of(parameter.ValueType)) : null;
             case ParameterKind.Records:
@@ -234,14 +236,14 @@ internal sealed class RecordReader
     private object? Inline(JsonNode node, TypeFamily family, string key)
     {
         string things = string.Join(", ", family.Names);
-        if (!Is(node, JsonKind.Object, $"a {family.Noun} {{ \"type\": … }}", key))
+        if (!Is(node, JsonKind.Object, $"{WithArticle(family.Noun)} {{ \"type\": … }}", key))
         {
             return null;
         }
 
         if (node.Find("type") is not { } name)
         {
-            _bag.Error(node, $"a {family.Noun} needs \"type\": one of {things}");
+            _bag.Error(node, $"{WithArticle(family.Noun)} needs \"type\": one of {things}");
             return null;
         }
 
@@ -273,7 +275,7 @@ internal sealed class RecordReader
         TypeFamily? other = SceneTypes.Families.FirstOrDefault(f => f.Find(name.Text) is not null);
         if (other is not null)
         {
-            _bag.Error(name, $"{Quotation.Of(name.Text)} is a {other.Noun}, but a {family.Noun} is expected here");
+            _bag.Error(name, $"{Quotation.Of(name.Text)} is {WithArticle(other.Noun)}, but {WithArticle(family.Noun)} is expected here");
             return;
         }
 
@@ -372,6 +374,8 @@ internal sealed class RecordReader
             return type == SceneTypes.Scene ? "the scene" : Quotation.Of(type.Name);
         }
 
-        return type.Name[0] is 'a' or 'e' or 'i' or 'o' or 'u' ? $"an {type.Name}" : $"a {type.Name}";
+        return WithArticle(type.Name);
     }
+
+    private static string WithArticle(string noun) => noun[0] is 'a' or 'e' or 'i' or 'o' or 'u' ? $"an {noun}" : $"a {noun}";
 }

@@ -115,6 +115,7 @@ public static class SceneReference
         ParameterKind.Materials => "list of [materials](#materials)",
         ParameterKind.Shape => "[shape](#shapes)",
         ParameterKind.Shapes => "list of [shapes](#shapes)",
+        ParameterKind.Environment => "[environment](#environments)",
         ParameterKind.Records => $"list of [{RecordType.Of(parameter.RecordType!).Name}s](#{RecordType.Of(parameter.RecordType!).Name})",
         ParameterKind.Numbers => "list of numbers",
         ParameterKind.Integers => "list of whole numbers",

@@ -14,7 +14,7 @@ public static class SceneSchema
     /// <summary>The schema (draft 2020-12), made from the description records.</summary>
     public static string Generate()
     {
-        JsonObject definitions = new() { ["color"] = Color(), ["texture"] = Texture(), ["material"] = Material(), ["shape"] = OneOf(SceneTypes.Shapes) };
+        JsonObject definitions = new() { ["color"] = Color(), ["texture"] = Texture(), ["material"] = Material(), ["shape"] = OneOf(SceneTypes.Shapes), ["environment"] = OneOf(SceneTypes.Environments) };
         foreach (RecordType listed in SceneTypes.Families.SelectMany(f => f.Types).Concat(SceneTypes.Parts)
             .SelectMany(t => t.Parameters).Where(p => p.Kind == ParameterKind.Records).Select(p => RecordType.Of(p.RecordType!)).Distinct())
         {
@@ -135,6 +135,7 @@ public static class SceneSchema
         ParameterKind.Materials => List(Reference("material")),
         ParameterKind.Shape => new() { ["anyOf"] = new JsonArray(new JsonObject { ["type"] = "string" }, Reference("shape")) },
         ParameterKind.Shapes => List(Reference("shape")),
+        ParameterKind.Environment => Reference("environment"),
         ParameterKind.Records => List(Reference(RecordType.Of(parameter.RecordType!).Name)),
         ParameterKind.Numbers => List(Number("number", parameter)),
         ParameterKind.Integers => List(new() { ["type"] = "integer" }),

@@ -45,6 +45,9 @@ public enum ParameterKind
     /// <summary>A list of shapes.</summary>
     Shapes,
 
+    /// <summary>An environment.</summary>
+    Environment,
+
     /// <summary>An object of parameters.</summary>
     Record,
 

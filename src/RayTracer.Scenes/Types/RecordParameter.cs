@@ -163,6 +163,7 @@ public sealed class RecordParameter
             _ when type == typeof(Rgb) => ParameterKind.Color,
             _ when type == typeof(TextureDescription) => ParameterKind.Texture,
             _ when type == typeof(MaterialDescription) => ParameterKind.Material,
+            _ when type == typeof(EnvironmentDescription) => ParameterKind.Environment,
             _ when type == typeof(ShapeDescription) => ParameterKind.Shape,
             _ when type == typeof(IReadOnlyList<ShapeDescription>) => ParameterKind.Shapes,
             _ when type == typeof(IReadOnlyDictionary<string, TextureDescription>) => ParameterKind.NamedTextures,

@@ -19,8 +19,11 @@ public static class SceneTypes
     /// <summary>The textures.</summary>
     public static TypeFamily Textures { get; } = Family("texture", typeof(TextureDescription));
 
-    /// <summary>The three families.</summary>
-    public static IReadOnlyList<TypeFamily> Families { get; } = [Shapes, Materials, Textures];
+    /// <summary>What may surround a scene.</summary>
+    public static TypeFamily Environments { get; } = Family("environment", typeof(EnvironmentDescription));
+
+    /// <summary>The four families.</summary>
+    public static IReadOnlyList<TypeFamily> Families { get; } = [Shapes, Materials, Textures, Environments];
 
     /// <summary>The scene and all records without a type that are parts of it or of its things, such as the camera, outer ones first.</summary>
     public static IReadOnlyList<RecordType> Parts { get; } =

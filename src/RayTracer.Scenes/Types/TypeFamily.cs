@@ -1,7 +1,7 @@
 namespace RayTracer.Scenes;
 
 /// <summary>The record types that may stand in the same places.</summary>
-/// <param name="Noun">What each of them is: shape, material or texture.</param>
+/// <param name="Noun">What each of them is: shape, material, texture or environment.</param>
 /// <param name="Types">The types by name.</param>
 public sealed record TypeFamily(string Noun, IReadOnlyList<RecordType> Types)
 {

@@ -34,6 +34,7 @@ public sealed record CatalogueParameter(
         ParameterKind.Shape or ParameterKind.Shapes or ParameterKind.NamedShapes => SceneTypes.Shapes.Noun,
         ParameterKind.Material or ParameterKind.Materials or ParameterKind.NamedMaterials => SceneTypes.Materials.Noun,
         ParameterKind.Texture or ParameterKind.NamedTextures => SceneTypes.Textures.Noun,
+        ParameterKind.Environment => SceneTypes.Environments.Noun,
         _ => null,
     };
 }

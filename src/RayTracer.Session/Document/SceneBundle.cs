@@ -12,7 +12,7 @@ public static class SceneBundle
 
     private const int MostFiles = 10_000;
 
-    private static readonly string[] s_pictures = [".png", ".jpg", ".jpeg", ".pfm", ".exr"];
+    private static readonly string[] s_pictures = [".png", ".jpg", ".jpeg", ".pfm", ".exr", ".hdr"];
 
     /// <summary>Writes a bundle.</summary>
     /// <param name="output">Where to.</param>

@@ -12,7 +12,7 @@ public static class SceneThings
 {
     /// <summary>Adds a thing.</summary>
     /// <param name="text">The text.</param>
-    /// <param name="family">shape, light, material or texture.</param>
+    /// <param name="family">shape, light, material, texture or environment.</param>
     /// <param name="type">Its type.</param>
     /// <param name="near">The thing beside which a shape is put; null for the middle of the picture.</param>
     /// <param name="file">The file of a model or picture; null where there is none.</param>
@@ -22,8 +22,14 @@ public static class SceneThings
     {
         bool isLight = family == "light";
         TypeFamily kind = SceneTypes.Families.FirstOrDefault(f => f.Noun == (isLight ? "shape" : family))
-            ?? throw new DocumentException($"there is no family {JsonLayout.Quote(family)}: expected shape, light, material or texture");
+            ?? throw new DocumentException($"there is no family {JsonLayout.Quote(family)}: expected shape, light, material, texture or environment");
         RecordType record = kind.Find(type) ?? throw new DocumentException($"there is no {kind.Noun} of type {JsonLayout.Quote(type)}");
+        if (kind == SceneTypes.Environments)
+        {
+            text = text.Root.Find("background") is null ? text : text.Remove("/background");
+            return (text.Set("/environment", NewThing.Plain(record, file)), "/environment");
+        }
+
         if (kind != SceneTypes.Shapes)
         {
             string pointer = JsonPointer.Of(SceneValue.Definitions(kind), FreeName(text.Root, kind, type));

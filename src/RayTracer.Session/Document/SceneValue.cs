@@ -55,6 +55,7 @@ public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter?
             ParameterKind.Shape => Member(pointer, node, parameter, SceneTypes.Shapes),
             ParameterKind.Material => Member(pointer, node, parameter, SceneTypes.Materials),
             ParameterKind.Texture => Member(pointer, node, parameter, SceneTypes.Textures),
+            ParameterKind.Environment => Member(pointer, node, parameter, SceneTypes.Environments),
             ParameterKind.Shapes or ParameterKind.Materials or ParameterKind.Records or ParameterKind.NamedMaterials or ParameterKind.NamedShapes
                 or ParameterKind.NamedTextures => new(pointer, node, parameter, null, null, true),
             _ => new(pointer, node, parameter, null, null, false),

@@ -44,5 +44,5 @@ public static class DescriptionEquality
     }
 
     private static bool IsRecord(object value) => value is SceneDescription or CameraDescription or RenderDescription or LensDescription or FilterDescription
-        or ShapeDescription or MaterialDescription or TextureDescription or TransformDescription or KeyframeDescription;
+        or ShapeDescription or MaterialDescription or TextureDescription or EnvironmentDescription or TransformDescription or KeyframeDescription;
 }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
@@ -157,6 +158,17 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
 
         Scene? scene = Scene.Create(description, assembler.World, this);
         return HasErrors ? null : scene;
+    }
+
+    /// <summary>What surrounds a scene; null where that is its background.</summary>
+    internal EnvironmentLight? Environment(SceneDescription scene)
+    {
+        if (scene.Environment is not null && !scene.Background.IsBlack)
+        {
+            Error(scene, nameof(SceneDescription.Background), "a scene has a background or an environment, but not both");
+        }
+
+        return scene.Environment?.Build(this);
     }
 
     /// <summary>The most shapes that rays are tested against one after the other, without a tree; null for what is fastest. Pictures are the same.</summary>

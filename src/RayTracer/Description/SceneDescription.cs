@@ -20,6 +20,10 @@ public sealed record SceneDescription
     [Parameter("The colour seen wherever a ray hits nothing; it also lights the scene.", Minimum = 0)]
     public Rgb Background { get; init; }
 
+    /// <summary>What surrounds the scene, instead of <see cref="Background"/>; null where that does.</summary>
+    [Parameter("Light from all around, infinitely far away: a picture, or a sky. It takes the place of the background.")]
+    public EnvironmentDescription? Environment { get; init; }
+
     /// <summary>Ambient radiance (report, section 4.2): every surface that answers it adds this times its colour.</summary>
     [Parameter("Ambient light: at every hit, this times the surface's colour is added; clear glass has none (a crude stand-in for light not simulated).", Minimum = 0)]
     public Rgb Ambient { get; init; }

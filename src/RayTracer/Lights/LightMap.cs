@@ -14,7 +14,7 @@ internal sealed unsafe class LightMap
 
     public LightMap(Scene scene)
     {
-        _lights = [.. scene.Lights];
+        _lights = [.. scene.SampledLights];
         for (int i = 0; i < _lights.Length; i++)
         {
             LightSource light = _lights[i];

@@ -9,7 +9,7 @@ namespace RayTracer.Materials;
 public sealed record BumpMapMaterialDescription : MaterialDescription
 {
     /// <summary>The heights.</summary>
-    [Parameter("The heights: the red channel counts. Pictures should be raw, and not of interpolation \"nearest\".", Required = true)]
+    [Parameter("The heights: the red channel counts. Pictures are read raw unless they say otherwise, and should not be of interpolation \"nearest\".", Required = true)]
     public TextureDescription Map { get; init; } = new SolidTextureDescription();
 
     /// <summary>Factor on the heights.</summary>
@@ -22,7 +22,7 @@ public sealed record BumpMapMaterialDescription : MaterialDescription
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) =>
-        new BumpMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.Texture(Map), Scale);
+        new BumpMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Map), Scale);
 }
 
 /// <summary>Tilts normals as those of a surface that is moved outwards by a height (Blinn 1978).</summary>

@@ -24,7 +24,7 @@ public sealed record MixMaterialDescription : MaterialDescription
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) =>
-        new MixMaterial(Side(builder, nameof(First), First), Side(builder, nameof(Second), Second), builder.Texture(Weight));
+        new MixMaterial(Side(builder, nameof(First), First), Side(builder, nameof(Second), Second), builder.NumberTexture(Weight));
 
     private Material Side(SceneBuilder builder, string property, MaterialDescription description)
     {

@@ -15,7 +15,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
     private const int Batch = 8;
-    private readonly LightSource[] _lights = [.. scene.Lights];
+    private readonly LightSource[] _lights = [.. scene.SampledLights];
     private readonly Transmittance? _transmittance = scene.HasMedia ? new(scene) : null;
     private readonly ShapeSampleW[] _samples = new ShapeSampleW[Batch];
     private readonly RgbW[] _radiance = new RgbW[Batch];

@@ -28,8 +28,22 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
     public override void Flush(PathStream next) => queue?.Flush(Finished, next);
 
-    protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving) =>
-        arriving = _maxDepth == 0 ? default : Scene.Background;
+    protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving)
+    {
+        arriving = default;
+        if (_maxDepth == 0)
+        {
+            return;
+        }
+
+        base.Arrive(stream, index, direction, out arriving);
+        MaskW shared = UIntW.Equal(UIntW.Pick(stream.State, index) & PathState.CountsEmission, 0u);
+        if (Scene.Environment is not null && shared.Any)
+        {
+            Scene.Environment.Pdf(direction, out FloatW pdf);
+            arriving *= shared.Select(DirectLight.Weight(FloatW.Pick(stream.Pdf, index), pdf), 1f);
+        }
+    }
 
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {

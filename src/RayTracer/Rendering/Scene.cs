@@ -17,8 +17,9 @@ public sealed class Scene
 {
     private readonly Medium[] _media;
 
-    private Scene(RenderDescription render, Camera camera, Rgb background, Rgb ambient, World world)
+    private Scene(RenderDescription render, Camera camera, Rgb background, EnvironmentLight? environment, Rgb ambient, World world)
     {
+        Environment = environment;
         Render = render;
         Camera = camera;
         Background = background;
@@ -43,6 +44,7 @@ public sealed class Scene
         Render = render;
         Camera = camera;
         Background = other.Background;
+        Environment = other.Environment;
         Ambient = other.Ambient;
         Sampler = Sampler.Create(render);
         Filter = PixelFilter.Create(render.Filter);
@@ -70,8 +72,11 @@ public sealed class Scene
     /// <summary>Places samples around the middle of their pixel; null for the mean over the pixel's own square.</summary>
     public PixelFilter? Filter { get; }
 
-    /// <summary>Radiance where nothing is hit.</summary>
+    /// <summary>Radiance where nothing is hit, unless there is an <see cref="Environment"/>.</summary>
     public Rgb Background { get; }
+
+    /// <summary>What rays see that leave the scene; null where that is the <see cref="Background"/>.</summary>
+    public EnvironmentLight? Environment { get; }
 
     /// <summary>Ambient radiance.</summary>
     public Rgb Ambient { get; }
@@ -81,6 +86,10 @@ public sealed class Scene
 
     /// <summary>What shines.</summary>
     public IReadOnlyList<LightSource> Lights { get; }
+
+    /// <summary>What the integrator samples for light: what shines, and where it traces paths, the environment behind it.</summary>
+    internal IReadOnlyList<LightSource> SampledLights =>
+        Environment is not null && Render.Integrator != Integrator.Report ? [.. Lights, Environment] : Lights;
 
     /// <summary>Those shapes packed by kind.</summary>
     public IReadOnlyList<ShapeBatch> Batches { get; }
@@ -134,10 +143,31 @@ public sealed class Scene
             : null;
 
     /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
-    internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder) =>
-        View(description.Camera, description.Render, builder) is var (render, camera)
-            ? new Scene(render, camera, description.Background, description.Ambient, new World(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop))
-            : null;
+    internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder)
+    {
+        if (View(description.Camera, description.Render, builder) is not var (render, camera))
+        {
+            return null;
+        }
+
+        World world = new(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop);
+        Scene scene = new(render, camera, description.Background, builder.Environment(description), description.Ambient, world);
+        scene.WarnOfWhatIsNotShown(description, builder);
+        return scene;
+    }
+
+    private void WarnOfWhatIsNotShown(SceneDescription description, SceneBuilder builder)
+    {
+        if (!Ambient.IsBlack && Render.Integrator != Integrator.Report)
+        {
+            builder.Warn(description, nameof(Ambient), "only the report integrator knows ambient light: here it has no effect");
+        }
+
+        if (_media.Length > 0 && Render.Integrator is (Integrator.Report or Integrator.Path or Integrator.Direct))
+        {
+            builder.Warn(description.Render, nameof(Render.Integrator), "there are media inside shapes, which only the volPath integrator shows");
+        }
+    }
 
     // Checks how a scene is to be seen.
     private static (RenderDescription Render, Camera Camera)? View(CameraDescription camera, RenderDescription render, SceneBuilder builder)

@@ -36,7 +36,7 @@ internal sealed unsafe class ShadowQueue
     public ShadowQueue(Scene scene)
     {
         _scene = scene;
-        _lights = [.. scene.Lights];
+        _lights = [.. scene.SampledLights];
         _capacity = Math.Max(8192, _lights.Length * FloatW.Count);
         _stride = _capacity + 48;
         _rays = new((long)Columns * _stride);

@@ -181,7 +181,11 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     protected abstract void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active);
 
     /// <summary>The radiance that arrives where rays meet nothing.</summary>
-    protected virtual void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving) => arriving = scene.Background;
+    protected virtual void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving)
+    {
+        arriving = scene.Background;
+        scene.Environment?.Evaluate(direction, out arriving);
+    }
 
     /// <summary>Turns to the random numbers of the vertex.</summary>
     protected void BeginVertex(in UIntW path, in UIntW vertex)

@@ -32,7 +32,7 @@ public enum Wrapping
 }
 
 /// <summary>Describes an <see cref="ImageTexture"/>.</summary>
-[SceneType("image", "A picture from a file (PNG, JPEG, PFM, OpenEXR).")]
+[SceneType("image", "A picture from a file (PNG, JPEG, PFM, OpenEXR, Radiance HDR).")]
 public sealed record ImageTextureDescription : TextureDescription
 {
     /// <summary>The picture's file.</summary>

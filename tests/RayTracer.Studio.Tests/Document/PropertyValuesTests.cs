@@ -19,7 +19,7 @@ public sealed class PropertyValuesTests
         string[] words = familyAndType.Split(' ');
         TypeFamily family = SceneTypes.Families.First(f => f.Noun == words[0]);
         RecordType type = family.Find(words[1])!;
-        string pointer = words[0] == "shape" ? "/shapes/0" : $"/{words[0]}s/thing";
+        string pointer = words[0] switch { "shape" => "/shapes/0", "environment" => "/environment", _ => $"/{words[0]}s/thing" };
         JsonText bare = JsonText.Of("{\n  // head\n  \"shapes\": [],\n}").Set(words[0] == "shape" ? "/shapes/-" : pointer, new JsonObject { ["type"] = type.Name });
         PropertyValues values = PropertyValues.At(bare.Root, pointer);
         Assert.Equal((type.Name, family.Noun), (values.Type, values.Family));
@@ -53,7 +53,7 @@ public sealed class PropertyValuesTests
     public void The_catalogue_has_all_types_and_parameters_and_says_what_the_report_says_of_glass()
     {
         TypeCatalogue catalogue = TypeCatalogue.Instance;
-        Assert.Equal(["shape", "material", "texture"], catalogue.Types.Keys);
+        Assert.Equal(["shape", "material", "texture", "environment"], catalogue.Types.Keys);
         Assert.Equal(SceneTypes.Families.Sum(f => f.Types.Sum(t => t.Parameters.Count)), catalogue.Types.Values.Sum(f => f.Sum(t => t.Parameters.Count)));
         Assert.All(["scene", "camera", "lens", "render"], name => Assert.Contains(name, catalogue.Sections.Keys));
         Assert.Equal(2.417, catalogue.RefractiveIndices.Single(i => i.Name == "diamond").Value);

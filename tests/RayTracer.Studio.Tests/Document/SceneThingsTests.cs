@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Lights;
 using RayTracer.Scenes;
 using RayTracer.Session;
 
@@ -37,6 +38,18 @@ public sealed class SceneThingsTests
         Assert.Equal(type, text.At(second + "/type").Text);
         SceneLoadResult load = SceneLoader.Build(SceneReader.ReadText(text.Text, "scene"), "");
         Assert.True(load.Scene is not null, $"{Diagnostic.Format(load.Diagnostics)}\n{text.Text}");
+    }
+
+    [Fact]
+    public void An_environment_takes_the_place_of_the_one_before_and_of_the_background()
+    {
+        JsonText text = JsonText.Of("{ \"background\": \"skyblue\" }");
+        (text, string pointer) = SceneThings.Add(text, "environment", "constant");
+        (text, _) = SceneThings.Add(text, "environment", "sky");
+        Assert.Equal("/environment", pointer);
+        SceneLoadResult load = SceneLoader.Build(SceneReader.ReadText(text.Text, "scene"), "");
+        Assert.Equal("", Diagnostic.Format(load.Diagnostics));
+        Assert.IsType<SkyEnvironmentDescription>(load.Description!.Environment);
     }
 
     [Fact]

@@ -58,9 +58,13 @@ public class SceneWriterTests
             Textures = SceneTypes.Textures.Types.ToDictionary(t => t.Name, t => (TextureDescription)Changed(t)),
             Shapes = [.. SceneTypes.Shapes.Types.Select(t => (ShapeDescription)Changed(t))],
         };
-        SceneReadResult result = SceneReader.ReadText(SceneWriter.Write(scene), "written.json");
-        Assert.Equal("", Diagnostic.Format(result.Diagnostics));
-        AssertEqual(scene, result.Description!, "scene");
+        foreach (RecordType environment in SceneTypes.Environments.Types)
+        {
+            scene = scene with { Environment = (EnvironmentDescription)Changed(environment) };
+            SceneReadResult result = SceneReader.ReadText(SceneWriter.Write(scene), "written.json");
+            Assert.Equal("", Diagnostic.Format(result.Diagnostics));
+            AssertEqual(scene, result.Description!, "scene");
+        }
     }
 
     [Fact]
@@ -74,7 +78,7 @@ public class SceneWriterTests
         {
             parameter.Set(record, parameter.Kind switch
             {
-                ParameterKind.Number => 0.7f,
+                ParameterKind.Number => (float)Math.Max(0.7, parameter.Minimum),
                 ParameterKind.Boolean => true,
                 ParameterKind.Text or ParameterKind.File => "text",
                 ParameterKind.Choice => Enum.GetValues(parameter.ValueType).GetValue(1),
@@ -119,7 +123,8 @@ public class SceneWriterTests
                 Assert.Equal(things.Cast<object>().Count(), others.Length);
                 Assert.All(things.Cast<object>().Zip(others), pair => AssertEqual(pair.First, pair.Second, path));
                 break;
-            case SceneDescription or CameraDescription or RenderDescription or FilterDescription or ShapeDescription or TransformDescription or KeyframeDescription:
+            case SceneDescription or CameraDescription or RenderDescription or FilterDescription or TextureDescription or ShapeDescription
+                or EnvironmentDescription or TransformDescription or KeyframeDescription:
                 Assert.All(RecordType.Of(expected.GetType()).Parameters, p => AssertEqual(p.Get(expected), p.Get(actual!), $"{path}.{p.Key}"));
                 break;
             default:

@@ -16,7 +16,7 @@ public class MitsubaUvTests
     private const int Size = 400;
     private const int Texels = 64;
     private const float Reach = 2;
-    private const string Turn = """<transform name="to_world"><rotate x="1" y="2" z="0.5" angle="40"/></transform>""";
+    private const string Turn = """<transform name="to_world"><rotate x="0.436436" y="0.872872" z="0.218218" angle="40"/></transform>""";
 
     private static readonly Transform s_turn = Transform.Rotation(new(1, 2, 0.5f), 40);
 

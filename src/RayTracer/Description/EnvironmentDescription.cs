@@ -1,0 +1,29 @@
+using RayTracer.Lights;
+using RayTracer.Numerics;
+
+namespace RayTracer.Description;
+
+/// <summary>Describes what surrounds a scene: light from infinitely far away, in all directions.</summary>
+public abstract record EnvironmentDescription
+{
+    /// <summary>How it is turned; empty where it is not.</summary>
+    [Parameter("How the environment is turned: steps, the first one applied first. Moving it changes nothing, for it is infinitely far away; stretching it is an error.")]
+    public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
+
+    /// <summary>Makes the light that this record describes, or reports why it cannot be made and returns null.</summary>
+    /// <param name="builder">Gives access to pictures and takes diagnostics.</param>
+    public abstract EnvironmentLight? Build(SceneBuilder builder);
+
+    /// <summary>How it is turned, as a map whose lengths all change by one factor; reports what is wrong and returns the identity.</summary>
+    private protected Transform Turn(SceneBuilder builder)
+    {
+        Transform place = TransformSteps.Place(this, Transform, builder);
+        if (place.UniformScale() is null)
+        {
+            builder.Error(this, nameof(Transform), "an environment can be turned and mirrored, but not stretched");
+            return Numerics.Transform.Identity;
+        }
+
+        return place;
+    }
+}
