@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Textures;
@@ -54,6 +55,9 @@ public sealed class MixMaterial(Material first, Material second, Texture weight)
 
     /// <inheritdoc/>
     public override bool Transmits => first.Transmits || second.Transmits;
+
+    /// <inheritdoc/>
+    public override Medium? Interior => first.Interior ?? second.Interior;
 
     /// <inheritdoc/>
     public override bool UsesUv => first.UsesUv || second.UsesUv || weight.Constant is null;
@@ -152,7 +156,10 @@ public sealed class MixMaterial(Material first, Material second, Texture weight)
     {
         own = surface;
         material.Prepare(ref own);
-        own.DiffuseColor *= own.Tint;
+        if ((material.Inputs & TextureInputs.VertexColor) == TextureInputs.None)
+        {
+            own.DiffuseColor *= own.Tint;
+        }
     }
 
     private static RgbW Mix(RgbW a, RgbW b, FloatW weight) => a * (1f - weight) + b * weight;

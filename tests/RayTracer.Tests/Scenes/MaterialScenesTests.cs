@@ -23,8 +23,8 @@ public class MaterialScenesTests
     [Fact]
     public void Every_material_is_in_a_shipped_scene()
     {
-        string[] folders = ["materials", "primer", "report"];
-        string all = string.Concat(folders.SelectMany(f => Directory.GetFiles(ProjectFolder.PathOf("scenes", f), "*.json")).Select(File.ReadAllText));
+        IEnumerable<string> folders = Directory.GetDirectories(ProjectFolder.PathOf("scenes")).Where(f => Path.GetFileName(f) != "broken");
+        string all = string.Concat(folders.SelectMany(f => Directory.GetFiles(f, "*.json")).Select(File.ReadAllText));
         Assert.All(SceneTypes.Materials.Types, t => Assert.Contains($"\"type\": \"{t.Name}\"", all, StringComparison.Ordinal));
     }
 }

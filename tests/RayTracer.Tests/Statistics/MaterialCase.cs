@@ -100,6 +100,7 @@ internal sealed record MaterialCase(string Name, Material Material)
         Principled("cloth", new() { BaseColor = Solid(0.3f), Roughness = Solid(0.9f), Sheen = Solid(0.5f), SheenTint = Solid(0.5f), Flatness = Solid(0.5f), SpecularTint = Solid(0.3f) }),
         Principled("principled glass", new() { BaseColor = new UvTexture(), Roughness = Solid(0.6f), Transmission = Solid(1) }) with { Index = 1.5, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 },
         Principled("cloudy glass", new() { BaseColor = Solid(0.4f), Roughness = Solid(0.7f), Transmission = Solid(0.5f), Metallic = Solid(0.2f), Clearcoat = Solid(0.5f), ClearcoatRoughness = Solid(1) }) with { Exponent = 10, Index = 1.5, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 },
+        new("boundary of a cloud", new InvisibleMaterial(null)) { Albedo = Rgb.White },
         new("metal lamp", new LuminaireMaterial(new SolidTexture(Rgb.White), 2, 1, Metal(20).Material)) { Exponent = 20 },
     ];
 
