@@ -15,6 +15,8 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed class Scene
 {
+    // Up to so many lights, each point is lit by a point of every one.
+    private const int MostLightsOfPoint = 8;
     private readonly Medium[] _media;
 
     private Scene(RenderDescription render, Camera camera, Rgb background, EnvironmentLight? environment, Rgb ambient, World world)
@@ -36,6 +38,7 @@ public sealed class Scene
         _media = ShadingGroup.NumberInteriors(Groups);
         Media = new(_media);
         Lights = LightList.Create(World);
+        LightSelection = SelectLights();
     }
 
     // The same things seen in another way.
@@ -58,6 +61,7 @@ public sealed class Scene
         _media = other._media;
         Media = other.Media;
         Lights = other.Lights;
+        LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
     }
 
     /// <summary>Size, samples, depths and sampler.</summary>
@@ -102,6 +106,9 @@ public sealed class Scene
 
     /// <summary>Whether anything moves while the shutter is open, so that paths have times.</summary>
     internal bool IsTimed { get; }
+
+    /// <summary>Chooses one light for each point; null where all of them are sampled at each: in the report, and where they are few.</summary>
+    internal LightSelection? LightSelection { get; }
 
     /// <summary>What fills shapes.</summary>
     internal MediumTable Media { get; }
@@ -155,6 +162,10 @@ public sealed class Scene
         scene.WarnOfWhatIsNotShown(description, builder);
         return scene;
     }
+
+    private LightSelection? SelectLights() => SampledLights.Count > MostLightsOfPoint && Render.Integrator != Integrator.Report
+        ? new(SampledLights, (Render.Shutter.X, Render.Shutter.Y))
+        : null;
 
     private void WarnOfWhatIsNotShown(SceneDescription description, SceneBuilder builder)
     {
