@@ -38,6 +38,20 @@ public class PathTests
     }
 
     [Theory]
+    [InlineData("")]
+    [InlineData(""", { "type": "mesh", "positions": [[-2, -0.9, -1], [2, -0.9, -1], [0, 2, -1.5]], "triangles": [[0, 1, 2]] }""")]
+    public void One_light_of_many_brings_what_all_of_them_bring(string more)
+    {
+        // More than are all asked: some of them behind, some in an instance, and one from afar.
+        string many = string.Concat(Enumerable.Range(0, 9).Select(i => $$""", { "type": "sphere", "center": [{{-1.2 + (0.3 * i)}}, {{(i % 3) - 0.2}}, {{0.6 - (0.2 * (i % 4))}}], "radius": {{0.05 + (0.02 * (i % 3))}}, {{Lamp.Replace("8", $"{8 + (6 * i)}", StringComparison.Ordinal)}} }"""));
+        string scene = Scene(Sphere.Replace("GLOSS", Matt, StringComparison.Ordinal) + many + more
+            + $$""", { "type": "instance", "transform": [{ "scale": [1.4, -0.5, 0.8], "translate": [0.8, 0.5, 0] }], "of": { "type": "sphere", "center": [0, 0.3, 0], "radius": 0.3, {{Lamp}} } }"""
+            + """, { "type": "directional", "direction": [0.3, -1, -0.2], "irradiance": [0.5, 0.4, 0.3] }, { "type": "point", "position": [-0.5, 0.6, 0.8], "intensity": [0.5, 0.6, 0.9] }""")
+            .Replace("[0.05, 0.1, 0.2]", "[0, 0, 0]", StringComparison.Ordinal);
+        Compare("many lights", scene, Path(maxDepth: 4), scene, r => r with { MaxDiffuseDepth = 2 });
+    }
+
+    [Theory]
     [InlineData("rough metal", """{ "type": "phongMetal", "color": [0.9, 0.8, 0.5], "exponent": 8 }""")]
     [InlineData("polished metal", """{ "type": "phongMetal", "color": [0.9, 0.8, 0.5], "exponent": 400 }""")]
     [InlineData("a coat", """{ "type": "diffuseSpecular", "diffuse": { "type": "diffuse", "color": [0.2, 0.5, 0.9] }, "specular": { "type": "phongMetal", "color": [1, 1, 1], "exponent": 20 }, "r0": 0.3 }""")]
