@@ -73,6 +73,25 @@ public sealed class CameraMotionTests
     }
 
     [Fact]
+    public void An_orthographic_camera_comes_nearer_by_showing_less()
+    {
+        CameraDescription flat = Camera with { Projection = Projection.Orthographic, ViewSize = 4 };
+        Assert.Equal(2, CameraMotion.Zoom(flat, -0.5f).ViewSize, 1e-3f);
+        Assert.Equal(flat with { ViewSize = 2 }, CameraMotion.Dolly(flat, -0.5f) with { ViewSize = 2 });
+        Assert.Equal(2, CameraMotion.HeightAt(flat with { FieldOfViewAxis = FieldOfViewAxis.Horizontal }, 123, 2), 1e-5f);
+        Assert.Equal(4 / MathF.Sqrt(5), CameraMotion.HeightAt(flat with { FieldOfViewAxis = FieldOfViewAxis.Diagonal }, 123, 2), 1e-5f);
+    }
+
+    [Fact]
+    public void A_spherical_camera_has_no_field_of_view_to_change()
+    {
+        CameraDescription all = Camera with { Projection = Projection.Spherical };
+        Assert.Throws<SessionException>(() => CameraMotion.Zoom(all, 1));
+        Assert.Equal(Camera.Position, CameraMotion.Look(all, 0.1f, 0).Position);
+        Assert.NotEqual(Camera.Position, CameraMotion.Pan(all, 0.1f, 0, 2).Position);
+    }
+
+    [Fact]
     public void Dollying_changes_the_distance_and_never_arrives()
     {
         Assert.Equal(Distance(Camera) / 2, Distance(CameraMotion.Dolly(Camera, -0.5f)), 1e-3f);
