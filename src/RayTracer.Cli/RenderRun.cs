@@ -3,6 +3,7 @@ using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
+using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
@@ -33,14 +34,15 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         RenderOptions options = Options(scene.Render);
         Film film = FilmFor(scene.Render);
         AovFilm auxiliary = TraceFirstHits(scene, film, options, signals.Token);
-        RenderOutcome outcome = Render(scene, film, options, signals.Token);
+        Denoising? denoising = request.Denoise ? Denoising.Create(scene) : null;
+        RenderOutcome outcome = Render(scene, film, options, denoising, signals.Token);
         if (request.Pixel is not null)
         {
             PixelReport.Write(request, outcome, streams);
             return signals.Status;
         }
 
-        IReadOnlyList<string> written = film.TotalSamples > 0 ? Write(outcome, aovs, auxiliary) : [];
+        IReadOnlyList<string> written = film.TotalSamples > 0 ? Write(outcome, aovs, auxiliary, denoising) : [];
         if (film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
         {
             streams.Fail("no sample came to a finite number, so there is no picture to write");
@@ -67,11 +69,11 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         return auxiliary;
     }
 
-    private RenderOutcome Render(Scene scene, Film film, RenderOptions options, CancellationToken cancellation)
+    private RenderOutcome Render(Scene scene, Film film, RenderOptions options, Denoising? denoising, CancellationToken cancellation)
     {
         using ProgressDisplay? display = request.Quiet || request.Pixel is not null ? null : ProgressDisplay.Start(streams);
         long start = Stopwatch.GetTimestamp();
-        RenderStatistics statistics = new RTracer(scene, options).Render(film, display, cancellation);
+        RenderStatistics statistics = denoising?.Render(film, options, display, cancellation) ?? new RTracer(scene, options).Render(film, display, cancellation);
         return new(scene, film, statistics, options.Threads, Stopwatch.GetElapsedTime(start).TotalSeconds);
     }
 
@@ -105,14 +107,15 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
     private Film FilmFor(RenderDescription render)
     {
-        long bytes = FilmMemory.Bytes(render.Width, render.Height) + AovFilm.Bytes(request.Aovs, render.Width, render.Height);
+        long bytes = FilmMemory.Bytes(render.Width, render.Height) + AovFilm.Bytes(request.Aovs, render.Width, render.Height)
+            + (request.Denoise ? Denoising.Bytes(render.Width, render.Height) : 0);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         bool fits = bytes <= available && (long)render.Width * render.Height <= Film.MaxPixels;
         return fits ? new(render.Width, render.Height) : throw new CommandException(
             ExitStatus.InputOutput, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than can be had ({FilmMemory.Text(available)})");
     }
 
-    private IReadOnlyList<string> Write(RenderOutcome outcome, AovOutputs aovs, AovFilm auxiliary)
+    private IReadOnlyList<string> Write(RenderOutcome outcome, AovOutputs aovs, AovFilm auxiliary, Denoising? denoising)
     {
         KeyValuePair<string, string>[] texts =
         [
@@ -123,8 +126,10 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new("FilmHash", outcome.Hash),
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };
-        IReadOnlyList<string> pictures = ImageOutputs.Write(request.Outputs, outcome.Film, writing with { ExrLayers = AovFiles.Layers(auxiliary) }, streams);
-        return [.. pictures, .. aovs.Write(auxiliary, writing, streams)];
+        Picture? denoised = denoising?.Denoise(request.Threads);
+        IReadOnlyList<ExrLayerChannel> layers = [.. AovFiles.Layers(auxiliary), .. denoised is null ? [] : DenoisedFiles.Layers(denoised)];
+        IReadOnlyList<string> pictures = ImageOutputs.Write(request.Outputs, outcome.Film, writing with { ExrLayers = layers }, streams);
+        return [.. pictures, .. aovs.Write(auxiliary, denoised, writing, streams)];
     }
 }
 

@@ -19,6 +19,7 @@ internal sealed class RenderVerb
     private readonly ParsedOption<long?> _sample = OptionValues.Integer("--sample", "With --pixel: renders only this sample, from 0.", 0, int.MaxValue - 1);
     private readonly ParsedOption<Aov[]?> _aovs = OptionValues.Words(
         "--aov", "Writes auxiliary images too, of what camera rays meet first: as layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", AovFiles.Name, Enum.GetValues<Aov>());
+    private readonly Option<bool> _denoise = new("--denoise") { Description = "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png)." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
     private readonly SceneOverrides _overrides;
@@ -29,7 +30,7 @@ internal sealed class RenderVerb
         command.Arguments.Add(_scene);
         command.Options.Add(_outputs);
         _overrides = new(command);
-        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _quiet, _json })
+        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _quiet, _json })
         {
             command.Options.Add(option);
         }
@@ -58,6 +59,7 @@ internal sealed class RenderVerb
             Pixel = _pixel.Value(result),
             Sample = _sample.Value(result),
             Aovs = _aovs.Value(result) ?? [],
+            Denoise = result.GetValue(_denoise),
             Quiet = result.GetValue(_quiet),
             Json = result.GetValue(_json),
             OverrideWords = [.. _overrides.Words(result)],
@@ -72,6 +74,8 @@ internal sealed class RenderVerb
         { Outputs.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave -o out",
         { Crop: not null, Pixel: not null } => "--pixel and --crop cannot go together",
         { Aovs.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave --aov out",
+        { Denoise: true, Pixel: not null } => "--pixel prints numbers and writes no image: leave --denoise out",
+        { Denoise: true, Outputs.Count: 0 } => "--denoise writes an image: where to? Give -o FILE",
         { Aovs.Count: > 0, Outputs.Count: 0 } => "--aov writes images: where to? Give -o FILE",
         { Sample: not null, Pixel: null } => "--sample needs --pixel",
         _ => null,

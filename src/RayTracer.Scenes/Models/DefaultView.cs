@@ -50,7 +50,7 @@ public static class DefaultView
     }
 
     /// <summary>The middle of the box around shapes and half its diagonal; the origin and 1 where there is nothing.</summary>
-    internal static (Vector3 Center, float Extent) CenterAndExtent(IEnumerable<ShapeDescription> shapes)
+    private static (Vector3 Center, float Extent) CenterAndExtent(IEnumerable<ShapeDescription> shapes)
     {
         Bounds box = ModelExtent.Of(shapes);
         float extent = ((box.Maximum * 0.5f) - (box.Minimum * 0.5f)).Norm();

@@ -81,7 +81,7 @@ internal sealed class RecordReader
         }
 
         _bag.Unknown(
-            member.Start, $"unknown key {Quotation.Of(member.Key)} in {NameOf(type)}", member.Key, type.Parameters.Select(p => p.Key), "it may have");
+            member.Start, $"unknown key {Quotation.Of(member.Key)} in {NameOf(type)}", member.Key, type.Parameters.Select(p => p.Key).DefaultIfEmpty("type"), "it may have");
         return false;
     }
 

@@ -96,6 +96,13 @@ internal sealed unsafe class InstanceTable
     /// <param name="instance">Its number, from 1.</param>
     public Transform PlaceOf(int instance) => Transform.Read(_maps.Pointer + ((long)Stride * (instance - 1)));
 
+    /// <summary>A box of the world around a box in an instance's space, while the shutter is open.</summary>
+    /// <param name="instance">Its number, from 1.</param>
+    /// <param name="box">The box in the space.</param>
+    /// <param name="shutter">When the shutter opens and closes, in seconds.</param>
+    public Bounds BoundsOf(int instance, in Bounds box, (double Open, double Close) shutter) =>
+        Moves && _motions[instance - 1] is { } motion ? motion.Bound(box, shutter.Open, shutter.Close) : box.Transformed(PlaceOf(instance));
+
     /// <summary>The maps of an instance at a time.</summary>
     /// <param name="instance">Its number, from 1.</param>
     /// <param name="time">The time in seconds.</param>

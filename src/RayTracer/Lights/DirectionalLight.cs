@@ -33,6 +33,9 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
 public sealed class DirectionalLight(Vector3 direction, Rgb irradiance, Motion motion) : PunctualLight(Vector3.Zero, direction.Unit(), motion)
 {
     /// <inheritdoc/>
+    internal override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, irradiance.Luminance);
+
+    /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
     {
         Place(time, out _, out Vec3W along);

@@ -8,6 +8,9 @@ public struct LightHitW
     /// <summary>The lit points, where the rays start.</summary>
     public Vec3W From;
 
+    /// <summary>Unit normals there, by which one light of many is chosen; zero where all directions count.</summary>
+    public Vec3W FromNormal;
+
     /// <summary>Unit directions of the rays.</summary>
     public Vec3W Direction;
 

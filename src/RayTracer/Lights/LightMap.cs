@@ -8,6 +8,7 @@ namespace RayTracer.Lights;
 internal sealed unsafe class LightMap
 {
     private const uint Nothing = uint.MaxValue;
+    private readonly LightSelection? _selection;
     private readonly LightSource[] _lights;
     private readonly Dictionary<ShadingGroup, int> _groups;
     private readonly Dictionary<(uint Instance, int Key), int> _numbers = [];
@@ -30,6 +31,7 @@ internal sealed unsafe class LightMap
             }
         }
 
+        _selection = scene.LightSelection;
         _groups = scene.Groups.Select((group, i) => (group, i)).ToDictionary(g => g.group, g => g.i);
     }
 
@@ -61,6 +63,12 @@ internal sealed unsafe class LightMap
             {
                 MaskW same = UIntW.Equal(met, light);
                 _lights[light].Pdf(hit, out FloatW one);
+                if (_selection is not null)
+                {
+                    _selection.Probability(hit.From, hit.FromNormal, light, out FloatW probability);
+                    one *= probability;
+                }
+
                 pdf = same.Select(one, pdf);
                 rest &= ~same.Bits | (rest & (uint)-(int)rest);
             }

@@ -26,6 +26,10 @@ public abstract class LightSource(int instance, int primitive)
     /// <param name="pdf">The density; zero where the light is seen from behind.</param>
     public abstract void Pdf(in LightHitW hit, out FloatW pdf);
 
+    /// <summary>Where it is and how strong, to choose between many lights by.</summary>
+    /// <param name="shutter">When the shutter opens and closes, in seconds.</param>
+    internal abstract LightExtent Extent((double Open, double Close) shutter);
+
     /// <summary>Chooses a point of the light for each lit point.</summary>
     /// <param name="from">The lit points.</param>
     /// <param name="u">First random number.</param>

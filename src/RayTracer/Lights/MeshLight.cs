@@ -48,6 +48,17 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
     }
 
     /// <inheritdoc/>
+    internal override LightExtent Extent((double Open, double Close) shutter)
+    {
+        Bounds box = choice.Triangles.Aggregate(Bounds.Empty, (all, triangle) =>
+        {
+            (Vector3 a, Vector3 b, Vector3 c) = mesh.Corners(triangle);
+            return all.Union(new(Vector3.Min(a, Vector3.Min(b, c)), Vector3.Max(a, Vector3.Max(b, c))));
+        });
+        return new(instances?.BoundsOf(Instance, box, shutter) ?? box, luminaire.MeanIntensity * choice.Area);
+    }
+
+    /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
     {
         float* chosen = stackalloc float[Numbers * 16];

@@ -33,6 +33,9 @@ public sealed record PointLightDescription : PunctualLightDescription
 public sealed class PointLight(Vector3 position, Rgb intensity, Motion motion) : PunctualLight(position, Vector3.UnitZ, motion)
 {
     /// <inheritdoc/>
+    internal override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), intensity.Luminance);
+
+    /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
     {
         Place(time, out Vec3W place, out _);

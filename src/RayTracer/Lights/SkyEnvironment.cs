@@ -110,6 +110,10 @@ public sealed class SkyEnvironment : EnvironmentLight
     }
 
     /// <inheritdoc/>
+    internal override LightExtent Extent((double Open, double Close) shutter) =>
+        new(Bounds.Infinite, _sky.Extent(shutter).Strength + (_sun.Luminance * 2 * float.Pi * _height));
+
+    /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
     {
         MaskW choosesSun = u < _share;

@@ -57,6 +57,9 @@ public sealed class SpotLight : PunctualLight
     private readonly Rgb _intensity;
     private readonly bool _isSmooth;
 
+    // Of the sphere of directions, that within the angle halfway down.
+    private readonly float _share;
+
     // The angle, or its cosine, where the light ends, and the factor that brings the beam's edge to 1 from there.
     private readonly float _end;
     private readonly float _slope;
@@ -74,6 +77,8 @@ public sealed class SpotLight : PunctualLight
     {
         _intensity = intensity;
         _isSmooth = falloff == SpotFalloff.Smooth;
+        LaneMath.SinCos(0.25f * (cutoffAngle + beamWidth) * Radians, out float half, out _);
+        _share = half * half;
         _end = cutoffAngle * Radians;
         float beam = beamWidth * Radians;
         if (_isSmooth)
@@ -84,6 +89,9 @@ public sealed class SpotLight : PunctualLight
 
         _slope = beam == _end ? (_isSmooth ? Steepest : -Steepest) : 1 / (beam - _end);
     }
+
+    /// <inheritdoc/>
+    internal override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), _intensity.Luminance * _share);
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)

@@ -23,8 +23,15 @@ internal sealed class TriangleChoice
         }
 
         _upTo = [.. sums.Select(s => (float)(s / sum))];
+        Area = (float)sum;
         IsFinite = sum > 0 && double.IsFinite(sum);
     }
+
+    /// <summary>The triangles.</summary>
+    public IReadOnlyList<int> Triangles => _triangles;
+
+    /// <summary>The area of all.</summary>
+    public float Area { get; }
 
     /// <summary>Whether there is an area, and not too large a one.</summary>
     public bool IsFinite { get; }

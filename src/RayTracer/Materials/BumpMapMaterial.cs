@@ -9,7 +9,7 @@ namespace RayTracer.Materials;
 public sealed record BumpMapMaterialDescription : MaterialDescription
 {
     /// <summary>The heights.</summary>
-    [Parameter("The heights: the red channel counts. Pictures should be raw, and not of interpolation \"nearest\".", Required = true)]
+    [Parameter("The heights: the red channel counts. Pictures are read raw unless they say otherwise, and should not be of interpolation \"nearest\".", Required = true)]
     public TextureDescription Map { get; init; } = new SolidTextureDescription();
 
     /// <summary>Factor on the heights.</summary>
@@ -22,7 +22,7 @@ public sealed record BumpMapMaterialDescription : MaterialDescription
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) =>
-        new BumpMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.Texture(Map), Scale);
+        new BumpMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Map), Scale);
 }
 
 /// <summary>Tilts normals as those of a surface that is moved outwards by a height (Blinn 1978).</summary>
@@ -37,8 +37,8 @@ public sealed class BumpMapMaterial(Material inner, Texture map, float scale) : 
     /// <inheritdoc/>
     protected override void Perturb(in SurfaceW surface, in Vec3W outward, out Vec3W normal)
     {
-        FloatW slopeU = Slope(surface.U, surface.V, Step, 0f);
-        FloatW slopeV = Slope(surface.U, surface.V, 0f, Step);
+        FloatW slopeU = Slope(surface, surface.AlongU, Step, 0f);
+        FloatW slopeV = Slope(surface, surface.AlongV, 0f, Step);
         Vec3W alongU = Move(surface.AlongU, outward, slopeU);
         Vec3W alongV = Move(surface.AlongV, outward, slopeV);
 
@@ -53,13 +53,27 @@ public sealed class BumpMapMaterial(Material inner, Texture map, float scale) : 
     private static Vec3W Move(in Vec3W along, in Vec3W outward, FloatW slope) =>
         Vec3W.MultiplyAdd(outward, slope - Vec3W.Dot(outward, along), along);
 
-    private FloatW Slope(in FloatW u, in FloatW v, float du, float dv)
+    // The difference of two heights, one step of u or v before and behind.
+    private FloatW Slope(in SurfaceW surface, in Vec3W along, float du, float dv)
     {
-        map.Evaluate(u + du, v + dv, out RgbW after);
-        map.Evaluate(u - du, v - dv, out RgbW before);
+        SurfaceW after = Moved(surface, along, du, dv);
+        SurfaceW before = Moved(surface, along, -du, -dv);
+        map.Evaluate(after, out RgbW high);
+        map.Evaluate(before, out RgbW low);
 
         // What the coordinates really are apart, once they are rounded.
-        FloatW distance = ((u + du) - (u - du)) + ((v + dv) - (v - dv));
-        return (distance > 0f).Select((after.R - before.R) * scale / distance, 0f);
+        FloatW distance = (after.U - before.U) + (after.V - before.V);
+        return (distance > 0f).Select((high.R - low.R) * scale / distance, 0f);
+    }
+
+    private static SurfaceW Moved(in SurfaceW surface, in Vec3W along, float du, float dv)
+    {
+        SurfaceW moved = surface;
+        moved.U += du;
+        moved.V += dv;
+        Vec3W step = along * (du + dv);
+        moved.Point += step;
+        moved.Local += step;
+        return moved;
     }
 }

@@ -28,7 +28,7 @@ public sealed class ConductorMaterial(ConductorFresnel fresnel, Texture reflecta
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
     {
         fresnel.Evaluate(surface.Cosine, out response);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW factor);
+        reflectance.Evaluate(surface, out RgbW factor);
         response *= factor;
     }
 

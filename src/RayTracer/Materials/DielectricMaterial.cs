@@ -128,8 +128,8 @@ public sealed class DielectricMaterial(
     {
         RgbW above = Rgb.White;
         RgbW through = Rgb.White;
-        reflectedPart?.Evaluate(surface.U, surface.V, out above);
-        refractedPart?.Evaluate(surface.U, surface.V, out through);
+        reflectedPart?.Evaluate(surface, out above);
+        refractedPart?.Evaluate(surface, out through);
         weight *= reflected.Select(above, through);
     }
 

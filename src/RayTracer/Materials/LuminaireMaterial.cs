@@ -96,6 +96,28 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     /// <summary>Colour of the emitted light if it does not depend on uv, else null.</summary>
     public Rgb? ConstantColor => texture.Constant;
 
+    /// <summary>
+    /// Mean over all directions of the radiant intensity of a piece of area 1, in luminance: a colour that varies is looked at in some places only.
+    /// </summary>
+    internal float MeanIntensity
+    {
+        get
+        {
+            float sum = 0;
+            for (int i = 0; i < 64; i++)
+            {
+                texture.Evaluate(((i % 8) + 0.5f) / 8, ((i / 8) + 0.5f) / 8, out RgbW color);
+                sum += new Rgb(color.R[0], color.G[0], color.B[0]).Luminance;
+            }
+
+            // What is bright between those places must not be taken for black.
+            sum = texture.Constant is null ? float.Max(sum, 1) : sum;
+
+            // ∫ cosᵉ⁺¹ over the hemisphere is 2π/(e + 2).
+            return sum / 64 * multiplier / (2 * (exponent + 2));
+        }
+    }
+
     /// <summary>The factor on the colour in a direction of emission: multiplier · cos^exponent on the outside, zero inside.</summary>
     /// <param name="cosine">Cosine between the outward normal and the direction of emission.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -18,7 +18,7 @@ public sealed record MaskMaterialDescription : MaterialDescription
     public TextureDescription Opacity { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <inheritdoc/>
-    public override Material Build(SceneBuilder builder) => new MaskMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.Texture(Opacity));
+    public override Material Build(SceneBuilder builder) => new MaskMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Opacity));
 }
 
 /// <summary>Lets a share of the light straight through, and scatters the rest by another material.</summary>
@@ -82,7 +82,7 @@ public sealed class MaskMaterial(Material inner, Texture opacity) : WrapperMater
 
     private FloatW Opacity(in SurfaceW surface)
     {
-        opacity.Evaluate(surface.U, surface.V, out RgbW color);
+        opacity.Evaluate(surface, out RgbW color);
         return FloatW.Max(0f, FloatW.Min(color.R, 1f));
     }
 }

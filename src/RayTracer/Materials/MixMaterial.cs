@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Textures;
@@ -23,7 +24,7 @@ public sealed record MixMaterialDescription : MaterialDescription
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) =>
-        new MixMaterial(Side(builder, nameof(First), First), Side(builder, nameof(Second), Second), builder.Texture(Weight));
+        new MixMaterial(Side(builder, nameof(First), First), Side(builder, nameof(Second), Second), builder.NumberTexture(Weight));
 
     private Material Side(SceneBuilder builder, string property, MaterialDescription description)
     {
@@ -54,6 +55,9 @@ public sealed class MixMaterial(Material first, Material second, Texture weight)
 
     /// <inheritdoc/>
     public override bool Transmits => first.Transmits || second.Transmits;
+
+    /// <inheritdoc/>
+    public override Medium? Interior => first.Interior ?? second.Interior;
 
     /// <inheritdoc/>
     public override bool UsesUv => first.UsesUv || second.UsesUv || weight.Constant is null;
@@ -152,14 +156,17 @@ public sealed class MixMaterial(Material first, Material second, Texture weight)
     {
         own = surface;
         material.Prepare(ref own);
-        own.DiffuseColor *= own.Tint;
+        if ((material.Inputs & TextureInputs.VertexColor) == TextureInputs.None)
+        {
+            own.DiffuseColor *= own.Tint;
+        }
     }
 
     private static RgbW Mix(RgbW a, RgbW b, FloatW weight) => a * (1f - weight) + b * weight;
 
     private FloatW Weight(in SurfaceW surface)
     {
-        weight.Evaluate(surface.U, surface.V, out RgbW color);
+        weight.Evaluate(surface, out RgbW color);
         return FloatW.Max(0f, FloatW.Min(color.R, 1f));
     }
 }

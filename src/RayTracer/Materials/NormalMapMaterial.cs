@@ -9,7 +9,7 @@ namespace RayTracer.Materials;
 public sealed record NormalMapMaterialDescription : MaterialDescription
 {
     /// <summary>The normals.</summary>
-    [Parameter("The normals as colours: red, green and blue from 0 to 1 are from −1 to 1 along u, perpendicular to u, and outwards. A picture must be raw; [0.5, 0.5, 1] is a flat surface.", Required = true)]
+    [Parameter("The normals as colours: red, green and blue from 0 to 1 are from −1 to 1 along u, perpendicular to u, and outwards. A picture is read raw unless it says otherwise; [0.5, 0.5, 1] is a flat surface.", Required = true)]
     public TextureDescription Map { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 1) };
 
     /// <summary>Factor on the slopes.</summary>
@@ -28,7 +28,7 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
             builder.Warn(this, nameof(Map), "a normal map's numbers are directions, not colours: its picture should have \"raw\": true");
         }
 
-        return new NormalMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.Texture(Map), Strength);
+        return new NormalMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Map), Strength);
     }
 }
 
@@ -41,7 +41,7 @@ public sealed class NormalMapMaterial(Material inner, Texture map, float strengt
     /// <inheritdoc/>
     protected override void Perturb(in SurfaceW surface, in Vec3W outward, out Vec3W normal)
     {
-        map.Evaluate(surface.U, surface.V, out RgbW color);
+        map.Evaluate(surface, out RgbW color);
         Onb frame = new(surface.Tangent, Vec3W.Cross(outward, surface.Tangent), outward);
         FloatW x = FloatW.MultiplyAdd(color.R, 2f, -1f) * strength;
         FloatW y = FloatW.MultiplyAdd(color.G, 2f, -1f) * strength;

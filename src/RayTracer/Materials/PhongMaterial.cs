@@ -63,14 +63,14 @@ public sealed class PhongMaterial(Texture? ambient, Texture diffuse, Texture spe
     public override bool UsesUv => ambient is { Constant: null } || diffuse.Constant is null || specular.Constant is null;
 
     /// <inheritdoc/>
-    public override void Prepare(ref SurfaceW surface) => diffuse.Evaluate(surface.U, surface.V, out surface.DiffuseColor);
+    public override void Prepare(ref SurfaceW surface) => diffuse.Evaluate(surface, out surface.DiffuseColor);
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
     {
         if (ambient is not null)
         {
-            ambient.Evaluate(surface.U, surface.V, out response);
+            ambient.Evaluate(surface, out response);
             return;
         }
 
@@ -80,7 +80,7 @@ public sealed class PhongMaterial(Texture? ambient, Texture diffuse, Texture spe
     /// <inheritdoc/>
     public override void Albedo(in SurfaceW surface, out RgbW albedo)
     {
-        specular.Evaluate(surface.U, surface.V, out RgbW lobe);
+        specular.Evaluate(surface, out RgbW lobe);
         albedo = surface.DiffuseColor + lobe;
     }
 
@@ -90,7 +90,7 @@ public sealed class PhongMaterial(Texture? ambient, Texture diffuse, Texture spe
     /// <inheritdoc/>
     public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
     {
-        specular.Evaluate(surface.U, surface.V, out RgbW color);
+        specular.Evaluate(surface, out RgbW color);
         FloatW cosine = Vec3W.Dot(direction, surface.Facing);
         RgbW sum = RgbW.MultiplyAdd(color, Lobe(surface, direction) / cosine, surface.DiffuseColor * (1f / float.Pi));
         bsdf = (cosine > 0f).Select(sum, default);
@@ -121,7 +121,7 @@ public sealed class PhongMaterial(Texture? ambient, Texture diffuse, Texture spe
 
     private FloatW Probability(in SurfaceW surface, out RgbW color)
     {
-        specular.Evaluate(surface.U, surface.V, out color);
+        specular.Evaluate(surface, out color);
         return LobeChoice.Probability(color, surface.DiffuseColor);
     }
 

@@ -55,13 +55,13 @@ public sealed class PlasticMaterial(Texture @base, float refractiveIndex, bool n
     public override bool UsesUv => @base.Constant is null || reflectance.Constant is null;
 
     /// <inheritdoc/>
-    public override void Prepare(ref SurfaceW surface) => @base.Evaluate(surface.U, surface.V, out surface.DiffuseColor);
+    public override void Prepare(ref SurfaceW surface) => @base.Evaluate(surface, out surface.DiffuseColor);
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
     {
         FloatW coat = Fresnel.Dielectric(surface.Cosine, _inverse, out _);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW above);
+        reflectance.Evaluate(surface, out RgbW above);
         response = RgbW.MultiplyAdd(above, coat, Below(surface) * (1f - coat) * (1f - _inner));
     }
 
@@ -112,7 +112,7 @@ public sealed class PlasticMaterial(Texture @base, float refractiveIndex, bool n
     private void Coat(in SurfaceW surface, out FloatW coat, out RgbW above, out FloatW probability)
     {
         coat = Fresnel.Dielectric(surface.Cosine, _inverse, out _);
-        reflectance.Evaluate(surface.U, surface.V, out above);
+        reflectance.Evaluate(surface, out above);
         probability = LobeChoice.Probability(above * coat, surface.DiffuseColor * (1f - coat));
     }
 }

@@ -73,16 +73,16 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
             new()
             {
                 BaseColor = builder.Texture(BaseColor),
-                Metallic = builder.Texture(Metallic),
-                Roughness = builder.Texture(Roughness),
-                Anisotropic = builder.Texture(Anisotropic),
-                SpecularTint = builder.Texture(SpecularTint),
-                Transmission = builder.Texture(Transmission),
-                Sheen = builder.Texture(Sheen),
-                SheenTint = builder.Texture(SheenTint),
-                Clearcoat = builder.Texture(Clearcoat),
-                ClearcoatRoughness = builder.Texture(ClearcoatRoughness),
-                Flatness = builder.Texture(Flatness),
+                Metallic = builder.NumberTexture(Metallic),
+                Roughness = builder.NumberTexture(Roughness),
+                Anisotropic = builder.NumberTexture(Anisotropic),
+                SpecularTint = builder.NumberTexture(SpecularTint),
+                Transmission = builder.NumberTexture(Transmission),
+                Sheen = builder.NumberTexture(Sheen),
+                SheenTint = builder.NumberTexture(SheenTint),
+                Clearcoat = builder.NumberTexture(Clearcoat),
+                ClearcoatRoughness = builder.NumberTexture(ClearcoatRoughness),
+                Flatness = builder.NumberTexture(Flatness),
             },
             Specular is { } specular ? IndexOf(specular) : RefractiveIndex ?? 1.5f);
     }
@@ -129,7 +129,7 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
     public override bool UsesTangent => _isAnisotropic;
 
     /// <inheritdoc/>
-    public override void Prepare(ref SurfaceW surface) => textures.BaseColor.Evaluate(surface.U, surface.V, out surface.DiffuseColor);
+    public override void Prepare(ref SurfaceW surface) => textures.BaseColor.Evaluate(surface, out surface.DiffuseColor);
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response) => response = surface.DiffuseColor;
@@ -191,7 +191,7 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
 
     private static FloatW Red(Texture texture, in SurfaceW surface)
     {
-        texture.Evaluate(surface.U, surface.V, out RgbW color);
+        texture.Evaluate(surface, out RgbW color);
         return color.R;
     }
 

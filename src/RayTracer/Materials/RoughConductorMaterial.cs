@@ -25,22 +25,42 @@ public sealed record RoughConductorMaterialDescription : MetalDescription
     [Parameter("Roughness perpendicular to that, if another.", Minimum = 0, Maximum = 10, IsNumber = true)]
     public TextureDescription? AlphaV { get; init; }
 
+    /// <summary>Whether light that is reflected from one microfacet to another is not lost.</summary>
+    [Parameter("Whether light that is reflected more than once among the tiny mirrors is added, about as much as is lost without it: coarse metal then is as bright as polished metal. It needs one number for alpha.")]
+    public bool MultipleScattering { get; init; }
+
     /// <inheritdoc/>
-    public override Material Build(SceneBuilder builder) => new RoughConductorMaterial(
-        BuildFresnel(builder), Roughness.Of(builder, Distribution, Alpha, AlphaU, AlphaV), builder.Texture(SpecularReflectance));
+    public override Material Build(SceneBuilder builder)
+    {
+        Roughness roughness = Roughness.Of(builder, Distribution, Alpha, AlphaU, AlphaV);
+        if (MultipleScattering && (roughness.UsesUv || roughness.UsesTangent))
+        {
+            builder.Error(this, nameof(MultipleScattering), "multiple scattering needs one number for \"alpha\": no texture, and the same in both directions");
+        }
+
+        return new RoughConductorMaterial(BuildFresnel(builder), roughness, builder.Texture(SpecularReflectance), MultipleScattering);
+    }
 }
 
 /// <summary>
 /// Microfacets that are mirrors of metal: f = F·D·G₁·G₁/(4·cos·cos) (Torrance &amp; Sparrow 1967, as by Walter et al. 2007, eq. 20). What one
-/// microfacet reflects onto another is lost.
+/// microfacet reflects onto another is lost, or made up for by a factor that depends on the ray's angle (Turquin, Practical multiple scattering compensation for
+/// microfacet models, 2019, eq. 16).
 /// </summary>
 /// <param name="fresnel">How much they reflect.</param>
 /// <param name="roughness">How they are tilted.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
-public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness roughness, Texture reflectance) : Material
+/// <param name="multipleScattering">Whether what microfacets reflect onto each other is made up for; then the roughness is the same everywhere.</param>
+public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness roughness, Texture reflectance, bool multipleScattering = false) : Material
 {
+    private readonly RoughLoss? _loss = multipleScattering ? new(roughness) : null;
+
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Glossy };
+    public override ScatteringProperties Scattering { get; } = new()
+    {
+        Specular = SpecularLobe.Glossy,
+        ReciprocityException = multipleScattering ? "what is made up for depends on the angle of one of the two directions only (Turquin's factor)" : null,
+    };
 
     /// <inheritdoc/>
     public override bool UsesUv => UsesTangent || roughness.UsesUv || reflectance.Constant is null;
@@ -52,7 +72,7 @@ public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness r
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
     {
         fresnel.Evaluate(surface.Cosine, out response);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW factor);
+        reflectance.Evaluate(surface, out RgbW factor);
         response *= factor;
     }
 
@@ -66,6 +86,7 @@ public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness r
         FloatW lobe = microfacets.Reflection(view, light, normal);
         Reflectance(surface, Vec3W.Dot(view, normal), out RgbW color);
         bsdf = (light.Z > 0f).Select(color * lobe, default);
+        Compensate(view.Z, ref bsdf);
     }
 
     /// <inheritdoc/>
@@ -89,6 +110,7 @@ public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness r
         scatter.Direction = Vec3W.Normalize(frame.ToWorld(light));
         Reflectance(surface, cosine, out RgbW color);
         scatter.Weight = color * microfacets.Masking(light, normal);
+        Compensate(view.Z, ref scatter.Weight);
         scatter.Specular = MaskW.All;
         scatter.Delta = MaskW.None;
         scatter.Absorbed = Vec3W.Dot(scatter.Direction, surface.Facing) <= 0f;
@@ -100,10 +122,19 @@ public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness r
         view = frame.ToLocal(-surface.Incoming);
     }
 
+    private void Compensate(FloatW cosine, ref RgbW reflected)
+    {
+        if (_loss is not null)
+        {
+            fresnel.Evaluate(1f, out RgbW color);
+            reflected *= RgbW.MultiplyAdd(color, _loss.At(cosine), Rgb.White);
+        }
+    }
+
     private void Reflectance(in SurfaceW surface, in FloatW cosine, out RgbW color)
     {
         fresnel.Evaluate(FloatW.Min(FloatW.Max(cosine, 0f), 1f), out color);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW factor);
+        reflectance.Evaluate(surface, out RgbW factor);
         color *= factor;
     }
 }

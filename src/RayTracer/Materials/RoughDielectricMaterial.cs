@@ -82,8 +82,8 @@ public sealed class RoughDielectricMaterial(float refractiveIndex, Roughness rou
         FloatW shadowed = microfacets.Density(pair.Normal) * microfacets.Masking(pair.View, pair.Normal) * microfacets.Masking(pair.Light, pair.Normal);
         FloatW reflected = shadowed * pair.Fresnel / (pair.View.Z * pair.Light.Z * 4f);
         FloatW refracted = shadowed * (1f - pair.Fresnel) * FloatW.Abs(pair.ViewCosine * pair.LightCosine / (pair.View.Z * pair.Light.Z)) / (pair.Stretch * pair.Stretch);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW above);
-        transmittance.Evaluate(surface.U, surface.V, out RgbW through);
+        reflectance.Evaluate(surface, out RgbW above);
+        transmittance.Evaluate(surface, out RgbW through);
         bsdf = pair.Reflects.Select(above * reflected, pair.Refracts.Select(through * refracted, default));
     }
 
@@ -116,8 +116,8 @@ public sealed class RoughDielectricMaterial(float refractiveIndex, Roughness rou
         Vec3W light = reflects.Select(reflection, refraction);
         scatter.Direction = Vec3W.Normalize(frame.ToWorld(light));
         FloatW masking = microfacets.Masking(light, normal);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW above);
-        transmittance.Evaluate(surface.U, surface.V, out RgbW through);
+        reflectance.Evaluate(surface, out RgbW above);
+        transmittance.Evaluate(surface, out RgbW through);
         scatter.Weight = reflects.Select(above * masking, through * (masking * inverse * inverse));
         scatter.Specular = MaskW.All;
         scatter.Delta = MaskW.None;

@@ -44,13 +44,13 @@ public sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, b
     public override bool UsesUv => @base.Constant is null || reflectance.Constant is null;
 
     /// <inheritdoc/>
-    public override void Prepare(ref SurfaceW surface) => @base.Evaluate(surface.U, surface.V, out surface.DiffuseColor);
+    public override void Prepare(ref SurfaceW surface) => @base.Evaluate(surface, out surface.DiffuseColor);
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
     {
         FloatW into = _coat.Into(surface.Cosine);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW above);
+        reflectance.Evaluate(surface, out RgbW above);
         response = RgbW.MultiplyAdd(above, 1f - into, Below(surface) * into * (1f - _coat.Inner));
     }
 
@@ -72,7 +72,7 @@ public sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, b
         samples.Direction(out FloatW u, out FloatW v);
         Onb.FromNormal(surface.Facing, out Onb frame);
         Vec3W view = frame.ToLocal(-surface.Incoming);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW above);
+        reflectance.Evaluate(surface, out RgbW above);
         MaskW reflects = samples.Choice() < Probability(surface, above, _coat.Into(surface.Cosine));
         Vec3W normal = new Microfacets(distribution, alpha, alpha).Sample(view, u, v);
         Vec3W mirrored = Vec3W.MultiplyAdd(normal, Vec3W.Dot(view, normal) * 2f, -view);
@@ -93,7 +93,7 @@ public sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, b
         Vec3W light = frame.ToLocal(direction);
         Vec3W normal = Vec3W.Normalize(view + light);
         Microfacets microfacets = new(distribution, alpha, alpha);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW above);
+        reflectance.Evaluate(surface, out RgbW above);
         FloatW mirrored = microfacets.Reflection(view, light, normal) * Fresnel.Dielectric(FloatW.Min(Vec3W.Dot(view, normal), 1f), _inverse, out _);
         FloatW outOf = _coat.Into(surface.Cosine);
         FloatW through = _coat.Into(light.Z) * outOf * (_inverse * _inverse / float.Pi);

@@ -53,8 +53,13 @@ internal sealed unsafe class RoughTransmittance
         return FloatW.MultiplyAdd(b - a, place - left, a);
     }
 
-    // What is reflected and let through of light that comes at a cosine; eta is the index of its side over that of the other.
-    private static void Integrate(in Microfacets microfacets, float cosine, float eta, out float reflected, out float transmitted)
+    /// <summary>What is reflected and let through of light that comes at a cosine.</summary>
+    /// <param name="microfacets">The microfacets.</param>
+    /// <param name="cosine">Cosine of incidence, above 0.</param>
+    /// <param name="eta">Index of the light's side over that of the other; 0 for mirrors without loss.</param>
+    /// <param name="reflected">The fraction that is reflected.</param>
+    /// <param name="transmitted">The fraction that is let through.</param>
+    public static void Integrate(in Microfacets microfacets, float cosine, float eta, out float reflected, out float transmitted)
     {
         Vec3W view = new(MathF.Sqrt(1 - (cosine * cosine)), 0f, cosine);
         double up = 0;
@@ -66,7 +71,8 @@ internal sealed unsafe class RoughTransmittance
             FloatW v = ((index >> 6).ToFloat() + 0.5f) * (1f / Side);
             Vec3W normal = microfacets.Sample(view, u, v);
             FloatW cosIncident = FloatW.Min(Vec3W.Dot(view, normal), 1f);
-            FloatW fresnel = Fresnel.Dielectric(cosIncident, eta, out FloatW cosTransmitted);
+            FloatW cosTransmitted = 0f;
+            FloatW fresnel = eta == 0 ? 1f : Fresnel.Dielectric(cosIncident, eta, out cosTransmitted);
             Vec3W reflection = Vec3W.MultiplyAdd(normal, cosIncident * 2f, -view);
             Vec3W refraction = Vec3W.MultiplyAdd(normal, FloatW.MultiplyAdd(eta, cosIncident, -cosTransmitted), -view * eta);
             FloatW above = (reflection.Z > 0f).Select(fresnel * microfacets.Masking(reflection, normal), 0f);

@@ -23,13 +23,13 @@ public sealed class Roughness(MicrofacetDistribution distribution, Texture alpha
     /// <param name="alphaU">Roughness along u; null for the same.</param>
     /// <param name="alphaV">Roughness along v; null for the same.</param>
     public static Roughness Of(SceneBuilder builder, MicrofacetDistribution distribution, TextureDescription alpha, TextureDescription? alphaU, TextureDescription? alphaV) =>
-        new(distribution, builder.Texture(alphaU ?? alpha), builder.Texture(alphaV ?? alpha));
+        new(distribution, builder.NumberTexture(alphaU ?? alpha), builder.NumberTexture(alphaV ?? alpha));
 
     /// <summary>The microfacets at a point.</summary>
     internal void Evaluate(in SurfaceW surface, out Microfacets microfacets)
     {
-        alphaU.Evaluate(surface.U, surface.V, out RgbW u);
-        alphaV.Evaluate(surface.U, surface.V, out RgbW v);
+        alphaU.Evaluate(surface, out RgbW u);
+        alphaV.Evaluate(surface, out RgbW v);
         microfacets = new(distribution, u.R, v.R);
     }
 }

@@ -53,8 +53,8 @@ public sealed class ThinDielectricMaterial(float refractiveIndex, Texture reflec
         MaskW reflected = u < all;
         Vec3W mirror = Vec3W.Normalize(Vec3W.MultiplyAdd(surface.Facing, surface.Cosine * 2f, surface.Incoming));
         scatter.Direction = reflected.Select(mirror, surface.Incoming);
-        reflectance.Evaluate(surface.U, surface.V, out RgbW above);
-        transmittance.Evaluate(surface.U, surface.V, out RgbW through);
+        reflectance.Evaluate(surface, out RgbW above);
+        transmittance.Evaluate(surface, out RgbW through);
         scatter.Weight = reflected.Select(above, through);
         scatter.Specular = MaskW.All;
         scatter.Delta = MaskW.All;

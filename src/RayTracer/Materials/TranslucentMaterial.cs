@@ -49,12 +49,12 @@ public sealed class TranslucentMaterial(Texture above, Texture below) : Material
     public override bool UsesUv => above.Constant is null || below.Constant is null;
 
     /// <inheritdoc/>
-    public override void Prepare(ref SurfaceW surface) => above.Evaluate(surface.U, surface.V, out surface.DiffuseColor);
+    public override void Prepare(ref SurfaceW surface) => above.Evaluate(surface, out surface.DiffuseColor);
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
     {
-        below.Evaluate(surface.U, surface.V, out RgbW through);
+        below.Evaluate(surface, out RgbW through);
         response = surface.DiffuseColor + through;
     }
 
@@ -64,7 +64,7 @@ public sealed class TranslucentMaterial(Texture above, Texture below) : Material
     /// <inheritdoc/>
     public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
     {
-        below.Evaluate(surface.U, surface.V, out RgbW through);
+        below.Evaluate(surface, out RgbW through);
         FloatW cosine = Vec3W.Dot(direction, surface.Facing);
         bsdf = (cosine > 0f).Select(surface.DiffuseColor, through) * (1f / float.Pi);
     }
@@ -72,7 +72,7 @@ public sealed class TranslucentMaterial(Texture above, Texture below) : Material
     /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
-        below.Evaluate(surface.U, surface.V, out RgbW through);
+        below.Evaluate(surface, out RgbW through);
         FloatW probability = LobeChoice.Probability(surface.DiffuseColor, through);
         FloatW cosine = Vec3W.Dot(direction, surface.Facing);
         pdf = (cosine > 0f).Select(probability, 1f - probability) * FloatW.Abs(cosine) * (1f / float.Pi);
@@ -82,7 +82,7 @@ public sealed class TranslucentMaterial(Texture above, Texture below) : Material
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         samples.Direction(out FloatW u, out FloatW v);
-        below.Evaluate(surface.U, surface.V, out RgbW through);
+        below.Evaluate(surface, out RgbW through);
         FloatW probability = LobeChoice.Probability(surface.DiffuseColor, through);
         MaskW reflects = samples.Choice() < probability;
         Onb.FromNormal(surface.Facing, out Onb frame);

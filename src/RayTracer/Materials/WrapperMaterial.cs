@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Textures;
@@ -23,6 +24,9 @@ public abstract class WrapperMaterial(Material inner) : Material
 
     /// <inheritdoc/>
     public override bool Transmits => inner.Transmits;
+
+    /// <inheritdoc/>
+    public override Medium? Interior => inner.Interior;
 
     /// <inheritdoc/>
     public override bool UsesUv => inner.UsesUv;

@@ -9,13 +9,17 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Rendering;
 
-/// <summary>Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4).</summary>
+/// <summary>
+/// Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4), or, where there are many lights, of one
+/// that is chosen.
+/// </summary>
 internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
 {
     // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
     private const int Batch = 8;
     private readonly LightSource[] _lights = [.. scene.SampledLights];
+    private readonly LightSelection? _selection = scene.LightSelection;
     private readonly Transmittance? _transmittance = scene.HasMedia ? new(scene) : null;
     private readonly ShapeSampleW[] _samples = new ShapeSampleW[Batch];
     private readonly RgbW[] _radiance = new RgbW[Batch];
@@ -49,12 +53,24 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     public void Add(in SurfaceW surface, Material? material, in UIntW media, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
-        Vec3W origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point);
-        bool transmits = material is { Transmits: true };
-        Vec3W from = transmits ? surface.Point : origin;
+        LitW lit = new()
+        {
+            Side = side,
+            Origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point),
+            Media = media,
+            Time = time,
+            Transmits = material is { Transmits: true },
+            IsSmoothed = isSmoothed,
+        };
+        Vec3W from = lit.Transmits ? surface.Point : lit.Origin;
         RgbW arriving = default;
         queue?.Begin(weight);
-        for (int first = 0; first < _lights.Length; first += Batch)
+        if (_selection is not null)
+        {
+            AddChosen(surface, material, lit, from, samples, active, ref arriving);
+        }
+
+        for (int first = 0; first < _lights.Length && _selection is null; first += Batch)
         {
             int count = Math.Min(Batch, _lights.Length - first);
             for (int i = 0; i < count; i++)
@@ -65,51 +81,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
 
             for (int i = 0; i < count; i++)
             {
-                ref readonly ShapeSampleW sample = ref _samples[i];
-                FloatW cosine = Vec3W.Dot(sample.Direction, surface.Facing);
-                MaskW free = active & (sample.InversePdf > 0f);
-                if (transmits)
-                {
-                    free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
-                    origin = SurfaceShader.Leave(surface, sample.Direction);
-                    cosine = FloatW.Abs(cosine);
-                }
-                else
-                {
-                    free &= cosine > 0f;
-                    if (isSmoothed)
-                    {
-                        // Light from behind the surface itself would come through it.
-                        free &= Vec3W.Dot(sample.Direction, side) > 0f;
-                    }
-                }
-
-                if (material is not null && free.Any)
-                {
-                    Scatter(surface, material, first + i, sample, ref free, ref _radiance[i]);
-                }
-
-                uint wanted = free.Bits;
-                if (wanted != 0)
-                {
-                    ShadowRays += BitOperations.PopCount(wanted);
-                    if (_transmittance is not null)
-                    {
-                        UIntW there = SurfaceShader.MediaAlong(surface, sample.Direction, scene.NumberOf(material!.Interior), media);
-                        _transmittance.Trace(wanted, origin, sample.Direction, sample.Distance, there, time, _lights[first + i], out RgbW part);
-                        arriving = RgbW.MultiplyAdd(_radiance[i] * part, cosine, arriving);
-                        continue;
-                    }
-
-                    scene.Primitives.Occlude(origin, sample.Direction, sample.Distance, _lights[first + i].OwnPrimitive, ref free);
-                    if (queue is not null)
-                    {
-                        queue.Add(free.Bits, origin, sample, time, first + i, _radiance[i], cosine);
-                        continue;
-                    }
-
-                    arriving = RgbW.MultiplyAdd(_radiance[i], free.Select(cosine, 0f), arriving);
-                }
+                Connect(surface, material, lit, first + i, _samples[i], active, _radiance[i], ref arriving);
             }
         }
 
@@ -132,20 +104,103 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     public void AddInMedium(
         in Vec3W point, in Vec3W incoming, in FloatW anisotropy, in UIntW media, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
+        UIntW chosen = 0u;
+        FloatW probability = 1f;
+        _selection?.Choose(point, default, samples.LightChoice(), out chosen, out probability);
         for (int i = 0; i < _lights.Length; i++)
         {
-            samples.Light(i, out FloatW u, out FloatW v);
+            MaskW lit = _selection is null ? active : active & UIntW.Equal(chosen, (uint)i) & (probability > 0f);
+            if (!lit.Any)
+            {
+                continue;
+            }
+
+            samples.Light(_selection is null ? i : 0, out FloatW u, out FloatW v);
             _lights[i].Sample(point, u, v, time, out ShapeSampleW sample, out RgbW light);
-            MaskW lit = active & (sample.InversePdf > 0f);
+            lit &= sample.InversePdf > 0f;
             if (lit.Any)
             {
                 ShadowRays += BitOperations.PopCount(lit.Bits);
                 FloatW phase = HenyeyGreenstein.Evaluate(Vec3W.Dot(incoming, sample.Direction), anisotropy);
-                FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf);
+                FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf / probability);
                 _transmittance!.Trace(lit.Bits, point, sample.Direction, sample.Distance, media, time, _lights[i], out RgbW part);
-                radiance = RgbW.MultiplyAdd(weight * light * share, part, radiance);
+                radiance = RgbW.MultiplyAdd(weight * light * (share / probability), part, radiance);
             }
         }
+    }
+
+    // One light of many for each lane, those of the same light together.
+    private void AddChosen(
+        in SurfaceW surface, Material? material, in LitW lit, in Vec3W from, VertexSamples samples, in MaskW active, ref RgbW arriving)
+    {
+        Vec3W normal = lit.Transmits ? default : surface.Facing;
+        _selection!.Choose(from, normal, samples.LightChoice(), out UIntW chosen, out FloatW probability);
+        samples.Light(0, out FloatW u, out FloatW v);
+        FloatW inverse = 1f / probability;
+        MaskW rest = active & (probability > 0f);
+        while (rest.Any)
+        {
+            int light = (int)chosen[BitOperations.TrailingZeroCount(rest.Bits)];
+            MaskW same = rest & UIntW.Equal(chosen, (uint)light);
+            _lights[light].Sample(from, u, v, lit.Time, out ShapeSampleW sample, out RgbW radiance);
+            sample.InversePdf *= inverse;
+            Connect(surface, material, lit, light, sample, same, radiance * inverse, ref arriving);
+            rest = rest.Except(same);
+        }
+    }
+
+    // What arrives from a chosen point of a light, unless something is in the way.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Connect(
+        in SurfaceW surface, Material? material, in LitW lit, int light, in ShapeSampleW sample, MaskW lanes, RgbW radiance, ref RgbW arriving)
+    {
+        FloatW cosine = Vec3W.Dot(sample.Direction, surface.Facing);
+        MaskW free = lanes & (sample.InversePdf > 0f);
+        Vec3W origin = lit.Origin;
+        if (lit.Transmits)
+        {
+            free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
+            origin = SurfaceShader.Leave(surface, sample.Direction);
+            cosine = FloatW.Abs(cosine);
+        }
+        else
+        {
+            free &= cosine > 0f;
+            if (lit.IsSmoothed)
+            {
+                // Light from behind the surface itself would come through it.
+                free &= Vec3W.Dot(sample.Direction, lit.Side) > 0f;
+            }
+        }
+
+        if (material is not null && free.Any)
+        {
+            Scatter(surface, material, light, sample, ref free, ref radiance);
+        }
+
+        uint wanted = free.Bits;
+        if (wanted == 0)
+        {
+            return;
+        }
+
+        ShadowRays += BitOperations.PopCount(wanted);
+        if (_transmittance is not null)
+        {
+            UIntW there = SurfaceShader.MediaAlong(surface, sample.Direction, scene.NumberOf(material!.Interior), lit.Media);
+            _transmittance.Trace(wanted, origin, sample.Direction, sample.Distance, there, lit.Time, _lights[light], out RgbW part);
+            arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
+            return;
+        }
+
+        scene.Primitives.Occlude(origin, sample.Direction, sample.Distance, _lights[light].OwnPrimitive, ref free);
+        if (queue is not null)
+        {
+            queue.Add(free.Bits, origin, sample, lit.Time, light, radiance, cosine);
+            return;
+        }
+
+        arriving = RgbW.MultiplyAdd(radiance, free.Select(cosine, 0f), arriving);
     }
 
     // What of a light's sample goes on, and what scattered rays leave of it.
@@ -159,5 +214,16 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
             material.Pdf(surface, sample.Direction, out FloatW pdf);
             radiance *= Weight(1f, pdf * sample.InversePdf);
         }
+    }
+
+    // Lit points, beside their surfaces.
+    private struct LitW
+    {
+        public Vec3W Side;
+        public Vec3W Origin;
+        public UIntW Media;
+        public FloatW Time;
+        public bool Transmits;
+        public bool IsSmoothed;
     }
 }

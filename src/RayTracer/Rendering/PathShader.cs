@@ -41,6 +41,14 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         if (Scene.Environment is not null && shared.Any)
         {
             Scene.Environment.Pdf(direction, out FloatW pdf);
+            if (Scene.LightSelection is not null)
+            {
+                // The last of the lights.
+                Vec3W from = Start(stream, index, direction);
+                Scene.LightSelection.Probability(from, stream.PickNormal(index), (uint)_lights.Count - 1u, out FloatW probability);
+                pdf *= probability;
+            }
+
             arriving *= shared.Select(DirectLight.Weight(FloatW.Pick(stream.Pdf, index), pdf), 1f);
         }
     }
@@ -203,6 +211,11 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             }
 
             next.SetPdf(going, pdf);
+            if (Scene.LightSelection is not null)
+            {
+                next.SetNormal(going, default);
+            }
+
             next.SetMedia(going, MediumStack.Scattered(media), 0f);
             next.Append(going, point, direction, throughput, radiance, path, (vertex + 1u) | (_lights.Count > 0 ? 0u : PathState.CountsEmission));
         }
@@ -221,12 +234,24 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         }
 
         next.SetPdf(going, FloatW.Pick(stream.Pdf, index));
+        if (Scene.LightSelection is not null)
+        {
+            next.SetNormal(going, stream.PickNormal(index));
+        }
+
         next.SetMedia(
             going,
             MediumStack.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~surface.Inside),
             FloatW.Pick(stream.Travelled, index) + FloatW.Pick(stream.Distance, index));
         next.Append(
             going, Leave(surface, direction), direction, stream.PickThroughput(index), stream.PickRadiance(index), UIntW.Pick(stream.Path, index), UIntW.Pick(stream.State, index));
+    }
+
+    // Where paths scattered last: boundaries on the way are no vertices.
+    private Vec3W Start(PathStream stream, uint* index, in Vec3W direction)
+    {
+        Vec3W origin = stream.PickOrigin(index);
+        return Scene.HasMedia ? Vec3W.MultiplyAdd(direction, -FloatW.Pick(stream.Travelled, index), origin) : origin;
     }
 
     private void GoOn(
@@ -241,6 +266,10 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         {
             group.Material.Pdf(surface, scatter.Direction, out FloatW pdf);
             next.SetPdf(going, pdf);
+            if (Scene.LightSelection is not null)
+            {
+                next.SetNormal(going, group.Material.Transmits ? default : surface.Facing);
+            }
         }
 
         if (Scene.HasMedia)
@@ -278,11 +307,11 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         shared &= cosine > 0f;
         if (shared.Any)
         {
-            // Boundaries on the way are no vertices.
             FloatW travelled = Scene.HasMedia ? FloatW.Pick(stream.Travelled, index) : 0f;
             LightHitW hit = new()
             {
-                From = Vec3W.MultiplyAdd(surface.Incoming, -travelled, stream.PickOrigin(index)),
+                From = Start(stream, index, surface.Incoming),
+                FromNormal = Scene.LightSelection is null ? default : stream.PickNormal(index),
                 Direction = surface.Incoming,
                 Distance = FloatW.Pick(stream.Distance, index) + travelled,
                 Cosine = cosine,

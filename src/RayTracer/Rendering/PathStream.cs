@@ -10,7 +10,7 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal sealed unsafe class PathStream
 {
-    private const int Columns = 21;
+    private const int Columns = 24;
     private readonly PinnedBuffer<float> _memory;
 
     /// <summary>Makes an empty stream.</summary>
@@ -50,6 +50,9 @@ internal sealed unsafe class PathStream
         Pdf = Next();
         Media = (uint*)Next();
         Travelled = Next();
+        NormalX = Next();
+        NormalY = Next();
+        NormalZ = Next();
     }
 
     public int Capacity { get; }
@@ -89,6 +92,12 @@ internal sealed unsafe class PathStream
 
     /// <summary>How far the path has gone through boundaries since it last scattered; set only where there are media.</summary>
     public float* Travelled { get; }
+
+    // The normal of the surface where the ray starts, by which lights were chosen there; zero where all directions counted. Set only where one light of
+    // many is chosen.
+    public float* NormalX { get; }
+    public float* NormalY { get; }
+    public float* NormalZ { get; }
 
     /// <summary>Number of the path in the tile: pixel · samples + sample.</summary>
     public uint* Path { get; }
@@ -148,6 +157,17 @@ internal sealed unsafe class PathStream
         media.Compress(Media + Count, lanes);
         travelled.Compress(Travelled + Count, lanes);
     }
+
+    /// <summary>Sets the normals of the chosen lanes of a packet that is appended next.</summary>
+    public void SetNormal(uint lanes, in Vec3W normal)
+    {
+        normal.X.Compress(NormalX + Count, lanes);
+        normal.Y.Compress(NormalY + Count, lanes);
+        normal.Z.Compress(NormalZ + Count, lanes);
+    }
+
+    /// <summary>Normals where the paths of a packet start.</summary>
+    public Vec3W PickNormal(uint* index) => new(FloatW.Pick(NormalX, index), FloatW.Pick(NormalY, index), FloatW.Pick(NormalZ, index));
 
     /// <summary>Radiance gathered by the paths of a packet.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

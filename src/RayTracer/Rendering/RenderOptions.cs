@@ -81,4 +81,16 @@ public sealed record RenderStatistics
 
     /// <summary>All rays.</summary>
     public long Rays => ClosestHitRays + ShadowRays;
+
+    /// <summary>What two renderings of the same scene did together.</summary>
+    public static RenderStatistics operator +(RenderStatistics a, RenderStatistics b) => new()
+    {
+        Paths = a.Paths + b.Paths,
+        ClosestHitRays = a.ClosestHitRays + b.ClosestHitRays,
+        ShadowRays = a.ShadowRays + b.ShadowRays,
+        NonFiniteSamples = a.NonFiniteSamples + b.NonFiniteSamples,
+        ClampedSamples = a.ClampedSamples + b.ClampedSamples,
+        BadSamples = [.. a.BadSamples.Concat(b.BadSamples).Order().Take(MaxBadSamples)],
+        Cancelled = a.Cancelled || b.Cancelled,
+    };
 }

@@ -15,6 +15,8 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed class Scene
 {
+    // Up to so many lights, each point is lit by a point of every one.
+    private const int MostLightsOfPoint = 8;
     private readonly Medium[] _media;
 
     private Scene(RenderDescription render, Camera camera, Rgb background, EnvironmentLight? environment, Rgb ambient, World world)
@@ -36,6 +38,7 @@ public sealed class Scene
         _media = ShadingGroup.NumberInteriors(Groups);
         Media = new(_media);
         Lights = LightList.Create(World);
+        LightSelection = SelectLights();
     }
 
     // The same things seen in another way.
@@ -58,6 +61,7 @@ public sealed class Scene
         _media = other._media;
         Media = other.Media;
         Lights = other.Lights;
+        LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
     }
 
     /// <summary>Size, samples, depths and sampler.</summary>
@@ -103,6 +107,9 @@ public sealed class Scene
     /// <summary>Whether anything moves while the shutter is open, so that paths have times.</summary>
     internal bool IsTimed { get; }
 
+    /// <summary>Chooses one light for each point; null where all of them are sampled at each: in the report, and where they are few.</summary>
+    internal LightSelection? LightSelection { get; }
+
     /// <summary>What fills shapes.</summary>
     internal MediumTable Media { get; }
 
@@ -143,10 +150,35 @@ public sealed class Scene
             : null;
 
     /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
-    internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder) =>
-        View(description.Camera, description.Render, builder) is var (render, camera)
-            ? new Scene(render, camera, description.Background, builder.Environment(description), description.Ambient, new World(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop))
-            : null;
+    internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder)
+    {
+        if (View(description.Camera, description.Render, builder) is not var (render, camera))
+        {
+            return null;
+        }
+
+        World world = new(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop);
+        Scene scene = new(render, camera, description.Background, builder.Environment(description), description.Ambient, world);
+        scene.WarnOfWhatIsNotShown(description, builder);
+        return scene;
+    }
+
+    private LightSelection? SelectLights() => SampledLights.Count > MostLightsOfPoint && Render.Integrator != Integrator.Report
+        ? new(SampledLights, (Render.Shutter.X, Render.Shutter.Y))
+        : null;
+
+    private void WarnOfWhatIsNotShown(SceneDescription description, SceneBuilder builder)
+    {
+        if (!Ambient.IsBlack && Render.Integrator != Integrator.Report)
+        {
+            builder.Warn(description, nameof(Ambient), "only the report integrator knows ambient light: here it has no effect");
+        }
+
+        if (_media.Length > 0 && Render.Integrator is (Integrator.Report or Integrator.Path or Integrator.Direct))
+        {
+            builder.Warn(description.Render, nameof(Render.Integrator), "there are media inside shapes, which only the volPath integrator shows");
+        }
+    }
 
     // Checks how a scene is to be seen.
     private static (RenderDescription Render, Camera Camera)? View(CameraDescription camera, RenderDescription render, SceneBuilder builder)

@@ -17,6 +17,7 @@ internal sealed unsafe class ShadowQueue
     private const uint IsNowhere = uint.MaxValue;
     private readonly Scene _scene;
     private readonly LightSource[] _lights;
+    private readonly int _lightsOfPoint;
     private readonly int _capacity;
     private readonly int _stride;
 
@@ -37,7 +38,8 @@ internal sealed unsafe class ShadowQueue
     {
         _scene = scene;
         _lights = [.. scene.SampledLights];
-        _capacity = Math.Max(8192, _lights.Length * FloatW.Count);
+        _lightsOfPoint = scene.LightSelection is null ? _lights.Length : 1;
+        _capacity = Math.Max(8192, _lightsOfPoint * FloatW.Count);
         _stride = _capacity + 48;
         _rays = new((long)Columns * _stride);
         _lanes = new(_stride);
@@ -49,7 +51,7 @@ internal sealed unsafe class ShadowQueue
     }
 
     /// <summary>Whether a packet more has room.</summary>
-    public bool IsFull => _packets == MaxPackets || _count + (_lights.Length * FloatW.Count) > _capacity;
+    public bool IsFull => _packets == MaxPackets || _count + (_lightsOfPoint * FloatW.Count) > _capacity;
 
     /// <summary>Starts a packet.</summary>
     /// <param name="weight">Throughput times BRDF.</param>

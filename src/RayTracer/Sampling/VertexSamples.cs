@@ -41,7 +41,7 @@ public sealed class VertexSamples(Sampler sampler)
             return _rest;
         }
 
-        Decisions(out FloatW u, out _);
+        Decisions(0, out FloatW u, out _);
         return u;
     }
 
@@ -70,8 +70,15 @@ public sealed class VertexSamples(Sampler sampler)
     /// <summary>The number that decides whether a path goes on.</summary>
     public FloatW Roulette()
     {
-        Decisions(out _, out FloatW v);
+        Decisions(0, out _, out FloatW v);
         return v;
+    }
+
+    /// <summary>The number that chooses one light of many.</summary>
+    public FloatW LightChoice()
+    {
+        Decisions(1, out FloatW u, out _);
+        return u;
     }
 
     /// <summary>The two numbers that choose a point on a light.</summary>
@@ -91,9 +98,9 @@ public sealed class VertexSamples(Sampler sampler)
         sampler.Pair(points, 0, out u, out v);
     }
 
-    private void Decisions(out FloatW u, out FloatW v)
+    private void Decisions(uint pair, out FloatW u, out FloatW v)
     {
         sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);
-        sampler.Pair(points, 0, out u, out v);
+        sampler.Pair(points, pair, out u, out v);
     }
 }

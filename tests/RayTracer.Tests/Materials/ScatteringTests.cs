@@ -23,7 +23,7 @@ public class ScatteringTests
     public void Directions_are_distributed_by_the_pdf(string name) => ForEachSurface(name, (material, at) =>
     {
         SurfaceW surface = at.Prepare(material.Material);
-        SphericalGrid grid = new(at.Mirror, at.Facing, 1 / (material.Exponent + 1), material.QuadraturePoints);
+        SphericalGrid grid = new(Mirror(surface), Facing(surface), 1 / (material.Exponent + 1), material.QuadraturePoints);
         int count = TestSettings.Scale(1 << 17, 1 << 20);
         double[] expected = grid.Integrate(d => Pdf(material, surface, d));
         double mass = expected.Sum();
@@ -45,7 +45,7 @@ public class ScatteringTests
     public void The_mean_weight_is_the_integral_of_the_bsdf_and_the_cosine(string name) => ForEachSurface(name, (material, at) =>
     {
         SurfaceW surface = at.Prepare(material.Material);
-        SphericalGrid grid = new(at.Mirror, at.Facing, 1 / (material.Exponent + 1), material.QuadraturePoints);
+        SphericalGrid grid = new(Mirror(surface), Facing(surface), 1 / (material.Exponent + 1), material.QuadraturePoints);
         double[] sampled = new double[4];
         ScatterSamples.OnGrid(material.Material, surface, GridBits, (in ScatterW s, int lane) =>
         {
@@ -56,9 +56,20 @@ public class ScatteringTests
         });
 
         // Not only the energy but also where it goes on the whole: the mean direction.
+        // The points of each integral are the same, in the same order.
+        List<double> values = [];
         for (int k = 0; k < 4; k++)
         {
-            double integral = grid.Integrate(d => Moment(k, d) * Bsdf(material, surface, d).Y * Math.Abs(d.Dot(at.Facing))).Sum();
+            int next = 0;
+            double integral = grid.Integrate(d =>
+            {
+                if (k == 0)
+                {
+                    values.Add(Bsdf(material, surface, d).Y * Math.Abs(d.Dot(Facing(surface))));
+                }
+
+                return Moment(k, d) * values[next++];
+            }).Sum();
             AssertNear(integral, sampled[k], material.MeanTolerance, $"moment {k} of {material} at {at}");
         }
     });
@@ -70,8 +81,9 @@ public class ScatteringTests
         SurfaceW surface = at.Prepare(material.Material);
         Vector3D albedo = default;
         ScatterSamples.OnGrid(material.Material, surface, GridBits - 2, (in ScatterW s, int lane) =>
-            albedo += Has(s.Absorbed, lane) ? default : Flux(material, at, s, lane) * Cell * 16);
-        Assert.True(Math.Max(albedo.X, Math.Max(albedo.Y, albedo.Z)) < 1 + material.AlbedoTolerance, $"{material} at {at} sends back {albedo}");
+            albedo += Has(s.Absorbed, lane) ? default : Flux(material, at, surface, s, lane) * Cell * 16);
+        double most = material.Material.Scattering.EnergyException is null ? 1 + material.AlbedoTolerance : 1.5;
+        Assert.True(Math.Max(albedo.X, Math.Max(albedo.Y, albedo.Z)) < most, $"{material} at {at} sends back {albedo}");
         if (material.Albedo is { } expected)
         {
             AssertNear(expected.R, albedo.X, material.AlbedoTolerance, $"red of {material} at {at}");
@@ -115,7 +127,7 @@ public class ScatteringTests
             if (pdf > 0 && !Has(s.Absorbed, lane) && !material.IsMixture)
             {
                 // A cosine of two directions in single precision is known to a few units in the last place of 1.
-                double cosine = Math.Abs(d.Dot(at.Facing));
+                double cosine = Math.Abs(d.Dot(Facing(surface)));
                 Vector3D weight = Bsdf(material, surface, d) * (cosine / pdf);
                 Assert.True((weight - Weight(s, lane)).Length < 1e-4 + (4e-7 / cosine), $"{material} at {at}: {Weight(s, lane)} is not {weight}");
             }
@@ -130,17 +142,18 @@ public class ScatteringTests
         SurfaceCase at = new(0.5);
         var random = new Random(TestSettings.Seed);
         double largest = 0;
+        Vector3D facing = Facing(at.Prepare(material.Material));
         for (int i = 0; i < 4000; i++)
         {
-            Vector3D a = RandomDirection(random, at.Facing);
+            Vector3D a = RandomDirection(random, facing);
 
             // Half of the pairs are near to mirror images of each other: there the narrow lobes are.
-            Vector3D mirrored = (at.Facing * (2 * a.Dot(at.Facing))) - a + (RandomDirection(random, at.Facing) * (4 / Math.Sqrt(1 + material.Exponent)));
-            Vector3D b = i % 2 == 0 ? RandomDirection(random, at.Facing) : mirrored.Unit;
+            Vector3D mirrored = (facing * (2 * a.Dot(facing))) - a + (RandomDirection(random, facing) * (4 / Math.Sqrt(1 + material.Exponent)));
+            Vector3D b = i % 2 == 0 ? RandomDirection(random, facing) : mirrored.Unit;
             double there = Bsdf(material, at, a, b);
             double back = Bsdf(material, at, b, a);
             double difference = Math.Abs(there - back) / Math.Max(1e-6, Math.Max(there, back));
-            largest = Math.Max(largest, b.Dot(at.Facing) > 0.05 ? difference : 0);
+            largest = Math.Max(largest, a.Dot(facing) > 0.05 && b.Dot(facing) > 0.05 && a.Dot(at.Facing) > 0.05 && b.Dot(at.Facing) > 0.05 ? difference : 0);
         }
 
         string? exception = material.Material.Scattering.ReciprocityException;
@@ -179,7 +192,7 @@ public class ScatteringTests
                 Vector3D d = Vector3D.Of(scatter.Direction, lane);
                 bool isSeen = !Has(scatter.Absorbed, lane) && Bsdf(material, surface, d).Length > 0;
                 hasDensity |= isSeen;
-                transmits |= isSeen && d.Dot(at.Facing) < 0;
+                transmits |= isSeen && d.Dot(Facing(surface)) < 0;
             });
             Assert.True(hasDensity == material.Material.HasDensity && transmits == material.Material.Transmits, $"{material}: density {hasDensity}, through the surface {transmits}");
         }
@@ -193,7 +206,13 @@ public class ScatteringTests
         double[] cosines = TestSettings.Thorough ? s_thorough : s_everyday;
         for (int i = 0; i < cosines.Length; i++)
         {
-                // Refraction differs by the side; of the others, every second angle is seen from inside.
+                // Twice as many points a cell each way make four times the work.
+            if (!TestSettings.Thorough && material.QuadraturePoints > 8 && i % 3 != 1)
+            {
+                continue;
+            }
+
+            // Refraction differs by the side; of the others, every second angle is seen from inside.
             bool both = TestSettings.Thorough || material.Index != 1;
             foreach (bool inside in !material.SeenFromBehind ? [false] : both ? [false, true] : new[] { i % 2 == 1 })
             {
@@ -203,9 +222,9 @@ public class ScatteringTests
     }
 
     // Light is counted as radiance over the square of the refractive index: what refraction does not change.
-    private static Vector3D Flux(MaterialCase material, SurfaceCase at, in ScatterW s, int lane)
+    private static Vector3D Flux(MaterialCase material, SurfaceCase at, in SurfaceW surface, in ScatterW s, int lane)
     {
-        bool isRefracted = Vector3D.Of(s.Direction, lane).Dot(at.Facing) < 0;
+        bool isRefracted = Vector3D.Of(s.Direction, lane).Dot(Facing(surface)) < 0;
         double index = at.Inside ? 1 / material.Index : material.Index;
         return Weight(s, lane) * (isRefracted ? index * index : 1);
     }
@@ -238,6 +257,7 @@ public class ScatteringTests
     {
         SurfaceW surface = at.Prepare(material.Material);
         SurfaceCase.Turn(ref surface, -view);
+        material.Material.Prepare(ref surface);
         return Bsdf(material, surface, light).Y;
     }
 
@@ -252,6 +272,10 @@ public class ScatteringTests
             }
         }
     }
+
+    private static Vector3D Facing(in SurfaceW surface) => Vector3D.Of(surface.Facing, 0);
+
+    private static Vector3D Mirror(in SurfaceW surface) => Vector3D.Of(Vec3W.Reflect(surface.Incoming, surface.Facing), 0).Unit;
 
     private static int Stream(SurfaceCase at) => (int)(at.Cosine * 10_000) + (at.Inside ? 20_000 : 0);
 

@@ -1,7 +1,6 @@
 using System.IO.Compression;
 using System.Numerics;
 using RayTracer.Description;
-using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
 using RayTracer.Tests.Imaging;
@@ -36,8 +35,8 @@ public class SerializedReaderTests
         File.WriteAllBytes(folder["two.serialized"], FileOf(4, Mesh(4, false, "a", hasMore: false), Mesh(4, false, "b", hasMore: false)));
         string Scene(int part) => $$"""{ "shapes": [{ "type": "mesh", "file": "two.serialized", "part": {{part}} }] }""";
         SceneLoadResult Load(int part) => SceneLoader.Build(SceneReader.ReadText(Scene(part), "scene.json"), folder.Path);
-        Assert.Equal(2, new SceneStatistics(Load(1).Scene!).Triangles);
-        Assert.Equal(4, new SceneStatistics(Load(-1).Scene!).Triangles);
+        Assert.Equal(2, new RayTracer.Rendering.SceneStatistics(Load(1).Scene!).Triangles);
+        Assert.Equal(4, new RayTracer.Rendering.SceneStatistics(Load(-1).Scene!).Triangles);
         Assert.Equal("there is no mesh 2 in \"two.serialized\": it has 2, counted from 0", Assert.Single(Load(2).Diagnostics).Message);
     }
 

@@ -123,7 +123,8 @@ public class SceneWriterTests
                 Assert.Equal(things.Cast<object>().Count(), others.Length);
                 Assert.All(things.Cast<object>().Zip(others), pair => AssertEqual(pair.First, pair.Second, path));
                 break;
-            case SceneDescription or CameraDescription or RenderDescription or FilterDescription or ShapeDescription or EnvironmentDescription or TransformDescription or KeyframeDescription:
+            case SceneDescription or CameraDescription or RenderDescription or FilterDescription or TextureDescription or ShapeDescription
+                or EnvironmentDescription or TransformDescription or KeyframeDescription:
                 Assert.All(RecordType.Of(expected.GetType()).Parameters, p => AssertEqual(p.Get(expected), p.Get(actual!), $"{path}.{p.Key}"));
                 break;
             default:

@@ -98,6 +98,41 @@ public class ShapeTests
 
     [Theory]
     [MemberData(nameof(Kinds))]
+    public void Points_move_with_uv_as_the_tangents_tell(string kind)
+    {
+        const float Step = 1e-3f;
+        Shape shape = Make(kind);
+        ShapeBatch batch = shape.CreateBatch([shape]);
+        int count = 0;
+        ForEachSample(shape, (from, sample, _) =>
+        {
+            SurfaceW here = default;
+            here.Point = Vec3W.MultiplyAdd(sample.Direction, sample.Distance, from);
+            batch.Describe(new PrimitiveIndex(0, batch.Stride), needsUv: true, ref here);
+            batch.DescribeTangents(new PrimitiveIndex(0, batch.Stride), ref here);
+            foreach (bool alongU in new[] { true, false })
+            {
+                Vec3W along = alongU ? here.AlongU : here.AlongV;
+                SurfaceW there = here;
+                there.Point = Vec3W.MultiplyAdd(along, Step, here.Point);
+                batch.Describe(new PrimitiveIndex(0, batch.Stride), needsUv: true, ref there);
+                (float u, float v) = (there.U[0] - here.U[0], there.V[0] - here.V[0]);
+                Assert.True(FloatW.Abs(Vec3W.Dot(along, here.Normal))[0] < 1e-4f * FloatW.Sqrt(Vec3W.Dot(along, along))[0], $"{kind}: a tangent leaves the surface");
+
+                // Not across an edge, the seam of a picture, or near the poles of a sphere.
+                if (Vec3W.Dot(here.Normal, there.Normal)[0] > 0.99f && Math.Abs(u) < 0.1f && Math.Abs(v) < 0.1f && !(shape is Sphere && here.V[0] is < 0.1f or > 0.9f))
+                {
+                    Assert.InRange(u, (alongU ? Step : 0) - (0.05f * Step), (alongU ? Step : 0) + (0.05f * Step));
+                    Assert.InRange(v, (alongU ? 0 : Step) - (0.05f * Step), (alongU ? 0 : Step) + (0.05f * Step));
+                    count++;
+                }
+            }
+        });
+        Assert.True(count > 100, $"{count} points");
+    }
+
+    [Theory]
+    [MemberData(nameof(Kinds))]
     public void Occlusion_agrees_with_the_nearest_hit(string kind)
     {
         Shape shape = Make(kind);

@@ -64,6 +64,8 @@ internal sealed record MaterialCase(string Name, Material Material)
         Rough("brushed titanium", MetalName.Titanium, MicrofacetDistribution.Beckmann, 0.2f, 0.5f),
         Rough("coarse tungsten", MetalName.Tungsten, MicrofacetDistribution.Beckmann, 0.8f, 0.8f),
         new("textured copper", new RoughConductorMaterial(new(MetalName.Copper), new(MicrofacetDistribution.Ggx, new UvTexture(), new UvTexture()), new UvTexture())) { Exponent = 16 },
+        new("compensated mirror", new RoughConductorMaterial(new(MetalName.None), RoughnessOf(MicrofacetDistribution.Ggx, 0.8f, 0.8f), Solid(1), true)) { Exponent = 1, Albedo = Rgb.White, AlbedoTolerance = MeanOfTable },
+        new("compensated gold", new RoughConductorMaterial(new(MetalName.Gold), RoughnessOf(MicrofacetDistribution.Beckmann, 0.6f, 0.6f), Solid(1), true)) { Exponent = 1 },
         Frosted("frosted glass", 1.5f, MicrofacetDistribution.Ggx, 0.3f, 0.3f),
         Frosted("frosted bubble", 1 / 1.4f, MicrofacetDistribution.Ggx, 0.4f, 0.4f),
         Frosted("streaked glass", 1.5f, MicrofacetDistribution.Ggx, 0.5f, 0.25f),
@@ -84,6 +86,21 @@ internal sealed record MaterialCase(string Name, Material Material)
         new("mix of mixes", new MixMaterial(new MixMaterial(Diffuse(1, 0.5f, 0), Glass(1.5f, Rgb.Black), Solid(0.3f)), new MixMaterial(Diffuse(0, 0.5f, 1), RoughIron(0.5f), Solid(0.6f)), Solid(0.4f))) { Index = 1.5, Exponent = 4, IsMixture = true },
         new("white lace", new MaskMaterial(Diffuse(1, 1, 1), new UvTexture())) { Albedo = Rgb.White },
         new("iron mesh", new MaskMaterial(RoughIron(0.4f), Solid(0.7f))) { Exponent = 4 },
+        new("translucent white", new TranslucentMaterial(Solid(0.3f), Solid(0.7f))) { Albedo = Rgb.White },
+        new("leaf", new TranslucentMaterial(new SolidTexture(new(0.1f, 0.3f, 0.1f)), new SolidTexture(new(0.2f, 0.5f, 0.05f)))) { AlbedoTolerance = MeanOfTwo },
+        new("phong", new PhongMaterial(null, new SolidTexture(new(0.5f, 0.3f, 0.1f)), Solid(0.4f), 40)) { Exponent = 40, IsMixture = true },
+        new("textured phong", new PhongMaterial(Solid(1), Solid(0), new UvTexture(), 10)) { Exponent = 10 },
+        new("embossed white", new NormalMapMaterial(Diffuse(1, 1, 1), new SolidTexture(new(0.7f, 0.4f, 0.9f)), 1)) { Albedo = Rgb.White },
+        new("embossed copper", new NormalMapMaterial(RoughIron(0.3f), new UvTexture(), 0.5f)) { Exponent = 10 },
+        new("wrinkled white", new BumpMapMaterial(Diffuse(1, 1, 1), new UvTexture(), 0.5f)) { Albedo = Rgb.White },
+        new("wrinkled plastic", new BumpMapMaterial(new PlasticMaterial(Solid(0.5f), 1.5f, true, Solid(1)), new UvTexture(), -0.7f)),
+        Principled("principled", new() { BaseColor = new UvTexture(), Roughness = Solid(0.5f) }),
+        Principled("principled metal", new() { BaseColor = new UvTexture(), Roughness = Solid(0.6f), Metallic = Solid(1), Anisotropic = Solid(0.5f) }),
+        Principled("car paint", new() { BaseColor = Solid(0.3f), Roughness = Solid(0.7f), Metallic = Solid(0.4f), Clearcoat = Solid(1), ClearcoatRoughness = Solid(1) }) with { Exponent = 60 },
+        Principled("cloth", new() { BaseColor = Solid(0.3f), Roughness = Solid(0.9f), Sheen = Solid(0.5f), SheenTint = Solid(0.5f), Flatness = Solid(0.5f), SpecularTint = Solid(0.3f) }),
+        Principled("principled glass", new() { BaseColor = new UvTexture(), Roughness = Solid(0.6f), Transmission = Solid(1) }) with { Index = 1.5, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 },
+        Principled("cloudy glass", new() { BaseColor = Solid(0.4f), Roughness = Solid(0.7f), Transmission = Solid(0.5f), Metallic = Solid(0.2f), Clearcoat = Solid(0.5f), ClearcoatRoughness = Solid(1) }) with { Exponent = 10, Index = 1.5, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 },
+        new("boundary of a cloud", new InvisibleMaterial(null)) { Albedo = Rgb.White },
         new("metal lamp", new LuminaireMaterial(new SolidTexture(Rgb.White), 2, 1, Metal(20).Material)) { Exponent = 20 },
     ];
 
@@ -95,6 +112,9 @@ internal sealed record MaterialCase(string Name, Material Material)
 
     // Where lobes of different weights are chosen by the multiples of the golden ratio, beside a grid of directions.
     private const double MeanOfTwo = 4e-4;
+
+    // A table of 128 angles is read by linear interpolation.
+    private const double MeanOfTable = 2e-3;
 
     // The last of 1,024 columns of cells holds all of a distribution's long tail.
     private const double MeanOfTails = 4e-4;
@@ -110,6 +130,9 @@ internal sealed record MaterialCase(string Name, Material Material)
 
     private static MaterialCase Frosted(string name, float index, MicrofacetDistribution distribution, float alphaU, float alphaV) =>
         new(name, new RoughDielectricMaterial(index, RoughnessOf(distribution, alphaU, alphaV), Solid(1), Solid(1))) { Index = index, Exponent = 1, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 };
+
+    private static MaterialCase Principled(string name, PrincipledTextures textures) =>
+        new(name, new PrincipledMaterial(textures, 1.5f)) { Exponent = 4, MeanTolerance = MeanOfTails };
 
     private static DiffuseMaterial Diffuse(float r, float g, float b) => new(new SolidTexture(new(r, g, b)));
 

@@ -1,4 +1,3 @@
-using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
@@ -42,13 +41,12 @@ internal sealed class GltfScene
 
         scene.NoteWhatIsLeftOut();
         List<ShapeDescription> shapes = scene.Shapes();
-        (Vector3 center, float extent) = DefaultView.CenterAndExtent(shapes);
         return new(
             new SceneDescription
             {
                 Objects = scene._objects.Shared,
                 Shapes = shapes,
-                Lights = [.. scene._lamps.Select(l => scene._lights.Describe(l.Light, l.World, center, extent)).OfType<ShapeDescription>()],
+                Lights = [.. scene._lamps.Select(l => scene._lights.Describe(l.Light, l.World)).OfType<ShapeDescription>()],
                 Render = GltfCameras.PictureSize(scene._aspectRatio),
             },
             document.Notes.All)

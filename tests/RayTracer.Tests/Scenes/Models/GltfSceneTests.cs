@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Scenes;
@@ -91,42 +92,42 @@ public class GltfSceneTests
     }
 
     [Fact]
-    public void A_point_light_is_a_sphere_of_the_same_intensity()
+    public void A_point_light_is_one_of_the_same_intensity()
     {
-        var sphere = Assert.IsType<SphereDescription>(Light("""{ "type": "point", "color": [1, 0.5, 0.25], "intensity": 20 }"""));
-        var lamp = Assert.IsType<LuminaireMaterialDescription>(sphere.Material);
-        Assert.Equal(new Vector3(0, 5, 0), sphere.Center);
-        Assert.Equal(new Rgb(1, 0.5f, 0.25f), Assert.IsType<SolidTextureDescription>(lamp.Color).Color);
-        Assert.Equal(20, lamp.Multiplier * float.Pi * sphere.Radius * sphere.Radius, 1e-3f);
-        Assert.InRange(sphere.Radius, 0.001f, 0.02f);
+        var light = Assert.IsType<PointLightDescription>(Light("""{ "type": "point", "color": [1, 0.5, 0.25], "intensity": 20 }"""));
+        Assert.Equal((new Vector3(0, 5, 0), new Rgb(20, 10, 5)), (light.Position, light.Intensity));
     }
 
     [Theory]
     [InlineData(0, 0.785398f)]
     [InlineData(0.3f, 0.4f)]
-    [InlineData(0, 1.570796f)]
-    public void A_spot_light_is_as_strong_along_its_axis_and_half_as_strong_where_it_is_half(float inner, float outer)
+    [InlineData(0.2f, 1.570796f)]
+    public void A_spot_light_has_its_intensity_cone_and_falloff(float inner, float outer)
     {
-        var disk = Assert.IsType<DiskDescription>(Light($$"""{ "type": "spot", "intensity": 20, "spot": { "innerConeAngle": {{inner}}, "outerConeAngle": {{outer}} } }"""));
-        var lamp = Assert.IsType<LuminaireMaterialDescription>(disk.Material);
-        Assert.Equal(-1, disk.Normal.Y, 1e-5f);
-        double area = Math.PI * disk.Radius * disk.Radius;
-        Assert.Equal(20, lamp.Multiplier * area, 1e-3);
-
-        // The attenuation of the extension is the square of what falls from 1 to 0 in proportion to the cosine.
-        double cosine = Math.Cos(outer) + (Math.Sqrt(0.5) * (Math.Cos(inner) - Math.Cos(outer)));
-        Assert.Equal(0.5, Math.Pow(cosine, lamp.Exponent + 1), 1e-3);
+        var light = Assert.IsType<SpotLightDescription>(Light($$"""{ "type": "spot", "intensity": 20, "spot": { "innerConeAngle": {{inner}}, "outerConeAngle": {{outer}} } }"""));
+        Assert.Equal((new Vector3(0, 5, 0), new Rgb(20, 20, 20), SpotFalloff.Smooth), (light.Position, light.Intensity, light.Falloff));
+        Assert.Equal(-1, light.Direction.Y, 1e-5f);
+        Assert.Equal(inner * 180 / Math.PI, light.BeamWidth!.Value, 1e-3);
+        Assert.Equal(outer * 180 / Math.PI, light.CutoffAngle, 1e-3);
     }
 
     [Fact]
-    public void A_directional_light_is_as_wide_as_the_sun_and_of_the_same_irradiance()
+    public void A_directional_light_has_its_direction_and_irradiance()
     {
-        var sphere = Assert.IsType<SphereDescription>(Light("""{ "type": "directional", "intensity": 3 }"""));
-        double distance = (sphere.Center - new Vector3(0.5f, 0.5f, 0)).Length();
-        Assert.Equal(0.53, 2 * Math.Asin(sphere.Radius / distance) * 180 / Math.PI, 1e-3);
-        double sine = sphere.Radius / distance;
-        Assert.Equal(3, Math.PI * sine * sine * ((LuminaireMaterialDescription)sphere.Material).Multiplier, 1e-3);
-        Assert.InRange(sphere.Center.Y, 100f, 1e6f);
+        var light = Assert.IsType<DirectionalLightDescription>(Light("""{ "type": "directional", "intensity": 3 }"""));
+        Assert.Equal(new Rgb(3, 3, 3), light.Irradiance);
+        Assert.Equal(-1, light.Direction.Y, 1e-5f);
+    }
+
+    [Fact]
+    public void Lights_of_a_file_light_what_it_shows()
+    {
+        foreach (string type in new[] { "point", "spot", "directional" })
+        {
+            SceneBuilder builder = new((_, _) => throw new NotSupportedException());
+            Assert.Single(builder.Build(new() { Lights = [Light($$"""{ "type": "{{type}}" }""")] })!.Lights);
+            Assert.Empty(builder.Complaints);
+        }
     }
 
     [Fact]
