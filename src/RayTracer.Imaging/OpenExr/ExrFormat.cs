@@ -11,6 +11,9 @@ internal static class ExrFormat
     public const int ShortName = 31;
     public const int LongName = 255;
 
+    /// <summary>A compression that is read, but not written.</summary>
+    public const ExrCompression Piz = (ExrCompression)4;
+
     /// <summary>Names to which the format itself gives a meaning: no texts of a user.</summary>
     public static readonly string[] Attributes =
     [
@@ -23,5 +26,10 @@ internal static class ExrFormat
     public static ReadOnlySpan<byte> Magic => [0x76, 0x2F, 0x31, 0x01];
 
     /// <summary>Rows that are compressed together.</summary>
-    public static int RowsOfBlock(ExrCompression compression) => compression == ExrCompression.Zip ? 16 : 1;
+    public static int RowsOfBlock(ExrCompression compression) => compression switch
+    {
+        ExrCompression.Zip => 16,
+        Piz => PizDecoder.Rows,
+        _ => 1,
+    };
 }

@@ -153,12 +153,12 @@ internal sealed class ExrHeader
             throw new PictureException($"its header has no (valid) attribute '{missing}'");
         }
 
-        if (_compression > (int)ExrCompression.Zip)
+        if (_compression > (int)ExrCompression.Zip && Compression != ExrFormat.Piz)
         {
             string[] names = ["PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB"];
             int index = _compression!.Value - 4;
             string name = index < names.Length ? names[index] : $"number {_compression}";
-            throw new PictureException($"its compression is {name}, and only NONE, RLE, ZIPS and ZIP are read");
+            throw new PictureException($"its compression is {name}, and only NONE, RLE, ZIPS, ZIP and PIZ are read");
         }
 
         PictureLimits.CheckSize((long)_dataWindow![2] - Left + 1, (long)_dataWindow[3] - Top + 1);

@@ -100,7 +100,9 @@ public static class ExrReader
         foreach (ExrBlock block in blocks)
         {
             ReadOnlySpan<byte> packed = file.Slice(block.Offset, block.PackedBytes);
-            ReadOnlySpan<byte> values = ExrBlockCodec.Decompress(header.Compression, packed, block.Bytes);
+            ReadOnlySpan<byte> values = header.Compression == ExrFormat.Piz && packed.Length != block.Bytes
+                ? PizDecoder.Decode(packed, header, block) ?? throw new PictureException("one of its blocks of pixels is damaged")
+                : ExrBlockCodec.Decompress(header.Compression, packed, block.Bytes);
             for (int y = block.FirstRow; y < block.FirstRow + block.Rows; y++)
             {
                 for (int c = 0; c < header.Channels.Count; c++)

@@ -106,7 +106,7 @@ public class ExrTests
         { "of several parts", new TestExr { Version = 0x1002 }.File() },
         { "of deep data", new TestExr { Version = 0x802 }.File() },
         { "version word is 3", new TestExr { Version = 3 }.File() },
-        { "compression is PIZ", new TestExr { Compression = 4 }.File() },
+        { "compression is PXR24", new TestExr { Compression = 5 }.File() },
         { "compression is DWAB", new TestExr { Compression = 9 }.File() },
         { "compression is number 77", new TestExr { Compression = 77 }.File() },
         { "channels A, G, and only R, G and B", new TestExr { Channels = [("A", 1, 1, 1), ("G", 1, 1, 1)] }.File() },

@@ -106,6 +106,7 @@ public class ImageMagickTests
     [InlineData("None")]
     [InlineData("ZipS")]
     [InlineData("Zip")]
+    [InlineData("Piz")]
     public void Its_OpenEXR_is_read_with_the_bits_of_its_halves(string compression)
     {
         ImageMagick.SkipUnlessThere();
@@ -122,7 +123,7 @@ public class ImageMagickTests
         ImageMagick.SkipUnlessThere();
         using TemporaryFolder folder = new();
         ImageFile.Write(folder["source.pfm"], s_light);
-        foreach (string compression in (string[])["Piz", "Pxr24"])
+        foreach (string compression in (string[])["Pxr24"])
         {
             ImageMagick.Convert(folder["source.pfm"], "-compress", compression, folder["a.exr"]);
             Assert.Contains($"its compression is {compression.ToUpperInvariant()}", TestPictures.Refusal(File.ReadAllBytes(folder["a.exr"])), StringComparison.Ordinal);
