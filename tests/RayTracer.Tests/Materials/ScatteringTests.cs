@@ -206,7 +206,7 @@ public class ScatteringTests
         double[] cosines = TestSettings.Thorough ? s_thorough : s_everyday;
         for (int i = 0; i < cosines.Length; i++)
         {
-                // Twice as many points a cell each way make four times the work.
+            // Twice as many points a cell each way make four times the work.
             if (!TestSettings.Thorough && material.QuadraturePoints > 8 && i % 3 != 1)
             {
                 continue;
