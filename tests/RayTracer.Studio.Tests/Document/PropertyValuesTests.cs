@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json.Nodes;
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Scenes;
 using RayTracer.Session;
 using JsonNode = System.Text.Json.Nodes.JsonNode;
@@ -76,7 +77,7 @@ public sealed class PropertyValuesTests
     {
         ParameterKind.Number => JsonValue.Create(Inside(parameter)),
         ParameterKind.Integer => JsonValue.Create((int)Math.Max(1, Inside(parameter))),
-        ParameterKind.Boolean => JsonValue.Create(!(bool)parameter.Default!),
+        ParameterKind.Boolean => JsonValue.Create(parameter.Default is not true),
         ParameterKind.Text or ParameterKind.File => JsonValue.Create("a \"quoted\" \\ name\t"),
         ParameterKind.Choice => JsonValue.Create(parameter.Choices[^1]),
         ParameterKind.Vector2 => new JsonArray(0.25, 0.5),
@@ -86,6 +87,7 @@ public sealed class PropertyValuesTests
         ParameterKind.Materials => JsonNode.Parse("""[{ "type": "diffuse" }]""")!,
         ParameterKind.Shape => JsonNode.Parse("""{ "type": "sphere", "center": [0, 0, 0] }""")!,
         ParameterKind.Shapes => JsonNode.Parse("""[{ "type": "sphere", "center": [0, 0, 0] }]""")!,
+        ParameterKind.Record when parameter.RecordType == typeof(MediumDescription) => JsonNode.Parse("""{ "extinction": [1, 2, 3] }""")!,
         ParameterKind.Records when parameter.RecordType == typeof(KeyframeDescription) => JsonNode.Parse("""[{ "time": 1 }]""")!,
         ParameterKind.Records => JsonNode.Parse("""[{ "translate": [1, 2, 3] }]""")!,
         ParameterKind.Numbers => new JsonArray(1, 2.5),
