@@ -88,7 +88,7 @@ internal sealed record MaterialCase(string Name, Material Material)
         new("iron mesh", new MaskMaterial(RoughIron(0.4f), Solid(0.7f))) { Exponent = 4 },
         new("translucent white", new TranslucentMaterial(Solid(0.3f), Solid(0.7f))) { Albedo = Rgb.White },
         new("leaf", new TranslucentMaterial(new SolidTexture(new(0.1f, 0.3f, 0.1f)), new SolidTexture(new(0.2f, 0.5f, 0.05f)))) { AlbedoTolerance = MeanOfTwo },
-        new("phong", new PhongMaterial(null, new SolidTexture(new(0.5f, 0.3f, 0.1f)), Solid(0.4f), 40)) { Exponent = 40, IsMixture = true },
+        new("phong", new PhongMaterial(null, new SolidTexture(new(0.5f, 0.3f, 0.1f)), Solid(0.4f), 40)) { Exponent = 40, IsMixture = true, MeanTolerance = MeanOfTwo },
         new("textured phong", new PhongMaterial(Solid(1), Solid(0), new UvTexture(), 10)) { Exponent = 10 },
         new("embossed white", new NormalMapMaterial(Diffuse(1, 1, 1), new SolidTexture(new(0.7f, 0.4f, 0.9f)), 1)) { Albedo = Rgb.White },
         new("embossed copper", new NormalMapMaterial(RoughIron(0.3f), new UvTexture(), 0.5f)) { Exponent = 10 },
