@@ -42,8 +42,8 @@ public class MitsubaReferenceTests(ITestOutputHelper output)
         Skip.If(folder is null || name == Missing, Missing);
         string file = Path.Combine(folder, "scenes", $"{name}.xml");
         ReferenceMoments reference = ReferenceComparison.Read(folder, name);
-        int samples = s_caustics.Contains(name) ? TestSettings.Scale(16, 64) : TestSettings.Scale(4, 64);
-        int seeds = s_caustics.Contains(name) ? 64 : TestSettings.Scale(24, 64);
+        int samples = s_caustics.Contains(name) ? TestSettings.Scale(16, 36) : TestSettings.Scale(4, 36);
+        int seeds = s_caustics.Contains(name) ? 64 : TestSettings.Scale(24, 32);
         ImageSamples images = SceneRuns.Render(file, seeds, d => d with { Render = d.Render with { SamplesPerPixel = samples } });
         if (s_smooth.Contains(name))
         {

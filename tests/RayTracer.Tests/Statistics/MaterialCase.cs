@@ -25,6 +25,12 @@ internal sealed record MaterialCase(string Name, Material Material)
     /// <summary>How far a moment of a grid of samples may lie from the integral.</summary>
     public double MeanTolerance { get; init; } = 1e-4;
 
+    /// <summary>
+    /// The smallest cosine between ray and normal at which it is tested. Closer to the horizon, the quadrature of lobes that it cuts is off by more than
+    /// what is tested (measured: a polished metal's integral at 0.001 changes by 0.2 % with three times as many points).
+    /// </summary>
+    public double SmallestCosine => Material is DiffuseMaterial or PhongMetalMaterial or DielectricMaterial or DiffuseSpecularMaterial or LuminaireMaterial ? 0.001 : 0.01;
+
     /// <summary>Points of the quadrature of a cell in each direction: more for narrow lobes beside that around the mirror direction.</summary>
     public int QuadraturePoints { get; init; } = 8;
 
@@ -88,7 +94,7 @@ internal sealed record MaterialCase(string Name, Material Material)
         new("iron mesh", new MaskMaterial(RoughIron(0.4f), Solid(0.7f))) { Exponent = 4 },
         new("translucent white", new TranslucentMaterial(Solid(0.3f), Solid(0.7f))) { Albedo = Rgb.White },
         new("leaf", new TranslucentMaterial(new SolidTexture(new(0.1f, 0.3f, 0.1f)), new SolidTexture(new(0.2f, 0.5f, 0.05f)))) { AlbedoTolerance = MeanOfTwo },
-        new("phong", new PhongMaterial(null, new SolidTexture(new(0.5f, 0.3f, 0.1f)), Solid(0.4f), 40)) { Exponent = 40, IsMixture = true, MeanTolerance = MeanOfTwo },
+        new("phong", new PhongMaterial(null, new SolidTexture(new(0.5f, 0.3f, 0.1f)), Solid(0.4f), 40)) { Exponent = 40, IsMixture = true },
         new("textured phong", new PhongMaterial(Solid(1), Solid(0), new UvTexture(), 10)) { Exponent = 10 },
         new("embossed white", new NormalMapMaterial(Diffuse(1, 1, 1), new SolidTexture(new(0.7f, 0.4f, 0.9f)), 1)) { Albedo = Rgb.White },
         new("embossed copper", new NormalMapMaterial(RoughIron(0.3f), new UvTexture(), 0.5f)) { Exponent = 10 },
