@@ -13,7 +13,7 @@ namespace RayTracer.Rendering;
 /// Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4), or, where there are many lights, of one
 /// that is chosen.
 /// </summary>
-internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
+internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
 {
     // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
@@ -21,8 +21,11 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     private readonly LightSource[] _lights = [.. scene.SampledLights];
     private readonly LightSelection? _selection = scene.LightSelection;
     private readonly Transmittance? _transmittance = scene.HasMedia ? new(scene) : null;
-    private readonly ShapeSampleW[] _samples = new ShapeSampleW[Batch];
-    private readonly RgbW[] _radiance = new RgbW[Batch];
+
+    // Where registers are whole cache lines, as on the stack they are not.
+    private readonly PinnedBuffer<ShapeSampleW> _samples = new(Batch);
+    private readonly PinnedBuffer<RgbW> _radiance = new(Batch);
+    private readonly PinnedBuffer<LitW> _lit = new(1);
 
     public long ShadowRays { get; private set; }
 
@@ -53,21 +56,20 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     public void Add(in SurfaceW surface, Material? material, in UIntW media, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
-        LitW lit = new()
-        {
-            Side = side,
-            Origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point),
-            Media = media,
-            Time = time,
-            Transmits = material is { Transmits: true },
-            IsSmoothed = isSmoothed,
-        };
-        Vec3W from = lit.Transmits ? surface.Point : lit.Origin;
-        RgbW arriving = default;
+        ref LitW lit = ref *_lit.Pointer;
+        lit.Side = side;
+        lit.Origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point);
+        lit.Media = media;
+        lit.Time = time;
+        lit.Transmits = material is { Transmits: true };
+        lit.IsSmoothed = isSmoothed;
+        lit.From = lit.Transmits ? surface.Point : lit.Origin;
+        ref RgbW arriving = ref lit.Arriving;
+        arriving = default;
         queue?.Begin(weight);
         if (_selection is not null)
         {
-            AddChosen(surface, material, lit, from, samples, active, ref arriving);
+            AddChosen(surface, material, lit, lit.From, samples, active, ref arriving);
         }
 
         for (int first = 0; first < _lights.Length && _selection is null; first += Batch)
@@ -75,13 +77,13 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
             int count = Math.Min(Batch, _lights.Length - first);
             for (int i = 0; i < count; i++)
             {
-                samples.Light(first + i, out FloatW u, out FloatW v);
-                _lights[first + i].Sample(from, u, v, time, out _samples[i], out _radiance[i]);
+                samples.Light(first + i, out lit.U, out lit.V);
+                _lights[first + i].Sample(lit.From, lit.U, lit.V, time, out _samples.Pointer[i], out _radiance.Pointer[i]);
             }
 
             for (int i = 0; i < count; i++)
             {
-                Connect(surface, material, lit, first + i, _samples[i], active, _radiance[i], ref arriving);
+                Connect(surface, material, lit, first + i, _samples.Pointer[i], active, _radiance.Pointer[i], ref arriving);
             }
         }
 
@@ -221,6 +223,9 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     {
         public Vec3W Side;
         public Vec3W Origin;
+        public Vec3W From;
+        public FloatW U, V;
+        public RgbW Arriving;
         public UIntW Media;
         public FloatW Time;
         public bool Transmits;

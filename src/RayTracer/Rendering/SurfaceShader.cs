@@ -14,6 +14,8 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder)
 {
+    // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
+    private readonly PinnedBuffer<PacketW> _packet = new(1);
     private SampleRange _samples;
 
     /// <summary>How many shadow rays were traced.</summary>
@@ -29,6 +31,9 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     protected VertexSamples Vertex { get; } = new(scene.Sampler);
 
     protected RayGenerator Generator { get; private set; } = null!;
+
+    /// <summary>Room for what is known of the packet that is shaded.</summary>
+    protected ref PacketW Packet => ref *_packet.Pointer;
 
     /// <summary>Makes that of a scene's integrator.</summary>
     public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) => scene.Render.Integrator switch
@@ -258,5 +263,20 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     {
         FloatW side = FloatW.CopySign(surface.Offset, Vec3W.Dot(direction, surface.Normal));
         return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);
+    }
+
+    /// <summary>What shading works with, beside what the stream has.</summary>
+    protected struct PacketW
+    {
+        public SurfaceW Surface;
+        public ScatterW Scatter;
+        public RgbW Throughput;
+        public RgbW Radiance;
+        public UIntW Path;
+        public UIntW Vertex;
+        public UIntW Media;
+        public FloatW Time;
+        public FloatW Pdf;
+        public Vec3W Origin;
     }
 }

@@ -7,14 +7,12 @@ namespace RayTracer.Sampling;
 /// with a reference in it would have the caller's whole stack frame cleared at every call.
 /// </summary>
 /// <param name="sampler">Where the numbers come from.</param>
-public sealed class VertexSamples(Sampler sampler)
+public sealed unsafe class VertexSamples(Sampler sampler)
 {
     private const float LargestBelowOne = 0.99999994f;
-    private UIntW _pixelKey;
-    private UIntW _sample;
-    private UIntW _group;
-    private SamplePoints _points;
-    private FloatW _rest;
+
+    // Registers that lie across two cache lines are slow to store and load: the runtime aligns neither its stack nor its objects.
+    private readonly PinnedBuffer<VertexW> _vertex = new(1);
     private bool _hasRest;
 
     /// <summary>Turns to a vertex.</summary>
@@ -23,22 +21,23 @@ public sealed class VertexSamples(Sampler sampler)
     /// <param name="vertex">Number of the vertex on its path, from 0.</param>
     public void Begin(in UIntW pixelKey, in UIntW sample, in UIntW vertex)
     {
-        _pixelKey = pixelKey;
-        _sample = sample;
-        _group = (vertex * Dimensions.GroupsPerVertex) + Dimensions.FirstVertex;
-        sampler.Begin(pixelKey, sample, _group, out _points);
+        ref VertexW at = ref *_vertex.Pointer;
+        at.PixelKey = pixelKey;
+        at.Sample = sample;
+        at.Group = (vertex * Dimensions.GroupsPerVertex) + Dimensions.FirstVertex;
+        sampler.Begin(at.PixelKey, at.Sample, at.Group, out at.Points);
         _hasRest = false;
     }
 
     /// <summary>The two numbers that choose the direction of scattering.</summary>
-    public void Direction(out FloatW u, out FloatW v) => sampler.Pair(_points, Dimensions.Direction, out u, out v);
+    public void Direction(out FloatW u, out FloatW v) => sampler.Pair(_vertex.Pointer->Points, Dimensions.Direction, out u, out v);
 
     /// <summary>The number that chooses between lobes.</summary>
     public FloatW Choice()
     {
         if (_hasRest)
         {
-            return _rest;
+            return _vertex.Pointer->Rest;
         }
 
         Decisions(0, out FloatW u, out _);
@@ -63,7 +62,7 @@ public sealed class VertexSamples(Sampler sampler)
     /// <summary>Sets the number that the next <see cref="Choice"/> of this vertex is.</summary>
     public void Leave(in FloatW rest)
     {
-        _rest = rest;
+        _vertex.Pointer->Rest = rest;
         _hasRest = true;
     }
 
@@ -86,7 +85,7 @@ public sealed class VertexSamples(Sampler sampler)
     /// <param name="u">First number.</param>
     /// <param name="v">Second number.</param>
     public void Light(int light, out FloatW u, out FloatW v) =>
-        sampler.Pair(_points, Dimensions.FirstLight + (uint)light, out u, out v);
+        sampler.Pair(_vertex.Pointer->Points, Dimensions.FirstLight + (uint)light, out u, out v);
 
     /// <summary>The two numbers that decide how far a path flies through a medium.</summary>
     /// <param name="crossings">How many boundaries it has crossed since the vertex.</param>
@@ -94,13 +93,24 @@ public sealed class VertexSamples(Sampler sampler)
     /// <param name="v">Second number.</param>
     public void Flight(UIntW crossings, out FloatW u, out FloatW v)
     {
-        sampler.Begin(_pixelKey, _sample, (_group << 8) + Dimensions.FirstFlight + crossings, out SamplePoints points);
+        sampler.Begin(_vertex.Pointer->PixelKey, _vertex.Pointer->Sample, (_vertex.Pointer->Group << 8) + Dimensions.FirstFlight + crossings, out SamplePoints points);
         sampler.Pair(points, 0, out u, out v);
     }
 
     private void Decisions(uint pair, out FloatW u, out FloatW v)
     {
-        sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);
-        sampler.Pair(points, pair, out u, out v);
+        ref VertexW at = ref *_vertex.Pointer;
+        sampler.Begin(at.PixelKey, at.Sample, at.Group + 1u, out at.Decisions);
+        sampler.Pair(at.Decisions, pair, out u, out v);
+    }
+
+    private struct VertexW
+    {
+        public UIntW PixelKey;
+        public UIntW Sample;
+        public UIntW Group;
+        public SamplePoints Points;
+        public SamplePoints Decisions;
+        public FloatW Rest;
     }
 }
