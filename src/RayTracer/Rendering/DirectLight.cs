@@ -69,7 +69,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
         queue?.Begin(weight);
         if (_selection is not null)
         {
-            AddChosen(surface, material, lit, lit.From, samples, active, ref arriving);
+            AddChosen(surface, material, ref lit, lit.From, samples, active, ref arriving);
         }
 
         for (int first = 0; first < _lights.Length && _selection is null; first += Batch)
@@ -83,7 +83,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
 
             for (int i = 0; i < count; i++)
             {
-                Connect(surface, material, lit, first + i, _samples.Pointer[i], active, _radiance.Pointer[i], ref arriving);
+                Connect(surface, material, ref lit, first + i, _samples.Pointer[i], active, _radiance.Pointer[i], ref arriving);
             }
         }
 
@@ -133,7 +133,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
 
     // One light of many for each lane, those of the same light together.
     private void AddChosen(
-        in SurfaceW surface, Material? material, in LitW lit, in Vec3W from, VertexSamples samples, in MaskW active, ref RgbW arriving)
+        in SurfaceW surface, Material? material, ref LitW lit, in Vec3W from, VertexSamples samples, in MaskW active, ref RgbW arriving)
     {
         Vec3W normal = lit.Transmits ? default : surface.Facing;
         _selection!.Choose(from, normal, samples.LightChoice(), out UIntW chosen, out FloatW probability);
@@ -146,7 +146,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
             MaskW same = rest & UIntW.Equal(chosen, (uint)light);
             _lights[light].Sample(from, u, v, lit.Time, out ShapeSampleW sample, out RgbW radiance);
             sample.InversePdf *= inverse;
-            Connect(surface, material, lit, light, sample, same, radiance * inverse, ref arriving);
+            Connect(surface, material, ref lit, light, sample, same, radiance * inverse, ref arriving);
             rest = rest.Except(same);
         }
     }
@@ -154,11 +154,16 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
     // What arrives from a chosen point of a light, unless something is in the way.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Connect(
-        in SurfaceW surface, Material? material, in LitW lit, int light, in ShapeSampleW sample, MaskW lanes, RgbW radiance, ref RgbW arriving)
+        in SurfaceW surface, Material? material, ref LitW lit, int light, in ShapeSampleW sample, MaskW lanes, in RgbW brought, ref RgbW arriving)
     {
-        FloatW cosine = Vec3W.Dot(sample.Direction, surface.Facing);
-        MaskW free = lanes & (sample.InversePdf > 0f);
-        Vec3W origin = lit.Origin;
+        ref RgbW radiance = ref lit.Radiance;
+        ref FloatW cosine = ref lit.Cosine;
+        ref MaskW free = ref lit.Free;
+        radiance = brought;
+        cosine = Vec3W.Dot(sample.Direction, surface.Facing);
+        free = lanes & (sample.InversePdf > 0f);
+        ref Vec3W origin = ref lit.Start;
+        origin = lit.Origin;
         if (lit.Transmits)
         {
             free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
@@ -208,12 +213,13 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
     // What of a light's sample goes on, and what scattered rays leave of it.
     private void Scatter(in SurfaceW surface, Material material, int light, in ShapeSampleW sample, ref MaskW free, ref RgbW radiance)
     {
-        material.Bsdf(surface, sample.Direction, out RgbW bsdf);
+        ref RgbW bsdf = ref _lit.Pointer->Bsdf;
+        ref FloatW pdf = ref _lit.Pointer->Pdf;
+        material.Evaluate(surface, sample.Direction, out bsdf, out pdf);
         free = free.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f));
         radiance *= bsdf;
         if (!_lights[light].IsDelta)
         {
-            material.Pdf(surface, sample.Direction, out FloatW pdf);
             radiance *= Weight(1f, pdf * sample.InversePdf);
         }
     }
@@ -224,8 +230,14 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
         public Vec3W Side;
         public Vec3W Origin;
         public Vec3W From;
+        public Vec3W Start;
         public FloatW U, V;
         public RgbW Arriving;
+        public RgbW Radiance;
+        public RgbW Bsdf;
+        public FloatW Pdf;
+        public FloatW Cosine;
+        public MaskW Free;
         public UIntW Media;
         public FloatW Time;
         public bool Transmits;

@@ -106,7 +106,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }
 
-        Survive(vertex, ref alive, ref throughput);
+        alive = Survive(vertex, alive, ref throughput);
         Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
@@ -201,7 +201,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Vertex.Direction(out FloatW u, out FloatW v);
         Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
-        Survive(vertex, ref alive, ref throughput);
+        alive = Survive(vertex, alive, ref throughput);
         Recorder?.InMedium(stream, index, active, alive, point, pdf);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
@@ -292,20 +292,20 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
     }
 
     // Ends paths at random, and makes those that go on brighter, so that the mean stays.
-    private void Survive(UIntW vertex, ref MaskW alive, ref RgbW throughput)
+    private MaskW Survive(UIntW vertex, MaskW alive, ref RgbW throughput)
     {
         MaskW asked = alive & (vertex + 1u > (uint)Scene.Render.RouletteDepth);
         if (!asked.Any)
         {
-            return;
+            return alive;
         }
 
         FloatW most = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
 
         // Written so that a path whose throughput is not a number goes on, and is counted at its end.
         FloatW survival = (most < LargestSurvival).Select(most, LargestSurvival);
-        alive = alive.Except(asked & (Vertex.Roulette() >= survival));
         throughput *= asked.Select(1f / survival, 1f);
+        return alive.Except(asked & (Vertex.Roulette() >= survival));
     }
 
     // Light of the surface itself: in full where no light could have been sampled for it, and weighted else.

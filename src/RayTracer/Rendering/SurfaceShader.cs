@@ -58,15 +58,19 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         {
             uint* index = members + i;
             MaskW active = MaskW.First(count - i);
-            Vec3W direction = stream.PickDirection(index);
-            Arrive(stream, index, direction, out RgbW arriving);
-            RgbW radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), arriving, stream.PickRadiance(index));
+            ref Vec3W direction = ref Packet.Surface.Incoming;
+            ref RgbW radiance = ref Packet.Radiance;
+            ref UIntW path = ref Packet.Path;
+            path = UIntW.Pick(stream.Path, index);
+            direction = stream.PickDirection(index);
+            Arrive(stream, index, direction, out radiance);
+            radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), radiance, stream.PickRadiance(index));
 
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
             recorder?.Missed(stream, index, active);
-            finished.Append(active.Bits, radiance, UIntW.Pick(stream.Path, index));
+            finished.Append(active.Bits, radiance, path);
         }
     }
 
@@ -158,10 +162,10 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     private static void DescribeTable(ShadingGroup group, PathStream stream, uint* index, bool needsUv, ref SurfaceW surface)
     {
         int stride = group.Batch.Stride;
-        PrimitiveIndex primitives = group.OnlyIndex >= 0
+        surface.Primitives = group.OnlyIndex >= 0
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
-        group.Batch.Describe(primitives, needsUv, ref surface);
+        group.Batch.Describe(surface.Primitives, needsUv, ref surface);
         if (group.UsesLocal)
         {
             surface.Local = surface.Point;
@@ -169,7 +173,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
         if (group.UsesTangent)
         {
-            group.Batch.DescribeTangents(primitives, ref surface);
+            group.Batch.DescribeTangents(surface.Primitives, ref surface);
         }
     }
 

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Numerics;
 
 namespace RayTracer.Sampling;
@@ -19,7 +20,8 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     /// <param name="pixelKey">Keys of the pixels.</param>
     /// <param name="sample">Numbers of the samples.</param>
     /// <param name="vertex">Number of the vertex on its path, from 0.</param>
-    public void Begin(in UIntW pixelKey, in UIntW sample, in UIntW vertex)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Begin(UIntW pixelKey, UIntW sample, UIntW vertex)
     {
         ref VertexW at = ref *_vertex.Pointer;
         at.PixelKey = pixelKey;
@@ -30,7 +32,8 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     }
 
     /// <summary>The two numbers that choose the direction of scattering.</summary>
-    public void Direction(out FloatW u, out FloatW v) => sampler.Pair(_vertex.Pointer->Points, Dimensions.Direction, out u, out v);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Direction(out FloatW u, out FloatW v) => Pair(Dimensions.Direction, out u, out v);
 
     /// <summary>The number that chooses between lobes.</summary>
     public FloatW Choice()
@@ -84,8 +87,9 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     /// <param name="light">The light's number.</param>
     /// <param name="u">First number.</param>
     /// <param name="v">Second number.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Light(int light, out FloatW u, out FloatW v) =>
-        sampler.Pair(_vertex.Pointer->Points, Dimensions.FirstLight + (uint)light, out u, out v);
+        Pair(Dimensions.FirstLight + (uint)light, out u, out v);
 
     /// <summary>The two numbers that decide how far a path flies through a medium.</summary>
     /// <param name="crossings">How many boundaries it has crossed since the vertex.</param>
@@ -97,11 +101,23 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         sampler.Pair(points, 0, out u, out v);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Pair(uint pair, out FloatW u, out FloatW v)
+    {
+        ref VertexW at = ref *_vertex.Pointer;
+        sampler.Pair(at.Points, pair, out at.U, out at.V);
+        u = at.U;
+        v = at.V;
+    }
+
     private void Decisions(uint pair, out FloatW u, out FloatW v)
     {
         ref VertexW at = ref *_vertex.Pointer;
-        sampler.Begin(at.PixelKey, at.Sample, at.Group + 1u, out at.Decisions);
-        sampler.Pair(at.Decisions, pair, out u, out v);
+        at.Next = at.Group + 1u;
+        sampler.Begin(at.PixelKey, at.Sample, at.Next, out at.Decisions);
+        sampler.Pair(at.Decisions, pair, out at.U, out at.V);
+        u = at.U;
+        v = at.V;
     }
 
     private struct VertexW
@@ -111,6 +127,8 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         public UIntW Group;
         public SamplePoints Points;
         public SamplePoints Decisions;
+        public UIntW Next;
+        public FloatW U, V;
         public FloatW Rest;
     }
 }
