@@ -93,6 +93,9 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
         radiance = color * Falloff(cosine);
     }
 
+    /// <summary>The same luminaire as another object.</summary>
+    internal LuminaireMaterial Copy() => (LuminaireMaterial)MemberwiseClone();
+
     /// <summary>Colour of the emitted light if it does not depend on uv, else null.</summary>
     public Rgb? ConstantColor => texture.Constant;
 
@@ -161,6 +164,13 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     {
         bsdf = default;
         inner?.Bsdf(surface, direction, out bsdf);
+    }
+
+    /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        bsdf = default;
+        inner?.DiffuseBsdf(surface, direction, out bsdf);
     }
 
     /// <inheritdoc/>

@@ -12,7 +12,7 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
 /// and how a ray leaves it.
 /// </summary>
-internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder)
+internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder, LightShares? shares = null)
 {
     private SampleRange _samples;
 
@@ -25,16 +25,19 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
     protected PathRecorder? Recorder => recorder;
 
+    /// <summary>Takes layers of light; null where none are wanted.</summary>
+    protected LightShares? Shares => shares;
+
     /// <summary>The random numbers of the vertex that is shaded.</summary>
     protected VertexSamples Vertex { get; } = new(scene.Sampler);
 
     protected RayGenerator Generator { get; private set; } = null!;
 
     /// <summary>Makes that of a scene's integrator.</summary>
-    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) => scene.Render.Integrator switch
+    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares) => scene.Render.Integrator switch
     {
-        Integrator.Report => new ReportShader(scene, finished, queue, recorder),
-        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, recorder),
+        Integrator.Report => new ReportShader(scene, finished, queue, recorder, shares),
+        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, recorder, shares),
         Integrator.Ao => new OcclusionShader(scene, finished, recorder),
         _ => new ViewShader(scene, finished, recorder),
     };
@@ -61,6 +64,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
             recorder?.Missed(stream, index, active);
+            shares?.Missed(UIntW.Pick(stream.Path, index), active, stream.PickThroughput(index) * arriving);
             finished.Append(active.Bits, radiance, UIntW.Pick(stream.Path, index));
         }
     }
