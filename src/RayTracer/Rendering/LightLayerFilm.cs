@@ -78,6 +78,9 @@ public sealed class LightLayerFilm
         return 3L * 16 * count * scene.Render.Width * scene.Render.Height;
     }
 
+    /// <summary>The name of the layer of a light, or of a group of lights, as the scene calls it: names of layers have no letters but ASCII's, digits, - and _.</summary>
+    public static string NameOf(string light) => LightPrefix + LightLabel.Plain(light);
+
     /// <summary>A layer as an image.</summary>
     /// <param name="layer">Its place among <see cref="Names"/>.</param>
     public IImageRows Image(int layer) => new Rows(this, _sums[layer]);
