@@ -64,7 +64,7 @@ public sealed class LightLayerTests
     public void Of_many_lights_layers_add_up_too(string integrator)
     {
         string more = string.Concat(Enumerable.Range(0, 20).Select(i => $$"""
-            , { "type": "sphere", "name": "star {{i % 4}}", "center": [{{(i * 0.2) - 2}}, 2.5, -1], "radius": 0.05, "material": { "type": "luminaire", "multiplier": 9 } }
+            , { "type": "sphere", "name": "star {{i % 4}}", "center": [{{i - 10}}, 2.5, -1], "radius": 0.05, "material": { "type": "luminaire", "multiplier": 9 } }
             """));
         (Film film, LightLayerFilm layers) = Render(Of(integrator, more: more, environment: "environment", light: """{ "type": "constant", "radiance": [0.3, 0.2, 0.4] }"""));
         AssertAddUp(film, layers);
