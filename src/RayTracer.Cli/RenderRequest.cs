@@ -31,6 +31,9 @@ internal sealed record RenderRequest
     /// <summary>The auxiliary images to write.</summary>
     public IReadOnlyList<Aov> Aovs { get; init; } = [];
 
+    /// <summary>The layers of light to write.</summary>
+    public IReadOnlyList<LightLayer> Layers { get; init; } = [];
+
     /// <summary>Whether a denoised picture is written too.</summary>
     public bool Denoise { get; init; }
 

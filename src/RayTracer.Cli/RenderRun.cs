@@ -33,7 +33,13 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         RenderOptions options = Options(scene.Render);
-        Film film = FilmFor(scene.Render);
+        Film film = FilmFor(scene);
+        if (request.Layers.Count > 0)
+        {
+            options = options with { Layers = LayersFor(scene, film) };
+            aovs.Add(options.Layers);
+        }
+
         AovFilm auxiliary = new(film, request.Aovs);
         Denoising? denoising = request.Denoise ? Denoising.Create(scene) : null;
         RenderOutcome outcome = Render(scene, auxiliary, film, options, denoising, signals.Token);
@@ -43,7 +49,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             return signals.Status;
         }
 
-        IReadOnlyList<string> written = film.TotalSamples > 0 ? Write(outcome, aovs, auxiliary, denoising) : [];
+        IReadOnlyList<string> written = film.TotalSamples > 0 ? Write(outcome, aovs, auxiliary, options.Layers, denoising) : [];
         if (film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
         {
             streams.Fail("no sample came to a finite number, so there is no picture to write");
@@ -112,9 +118,23 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     private static CommandException Misplaced(string option, RenderDescription render) =>
         new(ExitStatus.Usage, $"{option}: does not lie within the picture of {render.Width}×{render.Height} pixels");
 
-    private Film FilmFor(RenderDescription render)
+    private LightLayerFilm LayersFor(Scene scene, Film film)
     {
-        long bytes = FilmMemory.Bytes(render.Width, render.Height) + AovFilm.Bytes(request.Aovs, render.Width, render.Height)
+        try
+        {
+            return new(film, scene, request.Layers);
+        }
+        catch (ArgumentException e)
+        {
+            string hint = LightLayerFilm.Splits(scene.Render.Integrator) ? "give several of them one \"lightGroup\"" : "choose another --integrator";
+            throw new CommandException(ExitStatus.Usage, $"--aov: {char.ToLowerInvariant(e.Message[0])}{e.Message[1..].Split(" (Parameter '")[0].TrimEnd('.')}: {hint}");
+        }
+    }
+
+    private Film FilmFor(Scene scene)
+    {
+        RenderDescription render = scene.Render;
+        long bytes = FilmMemory.Bytes(render.Width, render.Height) + AovFilm.Bytes(request.Aovs, render.Width, render.Height) + LightLayerFilm.Bytes(request.Layers, scene)
             + (request.Denoise ? Denoising.Bytes(render.Width, render.Height) : 0);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         bool fits = bytes <= available && (long)render.Width * render.Height <= Film.MaxPixels;
@@ -122,7 +142,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             ExitStatus.InputOutput, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than can be had ({FilmMemory.Text(available)})");
     }
 
-    private IReadOnlyList<string> Write(RenderOutcome outcome, AovOutputs aovs, AovFilm auxiliary, Denoising? denoising)
+    private IReadOnlyList<string> Write(RenderOutcome outcome, AovOutputs aovs, AovFilm auxiliary, LightLayerFilm? light, Denoising? denoising)
     {
         KeyValuePair<string, string>[] texts =
         [
@@ -134,9 +154,9 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };
         Picture? denoised = denoising?.Denoise(request.Threads);
-        IReadOnlyList<ExrLayerChannel> layers = [.. AovFiles.Layers(auxiliary), .. denoised is null ? [] : DenoisedFiles.Layers(denoised)];
+        IReadOnlyList<ExrLayerChannel> layers = [.. AovFiles.Layers(auxiliary), .. light is null ? [] : AovFiles.Layers(light), .. denoised is null ? [] : DenoisedFiles.Layers(denoised)];
         IReadOnlyList<string> pictures = ImageOutputs.Write(request.Outputs, outcome.Film, writing with { ExrLayers = layers }, streams);
-        return [.. pictures, .. aovs.Write(auxiliary, denoised, writing, streams)];
+        return [.. pictures, .. aovs.Write(auxiliary, light, denoised, writing, streams)];
     }
 }
 

@@ -100,6 +100,9 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
         radiance *= Falloff(cosine);
     }
 
+    /// <summary>The same luminaire as another object.</summary>
+    internal LuminaireMaterial Copy() => (LuminaireMaterial)MemberwiseClone();
+
     /// <summary>Colour of the emitted light if it does not depend on uv, else null.</summary>
     public Rgb? ConstantColor => _constant;
 
@@ -168,6 +171,13 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     {
         bsdf = default;
         inner?.Bsdf(surface, direction, out bsdf);
+    }
+
+    /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        bsdf = default;
+        inner?.DiffuseBsdf(surface, direction, out bsdf);
     }
 
     /// <inheritdoc/>

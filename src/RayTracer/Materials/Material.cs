@@ -91,6 +91,19 @@ public abstract class Material
     public virtual void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => bsdf = default;
 
     /// <summary>
+    /// The part of <see cref="Bsdf"/> that is matt: what a surface scatters as if it had no gloss, reflected or let through. Layers of light tell it
+    /// from the rest.
+    /// </summary>
+    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="direction">Unit direction away from the surface, to where light would come from.</param>
+    /// <param name="bsdf">The part, in 1/sr without the cosine.</param>
+    public virtual void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Brdf(surface, out bsdf);
+        bsdf = (Vec3W.Dot(direction, surface.Facing) > 0f).Select(bsdf, default);
+    }
+
+    /// <summary>
     /// The density, per steradian, with which <see cref="Scatter"/> lets a path go on in a direction. Its integral falls short of 1
     /// by the share of paths that end (<see cref="ScatterW.Absorbed"/>) and of delta lobes.
     /// </summary>

@@ -52,6 +52,13 @@ public sealed class OneSidedMaterial(Material inner) : WrapperMaterial(inner)
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Inner.DiffuseBsdf(surface, direction, out bsdf);
+        bsdf = surface.Inside.Select(default, bsdf);
+    }
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         Inner.Pdf(surface, direction, out pdf);

@@ -13,7 +13,7 @@ namespace RayTracer.Rendering;
 /// Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4), or, where there are many lights, of one
 /// that is chosen.
 /// </summary>
-internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
+internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightShares? shares)
 {
     // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
@@ -67,6 +67,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
         ref RgbW arriving = ref lit.Arriving;
         arriving = default;
         queue?.Begin(weight);
+        shares?.BeginLights(weight);
         if (_selection is not null)
         {
             AddChosen(surface, material, ref lit, lit.From, samples, active, ref arriving);
@@ -127,6 +128,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
                 FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf / probability);
                 _transmittance!.Trace(lit.Bits, point, sample.Direction, sample.Distance, media, time, _lights[i], out RgbW part);
                 radiance = RgbW.MultiplyAdd(weight * light * (share / probability), part, radiance);
+                shares?.LitInMedium(i, lit, weight * light * (share / probability) * part);
             }
         }
     }
@@ -197,6 +199,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
             UIntW there = SurfaceShader.MediaAlong(surface, sample.Direction, scene.NumberOf(material!.Interior), lit.Media);
             _transmittance.Trace(wanted, origin, sample.Direction, sample.Distance, there, lit.Time, _lights[light], out RgbW part);
             arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
+            shares?.Lit(light, free, radiance * part * cosine, isWaiting: false);
             return;
         }
 
@@ -204,10 +207,12 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
         if (queue is not null)
         {
             queue.Add(free.Bits, origin, sample, lit.Time, light, radiance, cosine);
+            shares?.Lit(light, free, radiance * cosine, isWaiting: true);
             return;
         }
 
         arriving = RgbW.MultiplyAdd(radiance, free.Select(cosine, 0f), arriving);
+        shares?.Lit(light, free, radiance * cosine, isWaiting: false);
     }
 
     // What of a light's sample goes on, and what scattered rays leave of it.
@@ -217,6 +222,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
         ref FloatW pdf = ref _lit.Pointer->Pdf;
         material.Evaluate(surface, sample.Direction, out bsdf, out pdf);
         free = free.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f));
+        shares?.Split(surface, material, sample.Direction, bsdf);
         radiance *= bsdf;
         if (!_lights[light].IsDelta)
         {

@@ -11,11 +11,12 @@ namespace RayTracer.Rendering;
 /// sampling and the scattered ray can find is weighted between the two by multiple importance sampling (Veach 1997, section 9.2, power
 /// heuristic); paths that carry little end at random, and the others make up for them (Arvo &amp; Kirk 1990).
 /// </summary>
-internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) : SurfaceShader(scene, finished, recorder)
+internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares)
+    : SurfaceShader(scene, finished, recorder, shares)
 {
     private const uint DepthBits = 0xffff;
     private const float LargestSurvival = 0.95f;
-    private readonly DirectLight _directLight = new(scene, queue);
+    private readonly DirectLight _directLight = new(scene, queue, shares);
     private readonly LightMap _lights = new(scene);
     private readonly uint _maxDepth = scene.Render switch
     {
@@ -72,6 +73,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         vertex = state & DepthBits;
         packet.Media = Scene.HasMedia ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
+        Shares?.BeginPacket(path);
         Describe(Scene, group, stream, index, group.UsesUv, out surface);
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
@@ -79,7 +81,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Material material = group.Material;
         if (group.Emits && _maxDepth > 0)
         {
-            AddEmission(group, surface, stream, index, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
+            AddEmission(group, surface, stream, index, active, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
         }
 
         Recorder?.Emitted(path, active, radiance);
@@ -108,6 +110,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         alive = Survive(vertex, alive, ref throughput);
         Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
+        Shares?.Scattered(alive, surface, material, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
         if (queue is not null && group.HasDensity)
@@ -186,6 +189,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         UIntW vertex = UIntW.Pick(stream.State, index) & DepthBits;
         UIntW media = UIntW.Pick(stream.Media, index);
         BeginVertex(path, vertex);
+        Shares?.BeginPacket(path);
         FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         RgbW throughput = stream.PickThroughput(index);
         RgbW radiance = stream.PickRadiance(index);
@@ -203,6 +207,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
         alive = Survive(vertex, alive, ref throughput);
         Recorder?.InMedium(stream, index, active, alive, point, pdf);
+        Shares?.ScatteredInMedium(alive);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
         if (ended != 0)
@@ -310,7 +315,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
     // Light of the surface itself: in full where no light could have been sampled for it, and weighted else.
     private void AddEmission(
-        ShadingGroup group, in SurfaceW surface, PathStream stream, uint* index, MaskW shared, FloatW time, in RgbW throughput, ref RgbW radiance)
+        ShadingGroup group, in SurfaceW surface, PathStream stream, uint* index, MaskW active, MaskW shared, FloatW time, in RgbW throughput, ref RgbW radiance)
     {
         FloatW cosine = CosineOfEmission(surface);
         group.Material.Emission(cosine, surface.U, surface.V, out RgbW emitted);
@@ -333,5 +338,6 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         }
 
         radiance = RgbW.MultiplyAdd(throughput, emitted, radiance);
+        Shares?.Emitted(group, stream, index, active, throughput * emitted);
     }
 }

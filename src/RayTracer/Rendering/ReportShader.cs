@@ -7,9 +7,10 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface in the report (listing 6.3): emission, ambient light, light from the sources, and the choice of the next
 /// ray.
 /// </summary>
-internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) : SurfaceShader(scene, finished, recorder)
+internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares)
+    : SurfaceShader(scene, finished, recorder, shares)
 {
-    private readonly DirectLight _directLight = new(scene, queue);
+    private readonly DirectLight _directLight = new(scene, queue, shares);
 
     public override long ShadowRays => _directLight.ShadowRays;
 
@@ -29,6 +30,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
         packet.Vertex = diffuseDepth + specularDepth;
         BeginVertex(path, packet.Vertex);
+        Shares?.BeginPacket(path);
         Describe(Scene, group, stream, index, group.UsesUv, out surface);
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
@@ -38,7 +40,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         Material material = group.Material;
         if (group.Emits)
         {
-            AddEmission(material, surface, throughput, state, ref radiance);
+            AddEmission(group, stream, index, active, surface, throughput, state, ref radiance);
         }
 
         Recorder?.Emitted(path, active, radiance);
@@ -47,6 +49,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         {
             material.AmbientResponse(surface, out RgbW response);
             radiance = RgbW.MultiplyAdd(throughput * response, Scene.Ambient, radiance);
+            Shares?.Brightened(active, throughput * response * Scene.Ambient);
         }
 
         Recorder?.Brightened(path, active, radiance);
@@ -79,6 +82,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         }
 
         Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
+        Shares?.Scattered(alive, surface, material, scatter, isByLobe: true);
         uint ended = active.Except(alive).Bits;
         uint going = alive.Bits;
         if (queue is not null && group.IsLit)
@@ -105,10 +109,12 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         }
     }
 
-    private static void AddEmission(Material material, in SurfaceW surface, in RgbW throughput, UIntW state, ref RgbW radiance)
+    private void AddEmission(
+        ShadingGroup group, PathStream stream, uint* index, MaskW active, in SurfaceW surface, in RgbW throughput, UIntW state, ref RgbW radiance)
     {
         MaskW counts = ~UIntW.Equal(state & PathState.CountsEmission, 0u);
-        material.Emission(CosineOfEmission(surface), surface.U, surface.V, out RgbW emitted);
+        group.Material.Emission(CosineOfEmission(surface), surface.U, surface.V, out RgbW emitted);
         radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
+        Shares?.Emitted(group, stream, index, active & counts, throughput * emitted);
     }
 }

@@ -12,7 +12,7 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
 /// and how a ray leaves it.
 /// </summary>
-internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder)
+internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder, LightShares? shares = null)
 {
     // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
     private readonly PinnedBuffer<PacketW> _packet = new(1);
@@ -27,6 +27,9 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
     protected PathRecorder? Recorder => recorder;
 
+    /// <summary>Takes layers of light; null where none are wanted.</summary>
+    protected LightShares? Shares => shares;
+
     /// <summary>The random numbers of the vertex that is shaded.</summary>
     protected VertexSamples Vertex { get; } = new(scene.Sampler);
 
@@ -36,10 +39,10 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     protected ref PacketW Packet => ref *_packet.Pointer;
 
     /// <summary>Makes that of a scene's integrator.</summary>
-    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) => scene.Render.Integrator switch
+    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares) => scene.Render.Integrator switch
     {
-        Integrator.Report => new ReportShader(scene, finished, queue, recorder),
-        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, recorder),
+        Integrator.Report => new ReportShader(scene, finished, queue, recorder, shares),
+        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, recorder, shares),
         Integrator.Ao => new OcclusionShader(scene, finished, recorder),
         _ => new ViewShader(scene, finished, recorder),
     };
@@ -59,17 +62,19 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             uint* index = members + i;
             MaskW active = MaskW.First(count - i);
             ref Vec3W direction = ref Packet.Surface.Incoming;
+            ref RgbW arriving = ref Packet.Arriving;
             ref RgbW radiance = ref Packet.Radiance;
             ref UIntW path = ref Packet.Path;
             path = UIntW.Pick(stream.Path, index);
             direction = stream.PickDirection(index);
-            Arrive(stream, index, direction, out radiance);
-            radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), radiance, stream.PickRadiance(index));
+            Arrive(stream, index, direction, out arriving);
+            radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), arriving, stream.PickRadiance(index));
 
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
             recorder?.Missed(stream, index, active);
+            shares?.Missed(path, active, stream.PickThroughput(index) * arriving);
             finished.Append(active.Bits, radiance, path);
         }
     }
@@ -276,6 +281,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         public ScatterW Scatter;
         public RgbW Throughput;
         public RgbW Radiance;
+        public RgbW Arriving;
         public UIntW Path;
         public UIntW Vertex;
         public UIntW Media;

@@ -17,6 +17,7 @@ internal sealed unsafe class Wavefront
     private readonly GroupMembers _members;
     private readonly PinnedBuffer<int> _hits;
     private readonly PathRecorder? _recorder;
+    private readonly LightShares? _shares;
     private PathStream _current;
     private PathStream _next;
 
@@ -25,16 +26,18 @@ internal sealed unsafe class Wavefront
     /// <param name="streamSize">How many paths go on together.</param>
     /// <param name="maxTilePixels">The most pixels of a tile.</param>
     /// <param name="recorder">Takes down what becomes of each path; null in renders.</param>
-    public Wavefront(Scene scene, int streamSize, int maxTilePixels, PathRecorder? recorder = null)
+    /// <param name="layers">Takes layers of light; null where none are wanted.</param>
+    public Wavefront(Scene scene, int streamSize, int maxTilePixels, PathRecorder? recorder = null, LightLayerFilm? layers = null)
     {
+        _shares = layers is null ? null : new(scene, layers);
         _scene = scene;
         _recorder = recorder;
         _current = new(streamSize);
         _next = new(streamSize);
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
-        _finished = new(scene, streamSize, _generator, _accumulator);
-        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.SampledLights.Count == 0 || scene.HasMedia ? null : new(scene), recorder);
+        _finished = new(scene, streamSize, _generator, _accumulator, _shares);
+        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.SampledLights.Count == 0 || scene.HasMedia ? null : new(scene, _shares), recorder, _shares);
         _hits = new(scene.World.RoomForHits(streamSize));
         _members = new(scene, streamSize);
     }
@@ -78,6 +81,7 @@ internal sealed unsafe class Wavefront
     public void Follow(in Tile tile, SampleRange samples)
     {
         _generator.Begin(tile, samples);
+        _shares?.Begin(tile, samples);
         Follow(samples);
     }
 
