@@ -20,7 +20,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     private const int Batch = 8;
     private readonly LightSource[] _lights = [.. scene.SampledLights];
     private readonly LightSelection? _selection = scene.LightSelection;
-    private readonly Transmittance? _transmittance = scene.HasMedia ? new(scene) : null;
+    private readonly Transmittance? _transmittance = scene.TracksInteriors || scene.WeakensShadows ? new(scene) : null;
     private readonly ShapeSampleW[] _samples = new ShapeSampleW[Batch];
     private readonly RgbW[] _radiance = new RgbW[Batch];
 
@@ -43,14 +43,15 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     /// What scatters the light, by its BSDF, where scattered rays are to find the rest of it; null where what is scattered is the same for all
     /// directions on the ray's side and <paramref name="weight"/> has it, and no scattered ray looks for lights.
     /// </param>
-    /// <param name="media">The media on the ray's side; used only where the scene has media.</param>
+    /// <param name="media">The media on the ray's side; used only where paths keep in mind what they are in.</param>
+    /// <param name="interior">Number of what is inside the surface's shape; used only there, too.</param>
     /// <param name="isSmoothed">Whether the points are shaded with another normal than the surface's own.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
     /// <param name="time">Times in seconds; used only where something moves.</param>
     /// <param name="active">Lanes in use.</param>
     /// <param name="weight">Throughput, times BRDF where there is no material.</param>
     /// <param name="radiance">Added to.</param>
-    public void Add(in SurfaceW surface, Material? material, in UIntW media, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
+    public void Add(in SurfaceW surface, Material? material, in UIntW media, uint interior, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
         LitW lit = new()
@@ -58,6 +59,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
             Side = side,
             Origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point),
             Media = media,
+            Interior = interior,
             Time = time,
             Transmits = material is { Transmits: true },
             IsSmoothed = isSmoothed,
@@ -187,7 +189,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
         ShadowRays += BitOperations.PopCount(wanted);
         if (_transmittance is not null)
         {
-            UIntW there = SurfaceShader.MediaAlong(surface, sample.Direction, scene.NumberOf(material!.Interior), lit.Media);
+            UIntW there = SurfaceShader.MediaAlong(scene, surface, sample.Direction, lit.Interior, lit.Media);
             _transmittance.Trace(wanted, origin, sample.Direction, sample.Distance, there, lit.Time, _lights[light], out RgbW part);
             arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
             return;
@@ -222,6 +224,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
         public Vec3W Side;
         public Vec3W Origin;
         public UIntW Media;
+        public uint Interior;
         public FloatW Time;
         public bool Transmits;
         public bool IsSmoothed;

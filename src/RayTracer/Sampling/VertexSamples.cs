@@ -98,6 +98,14 @@ public sealed class VertexSamples(Sampler sampler)
         sampler.Pair(points, 0, out u, out v);
     }
 
+    /// <summary>The number that chooses the path's wavelength: the same at all of its vertices.</summary>
+    public FloatW Wavelength()
+    {
+        sampler.Begin(_pixelKey, _sample, Dimensions.Wavelength, out SamplePoints points);
+        sampler.Pair(points, 0, out FloatW u, out _);
+        return u;
+    }
+
     private void Decisions(uint pair, out FloatW u, out FloatW v)
     {
         sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);
