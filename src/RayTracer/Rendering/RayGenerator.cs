@@ -75,9 +75,9 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
                 Place(stream, lanes, key, sample, ref origin, ref direction);
             }
 
-            if (scene.HasMedia)
+            if (scene.TracksInteriors)
             {
-                stream.SetMedia(lanes, 0u, 0f);
+                stream.SetMedia(lanes, scene.CameraInteriors, 0f);
             }
 
             stream.Append(lanes, origin, direction, Rgb.White, Rgb.Black, path, PathState.CountsEmission);
