@@ -58,28 +58,54 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
     {
         if (Scene.HasMedia && group.Material.IsBoundary)
         {
-            Cross(group, stream, next, index, active);
+            Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW boundary);
+            Cross(group, boundary, stream, next, index, active);
             return;
         }
 
-        UIntW path = UIntW.Pick(stream.Path, index);
+        ref PacketW packet = ref Packet;
+        ref SurfaceW surface = ref packet.Surface;
+        ref RgbW throughput = ref packet.Throughput;
+        ref RgbW radiance = ref packet.Radiance;
+        ref UIntW path = ref packet.Path;
+        ref UIntW vertex = ref packet.Vertex;
+        path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
-        UIntW vertex = state & DepthBits;
-        UIntW media = Scene.HasMedia ? UIntW.Pick(stream.Media, index) : 0u;
+        vertex = state & DepthBits;
+        packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
         Shares?.BeginPacket(path);
-        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
-        FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
-        RgbW throughput = stream.PickThroughput(index);
-        RgbW radiance = stream.PickRadiance(index);
+        Describe(Scene, group, stream, index, group.UsesUv, out surface);
+        UIntW around = 0u;
+        if (Scene.HasNesting && group.IsNested)
+        {
+            UIntW beyond = Scene.Cross(packet.Media, group.Interior, MaskW.All, ~surface.Inside);
+            Cross(group, surface, stream, next, index, active & IsUnreal(packet.Media, beyond));
+            active = active.Except(IsUnreal(packet.Media, beyond));
+            around = surface.Inside.Select(beyond, packet.Media);
+        }
+
+        packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
+        throughput = stream.PickThroughput(index);
+        radiance = stream.PickRadiance(index);
         Material material = group.Material;
         if (group.Emits && _maxDepth > 0)
         {
-            AddEmission(group, surface, stream, index, active, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), time, throughput, ref radiance);
+            AddEmission(group, surface, stream, index, active, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
         }
 
         Recorder?.Emitted(path, active, radiance);
         Recorder?.Brightened(path, active, radiance);
+
+        if (group.Disperses)
+        {
+            Disperse(state, ref surface, ref throughput);
+        }
+
+        if (Scene.HasNesting && group.IsNested)
+        {
+            surface.Around = Scene.Media.Index(around, surface.Wavelength);
+        }
 
         // A path of so many edges may have one more: the ray to a light, or the next one.
         MaskW goesOn = active & (vertex + 1u < _maxDepth);
@@ -90,10 +116,11 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, material, media, group.MayLeak, Vertex, time, goesOn, throughput, ref radiance);
+            _directLight.Add(surface, material, packet.Media, group.Interior, group.MayLeak, Vertex, packet.Time, goesOn, throughput, ref radiance);
         }
 
-        material.Scatter(surface, Vertex, out ScatterW scatter);
+        ref ScatterW scatter = ref packet.Scatter;
+        material.Scatter(surface, Vertex, out scatter);
         throughput *= scatter.Weight;
         MaskW alive = goesOn.Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
         if (group.MayLeak)
@@ -101,7 +128,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }
 
-        Survive(vertex, ref alive, ref throughput);
+        alive = Survive(vertex, alive, ref throughput);
         Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
         Shares?.Scattered(alive, surface, material, scatter, isByLobe: false);
         uint going = alive.Bits;
@@ -118,7 +145,8 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         if (going != 0)
         {
-            GoOn(group, surface, scatter, time, media, going, throughput, radiance, path, vertex, next);
+            vertex |= WavelengthAfter(group, state);
+            GoOn(group, ref packet, going, next);
         }
     }
 
@@ -137,6 +165,11 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
                 Fly(stream, i, inside.Select(media, 0u), inside);
             }
         }
+
+        for (int i = 0; Scene.HasNesting && i < stream.Count; i += FloatW.Count)
+        {
+            Absorb(stream, i);
+        }
     }
 
     /// <inheritdoc/>
@@ -146,6 +179,16 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         {
             ScatterPacket(stream, next, members + i, MaskW.First(count - i));
         }
+    }
+
+    // What dielectrics that paths keep in mind leave of the light, all the way to what is met.
+    private void Absorb(PathStream stream, int i)
+    {
+        UIntW media = MaskW.First(stream.Count - i).Select(UIntW.Load(stream.Media + i), 0u);
+        RgbW left = MediumTable.Transmittance(Scene.Media.Absorption(media), FloatW.Load(stream.Distance + i));
+        (left.R * FloatW.Load(stream.ThroughputR + i)).Store(stream.ThroughputR + i);
+        (left.G * FloatW.Load(stream.ThroughputG + i)).Store(stream.ThroughputG + i);
+        (left.B * FloatW.Load(stream.ThroughputB + i)).Store(stream.ThroughputB + i);
     }
 
     private void Fly(PathStream stream, int i, UIntW media, MaskW inside)
@@ -179,7 +222,8 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
     private void ScatterPacket(PathStream stream, PathStream next, uint* index, MaskW active)
     {
         UIntW path = UIntW.Pick(stream.Path, index);
-        UIntW vertex = UIntW.Pick(stream.State, index) & DepthBits;
+        UIntW state = UIntW.Pick(stream.State, index);
+        UIntW vertex = state & DepthBits;
         UIntW media = UIntW.Pick(stream.Media, index);
         BeginVertex(path, vertex);
         Shares?.BeginPacket(path);
@@ -198,7 +242,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Vertex.Direction(out FloatW u, out FloatW v);
         Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
-        Survive(vertex, ref alive, ref throughput);
+        alive = Survive(vertex, alive, ref throughput);
         Recorder?.InMedium(stream, index, active, alive, point, pdf);
         Shares?.ScatteredInMedium(alive);
         uint going = alive.Bits;
@@ -222,16 +266,21 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             }
 
             next.SetMedia(going, MediumStack.Scattered(media), 0f);
-            next.Append(going, point, direction, throughput, radiance, path, (vertex + 1u) | (_lights.Count > 0 ? 0u : PathState.CountsEmission));
+            UIntW emission = _lights.Count > 0 ? 0u : PathState.CountsEmission;
+            next.Append(going, point, direction, throughput, radiance, path, (vertex + 1u) | emission | (state & PathState.HasWavelength));
         }
     }
 
     // A boundary: the path has no vertex there, only other media behind it.
-    private void Cross(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    private void Cross(ShadingGroup group, in SurfaceW surface, PathStream stream, PathStream next, uint* index, MaskW active)
     {
-        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
-        Vec3W direction = surface.Incoming;
         uint going = active.Bits;
+        if (going == 0)
+        {
+            return;
+        }
+
+        Vec3W direction = surface.Incoming;
         Recorder?.Crossed(stream, index, active, surface);
         if (Scene.IsTimed)
         {
@@ -246,7 +295,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         next.SetMedia(
             going,
-            MediumStack.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~surface.Inside),
+            Scene.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~surface.Inside),
             FloatW.Pick(stream.Travelled, index) + FloatW.Pick(stream.Distance, index));
         next.Append(
             going, Leave(surface, direction), direction, stream.PickThroughput(index), stream.PickRadiance(index), UIntW.Pick(stream.Path, index), UIntW.Pick(stream.State, index));
@@ -256,51 +305,54 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
     private Vec3W Start(PathStream stream, uint* index, in Vec3W direction)
     {
         Vec3W origin = stream.PickOrigin(index);
-        return Scene.HasMedia ? Vec3W.MultiplyAdd(direction, -FloatW.Pick(stream.Travelled, index), origin) : origin;
+        return Scene.TracksInteriors ? Vec3W.MultiplyAdd(direction, -FloatW.Pick(stream.Travelled, index), origin) : origin;
     }
 
-    private void GoOn(
-        ShadingGroup group, in SurfaceW surface, in ScatterW scatter, in FloatW time, in UIntW media, uint going, in RgbW throughput, in RgbW radiance, UIntW path, UIntW vertex, PathStream next)
+    private void GoOn(ShadingGroup group, ref PacketW packet, uint going, PathStream next)
     {
+        ref SurfaceW surface = ref packet.Surface;
+        ref ScatterW scatter = ref packet.Scatter;
         if (Scene.IsTimed)
         {
-            next.SetTime(going, time);
+            next.SetTime(going, packet.Time);
         }
 
         if (group.HasDensity && _lights.Count > 0)
         {
-            group.Material.Pdf(surface, scatter.Direction, out FloatW pdf);
-            next.SetPdf(going, pdf);
+            group.Material.Pdf(surface, scatter.Direction, out packet.Pdf);
+            next.SetPdf(going, packet.Pdf);
             if (Scene.LightSelection is not null)
             {
                 next.SetNormal(going, group.Material.Transmits ? default : surface.Facing);
             }
         }
 
-        if (Scene.HasMedia)
+        if (Scene.TracksInteriors)
         {
-            next.SetMedia(going, MediumStack.Scattered(MediaAlong(surface, scatter.Direction, group.Interior, media)), 0f);
+            next.SetMedia(going, MediumStack.Scattered(MediaAlong(Scene, surface, scatter.Direction, group.Interior, packet.Media)), 0f);
         }
 
         UIntW emission = group.HasDensity && _lights.Count > 0 ? scatter.Delta.Select((UIntW)PathState.CountsEmission, 0u) : PathState.CountsEmission;
-        next.Append(going, Leave(surface, scatter.Direction), scatter.Direction, throughput, radiance, path, (vertex + 1u) | emission);
+        packet.Origin = Leave(surface, scatter.Direction);
+        packet.Vertex = (packet.Vertex + 1u) | emission;
+        next.Append(going, packet.Origin, scatter.Direction, packet.Throughput, packet.Radiance, packet.Path, packet.Vertex);
     }
 
     // Ends paths at random, and makes those that go on brighter, so that the mean stays.
-    private void Survive(UIntW vertex, ref MaskW alive, ref RgbW throughput)
+    private MaskW Survive(UIntW vertex, MaskW alive, ref RgbW throughput)
     {
         MaskW asked = alive & (vertex + 1u > (uint)Scene.Render.RouletteDepth);
         if (!asked.Any)
         {
-            return;
+            return alive;
         }
 
         FloatW most = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
 
         // Written so that a path whose throughput is not a number goes on, and is counted at its end.
         FloatW survival = (most < LargestSurvival).Select(most, LargestSurvival);
-        alive = alive.Except(asked & (Vertex.Roulette() >= survival));
         throughput *= asked.Select(1f / survival, 1f);
+        return alive.Except(asked & (Vertex.Roulette() >= survival));
     }
 
     // Light of the surface itself: in full where no light could have been sampled for it, and weighted else.
@@ -312,7 +364,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         shared &= cosine > 0f;
         if (shared.Any)
         {
-            FloatW travelled = Scene.HasMedia ? FloatW.Pick(stream.Travelled, index) : 0f;
+            FloatW travelled = Scene.TracksInteriors ? FloatW.Pick(stream.Travelled, index) : 0f;
             LightHitW hit = new()
             {
                 From = Start(stream, index, surface.Incoming),

@@ -207,4 +207,7 @@ internal static class PathState
 
     /// <summary>Emission at the next hit counts: the last scattering was specular, or there was none (report: countEmittedLight).</summary>
     public const uint CountsEmission = 1 << 16;
+
+    /// <summary>The path has met a dispersing surface: it stands for light of a single wavelength from there on, and its throughput has that wavelength's colour.</summary>
+    public const uint HasWavelength = 1 << 17;
 }

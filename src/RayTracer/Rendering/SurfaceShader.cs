@@ -14,6 +14,8 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder, LightShares? shares = null)
 {
+    // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
+    private readonly PinnedBuffer<PacketW> _packet = new(1);
     private SampleRange _samples;
 
     /// <summary>How many shadow rays were traced.</summary>
@@ -32,6 +34,9 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     protected VertexSamples Vertex { get; } = new(scene.Sampler);
 
     protected RayGenerator Generator { get; private set; } = null!;
+
+    /// <summary>Room for what is known of the packet that is shaded.</summary>
+    protected ref PacketW Packet => ref *_packet.Pointer;
 
     /// <summary>Makes that of a scene's integrator.</summary>
     public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares) => scene.Render.Integrator switch
@@ -56,16 +61,21 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         {
             uint* index = members + i;
             MaskW active = MaskW.First(count - i);
-            Vec3W direction = stream.PickDirection(index);
-            Arrive(stream, index, direction, out RgbW arriving);
-            RgbW radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), arriving, stream.PickRadiance(index));
+            ref Vec3W direction = ref Packet.Surface.Incoming;
+            ref RgbW arriving = ref Packet.Arriving;
+            ref RgbW radiance = ref Packet.Radiance;
+            ref UIntW path = ref Packet.Path;
+            path = UIntW.Pick(stream.Path, index);
+            direction = stream.PickDirection(index);
+            Arrive(stream, index, direction, out arriving);
+            radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), arriving, stream.PickRadiance(index));
 
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
             recorder?.Missed(stream, index, active);
-            shares?.Missed(UIntW.Pick(stream.Path, index), active, stream.PickThroughput(index) * arriving);
-            finished.Append(active.Bits, radiance, UIntW.Pick(stream.Path, index));
+            shares?.Missed(path, active, stream.PickThroughput(index) * arriving);
+            finished.Append(active.Bits, radiance, path);
         }
     }
 
@@ -136,6 +146,12 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             surface.Tint = Rgb.White;
         }
 
+        if (group.IsNested)
+        {
+            // Where nobody keeps in mind what paths are in, nothing is around.
+            surface.Around = 1f;
+        }
+
         group.Material.Prepare(ref surface);
         if (group.HasTint)
         {
@@ -157,10 +173,10 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     private static void DescribeTable(ShadingGroup group, PathStream stream, uint* index, bool needsUv, ref SurfaceW surface)
     {
         int stride = group.Batch.Stride;
-        PrimitiveIndex primitives = group.OnlyIndex >= 0
+        surface.Primitives = group.OnlyIndex >= 0
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
-        group.Batch.Describe(primitives, needsUv, ref surface);
+        group.Batch.Describe(surface.Primitives, needsUv, ref surface);
         if (group.UsesLocal)
         {
             surface.Local = surface.Point;
@@ -168,7 +184,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
         if (group.UsesTangent)
         {
-            group.Batch.DescribeTangents(primitives, ref surface);
+            group.Batch.DescribeTangents(surface.Primitives, ref surface);
         }
     }
 
@@ -197,6 +213,17 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
         Vertex.Begin(UIntW.Gather(Generator.PixelKeys, pixel), sample, vertex);
     }
+
+    /// <summary>Gives paths their wavelengths at a surface that disperses light: from the first one on, they have the colour of a single wavelength.</summary>
+    protected void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
+    {
+        scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
+        throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
+    }
+
+    /// <summary>The part of a path's state after a surface that tells whether it stands for a single wavelength.</summary>
+    protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => scene.Wavelengths is null ? 0u
+        : group.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
 
     // As DescribePlain, in the space that each lane's instance shows.
     private static void DescribeInstanced(Scene scene, ShadingGroup group, PathStream stream, uint* index, bool needsUv, out SurfaceW surface)
@@ -241,11 +268,12 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     }
 
     /// <summary>The media of a ray that leaves a surface, by those of the ray that came.</summary>
+    /// <param name="scene">The scene.</param>
     /// <param name="surface">The surface.</param>
     /// <param name="direction">The ray's direction.</param>
     /// <param name="interior">Number of the medium inside; 0 for none.</param>
     /// <param name="media">The media of the ray that came.</param>
-    public static UIntW MediaAlong(in SurfaceW surface, in Vec3W direction, uint interior, UIntW media)
+    public static UIntW MediaAlong(Scene scene, in SurfaceW surface, in Vec3W direction, uint interior, UIntW media)
     {
         if (interior == 0)
         {
@@ -253,8 +281,14 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         }
 
         FloatW outwards = Vec3W.Dot(direction, surface.Normal);
-        return MediumStack.Cross(media, interior, surface.Inside.Select(outwards, -outwards) > 0f, outwards < 0f);
+        return scene.Cross(media, interior, surface.Inside.Select(outwards, -outwards) > 0f, outwards < 0f);
     }
+
+    /// <summary>
+    /// Where a boundary is none, since what is inside it does not count on either side: another dielectric of a higher priority is there
+    /// (the false intersections of Schmidt &amp; Budge 2002).
+    /// </summary>
+    public static MaskW IsUnreal(UIntW before, UIntW after) => UIntW.Equal(MediumStack.Innermost(before), MediumStack.Innermost(after));
 
     // Off the surface, on the side where the ray goes.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -262,5 +296,21 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     {
         FloatW side = FloatW.CopySign(surface.Offset, Vec3W.Dot(direction, surface.Normal));
         return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);
+    }
+
+    /// <summary>What shading works with, beside what the stream has.</summary>
+    protected struct PacketW
+    {
+        public ScatterW Scatter;
+        public RgbW Throughput;
+        public RgbW Radiance;
+        public RgbW Arriving;
+        public UIntW Path;
+        public UIntW Vertex;
+        public UIntW Media;
+        public FloatW Time;
+        public FloatW Pdf;
+        public Vec3W Origin;
+        public SurfaceW Surface;
     }
 }
