@@ -56,6 +56,16 @@ public enum SphereLightSampling
     Surface,
 }
 
+/// <summary>What is done where normals with which surfaces are shaded say otherwise than the surfaces themselves.</summary>
+public enum ShadingNormals
+{
+    /// <summary>Normals that turn away from the ray are mirrored into view, and light that would pass through a surface is dropped.</summary>
+    Mended,
+
+    /// <summary>Normals alone tell from which side a surface is seen, and which light it scatters where.</summary>
+    Literal,
+}
+
 /// <summary>Describes how a scene is rendered: everything that changes the picture, and nothing that does not.</summary>
 public sealed record RenderDescription
 {
@@ -97,6 +107,10 @@ public sealed record RenderDescription
     /// <summary>How many specular bounces (mirror, metal, glass) a path may have.</summary>
     [Parameter("With the report integrator: how many specular bounces (mirror, metal, glass) a path may have.", Minimum = 0, Maximum = 255)]
     public int MaxSpecularDepth { get; init; } = 4;
+
+    /// <summary>What is done where normals that are interpolated say otherwise than the surface itself.</summary>
+    [Parameter("With the path, direct and volPath integrators: what is done near the outlines of meshes, where interpolated normals turn away from the ray. \"mended\" mirrors them into view and drops light that would pass through the surface; \"literal\" shows the surface from behind there, as other renderers do.")]
+    public ShadingNormals ShadingNormals { get; init; } = ShadingNormals.Mended;
 
     /// <summary>How the samples of a pixel are placed.</summary>
     [Parameter("How the samples of a pixel are placed.")]

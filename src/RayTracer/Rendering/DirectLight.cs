@@ -52,6 +52,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     /// <param name="radiance">Added to.</param>
     public void Add(in SurfaceW surface, Material? material, in UIntW media, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
+        bool isLiteral = isSmoothed && scene.IsLiteral;
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
         LitW lit = new()
         {
@@ -60,9 +61,10 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
             Media = media,
             Time = time,
             Transmits = material is { Transmits: true },
-            IsSmoothed = isSmoothed,
+            IsSmoothed = isSmoothed && !isLiteral,
+            IsLiteral = isLiteral,
         };
-        Vec3W from = lit.Transmits ? surface.Point : lit.Origin;
+        Vec3W from = lit.Transmits || isLiteral ? surface.Point : lit.Origin;
         RgbW arriving = default;
         queue?.Begin(weight);
         if (_selection is not null)
@@ -159,7 +161,11 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
         Vec3W origin = lit.Origin;
         if (lit.Transmits)
         {
-            free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
+            if (!lit.IsLiteral)
+            {
+                free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
+            }
+
             origin = SurfaceShader.Leave(surface, sample.Direction);
             cosine = FloatW.Abs(cosine);
         }
@@ -170,6 +176,11 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
             {
                 // Light from behind the surface itself would come through it.
                 free &= Vec3W.Dot(sample.Direction, lit.Side) > 0f;
+            }
+
+            if (lit.IsLiteral)
+            {
+                origin = SurfaceShader.Leave(surface, sample.Direction);
             }
         }
 
@@ -225,5 +236,6 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
         public FloatW Time;
         public bool Transmits;
         public bool IsSmoothed;
+        public bool IsLiteral;
     }
 }

@@ -116,6 +116,10 @@ public sealed class Scene
     /// <summary>Whether media absorb and scatter light: there are some, and the integrator is one that shows them.</summary>
     internal bool HasMedia => _media.Length > 0 && Render.Integrator == Integrator.VolPath;
 
+    /// <summary>Whether shading normals alone tell from which side surfaces are seen.</summary>
+    internal bool IsLiteral =>
+        Render.ShadingNormals == ShadingNormals.Literal && Render.Integrator is Integrator.Path or Integrator.Direct or Integrator.VolPath;
+
     /// <summary>The number of a medium in <see cref="Media"/>; 0 for none.</summary>
     internal uint NumberOf(Medium? medium) => (uint)(Array.IndexOf(_media, medium) + 1);
 
