@@ -7,50 +7,62 @@ namespace RayTracer.Cli;
 /// <summary>The files that auxiliary images and denoised pictures are written to, beside outputs that hold no layers.</summary>
 internal sealed class AovOutputs
 {
+    private readonly RenderRequest _request;
+    private readonly HashSet<string> _taken;
     private readonly List<(string Path, Aov Kind)> _files = [];
+    private readonly List<(string Path, int Layer)> _layers = [];
     private readonly List<string> _denoised = [];
 
-    /// <summary>Lists the files.</summary>
+    /// <summary>Lists the files whose names are known before the scene is.</summary>
     /// <exception cref="CommandException">Two images would go to one file.</exception>
     public AovOutputs(RenderRequest request)
     {
-        HashSet<string> taken = [.. request.Outputs.Select(Path.GetFullPath)];
-        foreach (string output in request.Outputs.Distinct().Where(o => Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase)))
+        _request = request;
+        _taken = [.. request.Outputs.Select(Path.GetFullPath)];
+        foreach (string output in Pictures)
         {
             foreach (Aov kind in request.Aovs.Distinct())
             {
-                string path = AovFiles.Beside(output, kind);
-                if (!taken.Add(Path.GetFullPath(path)))
-                {
-                    throw new CommandException(ExitStatus.Usage, $"--aov {AovFiles.Name(kind)} writes to '{path}' beside '{output}', but another image goes there");
-                }
-
-                _files.Add((path, kind));
+                _files.Add((Take($"--aov {AovFiles.Name(kind)}", output, AovFiles.Beside(output, kind)), kind));
             }
 
             if (request.Denoise)
             {
-                string path = DenoisedFiles.Beside(output);
-                if (!taken.Add(Path.GetFullPath(path)))
-                {
-                    throw new CommandException(ExitStatus.Usage, $"--denoise writes to '{path}' beside '{output}', but another image goes there");
-                }
-
-                _denoised.Add(path);
+                _denoised.Add(Take("--denoise", output, DenoisedFiles.Beside(output)));
             }
         }
     }
 
     /// <summary>The files.</summary>
-    public IReadOnlyList<string> Files => [.. _files.Select(f => f.Path), .. _denoised];
+    public IReadOnlyList<string> Files => [.. _files.Select(f => f.Path), .. _denoised, .. _layers.Select(l => l.Path)];
+
+    // Outputs that hold no layers.
+    private IEnumerable<string> Pictures =>
+        _request.Outputs.Distinct().Where(o => Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase));
+
+    /// <summary>Lists the files of layers of light.</summary>
+    /// <exception cref="CommandException">Two images would go to one file, or one cannot be written.</exception>
+    public void Add(LightLayerFilm layers)
+    {
+        foreach (string output in Pictures)
+        {
+            for (int i = 0; i < layers.Names.Count; i++)
+            {
+                string path = Take($"--aov: the layer {layers.Names[i]}", output, AovFiles.Beside(output, layers.Names[i]));
+                ImageOutputs.Check(path);
+                _layers.Add((path, i));
+            }
+        }
+    }
 
     /// <summary>Writes them; says of each that cannot be written why.</summary>
     /// <param name="film">The images.</param>
+    /// <param name="layers">The layers of light; null where there are none.</param>
     /// <param name="denoised">The denoised picture; null where there is none.</param>
     /// <param name="writing">How the picture is written.</param>
     /// <param name="streams">Takes complaints.</param>
     /// <returns>Those that were written.</returns>
-    public IReadOnlyList<string> Write(AovFilm film, Picture? denoised, ImageWriteOptions writing, Streams streams)
+    public IReadOnlyList<string> Write(AovFilm film, LightLayerFilm? layers, Picture? denoised, ImageWriteOptions writing, Streams streams)
     {
         List<string> written = [];
         foreach ((string path, Aov kind) in _files)
@@ -61,6 +73,12 @@ internal sealed class AovOutputs
             written.AddRange(ImageOutputs.Write([path], image, plain, streams));
         }
 
+        foreach ((string path, int layer) in _layers)
+        {
+            KeyValuePair<string, string>[] texts = [.. writing.Metadata, new("Layer", layers!.Names[layer])];
+            written.AddRange(ImageOutputs.Write([path], layers.Image(layer), writing with { Metadata = texts }, streams));
+        }
+
         if (denoised is not null)
         {
             written.AddRange(ImageOutputs.Write(_denoised, denoised, writing with { Metadata = [.. writing.Metadata, new("Denoised", "yes")] }, streams));
@@ -68,4 +86,8 @@ internal sealed class AovOutputs
 
         return written;
     }
+
+    private string Take(string option, string output, string path) => _taken.Add(Path.GetFullPath(path))
+        ? path
+        : throw new CommandException(ExitStatus.Usage, $"{option} writes to '{path}' beside '{output}', but another image goes there");
 }

@@ -17,9 +17,12 @@ internal sealed class RenderVerb
     private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
     private readonly ParsedOption<int[]?> _pixel = OptionValues.Integers("--pixel", "x,y", "Renders only this pixel and prints its radiance.");
     private readonly ParsedOption<long?> _sample = OptionValues.Integer("--sample", "With --pixel: renders only this sample, from 0.", 0, int.MaxValue - 1);
-    private readonly ParsedOption<Aov[]?> _aovs = OptionValues.Words(
-        "--aov", "Writes auxiliary images too, of what camera rays meet first: as layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", AovFiles.Name, Enum.GetValues<Aov>());
+    private readonly ParsedOption<Enum[]?> _aovs = OptionValues.Words<Enum>(
+        "--aov", "Writes auxiliary images too: of what camera rays meet first (depth to samples), or parts of the light (emission to lights, which is one for each light). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", kind => kind is Aov aov ? AovFiles.Name(aov) : $"{kind}".ToLowerInvariant(), [.. Enum.GetValues<Aov>(), .. Enum.GetValues<LightLayer>()]);
     private readonly Option<bool> _denoise = new("--denoise") { Description = "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png)." };
+    private readonly ParsedOption<double?> _noise = OptionValues.Fraction(
+        "--noise", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: stratified samplers (sobol) come out better.");
+    private readonly Option<bool> _adaptive = new("--adaptive") { Description = "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
     private readonly SceneOverrides _overrides;
@@ -30,7 +33,7 @@ internal sealed class RenderVerb
         command.Arguments.Add(_scene);
         command.Options.Add(_outputs);
         _overrides = new(command);
-        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _quiet, _json })
+        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _quiet, _json })
         {
             command.Options.Add(option);
         }
@@ -58,8 +61,12 @@ internal sealed class RenderVerb
             Crop = _crop.Value(result),
             Pixel = _pixel.Value(result),
             Sample = _sample.Value(result),
-            Aovs = _aovs.Value(result) ?? [],
+            Aovs = [.. _aovs.Value(result)?.OfType<Aov>() ?? []],
+            Layers = [.. _aovs.Value(result)?.OfType<LightLayer>() ?? []],
             Denoise = result.GetValue(_denoise),
+            Noise = _noise.Value(result),
+            Adaptive = result.GetValue(_adaptive),
+            HasSamples = _overrides.HasSamples(result),
             Quiet = result.GetValue(_quiet),
             Json = result.GetValue(_json),
             OverrideWords = [.. _overrides.Words(result)],
@@ -73,10 +80,14 @@ internal sealed class RenderVerb
         { Outputs.Count: 0, Pixel: null, Json: false } => "where to? Give -o FILE (or --json alone for the numbers, or --pixel x,y)",
         { Outputs.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave -o out",
         { Crop: not null, Pixel: not null } => "--pixel and --crop cannot go together",
-        { Aovs.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave --aov out",
+        { Aovs.Count: > 0, Pixel: not null } or { Layers.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave --aov out",
         { Denoise: true, Pixel: not null } => "--pixel prints numbers and writes no image: leave --denoise out",
         { Denoise: true, Outputs.Count: 0 } => "--denoise writes an image: where to? Give -o FILE",
-        { Aovs.Count: > 0, Outputs.Count: 0 } => "--aov writes images: where to? Give -o FILE",
+        { Aovs.Count: > 0, Outputs.Count: 0 } or { Layers.Count: > 0, Outputs.Count: 0 } => "--aov writes images: where to? Give -o FILE",
+        { Pixel: not null } and ({ Noise: not null } or { Adaptive: true }) => "--pixel renders the samples that it is told to: leave --noise and --adaptive out",
+        { Adaptive: true, Crop: not null } => "--adaptive shares samples out over the whole picture: leave --crop out",
+        { Adaptive: true, Denoise: true } => "--denoise compares two halves of equal samples, which --adaptive has not: leave one of them out",
+        { Adaptive: true, Layers.Count: > 0 } => "layers of light are of equal samples, which --adaptive has not: leave one of them out",
         { Sample: not null, Pixel: null } => "--sample needs --pixel",
         _ => null,
     };

@@ -10,7 +10,12 @@ public static class AovFiles
     public static string Name(Aov kind) => kind.ToString() is var name ? $"{char.ToLowerInvariant(name[0])}{name[1..]}" : "";
 
     /// <summary>The file beside a picture that an image is written to, where the picture's format holds no layers: <c>out.depth.png</c> beside <c>out.png</c>.</summary>
-    public static string Beside(string path, Aov kind) => Path.ChangeExtension(path, $".{Name(kind)}{Path.GetExtension(path)}");
+    public static string Beside(string path, Aov kind) => Beside(path, Name(kind));
+
+    /// <summary>As for auxiliary images, of a layer of any name.</summary>
+    /// <param name="path">The picture's file.</param>
+    /// <param name="name">The image's name.</param>
+    public static string Beside(string path, string name) => Path.ChangeExtension(path, $".{name}{Path.GetExtension(path)}");
 
     /// <summary>The image as it is written to a file of its own.</summary>
     /// <param name="path">The file: a PNG holds colours to look at, any other the numbers.</param>
@@ -45,6 +50,31 @@ public static class AovFiles
                     for (int x = 0; x < film.Width; x++)
                     {
                         values.Span[x] = row[(x * channels) + channel];
+                    }
+                }));
+            }
+        }
+
+        return layers;
+    }
+
+    /// <summary>The layers of light of an OpenEXR file, as 32-bit floats: <c>direct.R</c>, <c>light.key.R</c>.</summary>
+    public static IReadOnlyList<ExrLayerChannel> Layers(LightLayerFilm film)
+    {
+        List<ExrLayerChannel> layers = [];
+        for (int i = 0; i < film.Names.Count; i++)
+        {
+            IImageRows image = film.Image(i);
+            float[] row = new float[3 * image.Width];
+            for (int c = 0; c < 3; c++)
+            {
+                int channel = c;
+                layers.Add(new($"{film.Names[i]}.{"RGB"[c]}", ExrPixelType.Float, (y, values) =>
+                {
+                    image.ReadRow(y, row);
+                    for (int x = 0; x < image.Width; x++)
+                    {
+                        values.Span[x] = row[(3 * x) + channel];
                     }
                 }));
             }

@@ -59,6 +59,35 @@ public static class ExrReader
         return all;
     }
 
+    /// <summary>The names of the channels of a file that have a value for every pixel.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <exception cref="PictureException">The header is damaged or not of the kind that is read.</exception>
+    public static IReadOnlyList<string> ChannelNames(ReadOnlySpan<byte> file) =>
+        [.. ExrHeader.Parse(file).Channels.Where(c => c is { StepX: 1, StepY: 1 }).Select(c => c.Name)];
+
+    /// <summary>Adds channels up to a picture.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <param name="parts">By the name of a channel, to which channel of the picture it is added, from 0, and what it is multiplied by. Other channels are skipped.</param>
+    /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
+    public static Picture Sum(ReadOnlySpan<byte> file, IReadOnlyDictionary<string, (int Channel, float Factor)> parts)
+    {
+        ExrHeader header = ExrHeader.Parse(file);
+        (int Channel, float Factor)[] targets =
+            [.. header.Channels.Select(c => c is { StepX: 1, StepY: 1 } && parts.TryGetValue(c.Name, out (int, float) part) ? part : (-1, 0))];
+        ExrBlock[] blocks = ExrBlock.Find(file, header);
+        Picture picture = PictureLimits.Allocate(header.Width, header.Height);
+        ReadRows(file, header, blocks, (values, number, y) =>
+        {
+            (int target, float factor) = targets[number];
+            ExrChannel channel = header.Channels[number];
+            for (int x = 0; target >= 0 && factor != 0 && x < header.Width; x++)
+            {
+                picture.Pixels[(3 * ((y * header.Width) + x)) + target] += factor * (float)Value(values[(x * channel.ValueBytes)..], channel.Type);
+            }
+        });
+        return picture;
+    }
+
     /// <summary>Reads the string attributes of a file that are not the format's own, in their order.</summary>
     /// <param name="file">The whole file.</param>
     /// <exception cref="PictureException">The header is damaged or not of the kind that is read.</exception>

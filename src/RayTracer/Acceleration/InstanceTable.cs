@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Lights;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
 
@@ -24,6 +25,7 @@ internal sealed unsafe class InstanceTable
     private readonly int[]? _spaces;
     private readonly Motion?[] _motions;
     private readonly ShapeDescription?[] _sources;
+    private readonly LightLabel?[] _labels;
     private readonly Space[] _all;
     private readonly InstanceTree _tree;
 
@@ -46,6 +48,7 @@ internal sealed unsafe class InstanceTable
         (_smallSpaces, _spaces) = spaces.Length <= ushort.MaxValue ? ([.. shown.Select(s => (ushort)s)], null) : (default(ushort[]), shown);
         _motions = instances.Any(i => !i.Motion.IsStill) ? [.. instances.Select(i => i.Motion.IsStill ? null : i.Motion)] : [];
         _sources = instances[0].Source is null ? [] : [.. instances.Select(i => i.Source)];
+        _labels = instances.Any(i => i.Label is not null && spaces[index[i.Contents]].Shines) ? [.. instances.Select(i => i.Label)] : [];
         float[] boxes = new float[6L * Count];
         for (int i = 0; i < Count; i++)
         {
@@ -83,6 +86,9 @@ internal sealed unsafe class InstanceTable
 
         _ = new InstanceTree(this, boxes);
     }
+
+    /// <summary>By what the light of an instance is told from that of others, where its contents do not say that.</summary>
+    public LightLabel? LabelOf(int instance) => _labels.Length > 0 ? _labels[instance - 1] : null;
 
     /// <summary>What an instance shows.</summary>
     /// <param name="instance">Its number, from 1.</param>

@@ -10,6 +10,10 @@ public abstract record EnvironmentDescription
     [Parameter("How the environment is turned: steps, the first one applied first. Moving it changes nothing, for it is infinitely far away; stretching it is an error.")]
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
+    /// <summary>The layer of light that has the environment's.</summary>
+    [Parameter("Which layer has the environment's light, where lights are written as layers (--aov lights). Without it, that is called environment.")]
+    public string LightGroup { get; init; } = "";
+
     /// <summary>Makes the light that this record describes, or reports why it cannot be made and returns null.</summary>
     /// <param name="builder">Gives access to pictures and takes diagnostics.</param>
     public abstract EnvironmentLight? Build(SceneBuilder builder);

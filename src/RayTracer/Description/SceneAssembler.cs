@@ -18,6 +18,8 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     private readonly Dictionary<ShapeDescription, SpaceContents> _objects = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<object, MeshData> _mended = new(ReferenceEqualityComparer.Instance);
     private readonly HashSet<ImportedModel> _noted = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<(Material Material, string Group), Material> _grouped = [];
+    private LightLabel? _label;
     private int _nesting;
 
     /// <summary>The world that some shapes make.</summary>
@@ -27,6 +29,14 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     public void Add(ShapeDescription description) => Add(description, Motion.None, World);
 
     private void Add(ShapeDescription description, Motion outer, SpaceContents target)
+    {
+        LightLabel? before = _label;
+        _label = LightLabel.Of(description, before);
+        AddPlaced(description, outer, target);
+        _label = before;
+    }
+
+    private void AddPlaced(ShapeDescription description, Motion outer, SpaceContents target)
     {
         Motion motion = outer * TransformSteps.Motion(description, description.Transform, description.Motion, builder);
         if (motion.IsStill)
@@ -103,10 +113,14 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         if (!_objects.TryGetValue(instance.Of, out SpaceContents? contents))
         {
             contents = new();
+            LightLabel? label = _label;
+            _label = null;
             using (builder.InheritNothing())
             {
                 Add(instance.Of, Motion.None, contents);
             }
+
+            _label = label;
 
             _objects.Add(instance.Of, contents);
         }
@@ -136,17 +150,17 @@ internal sealed class SceneAssembler(SceneBuilder builder)
 
         if (contents.HasSurfaces)
         {
-            target.Instances.Add(new(contents, motion, source));
+            target.Instances.Add(new(contents, motion, source, _label));
         }
 
         foreach (PlacedSpace inner in contents.Instances.ToArray())
         {
-            target.Instances.Add(new(inner.Contents, motion * inner.Motion, source));
+            target.Instances.Add(new(inner.Contents, motion * inner.Motion, source, LightLabel.Within(inner.Label, _label)));
         }
 
         foreach (PlacedLight inner in contents.Lights.ToArray())
         {
-            target.Lights.Add(inner with { Motion = motion * inner.Motion });
+            target.Lights.Add(inner with { Motion = motion * inner.Motion, Label = LightLabel.Within(inner.Label, _label) });
         }
     }
 
@@ -156,7 +170,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         light.Check(place, builder);
         if (builder.Complaints.Count == before)
         {
-            target.Lights.Add(new(light, Motion.Still(place)));
+            target.Lights.Add(new(light, Motion.Still(place), _label));
         }
     }
 
@@ -180,6 +194,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         }
 
         shape.Source = builder.SourceOf(description);
+        shape.Label = _label;
         if (place.IsIdentity)
         {
             target.Shapes.Add(shape);
@@ -187,6 +202,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         else if (!NeedsOwnSpace(shape) && shape.Transformed(place) is { } moved)
         {
             moved.Source = shape.Source;
+            moved.Label = shape.Label;
             target.Shapes.Add(moved);
         }
         else
@@ -270,15 +286,33 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             builder.Warn(mesh, null, $"{Name(mesh)} has no uv, so its texture shows the colour at (0, 0) everywhere");
         }
 
+        materials = [.. materials.Select(InLightGroup)];
         if (!place.IsIdentity && materials.Any(DependsOnPlace))
         {
             SpaceContents own = new();
-            own.Meshes.Add(new(data, materials, Transform.Identity, builder.SourceOf(mesh)));
+            own.Meshes.Add(new(data, materials, Transform.Identity, builder.SourceOf(mesh), _label));
             AddInstance(mesh, own, Motion.Still(place), target);
             return;
         }
 
-        target.Meshes.Add(new(data, materials, place, builder.SourceOf(mesh)));
+        target.Meshes.Add(new(data, materials, place, builder.SourceOf(mesh), _label));
+    }
+
+    // Triangles of one luminaire are one source: those of another light group get one of their own.
+    private Material InLightGroup(Material material)
+    {
+        if (material is not LuminaireMaterial luminaire || _label?.Group is not { } group)
+        {
+            return material;
+        }
+
+        if (!_grouped.TryGetValue((material, group), out Material? own))
+        {
+            own = luminaire.Copy();
+            _grouped.Add((material, group), own);
+        }
+
+        return own;
     }
 
     // What one file's mesh becomes in one shape is not kept for others.

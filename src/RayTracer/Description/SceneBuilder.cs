@@ -168,7 +168,13 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
             Error(scene, nameof(SceneDescription.Background), "a scene has a background or an environment, but not both");
         }
 
-        return scene.Environment?.Build(this);
+        EnvironmentLight? environment = scene.Environment?.Build(this);
+        if (environment is not null)
+        {
+            environment.Label = new(LightLabel.Plain(scene.Environment!.LightGroup), "environment");
+        }
+
+        return environment;
     }
 
     /// <summary>The most shapes that rays are tested against one after the other, without a tree; null for what is fastest. Pictures are the same.</summary>

@@ -9,6 +9,10 @@ public abstract record ShapeDescription
     [Parameter("A name for messages and editors; it need not be unique.")]
     public string Name { get; init; } = "";
 
+    /// <summary>The layer of light that has what shines here.</summary>
+    [Parameter("Which layer has the light of what shines here, where lights are written as layers (--aov lights). Without it: that of the group around it, or else the name.")]
+    public string LightGroup { get; init; } = "";
+
     /// <summary>What the shape is made of; the same object as <see cref="DefaultMaterial"/> where nothing is said.</summary>
     [Parameter("What the shape is made of: a material, or the name of one. Without it, what the group around it is made of.")]
     public MaterialDescription Material { get; init; } = DefaultMaterial;

@@ -35,15 +35,18 @@ internal sealed class SpaceContents
 /// <param name="Materials">What they are made of; at least one.</param>
 /// <param name="Place">Where the mesh stands.</param>
 /// <param name="Source">What it was made from; null where that is not kept.</param>
-internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place, ShapeDescription? Source);
+/// <param name="Label">By what its light is told from that of others.</param>
+internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place, ShapeDescription? Source, LightLabel? Label);
 
 /// <summary>A space in another one.</summary>
 /// <param name="Contents">What it holds.</param>
 /// <param name="Motion">Where it is.</param>
 /// <param name="Source">What it was made from; null where that is not kept.</param>
-internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeDescription? Source);
+/// <param name="Label">By what its light is told from that of others, where its contents do not say that.</param>
+internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeDescription? Source, LightLabel? Label);
 
 /// <summary>A light without extent in a space.</summary>
 /// <param name="Light">What it is, found free of faults.</param>
 /// <param name="Motion">Where its own space is.</param>
-internal sealed record PlacedLight(PunctualLightDescription Light, Motion Motion);
+/// <param name="Label">By what it is told from others.</param>
+internal sealed record PlacedLight(PunctualLightDescription Light, Motion Motion, LightLabel? Label);

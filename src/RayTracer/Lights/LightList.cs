@@ -14,14 +14,14 @@ internal static class LightList
     public static LightSource[] Create(World world)
     {
         List<LightSource> lights =
-            [.. world.Itself.Shapes.Select((shape, i) => (shape, i)).Where(s => s.shape.Material.Emits).Select(s => new AreaLight(s.shape, s.i))];
+            [.. world.Itself.Shapes.Select((shape, i) => (shape, i)).Where(s => s.shape.Material.Emits).Select(s => new AreaLight(s.shape, s.i) { Label = s.shape.Label })];
         AddMeshes(lights, world.Itself, world.Itself.Contents, null, 0, Transform.Identity);
         for (int instance = 1; instance <= (world.Instances?.Count ?? 0); instance++)
         {
             AddInstance(lights, world.Instances!, instance);
         }
 
-        return [.. lights, .. world.Itself.Contents.Lights.Select(l => l.Light.Create(l.Motion))];
+        return [.. lights, .. world.Itself.Contents.Lights.Select(Punctual)];
     }
 
     private static unsafe void AddInstance(List<LightSource> lights, InstanceTable instances, int instance)
@@ -39,7 +39,7 @@ internal static class LightList
                 Shape shape = space.Shapes[primitive - space.FirstPrimitive];
                 if (shape.Material.Emits)
                 {
-                    lights.Add(new InstancedLight(shape, batch, primitive, instances, instance));
+                    lights.Add(new InstancedLight(shape, batch, primitive, instances, instance) { Label = LightLabel.Within(shape.Label, instances.LabelOf(instance)) });
                 }
             }
         }
@@ -60,9 +60,26 @@ internal static class LightList
             TriangleChoice choice = new([.. triangles], t => Area(mesh, t, place));
             if (choice.IsFinite)
             {
-                lights.Add(new MeshLight(mesh, (LuminaireMaterial)triangles.Key, choice, instances, instance));
+                lights.Add(new MeshLight(mesh, (LuminaireMaterial)triangles.Key, choice, instances, instance)
+                {
+                    Label = LightLabel.Within(LabelOf(contents, triangles.Key), instances?.LabelOf(instance)),
+                });
             }
         }
+    }
+
+    private static LightSource Punctual(PlacedLight placed)
+    {
+        LightSource light = placed.Light.Create(placed.Motion);
+        light.Label = placed.Label;
+        return light;
+    }
+
+    // What all meshes say that have some of the luminaire.
+    private static LightLabel? LabelOf(SpaceContents contents, Material luminaire)
+    {
+        LightLabel?[] labels = [.. contents.Meshes.Where(m => m.Materials.Contains(luminaire)).Select(m => m.Label).Distinct()];
+        return labels is [var only] ? only : labels.Select(l => l?.Group).Distinct().ToArray() is [{ } group] ? new(group, null) : null;
     }
 
     private static double Area(MeshTable mesh, int triangle, in Transform place)

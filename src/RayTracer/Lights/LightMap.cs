@@ -75,6 +75,10 @@ internal sealed unsafe class LightMap
         }
     }
 
-    private int Find(ShadingGroup group, uint instance, uint primitive) =>
+    /// <summary>The number of the light that a ray has met; −1 where it is not sampled.</summary>
+    /// <param name="group">What was met.</param>
+    /// <param name="instance">The instance that shows it.</param>
+    /// <param name="primitive">The primitive.</param>
+    public int Find(ShadingGroup group, uint instance, uint primitive) =>
         _numbers.TryGetValue((instance, group.Batch is Acceleration.ShapeBatch ? (int)primitive : ~_groups[group]), out int light) ? light : -1;
 }

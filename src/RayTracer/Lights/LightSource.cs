@@ -18,6 +18,9 @@ public abstract class LightSource(int instance, int primitive)
     /// <summary>The light's number among the shapes of the world itself; −1 where it is none of them.</summary>
     internal int OwnPrimitive { get; } = instance == 0 ? primitive : -1;
 
+    /// <summary>By what it is told from other lights; null where nothing is said.</summary>
+    internal LightLabel? Label { get; set; }
+
     /// <summary>Whether the light comes from single points or directions, which no ray meets by chance.</summary>
     public virtual bool IsDelta => false;
 

@@ -96,6 +96,13 @@ public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular,
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        diffuse.Bsdf(surface, direction, out bsdf);
+        bsdf *= 1f - Fresnel.Schlick(surface.Cosine, r0);
+    }
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         FloatW reflectance = Fresnel.Schlick(surface.Cosine, r0);

@@ -61,6 +61,13 @@ public sealed class MaskMaterial(Material inner, Texture opacity) : WrapperMater
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Inner.DiffuseBsdf(surface, direction, out bsdf);
+        bsdf *= Opacity(surface);
+    }
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         Inner.Pdf(surface, direction, out pdf);

@@ -91,6 +91,19 @@ public abstract class Material
     public virtual void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => bsdf = default;
 
     /// <summary>
+    /// The part of <see cref="Bsdf"/> that is matt: what a surface scatters as if it had no gloss, reflected or let through. Layers of light tell it
+    /// from the rest.
+    /// </summary>
+    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="direction">Unit direction away from the surface, to where light would come from.</param>
+    /// <param name="bsdf">The part, in 1/sr without the cosine.</param>
+    public virtual void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Brdf(surface, out bsdf);
+        bsdf = (Vec3W.Dot(direction, surface.Facing) > 0f).Select(bsdf, default);
+    }
+
+    /// <summary>
     /// The density, per steradian, with which <see cref="Scatter"/> lets a path go on in a direction. Its integral falls short of 1
     /// by the share of paths that end (<see cref="ScatterW.Absorbed"/>) and of delta lobes.
     /// </summary>
@@ -98,6 +111,17 @@ public abstract class Material
     /// <param name="direction">Unit direction away from the surface.</param>
     /// <param name="pdf">The density.</param>
     public virtual void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) => pdf = 0f;
+
+    /// <summary><see cref="Bsdf"/> and <see cref="Pdf"/> at once.</summary>
+    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="direction">Unit direction away from the surface.</param>
+    /// <param name="bsdf">The BSDF.</param>
+    /// <param name="pdf">The density.</param>
+    public virtual void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    {
+        Bsdf(surface, direction, out bsdf);
+        Pdf(surface, direction, out pdf);
+    }
 
     /// <summary>Chooses how a path goes on (report: DiffuseDirection).</summary>
     /// <param name="surface">Where the path meets the surface.</param>
@@ -114,6 +138,9 @@ public struct SurfaceW
 {
     /// <summary>The point.</summary>
     public Vec3W Point;
+
+    /// <summary>Which shapes of their batch are met.</summary>
+    public Acceleration.PrimitiveIndex Primitives;
 
     /// <summary>The point in the coordinates in which the shape's own numbers are given; set only where a texture depends on it.</summary>
     public Vec3W Local;

@@ -109,6 +109,16 @@ public sealed class MixMaterial(Material first, Material second, Texture weight)
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Own(first, surface, out SurfaceW a);
+        first.DiffuseBsdf(a, direction, out RgbW one);
+        Own(second, surface, out SurfaceW b);
+        second.DiffuseBsdf(b, direction, out RgbW other);
+        bsdf = Mix(one, other, Weight(surface));
+    }
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         Own(first, surface, out SurfaceW a);

@@ -52,9 +52,24 @@ public sealed class OneSidedMaterial(Material inner) : WrapperMaterial(inner)
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Inner.DiffuseBsdf(surface, direction, out bsdf);
+        bsdf = surface.Inside.Select(default, bsdf);
+    }
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         Inner.Pdf(surface, direction, out pdf);
+        pdf = surface.Inside.Select(0f, pdf);
+    }
+
+    /// <inheritdoc/>
+    public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    {
+        Inner.Evaluate(surface, direction, out bsdf, out pdf);
+        bsdf = surface.Inside.Select(default, bsdf);
         pdf = surface.Inside.Select(0f, pdf);
     }
 

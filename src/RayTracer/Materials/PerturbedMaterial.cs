@@ -94,6 +94,20 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        if (IsPlain)
+        {
+            Inner.DiffuseBsdf(surface, direction, out bsdf);
+            return;
+        }
+
+        Look(surface, out SurfaceW seen);
+        Inner.DiffuseBsdf(seen, direction, out bsdf);
+        bsdf *= Passing(surface, direction);
+    }
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         if (IsPlain)

@@ -75,6 +75,9 @@ public sealed class PlasticMaterial(Texture @base, float refractiveIndex, bool n
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => Bsdf(surface, direction, out bsdf);
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         Coat(surface, out _, out _, out FloatW probability);

@@ -146,10 +146,26 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Begin(surface, out Values at);
+        Vec3W light = at.Frame.ToLocal(direction);
+        FloatW lightCosine = Vec3W.Dot(light, Vec3W.Normalize(light + at.View));
+        bsdf = (light.Z > 0f).Select(MattAndSheen(at, light.Z, lightCosine), default);
+    }
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         Begin(surface, out Values at);
         Evaluate(at, at.Frame.ToLocal(direction), out _, out pdf);
+    }
+
+    /// <inheritdoc/>
+    public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    {
+        Begin(surface, out Values at);
+        Evaluate(at, at.Frame.ToLocal(direction), out bsdf, out pdf);
     }
 
     /// <inheritdoc/>

@@ -61,6 +61,13 @@ public sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, b
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        FloatW cosine = Vec3W.Dot(direction, surface.Facing);
+        bsdf = (cosine > 0f).Select(Below(surface) * Through(cosine, _coat.Into(surface.Cosine)), default);
+    }
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         Evaluate(surface, direction, out _, out pdf);
@@ -86,7 +93,8 @@ public sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, b
         scatter.Absorbed = ~(pdf > 0f);
     }
 
-    private void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    /// <inheritdoc/>
+    public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
     {
         Onb.FromNormal(surface.Facing, out Onb frame);
         Vec3W view = frame.ToLocal(-surface.Incoming);
@@ -96,13 +104,15 @@ public sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, b
         reflectance.Evaluate(surface, out RgbW above);
         FloatW mirrored = microfacets.Reflection(view, light, normal) * Fresnel.Dielectric(FloatW.Min(Vec3W.Dot(view, normal), 1f), _inverse, out _);
         FloatW outOf = _coat.Into(surface.Cosine);
-        FloatW through = _coat.Into(light.Z) * outOf * (_inverse * _inverse / float.Pi);
         FloatW probability = Probability(surface, above, outOf);
         MaskW isAbove = light.Z > 0f;
-        bsdf = isAbove.Select(RgbW.MultiplyAdd(Below(surface), through, above * mirrored), default);
+        bsdf = isAbove.Select(RgbW.MultiplyAdd(Below(surface), Through(light.Z, outOf), above * mirrored), default);
         FloatW both = FloatW.MultiplyAdd(probability, microfacets.ReflectionPdf(view, normal), (1f - probability) * Warp.CosineHemispherePdf(light.Z));
         pdf = isAbove.Select(both, 0f);
     }
+
+    // What of the base's light goes into the coat and out of it again, in 1/sr.
+    private FloatW Through(FloatW cosine, FloatW outOf) => _coat.Into(cosine) * outOf * (_inverse * _inverse / float.Pi);
 
     private RgbW Below(in SurfaceW surface)
     {

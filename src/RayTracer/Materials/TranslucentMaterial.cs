@@ -70,6 +70,9 @@ public sealed class TranslucentMaterial(Texture above, Texture below) : Material
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => Bsdf(surface, direction, out bsdf);
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         below.Evaluate(surface, out RgbW through);

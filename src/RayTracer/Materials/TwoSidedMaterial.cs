@@ -135,6 +135,18 @@ public sealed class TwoSidedMaterial(Material front, Material back) : Material
     }
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        FromOutside(surface, out SurfaceW turned);
+        front.DiffuseBsdf(turned, direction, out bsdf);
+        if (front != back)
+        {
+            back.DiffuseBsdf(turned, direction, out RgbW behind);
+            bsdf = surface.Inside.Select(behind, bsdf);
+        }
+    }
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         FromOutside(surface, out SurfaceW turned);

@@ -72,6 +72,9 @@ public abstract class WrapperMaterial(Material inner) : Material
     public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => inner.Bsdf(surface, direction, out bsdf);
 
     /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => inner.DiffuseBsdf(surface, direction, out bsdf);
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) => inner.Pdf(surface, direction, out pdf);
 
     /// <inheritdoc/>

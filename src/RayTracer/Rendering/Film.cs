@@ -159,6 +159,9 @@ public sealed class Film : IImageRows
         return Convert.ToHexStringLower(SHA256.HashData(digests));
     }
 
+    /// <summary>A sum of a channel of a pixel, in its units.</summary>
+    internal Int128 Sum(int x, int y, int channel) => _sums[(Index(x, y) * SumsPerPixel) + channel];
+
     /// <summary>Adds one sum of a pixel, in its units.</summary>
     internal void AddSum(long pixel, int sum, Int128 value) => _sums[(pixel * SumsPerPixel) + sum] += value;
 

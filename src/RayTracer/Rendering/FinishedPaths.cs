@@ -12,13 +12,15 @@ internal sealed unsafe class FinishedPaths
     private readonly SampleAccumulator _accumulator;
     private readonly Scene _scene;
     private readonly RayGenerator _generator;
+    private readonly LightShares? _shares;
     private readonly bool _hasWeights;
     private readonly int _stride;
     private SampleRange _samples;
     private int _count;
 
-    public FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator)
+    public FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, LightShares? shares)
     {
+        _shares = shares;
         _scene = scene;
         _generator = generator;
         _hasWeights = scene.Filter is { HasWeights: true };
@@ -70,10 +72,16 @@ internal sealed unsafe class FinishedPaths
         {
             PathNumber.Split(UIntW.Load(_path.Pointer + i), _samples, out UIntW pixel, out UIntW sample);
             RgbW radiance = new(FloatW.Load(r + i), FloatW.Load(g + i), FloatW.Load(b + i));
+            RgbW gathered = radiance;
             if (_hasWeights)
             {
                 UIntW key = UIntW.Gather(_generator.PixelKeys, MaskW.First(_count - i).Select(pixel, 0u));
                 radiance *= RayGenerator.Weight(_scene, key, sample);
+            }
+
+            for (int lane = 0; _shares is not null && lane < Math.Min(FloatW.Count, _count - i); lane++)
+            {
+                _shares.Finish(_path.Pointer[i + lane], (int)pixel[lane], Lane(gathered, lane), Lane(radiance, lane));
             }
 
             _accumulator.Add(Math.Min(FloatW.Count, _count - i), pixel, sample, radiance);
@@ -81,4 +89,6 @@ internal sealed unsafe class FinishedPaths
 
         _count = 0;
     }
+
+    private static Rgb Lane(in RgbW color, int lane) => new(color.R[lane], color.G[lane], color.B[lane]);
 }

@@ -41,7 +41,7 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
         {
             try
             {
-                workers[i] = new Wavefront(scene, _options.StreamSize, tiles.Max(t => t.Pixels));
+                workers[i] = new Wavefront(scene, _options.StreamSize, tiles.Max(t => t.Pixels), layers: _options.Layers);
                 job.Work(workers[i]);
             }
             catch (Exception e)

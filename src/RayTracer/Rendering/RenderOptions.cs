@@ -17,6 +17,9 @@ public sealed record RenderOptions
 
     /// <summary>The samples to render; null is all that the scene asks for.</summary>
     public SampleRange? Samples { get; init; }
+
+    /// <summary>Takes layers of light beside the film, of the same samples; null where none are wanted, and then they cost nothing.</summary>
+    public LightLayerFilm? Layers { get; init; }
 }
 
 /// <summary>How far a rendering is.</summary>

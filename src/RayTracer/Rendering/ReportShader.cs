@@ -7,9 +7,10 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface in the report (listing 6.3): emission, ambient light, light from the sources, and the choice of the next
 /// ray.
 /// </summary>
-internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) : SurfaceShader(scene, finished, recorder)
+internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares)
+    : SurfaceShader(scene, finished, recorder, shares)
 {
-    private readonly DirectLight _directLight = new(scene, queue);
+    private readonly DirectLight _directLight = new(scene, queue, shares);
 
     public override long ShadowRays => _directLight.ShadowRays;
 
@@ -18,21 +19,28 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
         // Random numbers first: their long chain of multiplications then overlaps with the description of the surface.
-        UIntW path = UIntW.Pick(stream.Path, index);
+        ref PacketW packet = ref Packet;
+        ref SurfaceW surface = ref packet.Surface;
+        ref RgbW throughput = ref packet.Throughput;
+        ref RgbW radiance = ref packet.Radiance;
+        ref UIntW path = ref packet.Path;
+        path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
         UIntW diffuseDepth = state & PathState.DepthMask;
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
-        BeginVertex(path, diffuseDepth + specularDepth);
-        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
-        FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
-        RgbW throughput = stream.PickThroughput(index);
-        RgbW radiance = stream.PickRadiance(index);
+        packet.Vertex = diffuseDepth + specularDepth;
+        BeginVertex(path, packet.Vertex);
+        Shares?.BeginPacket(path);
+        Describe(Scene, group, stream, index, group.UsesUv, out surface);
+        packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
+        throughput = stream.PickThroughput(index);
+        radiance = stream.PickRadiance(index);
 
         // Light that the surface itself sends towards the ray's origin.
         Material material = group.Material;
         if (group.Emits)
         {
-            AddEmission(material, surface, throughput, state, ref radiance);
+            AddEmission(group, stream, index, active, surface, throughput, state, ref radiance);
         }
 
         Recorder?.Emitted(path, active, radiance);
@@ -41,6 +49,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         {
             material.AmbientResponse(surface, out RgbW response);
             radiance = RgbW.MultiplyAdd(throughput * response, Scene.Ambient, radiance);
+            Shares?.Brightened(active, throughput * response * Scene.Ambient);
         }
 
         Recorder?.Brightened(path, active, radiance);
@@ -54,11 +63,12 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, null, 0u, group.MayLeak, Vertex, time, active, throughput * brdf, ref radiance);
+            _directLight.Add(surface, null, 0u, group.MayLeak, Vertex, packet.Time, active, throughput * brdf, ref radiance);
         }
 
         // Where the path goes on.
-        material.Scatter(surface, Vertex, out ScatterW scatter);
+        ref ScatterW scatter = ref packet.Scatter;
+        material.Scatter(surface, Vertex, out scatter);
         throughput *= scatter.Weight;
         UIntW limit = scatter.Specular.Select((UIntW)(uint)Scene.Render.MaxSpecularDepth, (uint)Scene.Render.MaxDiffuseDepth);
         MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;
@@ -72,6 +82,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         }
 
         Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
+        Shares?.Scattered(alive, surface, material, scatter, isByLobe: true);
         uint ended = active.Except(alive).Bits;
         uint going = alive.Bits;
         if (queue is not null && group.IsLit)
@@ -88,20 +99,22 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         {
             UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);
             UIntW emission = scatter.Specular.Select((UIntW)PathState.CountsEmission, 0u);
-            Vec3W origin = Leave(surface, scatter.Direction);
+            packet.Origin = Leave(surface, scatter.Direction);
             if (Scene.IsTimed)
             {
-                next.SetTime(going, time);
+                next.SetTime(going, packet.Time);
             }
 
-            next.Append(going, origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission);
+            next.Append(going, packet.Origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission);
         }
     }
 
-    private static void AddEmission(Material material, in SurfaceW surface, in RgbW throughput, UIntW state, ref RgbW radiance)
+    private void AddEmission(
+        ShadingGroup group, PathStream stream, uint* index, MaskW active, in SurfaceW surface, in RgbW throughput, UIntW state, ref RgbW radiance)
     {
         MaskW counts = ~UIntW.Equal(state & PathState.CountsEmission, 0u);
-        material.Emission(CosineOfEmission(surface), surface.U, surface.V, out RgbW emitted);
+        group.Material.Emission(CosineOfEmission(surface), surface.U, surface.V, out RgbW emitted);
         radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
+        Shares?.Emitted(group, stream, index, active & counts, throughput * emitted);
     }
 }

@@ -12,8 +12,10 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
 /// and how a ray leaves it.
 /// </summary>
-internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder)
+internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder, LightShares? shares = null)
 {
+    // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
+    private readonly PinnedBuffer<PacketW> _packet = new(1);
     private SampleRange _samples;
 
     /// <summary>How many shadow rays were traced.</summary>
@@ -25,16 +27,22 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
     protected PathRecorder? Recorder => recorder;
 
+    /// <summary>Takes layers of light; null where none are wanted.</summary>
+    protected LightShares? Shares => shares;
+
     /// <summary>The random numbers of the vertex that is shaded.</summary>
     protected VertexSamples Vertex { get; } = new(scene.Sampler);
 
     protected RayGenerator Generator { get; private set; } = null!;
 
+    /// <summary>Room for what is known of the packet that is shaded.</summary>
+    protected ref PacketW Packet => ref *_packet.Pointer;
+
     /// <summary>Makes that of a scene's integrator.</summary>
-    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) => scene.Render.Integrator switch
+    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares) => scene.Render.Integrator switch
     {
-        Integrator.Report => new ReportShader(scene, finished, queue, recorder),
-        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, recorder),
+        Integrator.Report => new ReportShader(scene, finished, queue, recorder, shares),
+        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, recorder, shares),
         Integrator.Ao => new OcclusionShader(scene, finished, recorder),
         _ => new ViewShader(scene, finished, recorder),
     };
@@ -53,15 +61,21 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         {
             uint* index = members + i;
             MaskW active = MaskW.First(count - i);
-            Vec3W direction = stream.PickDirection(index);
-            Arrive(stream, index, direction, out RgbW arriving);
-            RgbW radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), arriving, stream.PickRadiance(index));
+            ref Vec3W direction = ref Packet.Surface.Incoming;
+            ref RgbW arriving = ref Packet.Arriving;
+            ref RgbW radiance = ref Packet.Radiance;
+            ref UIntW path = ref Packet.Path;
+            path = UIntW.Pick(stream.Path, index);
+            direction = stream.PickDirection(index);
+            Arrive(stream, index, direction, out arriving);
+            radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), arriving, stream.PickRadiance(index));
 
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
             recorder?.Missed(stream, index, active);
-            finished.Append(active.Bits, radiance, UIntW.Pick(stream.Path, index));
+            shares?.Missed(path, active, stream.PickThroughput(index) * arriving);
+            finished.Append(active.Bits, radiance, path);
         }
     }
 
@@ -160,10 +174,10 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     private static void DescribeTable(ShadingGroup group, PathStream stream, uint* index, bool needsUv, ref SurfaceW surface)
     {
         int stride = group.Batch.Stride;
-        PrimitiveIndex primitives = group.OnlyIndex >= 0
+        surface.Primitives = group.OnlyIndex >= 0
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
-        group.Batch.Describe(primitives, needsUv, ref surface);
+        group.Batch.Describe(surface.Primitives, needsUv, ref surface);
         if (group.UsesLocal)
         {
             surface.Local = surface.Point;
@@ -171,7 +185,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
         if (group.UsesTangent)
         {
-            group.Batch.DescribeTangents(primitives, ref surface);
+            group.Batch.DescribeTangents(surface.Primitives, ref surface);
         }
     }
 
@@ -274,5 +288,21 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     {
         FloatW side = FloatW.CopySign(surface.Offset, Vec3W.Dot(direction, surface.Normal));
         return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);
+    }
+
+    /// <summary>What shading works with, beside what the stream has.</summary>
+    protected struct PacketW
+    {
+        public SurfaceW Surface;
+        public ScatterW Scatter;
+        public RgbW Throughput;
+        public RgbW Radiance;
+        public RgbW Arriving;
+        public UIntW Path;
+        public UIntW Vertex;
+        public UIntW Media;
+        public FloatW Time;
+        public FloatW Pdf;
+        public Vec3W Origin;
     }
 }

@@ -17,6 +17,7 @@ internal sealed unsafe class Wavefront
     private readonly GroupMembers _members;
     private readonly PinnedBuffer<int> _hits;
     private readonly PathRecorder? _recorder;
+    private readonly LightShares? _shares;
     private PathStream _current;
     private PathStream _next;
 
@@ -25,16 +26,18 @@ internal sealed unsafe class Wavefront
     /// <param name="streamSize">How many paths go on together.</param>
     /// <param name="maxTilePixels">The most pixels of a tile.</param>
     /// <param name="recorder">Takes down what becomes of each path; null in renders.</param>
-    public Wavefront(Scene scene, int streamSize, int maxTilePixels, PathRecorder? recorder = null)
+    /// <param name="layers">Takes layers of light; null where none are wanted.</param>
+    public Wavefront(Scene scene, int streamSize, int maxTilePixels, PathRecorder? recorder = null, LightLayerFilm? layers = null)
     {
+        _shares = layers is null ? null : new(scene, layers);
         _scene = scene;
         _recorder = recorder;
         _current = new(streamSize);
         _next = new(streamSize);
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
-        _finished = new(scene, streamSize, _generator, _accumulator);
-        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.SampledLights.Count == 0 || scene.HasMedia ? null : new(scene), recorder);
+        _finished = new(scene, streamSize, _generator, _accumulator, _shares);
+        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.SampledLights.Count == 0 || scene.HasMedia ? null : new(scene, _shares), recorder, _shares);
         _hits = new(scene.World.RoomForHits(streamSize));
         _members = new(scene, streamSize);
     }
@@ -59,10 +62,31 @@ internal sealed unsafe class Wavefront
         Paths += (long)tile.Pixels * samples.Count;
     }
 
+    /// <summary>Renders some samples of single pixels into a film.</summary>
+    /// <param name="film">The film; no other thread may use its pixels that are written to.</param>
+    /// <param name="pixels">The pixels' numbers in the picture, row by row.</param>
+    /// <param name="targets">Where each goes: numbers of pixels of the film.</param>
+    /// <param name="samples">The samples, at most <see cref="SampleAccumulator.MaxSamples"/>.</param>
+    /// <param name="seed">Selects the random numbers, in the place of the scene's seed.</param>
+    public void Render(Film film, ReadOnlySpan<int> pixels, ReadOnlyMemory<int> targets, SampleRange samples, uint seed)
+    {
+        _accumulator.BeginPixels(film, targets);
+        _generator.Begin(pixels, samples, seed);
+        Follow(samples);
+        _accumulator.End();
+        Paths += (long)pixels.Length * samples.Count;
+    }
+
     /// <summary>Follows the paths of some samples of every pixel of a tile; where there is a recorder, it takes them instead of the film.</summary>
     public void Follow(in Tile tile, SampleRange samples)
     {
         _generator.Begin(tile, samples);
+        _shares?.Begin(tile, samples);
+        Follow(samples);
+    }
+
+    private void Follow(SampleRange samples)
+    {
         _finished.Begin(samples);
         _shader.Begin(_generator, samples);
         _current.Count = 0;

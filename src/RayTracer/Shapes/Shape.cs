@@ -22,6 +22,9 @@ public abstract class Shape(Material material, string name)
     /// <summary>What it was made from; null where that is not kept.</summary>
     internal Description.ShapeDescription? Source { get; set; }
 
+    /// <summary>By what it is told from other lights; null where nothing is said.</summary>
+    internal Lights.LightLabel? Label { get; set; }
+
     /// <summary>The smallest box around the surface, parallel to the axes; infinite where the surface is.</summary>
     public abstract Bounds Bounds { get; }
 

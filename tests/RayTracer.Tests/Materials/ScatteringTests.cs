@@ -120,6 +120,61 @@ public class ScatteringTests
 
     [Theory]
     [MemberData(nameof(Cases))]
+    public void The_matt_part_is_a_part_of_the_bsdf_and_holds_what_lights_are_sampled_for(string name) => ForEachSurface(name, (material, at) =>
+    {
+        SurfaceW surface = at.Prepare(material.Material);
+        material.Material.Brdf(surface, out RgbW brdf);
+        ScatterSamples.OnGrid(material.Material, surface, 4, (in ScatterW s, int lane) =>
+        {
+            Vector3D d = Vector3D.Of(s.Direction, lane);
+            Vec3W direction = new((float)d.X, (float)d.Y, (float)d.Z);
+            material.Material.Bsdf(surface, direction, out RgbW bsdf);
+            material.Material.DiffuseBsdf(surface, direction, out RgbW matt);
+            double least = d.Dot(Facing(surface)) > 0 ? brdf.G[0] : 0;
+            Assert.True(matt.G[0] >= least * (1 - 1e-5) && matt.G[0] <= bsdf.G[0] * (1 + 1e-5), $"{material} at {at}: {least} ≤ {matt.G[0]} ≤ {bsdf.G[0]}");
+        });
+    });
+
+    [Fact]
+    public void The_matt_part_is_what_is_left_without_gloss()
+    {
+        SolidTexture color = new(new(0.2f, 0.4f, 0.6f));
+        SolidTexture black = new(Rgb.Black);
+        SolidTexture half = new(new(0.5f, 0.5f, 0.5f));
+        PrincipledMaterial Cloth(float metallic) => new(new() { BaseColor = color, Roughness = half, Sheen = half, Flatness = half, Metallic = new SolidTexture(new(metallic, metallic, metallic)) }, 1.5f);
+        (Material Glossy, Material Matt)[] pairs =
+        [
+            (new PhongMaterial(null, color, new SolidTexture(new(0.3f, 0.3f, 0.3f)), 10), new PhongMaterial(null, color, black, 10)),
+            (new RoughPlasticMaterial(color, 1.5f, true, new SolidTexture(Rgb.White), MicrofacetDistribution.Ggx, 0.3f), new RoughPlasticMaterial(color, 1.5f, true, black, MicrofacetDistribution.Ggx, 0.3f)),
+            (new MixMaterial(new DiffuseMaterial(color), new RoughConductorMaterial(new(Metal.Gold), new(MicrofacetDistribution.Ggx, new SolidTexture(Rgb.White), new SolidTexture(Rgb.White)), color), color), new MixMaterial(new DiffuseMaterial(color), new DiffuseMaterial(black), color)),
+            (new DiffuseSpecularMaterial(new DiffuseMaterial(color), new PhongMetalMaterial(color, 5), 0.1f), new DiffuseSpecularMaterial(new DiffuseMaterial(color), new PhongMetalMaterial(black, 5), 0.1f)),
+            (Cloth(0.4f), Cloth(0)),
+        ];
+        Random random = new(7);
+        for (int i = 0; i < pairs.Length; i++)
+        {
+            SurfaceW surface = new SurfaceCase(0.6, Inside: false).Prepare(pairs[i].Glossy);
+            for (int k = 0; k < 20; k++)
+            {
+                Vector3D d = RandomDirection(random, Facing(surface));
+                Vec3W direction = new((float)d.X, (float)d.Y, (float)d.Z);
+                pairs[i].Glossy.DiffuseBsdf(surface, direction, out RgbW matt);
+                pairs[i].Matt.Bsdf(surface, direction, out RgbW expected);
+                double share = 1;
+                if (pairs[i].Matt is PrincipledMaterial)
+                {
+                    // It has gloss still: its matt part is in proportion to what is no metal.
+                    pairs[i].Matt.DiffuseBsdf(surface, direction, out expected);
+                    share = 0.6;
+                }
+
+                AssertNear(share * expected.G[0], matt.G[0], 1e-6, $"{pairs[i].Glossy.GetType().Name} towards {d}");
+            }
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Cases))]
     public void Every_weight_is_the_bsdf_times_the_cosine_over_the_pdf(string name) => ForEachSurface(name, (material, at) =>
     {
         SurfaceW surface = at.Prepare(material.Material);

@@ -1,0 +1,121 @@
+using System.CommandLine;
+using System.Globalization;
+using RayTracer.Imaging;
+using RayTracer.Numerics;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+using RayTracer.Session;
+using RayTracer.Textures;
+
+namespace RayTracer.Cli;
+
+/// <summary><c>raytracer compose IMAGE --light NAME=FACTOR -o FILE</c>: balances the lights of a picture anew.</summary>
+internal static class ComposeVerb
+{
+    private const int MostNames = 20;
+
+    // Halves are off by half a unit in eleven bits; layers that lack more are not all of the picture.
+    private const double MostMissing = 1e-3;
+
+    public static void Build(Command command, Streams streams)
+    {
+        Argument<string> image = new("IMAGE") { Description = "An OpenEXR file with layers of lights, as render --aov lights writes it." };
+        Option<string[]> outputs = new("-o", "--output") { Description = "The image file: .png, .pfm or .exr. May be given several times.", HelpName = "FILE" };
+        Option<string[]> lights = new("--light") { Description = "What a light is multiplied by: a number, or three for red, green and blue. May be given several times.", HelpName = "NAME=X|NAME=R,G,B" };
+        ParsedOption<double?> others = OptionValues.Number("--others", "What all lights are multiplied by that are not named; 1 without it.", 0, 1e6);
+        ParsedOption<double?> exposure = OptionValues.Number("--exposure", "PNG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
+        ParsedOption<ToneMap?> toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG: how bright light is brought into what a screen can show; clamp cuts it off.");
+        command.Arguments.Add(image);
+        foreach (Option option in new Option[] { outputs, lights, others.Symbol, exposure.Symbol, toneMap.Symbol })
+        {
+            command.Options.Add(option);
+        }
+
+        command.SetAction(result =>
+        {
+            ImageWriteOptions writing = new()
+            {
+                Exposure = (float)(exposure.Value(result) ?? 0),
+                ToneMap = toneMap.Value(result) ?? ToneMap.Clamp,
+                Metadata = [new("Software", CommandLine.Version), new("Command", Shell.Command(result.Tokens.Select(t => t.Value)))],
+            };
+            return Compose(result.GetValue(image)!, result.GetValue(outputs) ?? [], result.GetValue(lights) ?? [], (float)(others.Value(result) ?? 1), writing, streams);
+        });
+    }
+
+    private static int Compose(string path, string[] outputs, string[] words, float others, ImageWriteOptions writing, Streams streams)
+    {
+        (string Word, string Light, Rgb Factor)[] factors = [.. words.Select(Parse)];
+        Array.ForEach(outputs, ImageOutputs.Check);
+        Picture composed = OfFile(path, file =>
+        {
+            LightMix mix = LightMix.Open(file);
+            Dictionary<string, Rgb> byLight = ByLight(factors, mix.Lights, path);
+            if (outputs.Length == 0)
+            {
+                throw new CommandException(ExitStatus.Usage, $"where to? Give -o FILE. The lights of '{path}' are {Names(mix.Lights)}");
+            }
+
+            if (mix.Missing() is > MostMissing and var missing)
+            {
+                streams.Warn($"the lights of '{path}' are not all of its picture: they differ from it by {missing:P1}");
+            }
+
+            return mix.Compose(light => byLight.GetValueOrDefault(light, new(others, others, others)));
+        });
+        return ImageOutputs.Write(outputs, composed, writing, streams).Count < outputs.Length ? ExitStatus.InputOutput : ExitStatus.Fine;
+    }
+
+    private static T OfFile<T>(string path, Func<byte[], T> read)
+    {
+        try
+        {
+            return read(File.ReadAllBytes(path));
+        }
+        catch (PictureException e)
+        {
+            throw new PictureException($"Cannot balance the lights of '{path}': {e.Message} (raytracer render SCENE --aov lights -o FILE.exr writes them)", e);
+        }
+    }
+
+    private static (string Word, string Light, Rgb Factor) Parse(string word)
+    {
+        int equals = word.LastIndexOf('=');
+        if (equals < 1)
+        {
+            throw new CommandException(ExitStatus.Usage, $"--light {word}: expected NAME=X or NAME=R,G,B");
+        }
+
+        float[] values = [.. word[(equals + 1)..].Split(',').Select(part =>
+            float.TryParse(part, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) && value is >= 0 and <= 1e6f ? value
+            : throw new CommandException(ExitStatus.Usage, $"--light {word}: expected a number from 0 to 1000000, not {Quotation.Of(part)}"))];
+        return values switch
+        {
+            [var grey] => (word, word[..equals], new(grey, grey, grey)),
+            [var r, var g, var b] => (word, word[..equals], new(r, g, b)),
+            _ => throw new CommandException(ExitStatus.Usage, $"--light {word}: expected one number or three, not {values.Length}"),
+        };
+    }
+
+    private static Dictionary<string, Rgb> ByLight((string Word, string Light, Rgb Factor)[] factors, IReadOnlyList<string> lights, string path)
+    {
+        Dictionary<string, Rgb> byLight = [];
+        foreach ((string word, string light, Rgb factor) in factors)
+        {
+            string name = lights.Contains(light) ? light : LightLayerFilm.NameOf(light)[LightLayerFilm.LightPrefix.Length..];
+            if (!lights.Contains(name))
+            {
+                throw new CommandException(ExitStatus.Usage, $"--light {word}: '{path}' has no light {Quotation.Of(light)}{Spelling.DidYouMean(light, lights)}, but {Names(lights)}");
+            }
+
+            if (!byLight.TryAdd(name, factor))
+            {
+                throw new CommandException(ExitStatus.Usage, $"--light {word}: the light {Quotation.Of(name)} is given twice");
+            }
+        }
+
+        return byLight;
+    }
+
+    private static string Names(IReadOnlyList<string> lights) => $"{string.Join(", ", lights.Take(MostNames))}{(lights.Count > MostNames ? $" and {lights.Count - MostNames} more" : "")}";
+}
