@@ -46,6 +46,12 @@ public static class ImageFile
         return PfmReader.IsPfm(file) ? PfmReader.Read(file) : throw Unknown();
     }
 
+    /// <summary>Reads how opaque the pixels of a picture file in memory are.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <returns>0 to 1 in all three channels; null where the file does not say, as only PNG files with a channel for it do.</returns>
+    /// <exception cref="PictureException">As for <see cref="Decode"/>.</exception>
+    public static Picture? DecodeAlpha(ReadOnlySpan<byte> file) => file.StartsWith(PngReader.Signature) ? PngReader.ReadAlpha(file) : null;
+
     /// <summary>Reads the texts that a picture file carries, in their order; of a PFM, JPEG or Radiance HDR, none.</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>

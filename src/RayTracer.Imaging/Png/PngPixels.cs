@@ -9,8 +9,11 @@ internal sealed class PngPixels
     private readonly byte[]? _palette;
     private readonly float[] _values;
 
-    public PngPixels(PngHeader header, byte[]? palette, bool raw)
+    private readonly bool _ofAlpha;
+
+    public PngPixels(PngHeader header, byte[]? palette, bool raw, bool ofAlpha)
     {
+        _ofAlpha = ofAlpha;
         _header = header;
         _palette = header.ColourType == PngColourType.Palette ? palette : null;
         int max = header.BitDepth == 16 ? 65535 : 255;
@@ -32,6 +35,10 @@ internal sealed class PngPixels
                 pixels[at] = _values[colour[0]];
                 pixels[at + 1] = _values[colour[1]];
                 pixels[at + 2] = _values[colour[2]];
+            }
+            else if (_ofAlpha)
+            {
+                pixels[at] = pixels[at + 1] = pixels[at + 2] = _values[Sample(row, sample + _header.Samples - 1)];
             }
             else
             {

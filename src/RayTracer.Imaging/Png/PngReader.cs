@@ -5,7 +5,7 @@ namespace RayTracer.Imaging;
 
 /// <summary>
 /// Reads PNG files (W3C PNG specification, third edition): every colour type, bit depth and interlacing. Transparency is
-/// ignored (the colour under it is what counts), and so are gAMA, cHRM and iCCP: colours are taken to be sRGB.
+/// ignored (the colour under it is what counts) unless it is asked for, and so are gAMA, cHRM and iCCP: colours are taken to be sRGB.
 /// </summary>
 public static class PngReader
 {
@@ -17,7 +17,21 @@ public static class PngReader
     /// <param name="raw">Whether the values are data, to be divided by the largest code, rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB from 0 to 1, or the raw values from 0 to 1; grey has three equal channels.</returns>
     /// <exception cref="PictureException">The file is no PNG, is damaged, or is beyond <see cref="PictureLimits"/>.</exception>
-    public static Picture Read(ReadOnlySpan<byte> file, bool raw = false)
+    public static Picture Read(ReadOnlySpan<byte> file, bool raw = false) => Read(file, raw, ofAlpha: false);
+
+    /// <summary>Reads how opaque a picture's pixels are.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <returns>0 for transparent to 1 for opaque, in all three channels; null where the file has no channel of its own for that.</returns>
+    /// <exception cref="PictureException">As for <see cref="Read(ReadOnlySpan{byte}, bool)"/>.</exception>
+    public static Picture? ReadAlpha(ReadOnlySpan<byte> file)
+    {
+        var chunks = new PngChunks(file);
+        chunks.Next();
+        bool has = chunks.Type == "IHDR" && PngHeader.Parse(chunks.Data).ColourType is PngColourType.GreyAlpha or PngColourType.RgbAlpha;
+        return has ? Read(file, raw: true, ofAlpha: true) : null;
+    }
+
+    private static Picture Read(ReadOnlySpan<byte> file, bool raw, bool ofAlpha)
     {
         var chunks = new PngChunks(file);
         chunks.Next();
@@ -34,7 +48,7 @@ public static class PngReader
         try
         {
             using var zlib = new ZLibStream(compressed, CompressionMode.Decompress);
-            return Decode(zlib, header, new PngPixels(header, palette, raw));
+            return Decode(zlib, header, new PngPixels(header, palette, raw, ofAlpha));
         }
         catch (Exception e) when (e is InvalidDataException or IOException)
         {

@@ -15,6 +15,10 @@ internal static class MaterialTextures
             || values.GetValueOrDefault("Anisotropic") is SolidTextureDescription { Color.R: not 0 };
     }
 
+    /// <summary>Whether a material has the colours of a mesh's corners.</summary>
+    public static bool UseColors(object material) =>
+        material is VertexColorTextureDescription || RecordType.Of(material.GetType()).Parameters.Any(p => p.Get(material) is (MaterialDescription or TextureDescription) and var part && UseColors(part));
+
     /// <summary>A material with other textures.</summary>
     /// <param name="material">The material.</param>
     /// <param name="change">Makes another texture of each that is not the same colour everywhere.</param>

@@ -62,11 +62,14 @@ internal static class MitsubaColors
             case "rgb" or "srgb":
                 color = Read(plugin, plugin.Type == "rgb" ? "value" : "color", standard);
                 break;
+            case "blackbody":
+                color = Color(Scenes.Spectrum.BlackBody(plugin.Float("temperature", 5000, 1), plugin.Float("wavelength_min", CieTables.First), plugin.Float("wavelength_max", CieTables.Last)), isLight);
+                break;
             case "regular" or "irregular":
                 color = Sampled(plugin) is { } sampled ? Color(sampled, isLight) : standard;
                 break;
             default:
-                plugin.Log.Unknown(plugin.TypePlace, $"spectra of the type {Quotation.Of(plugin.Type)} are not read here", plugin.Type, ["uniform", "d65", "rgb", "srgb", "regular", "irregular"]);
+                plugin.Log.Unknown(plugin.TypePlace, $"spectra of the type {Quotation.Of(plugin.Type)} are not read here", plugin.Type, ["uniform", "d65", "rgb", "srgb", "regular", "irregular", "blackbody"]);
                 return standard;
         }
 

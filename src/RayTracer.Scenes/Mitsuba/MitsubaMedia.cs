@@ -66,6 +66,12 @@ internal static class MitsubaMedia
     private static MediumDescription Read(MitsubaObject medium)
     {
         medium.Ignore("has_spectral_extinction", "sample_emitters");
+        if (medium.Type == "heterogeneous")
+        {
+            medium.Log.Error(medium.TypePlace, "media that vary in space (heterogeneous) are not read here: only \"homogeneous\" ones");
+            return new();
+        }
+
         if (medium.Type != "homogeneous")
         {
             medium.Log.Unknown(medium.TypePlace, $"media of the type {Quotation.Of(medium.Type)} are not read here", medium.Type, ["homogeneous"]);

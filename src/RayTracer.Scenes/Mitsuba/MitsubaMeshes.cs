@@ -20,7 +20,7 @@ internal static class MitsubaMeshes
             Shading = isFlat ? MeshShading.Flat : MeshShading.Smooth,
             FlipNormals = shape.Boolean("flip_normals", false) != (isFlat && place.Determinant < 0),
             FlipV = shape.Boolean("flip_tex_coords", shape.Type == "obj"),
-            IgnoreColors = true,
+            IgnoreColors = !MaterialTextures.UseColors(material),
             Material = material,
             Transform = MitsubaSurfaces.Steps(place),
         };

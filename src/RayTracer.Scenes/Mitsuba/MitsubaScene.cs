@@ -27,7 +27,7 @@ internal sealed class MitsubaScene
         MitsubaObject[] bsdfs = [.. root.Children("bsdf")];
         MitsubaObject[] textures = [.. root.Children("texture")];
         SceneDescription scene = new();
-        scene = scene with { Render = scene.Render with { Sampler = SamplerKind.Independent, Integrator = Integrator.Path } };
+        scene = scene with { Render = scene.Render with { Sampler = SamplerKind.Independent, Integrator = Integrator.Path, ShadingNormals = ShadingNormals.Literal } };
         if (root.Only("integrator") is { } integrator)
         {
             scene = scene with { Render = MitsubaIntegrators.Read(integrator, scene.Render) };

@@ -20,7 +20,8 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
     /// <summary>A scene with a sensor's camera, size, filter and samples.</summary>
     public SceneDescription Read(MitsubaObject sensor, SceneDescription scene)
     {
-        sensor.Ignore("near_clip", "far_clip", "shutter_open", "shutter_close", "srf");
+        WarnOfClipping(sensor);
+        sensor.Ignore("shutter_open", "shutter_close", "srf");
         CameraDescription? camera = sensor.Type switch
         {
             "perspective" => Perspective(sensor),
@@ -48,23 +49,27 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
         }
 
         FilmRead film = MitsubaFilms.Read(sensor.Only("film"), render);
-        camera = camera with { Window = film.Window };
+        camera = Shifted(sensor, camera, film.Window);
         MitsubaMedia.Around(sensor);
         sensor.Finish();
         return scene with { Camera = reading.At(sensor.Place, camera), Render = reading.At(sensor.Place, film.Render) };
     }
 
+    // Planes so near to the camera, or so far, are there to be out of the way.
+    private void WarnOfClipping(MitsubaObject sensor)
+    {
+        foreach ((string name, bool cuts) in new[] { ("near_clip", sensor.Float("near_clip", 0) > 0.1f), ("far_clip", sensor.Float("far_clip", float.MaxValue) < 100) })
+        {
+            if (cuts)
+            {
+                reading.Log.Warn(sensor.PlaceOf(name), $"{Quotation.Of(name)} cuts nothing here: all that is before the camera is seen");
+            }
+        }
+    }
+
     private CameraDescription Perspective(MitsubaObject sensor)
     {
         CameraDescription camera = Placed(sensor, out _);
-        foreach (string name in new[] { "principal_point_offset_x", "principal_point_offset_y" })
-        {
-            if (sensor.Float(name, 0) != 0)
-            {
-                reading.Log.Error(sensor.PlaceOf(name), "a principal point beside the middle of the picture is not read here");
-            }
-        }
-
         if (sensor.Text("focal_length") is { } focal)
         {
             return camera with { FieldOfView = FieldOfView(focal, sensor), FieldOfViewAxis = FieldOfViewAxis.Diagonal };
@@ -76,6 +81,32 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
         }
 
         return camera with { FieldOfView = sensor.Float("fov", 40), FieldOfViewAxis = sensor.Choice("fov_axis", FieldOfViewAxis.Horizontal, s_axes) };
+    }
+
+    // The axis meets the film beside its middle: the film is a part of a larger one, whose middle it meets.
+    private CameraDescription Shifted(MitsubaObject sensor, CameraDescription camera, IReadOnlyList<float> window)
+    {
+        float x = sensor.Float("principal_point_offset_x", 0);
+        float y = sensor.Float("principal_point_offset_y", 0);
+        if (x == 0 && y == 0)
+        {
+            return camera with { Window = window };
+        }
+
+        if (camera.Projection != Projection.Perspective)
+        {
+            reading.Log.Error(sensor.Place, "a principal point beside the middle of the picture is read of perspective sensors only");
+            return camera;
+        }
+
+        float larger = 1 + (2 * float.Max(float.Abs(x), float.Abs(y)));
+        IReadOnlyList<float> inner = window.Count > 0 ? window : [0, 0, 1, 1];
+        LaneMath.SinCosTurn(camera.FieldOfView / 720, out float sin, out float cos);
+        return camera with
+        {
+            FieldOfView = LaneMath.Atan2(larger * sin, cos) * (360 / float.Pi),
+            Window = [(((larger - 1) / 2) + x + inner[0]) / larger, (((larger - 1) / 2) + y + inner[1]) / larger, inner[2] / larger, inner[3] / larger],
+        };
     }
 
     private CameraDescription Orthographic(MitsubaObject sensor)

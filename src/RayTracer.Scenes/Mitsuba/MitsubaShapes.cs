@@ -35,6 +35,11 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, 
     {
         if (!_groups.TryGetValue(shape, out ShapeDescription? group))
         {
+            foreach (MitsubaObject nested in shape.Children("shape").Where(s => s.Type is "shapegroup" or "instance"))
+            {
+                reading.Log.Error(nested.Place, $"a shapegroup cannot hold {(nested.Type == "instance" ? "an instance" : "another one")}");
+            }
+
             group = reading.At(shape.Place, new GroupDescription { Name = shape.Id, Shapes = Inner(shape) });
             _groups.Add(shape, group);
             Groups[shape.Id.Length > 0 ? shape.Id : $"group {Groups.Count + 1}"] = group;

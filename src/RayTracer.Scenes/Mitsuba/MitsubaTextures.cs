@@ -61,8 +61,10 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
                 return Bitmap(texture);
             case "checkerboard":
                 return Checkerboard(texture);
+            case "mesh_attribute":
+                return Attribute(texture);
             default:
-                reading.Log.Unknown(texture.TypePlace, $"textures of the type {Quotation.Of(texture.Type)} are not read here", texture.Type, ["bitmap", "checkerboard"]);
+                reading.Log.Unknown(texture.TypePlace, $"textures of the type {Quotation.Of(texture.Type)} are not read here", texture.Type, ["bitmap", "checkerboard", "mesh_attribute"]);
                 return Solid(new(0.5f, 0.5f, 0.5f));
         }
     }
@@ -82,6 +84,19 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         Vector2 offset = uv.IsStraight ? uv.Offset : Vector2.Zero;
         image = reading.At(texture.Place, image with { Scale = new(scale.X, -scale.Y), Offset = new(offset.X, 1 - offset.Y) });
         return uv.IsStraight ? image : uv.Place(image);
+    }
+
+    // Of what meshes may tell beside uv, the colours of their corners are known.
+    private TextureDescription Attribute(MitsubaObject texture)
+    {
+        if (texture.Text("name") != "vertex_color")
+        {
+            reading.Log.Error(texture.Has("name") ? texture.PlaceOf("name") : texture.Place, "of the attributes of meshes, \"vertex_color\" is read here");
+        }
+
+        float scale = texture.Float("scale", 1);
+        TextureDescription colors = new VertexColorTextureDescription();
+        return scale == 1 ? colors : new ProductTextureDescription { First = colors, Second = Solid(new(scale, scale, scale)) };
     }
 
     // Fields of half a unit.

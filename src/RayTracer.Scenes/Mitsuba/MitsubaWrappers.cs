@@ -15,21 +15,15 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
     /// <param name="inner">What scatters light.</param>
     public MaterialDescription NormalMap(MitsubaObject bsdf, MaterialDescription inner)
     {
-        foreach (string name in new[] { "flip_invalid_normals", "use_shadowing_function" })
-        {
-            if (bsdf.Boolean(name, true))
-            {
-                reading.Log.Warn(bsdf.PlaceOf(name), $"normals that a map turns away are not corrected here, as {Quotation.Of(name)} would");
-            }
-        }
-
+        TurnedNormal turned = Turned(bsdf);
+        bool isSoftened = bsdf.Boolean("use_shadowing_function", true);
         if (bsdf.Child("texture", "normalmap") is not { } map)
         {
             reading.Log.Error(bsdf.Place, "a normalmap needs a texture named \"normalmap\"");
             return inner;
         }
 
-        return new NormalMapMaterialDescription { Map = textures.Read(map), Material = inner };
+        return new NormalMapMaterialDescription { Map = textures.Read(map), Turned = turned, SoftensShadow = isSoftened, Material = inner };
     }
 
     /// <summary>A surface whose heights a picture tells.</summary>
@@ -38,13 +32,15 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
     public MaterialDescription BumpMap(MitsubaObject bsdf, MaterialDescription inner)
     {
         float scale = bsdf.Float("scale", 1);
+        TurnedNormal turned = Turned(bsdf);
+        bool isSoftened = bsdf.Boolean("use_shadowing_function", true);
         if (bsdf.Only("texture") is not { } map)
         {
             reading.Log.Error(bsdf.Place, "a bumpmap needs a texture");
             return inner;
         }
 
-        return new BumpMapMaterialDescription { Map = textures.Read(map), Scale = scale, Material = inner };
+        return new BumpMapMaterialDescription { Map = textures.Read(map), Scale = scale, Turned = turned, SoftensShadow = isSoftened, Material = inner };
     }
 
     /// <summary>The material of Disney's parameters.</summary>
@@ -73,6 +69,8 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
             ClearcoatRoughness = Gloss(bsdf),
         };
     }
+
+    private static TurnedNormal Turned(MitsubaObject bsdf) => bsdf.Boolean("flip_invalid_normals", true) ? TurnedNormal.Flip : TurnedNormal.Back;
 
     // What is gloss there is the absence of roughness here.
     private TextureDescription Gloss(MitsubaObject bsdf)

@@ -39,7 +39,7 @@ public static class DefaultView
             notes.Add("the file has no camera: all of it is shown from the front, the right and above");
         }
 
-        scene = scene with { Camera = model.Camera ?? Camera(center, extent) };
+        scene = scene with { Camera = model.Camera ?? Camera(center, extent), Render = scene.Render with { Integrator = Integrator.Path } };
         if (scene.Lights.Count == 0 && !scene.Shapes.Any(s => IsLamp(s)))
         {
             notes.Add("the file has no light: a large luminaire and a grey background are added");

@@ -56,6 +56,16 @@ public enum SphereLightSampling
     Surface,
 }
 
+/// <summary>What is done where normals with which surfaces are shaded say otherwise than the surfaces themselves.</summary>
+public enum ShadingNormals
+{
+    /// <summary>Normals that turn away from the ray are mirrored into view, and light that would pass through a surface is dropped.</summary>
+    Mended,
+
+    /// <summary>Normals alone tell from which side a surface is seen, and which light it scatters where.</summary>
+    Literal,
+}
+
 /// <summary>Describes how a scene is rendered: everything that changes the picture, and nothing that does not.</summary>
 public sealed record RenderDescription
 {
@@ -101,6 +111,10 @@ public sealed record RenderDescription
     /// <summary>Whether transparent things weaken the light of sources that they stand before, with the report integrator.</summary>
     [Parameter("With the report integrator: whether glass, panes and masks between a surface and a light weaken the light, in place of a dark shadow with bright spots of refracted light (the report's section 4.3.1). Light is not bent on that way: quiet, but not what glass really does.")]
     public bool WeakenedShadows { get; init; }
+
+    /// <summary>What is done where normals that are interpolated say otherwise than the surface itself.</summary>
+    [Parameter("With the path, direct and volPath integrators: what is done near the outlines of meshes, where interpolated normals turn away from the ray. \"mended\" mirrors them into view and drops light that would pass through the surface; \"literal\" shows the surface from behind there, as other renderers do.")]
+    public ShadingNormals ShadingNormals { get; init; } = ShadingNormals.Mended;
 
     /// <summary>How the samples of a pixel are placed.</summary>
     [Parameter("How the samples of a pixel are placed.")]

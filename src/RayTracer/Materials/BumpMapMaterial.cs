@@ -16,13 +16,21 @@ public sealed record BumpMapMaterialDescription : MaterialDescription
     [Parameter("Factor on the heights; negative turns hills into hollows.", Unit = "scene units")]
     public float Scale { get; init; } = 1;
 
+    /// <summary>What is done where the map turns the normal away from the ray.</summary>
+    [Parameter("What is done where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are turned round, or the back is shown, which is black where the material is one-sided.")]
+    public TurnedNormal Turned { get; init; }
+
+    /// <summary>Whether slopes that turn from light darken softly.</summary>
+    [Parameter("Whether light that arrives along the surface is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
+    public bool SoftensShadow { get; init; }
+
     /// <summary>What scatters light.</summary>
     [Parameter("What scatters light: a material of any type but a luminaire.", Required = true)]
     public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) =>
-        new BumpMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Map), Scale);
+        new BumpMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Map), Scale) { Turned = Turned, SoftensShadow = SoftensShadow };
 }
 
 /// <summary>Tilts normals as those of a surface that is moved outwards by a height (Blinn 1978).</summary>
@@ -37,8 +45,7 @@ public sealed class BumpMapMaterial(Material inner, Texture map, float scale) : 
     /// <inheritdoc/>
     protected override void Perturb(in SurfaceW surface, in Vec3W outward, out Vec3W normal)
     {
-        FloatW slopeU = Slope(surface, surface.AlongU, Step, 0f);
-        FloatW slopeV = Slope(surface, surface.AlongV, 0f, Step);
+        Slopes(surface, out FloatW slopeU, out FloatW slopeV);
         Vec3W alongU = Move(surface.AlongU, outward, slopeU);
         Vec3W alongV = Move(surface.AlongV, outward, slopeV);
 
@@ -52,6 +59,20 @@ public sealed class BumpMapMaterial(Material inner, Texture map, float scale) : 
     // The vector within the surface of the normal, and the height that it climbs.
     private static Vec3W Move(in Vec3W along, in Vec3W outward, FloatW slope) =>
         Vec3W.MultiplyAdd(outward, slope - Vec3W.Dot(outward, along), along);
+
+    private void Slopes(in SurfaceW surface, out FloatW slopeU, out FloatW slopeV)
+    {
+        if (map.HasSlope)
+        {
+            map.Slope(surface, out slopeU, out slopeV);
+            slopeU *= scale;
+            slopeV *= scale;
+            return;
+        }
+
+        slopeU = Slope(surface, surface.AlongU, Step, 0f);
+        slopeV = Slope(surface, surface.AlongV, 0f, Step);
+    }
 
     // The difference of two heights, one step of u or v before and behind.
     private FloatW Slope(in SurfaceW surface, in Vec3W along, float du, float dv)

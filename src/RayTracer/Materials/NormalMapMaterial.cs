@@ -16,6 +16,18 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
     [Parameter("Factor on the slopes: 1 as the map tells, 0 is flat.", Minimum = 0, Maximum = 100)]
     public float Strength { get; init; } = 1;
 
+    /// <summary>Whether green points to where v grows.</summary>
+    [Parameter("Whether green points to where v grows even where pictures are mirrored on the surface, as in glTF files; otherwise it points to the left of where u grows.")]
+    public bool GreenAlongV { get; init; }
+
+    /// <summary>What is done where the map turns the normal away from the ray.</summary>
+    [Parameter("What is done where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are turned round, or the back is shown, which is black where the material is one-sided.")]
+    public TurnedNormal Turned { get; init; }
+
+    /// <summary>Whether slopes that turn from light darken softly.</summary>
+    [Parameter("Whether light that arrives along the surface is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
+    public bool SoftensShadow { get; init; }
+
     /// <summary>What scatters light.</summary>
     [Parameter("What scatters light: a material of any type but a luminaire.", Required = true)]
     public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
@@ -28,7 +40,7 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
             builder.Warn(this, nameof(Map), "a normal map's numbers are directions, not colours: its picture should have \"raw\": true");
         }
 
-        return new NormalMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Map), Strength);
+        return new NormalMapMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Map), Strength) { GreenAlongV = GreenAlongV, Turned = Turned, SoftensShadow = SoftensShadow };
     }
 }
 
@@ -38,11 +50,18 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
 /// <param name="strength">Factor on the slopes.</param>
 public sealed class NormalMapMaterial(Material inner, Texture map, float strength) : PerturbedMaterial(inner)
 {
+    /// <summary>Whether green points to where v grows, and not always to the left of where u grows.</summary>
+    public bool GreenAlongV { get; init; }
+
     /// <inheritdoc/>
     protected override void Perturb(in SurfaceW surface, in Vec3W outward, out Vec3W normal)
     {
         map.Evaluate(surface, out RgbW color);
-        Onb frame = new(surface.Tangent, Vec3W.Cross(outward, surface.Tangent), outward);
+        Vec3W left = Vec3W.Cross(outward, surface.Tangent);
+
+        // Where a two-sided material shows its back, outwards is not the way of the shape's own normal, and the picture is seen mirrored.
+        left *= FloatW.CopySign(1f, Vec3W.Dot(GreenAlongV ? left : outward, GreenAlongV ? surface.AlongV : surface.Normal));
+        Onb frame = new(surface.Tangent, left, outward);
         FloatW x = FloatW.MultiplyAdd(color.R, 2f, -1f) * strength;
         FloatW y = FloatW.MultiplyAdd(color.G, 2f, -1f) * strength;
         normal = frame.ToWorld(new(x, y, FloatW.MultiplyAdd(color.B, 2f, -1f)));

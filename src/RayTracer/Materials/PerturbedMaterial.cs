@@ -1,6 +1,20 @@
 using RayTracer.Numerics;
+using RayTracer.Sampling;
 
 namespace RayTracer.Materials;
+
+/// <summary>What is done where a map turns a normal away from the ray.</summary>
+public enum TurnedNormal
+{
+    /// <summary>It is mirrored across the plane perpendicular to the ray.</summary>
+    Mirror,
+
+    /// <summary>Its slopes change their sign: a facet that cannot be seen is replaced by the one across the valley (after Schüßler et al. 2017).</summary>
+    Flip,
+
+    /// <summary>The surface is seen from behind.</summary>
+    Back,
+}
 
 /// <summary>
 /// A material that answers as another one does on a surface of other normals (Blinn, Simulation of wrinkled surfaces, 1978). Light that would leak through the
@@ -10,7 +24,23 @@ namespace RayTracer.Materials;
 public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = inner.Scattering;
+    public override ScatteringProperties Scattering => IsPlain ? Inner.Scattering : Inner.Scattering with
+    {
+        ReciprocityException = "what a map turns away depends on the ray, and light is weakened by the angle at which it arrives",
+        KeepsEnergy = false,
+
+        // What is left of light depends on where it comes from, which sampling of lights for a BRDF that is the same for all directions does not know.
+        Specular = Inner.HasDensity ? SpecularLobe.Glossy : Inner.Scattering.Specular,
+    };
+
+    /// <inheritdoc/>
+    public override bool IsLit => IsPlain && Inner.IsLit;
+
+    /// <summary>What is done where the map turns the normal away from the ray.</summary>
+    public TurnedNormal Turned { get; init; }
+
+    /// <summary>Whether light that arrives along the surface is weakened where the map turns the normal towards it (Conty Estevez, Lecocq &amp; Stein 2019).</summary>
+    public bool SoftensShadow { get; init; }
 
     /// <inheritdoc/>
     public override bool UsesUv => true;
@@ -32,12 +62,79 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
         normal = isGood.Select(normal, outward);
         Vec3W facing = surface.Inside.Select(-normal, normal);
 
-        // Seen from behind, it is mirrored across the plane perpendicular to the ray, so that it is not.
         FloatW along = Vec3W.Dot(surface.Incoming, facing);
-        surface.Facing = Vec3W.NegatedMultiplyAdd(surface.Incoming, FloatW.Max(along, 0f) * 2f, facing);
+        Face(along, facing, ref surface);
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
         surface.SetTangent();
         Inner.Prepare(ref surface);
+    }
+
+    /// <inheritdoc/>
+    public override void Brdf(in SurfaceW surface, out RgbW brdf)
+    {
+        brdf = default;
+        if (IsPlain)
+        {
+            Inner.Brdf(surface, out brdf);
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        if (IsPlain)
+        {
+            Inner.Bsdf(surface, direction, out bsdf);
+            return;
+        }
+
+        Look(surface, out SurfaceW seen);
+        Inner.Bsdf(seen, direction, out bsdf);
+        bsdf *= Passing(surface, direction);
+    }
+
+    /// <inheritdoc/>
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        if (IsPlain)
+        {
+            Inner.DiffuseBsdf(surface, direction, out bsdf);
+            return;
+        }
+
+        Look(surface, out SurfaceW seen);
+        Inner.DiffuseBsdf(seen, direction, out bsdf);
+        bsdf *= Passing(surface, direction);
+    }
+
+    /// <inheritdoc/>
+    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
+    {
+        if (IsPlain)
+        {
+            Inner.Pdf(surface, direction, out pdf);
+            return;
+        }
+
+        Look(surface, out SurfaceW seen);
+        Inner.Pdf(seen, direction, out pdf);
+        pdf = Leaks(surface, direction).Select(0f, pdf);
+    }
+
+    /// <inheritdoc/>
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
+    {
+        if (IsPlain)
+        {
+            Inner.Scatter(surface, samples, out scatter);
+            return;
+        }
+
+        Look(surface, out SurfaceW seen);
+        Inner.Scatter(seen, samples, out scatter);
+        scatter.Weight *= Passing(surface, scatter.Direction);
+        scatter.Absorbed |= Leaks(surface, scatter.Direction);
+        scatter.Specular = MaskW.All;
     }
 
     /// <summary>The other normal, of any length.</summary>
@@ -45,4 +142,67 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
     /// <param name="outward">Its outward unit normal.</param>
     /// <param name="normal">The other outward normal.</param>
     protected abstract void Perturb(in SurfaceW surface, in Vec3W outward, out Vec3W normal);
+
+    private bool IsPlain => Turned == TurnedNormal.Mirror && !SoftensShadow;
+
+    // Sets the normal on the ray's side, and the surface's own beside it.
+    private void Face(in FloatW along, in Vec3W facing, ref SurfaceW surface)
+    {
+        Vec3W own = surface.Facing;
+        MaskW isTurned = along > 0f;
+        switch (Turned)
+        {
+            case TurnedNormal.Flip:
+                Vec3W flipped = Vec3W.MultiplyAdd(own, Vec3W.Dot(own, facing) * 2f, -facing);
+                surface.Facing = isTurned.Select(flipped, facing);
+                break;
+            case TurnedNormal.Back:
+                surface.Facing = isTurned.Select(-facing, facing);
+                own = isTurned.Select(-own, own);
+                break;
+            default:
+                surface.Facing = Vec3W.NegatedMultiplyAdd(surface.Incoming, FloatW.Max(along, 0f) * 2f, facing);
+                break;
+        }
+
+        surface.Shading = own;
+    }
+
+    // What the inner material is to see: from behind, where the map has turned the surface that far.
+    private void Look(in SurfaceW surface, out SurfaceW seen)
+    {
+        seen = surface;
+        if (Turned == TurnedNormal.Back)
+        {
+            MaskW isTurned = Vec3W.Dot(surface.Incoming, surface.Shading) > 0f;
+            seen.Inside = (surface.Inside | isTurned).Except(surface.Inside & isTurned);
+        }
+    }
+
+    // Directions on different sides of the surface and of what it looks like, where integrators may take the normals literally.
+    private MaskW Leaks(in SurfaceW surface, in Vec3W direction) => Turned == TurnedNormal.Mirror
+        ? MaskW.None
+        : Vec3W.Dot(direction, surface.Shading) * Vec3W.Dot(direction, surface.Facing) <= 0f;
+
+    // What is left of light from a direction: as microfacets would shade each other whose normals are spread as far as the map turns this one
+    // (Conty Estevez, Lecocq & Stein 2019).
+    private FloatW Passing(in SurfaceW surface, in Vec3W direction)
+    {
+        FloatW passing = Leaks(surface, direction).Select(0f, 1f);
+        if (!SoftensShadow)
+        {
+            return passing;
+        }
+
+        FloatW turned = SquaredTangent(Vec3W.Dot(surface.Shading, surface.Facing));
+        FloatW alpha2 = FloatW.Min(turned * 0.125f, 1f);
+        FloatW tangent2 = SquaredTangent(Vec3W.Dot(surface.Shading, direction));
+        return passing * 2f / (1f + FloatW.Sqrt(FloatW.MultiplyAdd(alpha2, tangent2, 1f)));
+    }
+
+    private static FloatW SquaredTangent(FloatW cosine)
+    {
+        FloatW cosine2 = FloatW.Max(cosine * cosine, 1e-12f);
+        return FloatW.Max(1f - cosine2, 0f) / cosine2;
+    }
 }

@@ -123,6 +123,10 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
     {
         Specular = SpecularLobe.Glossy,
         EnergyException = "base, highlight and sheen are added without regard to what the others leave (Burley's model)",
+
+        // Computed by quadrature for a white base, seen at a cosine of 0.001 with a roughness of 1, where each is largest: of the base 1.56 (its
+        // retro-reflection), with the highlight 1.61 at an index of 1.5 and 1.96 at one of 10, and 0.09 of the sheen. The coat adds at most 0.04.
+        MostEnergy = 2.1f,
     };
 
     /// <inheritdoc/>

@@ -18,6 +18,9 @@ public sealed record ScatteringProperties
     /// <summary>Why more light may go on than arrives; null where that never is so.</summary>
     public string? EnergyException { get; init; }
 
+    /// <summary>The largest part of the light that may go on, seen from any angle: 1 unless there is an <see cref="EnergyException"/>.</summary>
+    public float MostEnergy { get; init; } = 1;
+
     /// <summary>
     /// Whether, with colours of one and nothing absorbed inside, all light goes on: the weights of <see cref="Material.Scatter"/>
     /// have mean 1, measured in radiance over the squared refractive index. Where not, the mean is at most 1.

@@ -70,14 +70,17 @@ public sealed class TwoSidedMaterial(Material front, Material back) : Material
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface)
     {
+        // Maps take both sides for the outside, so that hills are hills on both.
+        MaskW inside = surface.Inside;
+        surface.Inside = MaskW.None;
+        SurfaceW behind = surface;
+        front.Prepare(ref surface);
+        surface.Inside = inside;
         if (front == back)
         {
-            front.Prepare(ref surface);
             return;
         }
 
-        SurfaceW behind = surface;
-        front.Prepare(ref surface);
         back.Prepare(ref behind);
         surface.DiffuseColor = surface.Inside.Select(behind.DiffuseColor, surface.DiffuseColor);
         if (TurnsNormal)
@@ -85,6 +88,7 @@ public sealed class TwoSidedMaterial(Material front, Material back) : Material
             surface.Facing = surface.Inside.Select(behind.Facing, surface.Facing);
             surface.Cosine = surface.Inside.Select(behind.Cosine, surface.Cosine);
             surface.Tangent = surface.Inside.Select(behind.Tangent, surface.Tangent);
+            surface.Shading = surface.Inside.Select(behind.Shading, surface.Shading);
         }
     }
 

@@ -56,6 +56,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
     /// <param name="radiance">Added to.</param>
     public void Add(in SurfaceW surface, Material? material, in UIntW media, uint interior, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
+        bool isLiteral = isSmoothed && scene.IsLiteral;
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
         ref LitW lit = ref *_lit.Pointer;
         lit.Side = side;
@@ -64,8 +65,9 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         lit.Interior = interior;
         lit.Time = time;
         lit.Transmits = material is { Transmits: true };
-        lit.IsSmoothed = isSmoothed;
-        lit.From = lit.Transmits ? surface.Point : lit.Origin;
+        lit.IsSmoothed = isSmoothed && !isLiteral;
+        lit.IsLiteral = isLiteral;
+        lit.From = lit.Transmits || isLiteral ? surface.Point : lit.Origin;
         ref RgbW arriving = ref lit.Arriving;
         arriving = default;
         queue?.Begin(weight);
@@ -170,7 +172,11 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         origin = lit.Origin;
         if (lit.Transmits)
         {
-            free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
+            if (!lit.IsLiteral)
+            {
+                free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
+            }
+
             origin = SurfaceShader.Leave(surface, sample.Direction);
             cosine = FloatW.Abs(cosine);
         }
@@ -181,6 +187,11 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
             {
                 // Light from behind the surface itself would come through it.
                 free &= Vec3W.Dot(sample.Direction, lit.Side) > 0f;
+            }
+
+            if (lit.IsLiteral)
+            {
+                origin = SurfaceShader.Leave(surface, sample.Direction);
             }
         }
 
@@ -253,5 +264,6 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         public uint Interior;
         public bool Transmits;
         public bool IsSmoothed;
+        public bool IsLiteral;
     }
 }

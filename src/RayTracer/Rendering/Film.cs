@@ -82,7 +82,8 @@ public sealed class Film : IImageRows
 
     /// <summary>
     /// Variance of the luminance of a pixel's samples (unbiased; of one sample, not of the mean); zero below two samples. For
-    /// stratified samplers, the variance of the mean is smaller than this over the number of samples.
+    /// stratified samplers, the variance of the mean is smaller than this over the number of samples, and far smaller with a pixel filter that is
+    /// negative in parts: of even light, each sample is one of two opposite numbers, but their shares are stratified.
     /// </summary>
     /// <param name="x">Column, from the left.</param>
     /// <param name="y">Row, from the top.</param>

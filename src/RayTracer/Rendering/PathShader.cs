@@ -123,7 +123,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         material.Scatter(surface, Vertex, out scatter);
         throughput *= scatter.Weight;
         MaskW alive = goesOn.Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
-        if (group.MayLeak)
+        if (group.MayLeak && !Scene.IsLiteral)
         {
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }

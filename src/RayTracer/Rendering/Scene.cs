@@ -147,6 +147,10 @@ public sealed class Scene
         ? MediumStack.CrossByPriority(stack, interior, crosses, enters, Media.Priorities)
         : MediumStack.Cross(stack, interior, crosses, enters);
 
+    /// <summary>Whether shading normals alone tell from which side surfaces are seen.</summary>
+    internal bool IsLiteral =>
+        Render.ShadingNormals == ShadingNormals.Literal && Render.Integrator is Integrator.Path or Integrator.Direct or Integrator.VolPath;
+
     /// <summary>What is shaded together.</summary>
     internal ShadingGroup[] Groups { get; }
 

@@ -133,7 +133,14 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
         if (group.HasShadingNormals)
         {
-            Smooth(ref surface);
+            if (scene.IsLiteral)
+            {
+                TakeLiterally(ref surface);
+            }
+            else
+            {
+                Smooth(ref surface);
+            }
         }
 
         if (group.UsesTangent)
@@ -252,6 +259,15 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
     }
 
+    // The side from which the surface is seen is that of its shading normal, whatever side of the triangle the ray comes from.
+    private static void TakeLiterally(ref SurfaceW surface)
+    {
+        FloatW along = Vec3W.Dot(surface.Incoming, surface.Shading);
+        surface.Inside = along > 0f;
+        surface.Facing = surface.Inside.Select(-surface.Shading, surface.Shading);
+        surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
+    }
+
     // Directions that lie on different sides of the surface and of the plane that it is shaded as: what is reflected would come through
     // it, and what is refracted would not (Veach 1997, section 5.3). They carry no light.
     public static MaskW Leaks(in SurfaceW surface, in Vec3W direction)
@@ -281,7 +297,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         }
 
         FloatW outwards = Vec3W.Dot(direction, surface.Normal);
-        return scene.Cross(media, interior, surface.Inside.Select(outwards, -outwards) > 0f, outwards < 0f);
+        return scene.Cross(media, interior, outwards * Vec3W.Dot(surface.Incoming, surface.Normal) > 0f, outwards < 0f);
     }
 
     /// <summary>

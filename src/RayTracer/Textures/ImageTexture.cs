@@ -131,6 +131,29 @@ public sealed unsafe class ImageTexture : Texture
         }
     }
 
+    /// <inheritdoc/>
+    public override bool HasSlope => _interpolation == Interpolation.Bilinear;
+
+    /// <inheritdoc/>
+    public override void Slope(in TexturePointW at, out FloatW alongU, out FloatW alongV)
+    {
+        // Between texels' centres the picture is bilinear, so this is exact but on the lines between them, where it jumps.
+        FloatW x = FloatW.MultiplyAdd(FloatW.MultiplyAdd(at.U, _scale.X, _offset.X), _width, -0.5f);
+        FloatW y = FloatW.MultiplyAdd(1f - FloatW.MultiplyAdd(at.V, _scale.Y, _offset.Y), _height, -0.5f);
+        FloatW left = FloatW.Floor(x);
+        FloatW top = FloatW.Floor(y);
+        UIntW column0 = Column(left);
+        UIntW column1 = Column(left + 1f);
+        UIntW row0 = Row(top);
+        UIntW row1 = Row(top + 1f);
+        FloatW a = FloatW.Gather(_texels, row0 + column0);
+        FloatW b = FloatW.Gather(_texels, row0 + column1);
+        FloatW c = FloatW.Gather(_texels, row1 + column0);
+        FloatW d = FloatW.Gather(_texels, row1 + column1);
+        alongU = FloatW.MultiplyAdd((d - c) - (b - a), y - top, b - a) * (_width * _scale.X);
+        alongV = FloatW.MultiplyAdd((d - b) - (c - a), x - left, c - a) * (-_height * _scale.Y);
+    }
+
     private void Bilinear(in FloatW x, in FloatW y, out RgbW color)
     {
         FloatW left = FloatW.Floor(x);

@@ -60,9 +60,33 @@ public sealed class PlacedTexture(Texture texture, Vector2 scale, float rotate, 
     public override long MemoryBytes => texture.MemoryBytes;
 
     /// <inheritdoc/>
+    public override bool HasSlope => texture.HasSlope;
+
+    /// <inheritdoc/>
     public override void Evaluate(in TexturePointW at, out RgbW color)
     {
-        TexturePointW placed = at;
+        Place(at, out TexturePointW placed);
+        texture.Evaluate(placed, out color);
+    }
+
+    /// <inheritdoc/>
+    public override void Slope(in TexturePointW at, out FloatW alongU, out FloatW alongV)
+    {
+        Place(at, out TexturePointW placed);
+        texture.Slope(placed, out FloatW u, out FloatW v);
+        alongU = FloatW.MultiplyAdd(u, _turn.Cos, v * _turn.Sin) * scale.X;
+        alongV = FloatW.MultiplyAdd(v, _turn.Cos, -(u * _turn.Sin)) * scale.Y;
+        if (Matrix is { } m)
+        {
+            FloatW first = alongU;
+            alongU = FloatW.MultiplyAdd(first, m[0], alongV * m[3]);
+            alongV = FloatW.MultiplyAdd(first, m[1], alongV * m[4]);
+        }
+    }
+
+    private void Place(in TexturePointW at, out TexturePointW placed)
+    {
+        placed = at;
         if (Matrix is { } m)
         {
             placed.U = FloatW.MultiplyAdd(at.U, m[0], FloatW.MultiplyAdd(at.V, m[1], m[2]));
@@ -73,7 +97,6 @@ public sealed class PlacedTexture(Texture texture, Vector2 scale, float rotate, 
         FloatW y = placed.V * scale.Y;
         placed.U = FloatW.MultiplyAdd(x, _turn.Cos, FloatW.NegatedMultiplyAdd(y, _turn.Sin, offset.X));
         placed.V = FloatW.MultiplyAdd(x, _turn.Sin, FloatW.MultiplyAdd(y, _turn.Cos, offset.Y));
-        texture.Evaluate(placed, out color);
     }
 
     private static (float Sin, float Cos) Turn(float degrees)

@@ -24,22 +24,32 @@ public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
     /// <param name="color">The colour there, linear.</param>
     public abstract void Evaluate(in TexturePointW at, out RgbW color);
 
+    /// <summary>Whether <see cref="Slope(in TexturePointW, out FloatW, out FloatW)"/> tells the derivatives.</summary>
+    public virtual bool HasSlope => false;
+
+    /// <summary>How the red channel changes with u and with v; only where <see cref="HasSlope"/> says so.</summary>
+    /// <param name="at">The point.</param>
+    /// <param name="alongU">Derivative by u.</param>
+    /// <param name="alongV">Derivative by v.</param>
+    public virtual void Slope(in TexturePointW at, out FloatW alongU, out FloatW alongV) => alongU = alongV = 0f;
+
     /// <summary>The colour where a path meets a surface.</summary>
     /// <param name="surface">Where: <see cref="SurfaceW.U"/>, <see cref="SurfaceW.V"/>, and what else the texture's <see cref="Inputs"/> name.</param>
     /// <param name="color">The colour there, linear.</param>
     public void Evaluate(in SurfaceW surface, out RgbW color)
     {
-        Unsafe.SkipInit(out TexturePointW at);
-        at.U = surface.U;
-        at.V = surface.V;
-        if ((inputs & TextureInputs.BeyondUv) != TextureInputs.None)
-        {
-            at.Local = surface.Local;
-            at.World = surface.Point;
-            at.VertexColor = surface.Tint;
-        }
-
+        Find(surface, out TexturePointW at);
         Evaluate(at, out color);
+    }
+
+    /// <summary>As <see cref="Slope(in TexturePointW, out FloatW, out FloatW)"/>, where a path meets a surface.</summary>
+    /// <param name="surface">Where.</param>
+    /// <param name="alongU">Derivative by u.</param>
+    /// <param name="alongV">Derivative by v.</param>
+    public void Slope(in SurfaceW surface, out FloatW alongU, out FloatW alongV)
+    {
+        Find(surface, out TexturePointW at);
+        Slope(at, out alongU, out alongV);
     }
 
     /// <summary>The colour at a point of which only uv is known: textures in space are cut at z = 0, and vertices are white.</summary>
@@ -58,5 +68,19 @@ public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
         }
 
         Evaluate(at, out color);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Find(in SurfaceW surface, out TexturePointW at)
+    {
+        Unsafe.SkipInit(out at);
+        at.U = surface.U;
+        at.V = surface.V;
+        if ((inputs & TextureInputs.BeyondUv) != TextureInputs.None)
+        {
+            at.Local = surface.Local;
+            at.World = surface.Point;
+            at.VertexColor = surface.Tint;
+        }
     }
 }

@@ -6,15 +6,12 @@ using Xunit.Abstractions;
 namespace RayTracer.RenderTests.References;
 
 /// <summary>
-/// All scenes of the references, read from the files that the other renderer reads and rendered by path tracing, against its pictures. Beside
-/// chance, only what <see cref="SilhouetteMask"/> tells is allowed for.
+/// All scenes of the references, read from the files that the other renderer reads and rendered by path tracing, against its
+/// pictures. Nothing but chance is allowed for.
 /// </summary>
 public class MitsubaReferenceTests(ITestOutputHelper output)
 {
     private const string Missing = "the other renderer's images are not here";
-
-    // Whose normals are interpolated.
-    private static readonly string[] s_smooth = ["mesh_smooth"];
 
     // Few samples find much of the light: fewer would not tell how much the picture varies.
     private static readonly string[] s_caustics = ["glass"];
@@ -45,14 +42,6 @@ public class MitsubaReferenceTests(ITestOutputHelper output)
         int samples = s_caustics.Contains(name) ? TestSettings.Scale(16, 36) : TestSettings.Scale(4, 36);
         int seeds = s_caustics.Contains(name) ? 64 : TestSettings.Scale(24, 32);
         ImageSamples images = SceneRuns.Render(file, seeds, d => d with { Render = d.Render with { SamplesPerPixel = samples } });
-        if (s_smooth.Contains(name))
-        {
-            SilhouetteMask mask = SilhouetteMask.Of(file);
-            output.WriteLine($"{mask.Share:P1} masked");
-            Assert.InRange(mask.Share, 0, 0.25);
-            images = mask.Apply(images, reference.Mean);
-        }
-
         // Few samples may miss what is rare, and then tell too small a variance; both renderers' samples vary about as much.
         double missed = 0.25 * SamplesOf(folder, name) / ((double)samples * seeds);
         BlockEstimate Reference(Block block, int channel)

@@ -111,14 +111,16 @@ public class ObjReaderTests
         { "Kd 0.5 0.25 2\nKa 1 1 1", Matt(0.5f, 0.25f, 1) },
         { "Kd 0.5", Matt(0.5f, 0.5f, 0.5f) },
         { "", Matt(0.8f, 0.8f, 0.8f) },
-        { "Kd 0.5\nKs 0.2 0.1 0\nNs 50", new DiffuseSpecularMaterialDescription { Diffuse = Matt(0.5f, 0.5f, 0.5f), R0 = 0.2f, Specular = Metal(1, 0.5f, 0, 50) } },
-        { "Kd 0 0 0\nKs 0.9 0.8 0.7\nNs 2e7\nillum 3", Metal(0.9f, 0.8f, 0.7f, 1e6f) },
+        { "Kd 0.5\nKs 0.2 0.1 0\nNs 30", Shining(0.5f, 0.5f) with { Specular = 0.2f } },
+        { "Kd 0 0 0\nKs 0.9 0.8 0.7\nNs 30\nillum 3", Shining(1, 0.5f) with { BaseColor = Solid(0.9f, 0.8f, 0.7f), Specular = 0.9f, Metallic = Number(1) } },
         { "Kd 0.5\nKs 1 1 1\nillum 1", Matt(0.5f, 0.5f, 0.5f) },
-        { "Kd 0.5\nd 0.1\nNi 1.33", new DielectricMaterialDescription { RefractiveIndex = 1.33f } },
-        { "Tr 0.9", new DielectricMaterialDescription { RefractiveIndex = 1.5f } },
+        { "Kd 0.5\nPr 0.3\nPm 0.9\nPs 0.1\nPc 0.4\nPcr 0.2\naniso 0.6", Shining(0.5f, 0.3f) with { Metallic = Number(0.9f), Sheen = Number(0.1f), Clearcoat = Number(0.4f), ClearcoatRoughness = Number(0.2f), Anisotropic = Number(0.6f) } },
+        { "Kd 0.5\nillum 7\nNi 1.33", new DielectricMaterialDescription { RefractiveIndex = 1.33f } },
+        { "illum 4", new DielectricMaterialDescription { RefractiveIndex = 1.5f } },
+        { "Kd 0.5\nTr 0.75", new MaskMaterialDescription { Material = Matt(0.5f, 0.5f, 0.5f), Opacity = Number(0.25f) } },
         { "Tr 1\nd 1\nKd 0.5", Matt(0.5f, 0.5f, 0.5f) },
         { "d -halo 0.1\nKd 0.5", Matt(0.5f, 0.5f, 0.5f) },
-        { "d 0.9\nKd 0.5", Matt(0.5f, 0.5f, 0.5f) },
+        { "d 0.75\nKd 0.5", new MaskMaterialDescription { Material = Matt(0.5f, 0.5f, 0.5f), Opacity = Number(0.75f) } },
         { "illum 7\nNi 1.0", new DielectricMaterialDescription { RefractiveIndex = 1.5f } },
         { "Ke 3 2 1\nKd 0.5", new LuminaireMaterialDescription { Color = Solid(3, 2, 1), Material = Matt(0.5f, 0.5f, 0.5f) } },
     };
@@ -141,9 +143,12 @@ public class ObjReaderTests
         File.WriteAllText(folder["a.mtl"], """
             newmtl a
             Kd 0.5 0.5 0.5
-            map_Kd -s 2 3 1 -o 0.5 -clamp on -mm 0 1 -bm 2 C:\textures\a Picture.png
+            map_Kd -s 2 3 1 -o 0.5 -clamp on -mm 0 1 C:\textures\a Picture.png
+            map_bump -bm 0.25 A picture.png
+            map_d A picture.png
             map_Bump nothing.png
             newmtl b
+            refl x.png
             Kd 1 0 0
             map_Kd missing.png
             newmtl c
@@ -155,16 +160,21 @@ public class ObjReaderTests
         ImportedModel model = Parse(Square + "mtllib a.mtl\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\nusemtl e\nf 1 2 3", folder.Path);
         IReadOnlyList<MaterialDescription> materials = Shape(model).Materials;
         ImageTextureDescription expected = new() { File = folder["A picture.png"], Scale = new(2, 3), Offset = new(0.5f, 0), Wrapping = Wrapping.Clamp };
-        Assert.Equal(expected, ((DiffuseMaterialDescription)materials[0]).Color);
+        ImageTextureDescription plain = new() { File = folder["A picture.png"] };
+        MaskMaterialDescription mask = Assert.IsType<MaskMaterialDescription>(materials[0]);
+        BumpMapMaterialDescription bump = Assert.IsType<BumpMapMaterialDescription>(mask.Material);
+        Assert.Equal(plain with { Raw = true }, mask.Opacity);
+        Assert.Equal((0.25f, plain with { Raw = true }), (bump.Scale, bump.Map));
+        Assert.Equal(new ProductTextureDescription { First = expected, Second = Solid(0.5f, 0.5f, 0.5f) }, ((DiffuseMaterialDescription)bump.Material).Color);
         Assert.Equal(new Rgb(1, 0, 0), Color(((DiffuseMaterialDescription)materials[1]).Color));
-        Assert.Equal(expected with { Scale = Vector2.One, Offset = default, Wrapping = Wrapping.Repeat }, ((LuminaireMaterialDescription)materials[3]).Color);
+        Assert.Equal(plain, ((LuminaireMaterialDescription)materials[3]).Color);
         Assert.Equal(
             [
-                "pictures (map_Kd) take the place of colours (Kd), and are not multiplied by them",
                 "the picture \"missing.png\" is not there: its colour takes its place",
+                "the picture \"nothing.png\" is not there: its colour takes its place",
                 "the picture \"picture.tga\" is of no format that is read (.png, .jpg, .jpeg, .pfm, .exr): its colour takes its place",
                 "what radiates (Ke) does so as a luminaire, with Ke as its radiance, on the side that its normal points to",
-                "of materials, these statements are left out: Tf, map_Bump",
+                "of materials, these statements are left out: Tf, refl",
             ],
             model.Notes);
     }
@@ -217,7 +227,7 @@ public class ObjReaderTests
         const string Text = Square + "vt 0 0\nvt 1 1\nvn 0 0 1\n# comment\nmtllib a.mtl\ng a b\nusemtl m\ns 1\nf 1/1/1 2/2/1 3/1/1 4/2/1\nf -1 -2 -3 \\\n -4\ns off\no c\nf 1//1 2//1 3//1\nl 1 2\nv 1e5 2.5 -3.25 0.5 0.25 1\nf 1 2 5 3 4\n";
         byte[][] pieces = [[.. "f 1 2 3\n"u8], [.. " 999999999 "u8], [.. "\\\n"u8], [.. "//"u8], [.. "-"u8], [.. "1e999"u8], [0], [.. "\nusemtl x\n"u8]];
         ModelFuzz.Run(Encoding.ASCII.GetBytes(Text), f => ObjReader.Parse(f, "", "x"), pieces);
-        const string Statements = "newmtl m\nKd 1 0.5 0\nKs 0.5 0.5 0.5\nNs 20\nd 0.5\nTr 0.25\nillum 2\nKe 0 0 0\nmap_Kd -s 1 2 3 -o 1 x.png\nNi 1.5\nnewmtl n\nKd xyz 1 2 3\nTf 1 1 1\n";
+        const string Statements = "newmtl m\nKd 1 0.5 0\nKs 0.5 0.5 0.5\nNs 20\nd 0.5\nTr 0.25\nillum 2\nKe 0 0 0\nmap_Kd -s 1 2 3 -o 1 x.png\nbump -bm 2 y.png\nPr 0.5\nNi 1.5\nnewmtl n\nKd xyz 1 2 3\nTf 1 1 1\n";
         ModelFuzz.Run(Encoding.ASCII.GetBytes(Statements), ReadMaterials, pieces);
     }
 
@@ -277,5 +287,7 @@ public class ObjReaderTests
 
     private static DiffuseMaterialDescription Matt(float r, float g, float b) => new() { Color = Solid(r, g, b) };
 
-    private static PhongMetalMaterialDescription Metal(float r, float g, float b, float exponent) => new() { Color = Solid(r, g, b), Exponent = exponent };
+    private static SolidTextureDescription Number(float value) => Solid(value, value, value);
+
+    private static PrincipledMaterialDescription Shining(float color, float roughness) => new() { BaseColor = Number(color), Roughness = Number(roughness) };
 }

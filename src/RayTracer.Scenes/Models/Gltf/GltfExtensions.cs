@@ -10,7 +10,7 @@ internal static class GltfExtensions
     public static FrozenSet<string> Materials { get; } = FrozenSet.ToFrozenSet(
     [
         "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_pbrSpecularGlossiness",
-        "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_volume",
+        "KHR_materials_sheen", "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_volume",
     ]);
 
     /// <summary>All.</summary>

@@ -8,7 +8,8 @@ namespace RayTracer.Scenes;
 /// <summary>Maps a glTF file's materials to the nearest ones that there are; docs/gltf.md has the table.</summary>
 internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures)
 {
-    private const float Half = 0.5f;
+    // Below this roughness (α = 0.01), glass is shown clear.
+    private const float ClearRoughness = 0.1f;
 
     private readonly Dictionary<int, GltfMaterial> _described = [];
     private readonly GltfMaterial _default = new(new DiffuseMaterialDescription { Color = new SolidTextureDescription { Color = new(0.8f, 0.8f, 0.8f) } }, 0, false);
@@ -34,7 +35,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
     private GltfMaterial Describe(GltfObject material)
     {
         GltfSurface surface = GltfSurface.Of(document, textures, material);
-        MaterialDescription description = Reflecting(material, surface);
+        MaterialDescription description = CutOut(Embossed(material, surface, Scattering(material, surface)), surface);
         NoteWhatIsLeftOut(material);
         Rgb emission = material.Color("emissiveFactor", Rgb.Black);
         if (emission.IsBlack)
@@ -52,98 +53,93 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
         return new(shining, surface.UvSet, strength > 1);
     }
 
-    private MaterialDescription Reflecting(GltfObject material, GltfSurface surface)
+    private MaterialDescription Scattering(GltfObject material, GltfSurface surface)
     {
         if (material.Extension("KHR_materials_unlit") is not null)
         {
             document.Notes.Add("a material that is to be shown without light is shown matt");
-            return Matt(surface.Color);
+            return new DiffuseMaterialDescription { Color = surface.Color };
         }
 
-        if (surface.Metallic is > 0.1f and < 0.9f)
-        {
-            document.Notes.Add("a material that is partly metal is shown as the one or the other");
-        }
-
-        if (surface.Metallic >= Half)
-        {
-            return Metal(material, surface);
-        }
-
-        if (surface.Transmission >= Half)
-        {
-            return Glass(material, surface);
-        }
-
-        if (surface.Transmission > 0.1f)
-        {
-            document.Notes.Add("a material that lets less than half of the light through is shown opaque");
-        }
-
-        return Coated(material, surface);
+        PrincipledMaterialDescription opaque = Opaque(material, surface);
+        return surface.Transmission is null || IsOne(surface.Metallic) ? opaque : Transparent(material, surface, opaque);
     }
 
-    private MaterialDescription Metal(GltfObject material, GltfSurface surface)
+    private PrincipledMaterialDescription Opaque(GltfObject material, GltfSurface surface)
     {
-        if (ClearCoat(material) > 0)
+        PrincipledMaterialDescription opaque = new()
         {
-            document.Notes.Add("the clear coat on a metal is left out");
-        }
-
-        float exponent = PhongLobe.Exponent(surface.Roughness);
-        return PhongLobe.IsMatt(exponent)
-            ? Matt(surface.Color)
-            : new PhongMetalMaterialDescription { Color = surface.Color, Exponent = exponent };
-    }
-
-    private MaterialDescription Coated(GltfObject material, GltfSurface surface)
-    {
-        float clearCoat = ClearCoat(material);
-        if (clearCoat > 0)
-        {
-            GltfObject coat = material.Extension("KHR_materials_clearcoat")!;
-            float roughness = coat.Fraction("clearcoatRoughnessFactor", 0) * textures.Mean(GltfTextureUse.Of(document, coat, "clearcoatRoughnessTexture"))[1];
-
-            // The specification's coat has an index of 1.5, which reflects 4 % head-on.
-            return Coat(Matt(surface.Color), Rgb.White, 0.04f * clearCoat, PhongLobe.Exponent(roughness));
-        }
-
-        return Coat(Matt(surface.Color), surface.CoatColor, surface.R0, PhongLobe.Exponent(surface.Roughness));
-    }
-
-    private static MaterialDescription Coat(MaterialDescription matt, Rgb color, float r0, float exponent) =>
-        PhongLobe.IsMatt(exponent) || r0 == 0 ? matt : new DiffuseSpecularMaterialDescription
-        {
-            Diffuse = matt,
-            Specular = new PhongMetalMaterialDescription { Color = new SolidTextureDescription { Color = color }, Exponent = exponent },
-            R0 = r0,
+            BaseColor = surface.Color,
+            Metallic = surface.Metallic,
+            Roughness = surface.Roughness,
+            RefractiveIndex = surface.ReflectiveIndex,
         };
-
-    private static DiffuseMaterialDescription Matt(TextureDescription color) => new() { Color = color };
-
-    private float ClearCoat(GltfObject material)
-    {
-        GltfObject? coat = material.Extension("KHR_materials_clearcoat");
-        return coat is null ? 0 : coat.Fraction("clearcoatFactor", 0) * textures.Mean(GltfTextureUse.Of(document, coat, "clearcoatTexture"))[0];
-    }
-
-    private DielectricMaterialDescription Glass(GltfObject material, GltfSurface surface)
-    {
-        if (surface.Roughness > 0.1f)
+        if (material.Extension("KHR_materials_clearcoat") is { } coat)
         {
-            document.Notes.Add("rough glass is shown clear");
+            float roughness = coat.Fraction("clearcoatRoughnessFactor", 0);
+            if (coat.Has("clearcoatRoughnessTexture") || coat.Has("clearcoatNormalTexture"))
+            {
+                document.Notes.Add("textures of the roughness and the normals of a clear coat are left out");
+            }
+
+            // The coat's α is from 0.001 to 0.1 here, and roughness² there.
+            opaque = opaque with
+            {
+                Clearcoat = textures.Number(coat.Fraction("clearcoatFactor", 0), GltfTextureUse.Of(document, coat, "clearcoatTexture"), GltfChannel.Red, surface.UvSet),
+                ClearcoatRoughness = Number(float.Clamp(((roughness * roughness) - 0.001f) / 0.099f, 0, 1)),
+            };
         }
 
+        return material.Extension("KHR_materials_sheen") is { } sheen ? WithSheen(opaque, sheen) : opaque;
+    }
+
+    private PrincipledMaterialDescription WithSheen(PrincipledMaterialDescription opaque, GltfObject sheen)
+    {
+        Rgb color = sheen.Color("sheenColorFactor", Rgb.Black);
+        if (sheen.Has("sheenColorTexture") || sheen.Has("sheenRoughnessTexture"))
+        {
+            document.Notes.Add("textures of sheen are left out");
+        }
+
+        float most = float.Max(color.R, float.Max(color.G, color.B));
+        bool isGrey = float.Min(color.R, float.Min(color.G, color.B)) > 0.9f * most;
+        return opaque with { Sheen = Number(most), SheenTint = Number(isGrey ? 0 : 1) };
+    }
+
+    // Walls without thickness let light straight through; volumes refract it.
+    private MaterialDescription Transparent(GltfObject material, GltfSurface surface, PrincipledMaterialDescription opaque)
+    {
+        GltfObject? volume = material.Extension("KHR_materials_volume");
+        bool isThin = volume is null || volume.Number("thicknessFactor", 0, 0) == 0;
+        bool isClear = surface.Roughness is SolidTextureDescription { Color.R: <= ClearRoughness };
+        if (!isThin && !isClear)
+        {
+            if (volume!.Has("attenuationDistance"))
+            {
+                document.Notes.Add("what the volume of rough glass absorbs is left out");
+            }
+
+            return opaque with { Transmission = surface.Transmission!, RefractiveIndex = float.Max(surface.RefractiveIndex, 1.001f) };
+        }
+
+        if (!isClear)
+        {
+            document.Notes.Add("a rough transparent wall is shown clear");
+        }
+
+        MaterialDescription glass = isThin
+            ? new ThinDielectricMaterialDescription { RefractiveIndex = surface.RefractiveIndex, SpecularTransmittance = surface.Color }
+            : Glass(surface, volume!);
+        return IsOne(surface.Transmission!) && surface.Metallic is SolidTextureDescription { Color.R: 0 }
+            ? glass
+            : new MixMaterialDescription { First = opaque, Second = glass, Weight = surface.Transmission! };
+    }
+
+    private DielectricMaterialDescription Glass(GltfSurface surface, GltfObject volume)
+    {
         if (surface.Color is not SolidTextureDescription { Color: var color } || color != Rgb.White)
         {
             document.Notes.Add("the colour of a transparent surface is left out: only its volume absorbs light");
-        }
-
-        GltfObject? volume = material.Extension("KHR_materials_volume");
-        if (volume is null || volume.Number("thicknessFactor", 0, 0) == 0)
-        {
-            document.Notes.Add("a thin transparent wall is shown as the surface of a solid body");
-            return new() { RefractiveIndex = surface.RefractiveIndex };
         }
 
         float distance = volume.Number("attenuationDistance", float.PositiveInfinity, float.Epsilon);
@@ -151,25 +147,39 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
         return new() { RefractiveIndex = surface.RefractiveIndex, Extinction = new(Extinction(left.R, distance), Extinction(left.G, distance), Extinction(left.B, distance)) };
     }
 
+    private MaterialDescription Embossed(GltfObject material, GltfSurface surface, MaterialDescription inner)
+    {
+        if (textures.Normals(GltfTextureUse.Of(document, material, "normalTexture"), surface.UvSet) is not { } normals)
+        {
+            return inner;
+        }
+
+        float scale = material.Child("normalTexture")!.Number("scale", 1);
+        if (scale is < 0 or > 100)
+        {
+            document.Notes.Add("the scale of a normal map is brought into 0 to 100");
+        }
+
+        return new NormalMapMaterialDescription { Map = normals, Strength = float.Clamp(scale, 0, 100), GreenAlongV = true, Material = inner };
+    }
+
+    private static MaterialDescription CutOut(MaterialDescription inner, GltfSurface surface) => surface.Opacity is { } opacity && !IsOne(opacity)
+        ? new MaskMaterialDescription { Material = inner, Opacity = opacity }
+        : inner;
+
+    private static bool IsOne(TextureDescription number) => number is SolidTextureDescription { Color.R: 1 };
+
+    private static SolidTextureDescription Number(float value) => new() { Color = new(value, value, value) };
+
     // Beer's law: after the distance, the fraction is left. A black fraction would need an infinite coefficient.
     private static float Extinction(float fraction, float distance) =>
         float.Clamp(-LaneMath.Log(float.Max(fraction, 1e-6f)) / distance, 0, 1e6f);
 
     private void NoteWhatIsLeftOut(GltfObject material)
     {
-        if (material.Has("normalTexture"))
-        {
-            document.Notes.Add("a normal map is left out");
-        }
-
         if (material.Has("occlusionTexture"))
         {
             document.Notes.Add("an occlusion map is left out: the shadows are computed");
-        }
-
-        if (material.Text("alphaMode") is "BLEND" or "MASK")
-        {
-            document.Notes.Add("a material that is transparent by its alpha is shown opaque");
         }
 
         foreach (string name in material.Child("extensions")?.Node.Members.Select(m => m.Key) ?? [])

@@ -15,16 +15,68 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
     private const int MirroredRepeat = 33648;
     private const int Repeat = 10497;
 
-    private readonly Dictionary<GltfTextureUse, TextureDescription> _described = [];
+    private readonly Dictionary<(GltfTextureUse Use, GltfChannel Channel), TextureDescription> _described = [];
 
     /// <summary>A colour times a texture; the colour alone where there is none, or none that can be shown.</summary>
     /// <param name="factor">The colour, linear.</param>
     /// <param name="use">The texture; may be null.</param>
     /// <param name="uvSet">The set of uv that the mesh has; a texture on another one is averaged.</param>
-    public TextureDescription Colour(Rgb factor, GltfTextureUse? use, int uvSet)
+    public TextureDescription Colour(Rgb factor, GltfTextureUse? use, int uvSet) => Times(factor, use, GltfChannel.Color, uvSet);
+
+    /// <summary>A number times a channel of a texture; the number alone where there is none, or none that can be shown.</summary>
+    /// <param name="factor">The number.</param>
+    /// <param name="use">The texture; may be null.</param>
+    /// <param name="channel">The channel.</param>
+    /// <param name="uvSet">The set of uv that the mesh has; a texture on another one is averaged.</param>
+    public TextureDescription Number(float factor, GltfTextureUse? use, GltfChannel channel, int uvSet) => Times(new(factor, factor, factor), use, channel, uvSet);
+
+    /// <summary>The directions of a normal map; null where there are none that can be shown.</summary>
+    public TextureDescription? Normals(GltfTextureUse? use, int uvSet)
+    {
+        if (use is null || Source(use.Texture) is not { } image)
+        {
+            return null;
+        }
+
+        if (use.UvSet != uvSet)
+        {
+            document.Notes.Add("a normal map that uses another set of uv than the base colour is left out");
+            return null;
+        }
+
+        return Described(use, image, GltfChannel.All);
+    }
+
+    /// <summary>Where a surface is cut out: the opacity, or 1 and 0 as it reaches a threshold or not.</summary>
+    /// <param name="factor">Factor on the opacity.</param>
+    /// <param name="use">The texture whose alpha it is; may be null.</param>
+    /// <param name="threshold">The threshold; null for none.</param>
+    /// <param name="uvSet">The set of uv that the mesh has.</param>
+    public TextureDescription Opacity(float factor, GltfTextureUse? use, float? threshold, int uvSet)
+    {
+        TextureDescription opacity = Number(factor, use, GltfChannel.Alpha, uvSet);
+        if (threshold is not { } least)
+        {
+            return opacity;
+        }
+
+        if (opacity is SolidTextureDescription { Color.R: var value })
+        {
+            return Solid(value >= least ? 1 : 0);
+        }
+
+        int image = Source(use!.Texture)!.Value;
+        Picture alpha = images.Picture(image, GltfChannel.Alpha)!;
+        Picture cut = new(alpha.Width, alpha.Height, [.. alpha.Pixels.Select(a => a * factor >= least ? 1f : 0)]);
+        return Placed(Image(use.Texture, cut), use);
+    }
+
+    private static SolidTextureDescription Solid(float value) => new() { Color = new(value, value, value) };
+
+    private TextureDescription Times(Rgb factor, GltfTextureUse? use, GltfChannel channel, int uvSet)
     {
         TextureDescription solid = new SolidTextureDescription { Color = factor };
-        if (use is null || factor.IsBlack || Source(use.Texture) is not { } image)
+        if (use is null || factor.IsBlack || Source(use.Texture) is not { } image || images.Picture(image, channel) is not { } picture)
         {
             return solid;
         }
@@ -32,24 +84,19 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
         if (use.UvSet != uvSet)
         {
             document.Notes.Add("a texture that uses another set of uv than the base colour is averaged");
-            return new SolidTextureDescription { Color = factor * images.Mean(image) };
+            return new SolidTextureDescription { Color = factor * GltfImages.Mean(picture) };
         }
 
-        TextureDescription texture = Described(use, image);
-
+        TextureDescription texture = Described(use, image, channel);
         return factor == Rgb.White ? texture : new ProductTextureDescription { First = texture, Second = solid };
     }
 
-    /// <summary>The mean of each channel of a texture that holds data rather than colours; 1 where there is none.</summary>
-    public IReadOnlyList<float> Mean(GltfTextureUse? use) =>
-        use is not null && Source(use.Texture) is { } image ? images.RawMean(image) : [1, 1, 1];
-
-    private TextureDescription Described(GltfTextureUse use, int image)
+    private TextureDescription Described(GltfTextureUse use, int image, GltfChannel channel)
     {
-        if (!_described.TryGetValue(use, out TextureDescription? description))
+        if (!_described.TryGetValue((use, channel), out TextureDescription? description))
         {
-            description = Placed(Image(use.Texture, image), use);
-            _described.Add(use, description);
+            description = Placed(Image(use.Texture, images.Picture(image, channel)!), use);
+            _described.Add((use, channel), description);
         }
 
         return description;
@@ -67,14 +114,14 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
         return source;
     }
 
-    private ImageTextureDescription Image(int texture, int image)
+    private ImageTextureDescription Image(int texture, Picture picture)
     {
         GltfObject described = document.List("textures")[texture];
         GltfObject? sampler = document.Reference(described, "sampler", "samplers") is { } index ? document.List("samplers")[index] : null;
         int filter = sampler?.Integer("magFilter") ?? sampler?.Integer("minFilter") ?? 0;
         return new()
         {
-            Picture = images.Picture(image),
+            Picture = picture,
             Interpolation = filter is Nearest or NearestMipmapNearest or NearestMipmapLinear ? Interpolation.Nearest : Interpolation.Bilinear,
             Wrapping = Wrap(sampler, "wrapS"),
             VerticalWrapping = Wrap(sampler, "wrapT"),

@@ -12,6 +12,8 @@ internal sealed class MtlLibrary(string folder)
     // Statements that change nothing here without loss: ambient light is the scene's, sharpness belongs to reflection maps that are ready-made.
     private static readonly string[] s_ignored = ["Ka", "map_Ka", "sharpness", "map_aat", "illum"];
 
+    private static readonly HashSet<string> s_maps = new(["map_Kd", "map_Ke", "map_d", "map_Pr", "map_Pm", "map_Ps", "norm", "bump", "map_Bump"], StringComparer.OrdinalIgnoreCase);
+
     private readonly Dictionary<string, MtlMaterial> _known = new(StringComparer.Ordinal);
     private readonly HashSet<string> _files = new(StringComparer.Ordinal);
     private readonly List<string> _used = [];
@@ -138,11 +140,30 @@ internal sealed class MtlLibrary(string folder)
                 float illumination = text.Number();
                 material.Illumination = illumination is >= 0 and <= 10 ? (int)illumination : null;
                 break;
-            case "map_Kd" or "map_kd":
-                material.DiffusePicture = Picture(ref text) ?? material.DiffusePicture;
+            case "Pr":
+                material.Roughness = text.Number();
                 break;
-            case "map_Ke" or "map_ke":
-                material.EmissionPicture = Picture(ref text) ?? material.EmissionPicture;
+            case "Pm":
+                material.Metallic = text.Number();
+                break;
+            case "Ps":
+                material.Sheen = text.Number();
+                break;
+            case "Pc":
+                material.Clearcoat = text.Number();
+                break;
+            case "Pcr":
+                material.ClearcoatRoughness = text.Number();
+                break;
+            case "aniso":
+                material.Anisotropic = text.Number();
+                break;
+            case var name when s_maps.Contains(name):
+                if (Picture(ref text, material) is { } picture)
+                {
+                    material.Pictures[name] = picture;
+                }
+
                 break;
             default:
                 if (!s_ignored.Contains(keyword))
@@ -170,7 +191,7 @@ internal sealed class MtlLibrary(string folder)
         return text.IsAtLineEnd() ? new Rgb(red, red, red) : new Rgb(red, text.Number(), text.Number());
     }
 
-    private ImageTextureDescription? Picture(ref ModelText text)
+    private ImageTextureDescription? Picture(ref ModelText text, MtlMaterial material)
     {
         ImageTextureDescription texture = new();
         while (true)
@@ -181,6 +202,12 @@ internal sealed class MtlLibrary(string folder)
             {
                 text.Position = begin;
                 break;
+            }
+
+            if (option.SequenceEqual("-bm"u8))
+            {
+                material.BumpScale = text.Number();
+                continue;
             }
 
             texture = ReadOption(ModelText.Decode(option), ref text, texture);

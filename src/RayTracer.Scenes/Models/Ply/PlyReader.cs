@@ -18,7 +18,7 @@ internal static class PlyReader
     [
         (["x"], 0), (["y"], 1), (["z"], 2), (["nx", "normal_x"], 3), (["ny", "normal_y"], 4), (["nz", "normal_z"], 5),
         (["u", "s", "texture_u", "texture_s", "tex_u"], 6), (["v", "t", "texture_v", "texture_t", "tex_v"], 7),
-        (["red", "r", "diffuse_red"], 8), (["green", "g", "diffuse_green"], 9), (["blue", "b", "diffuse_blue"], 10),
+        (["red", "r", "diffuse_red", "color_0"], 8), (["green", "g", "diffuse_green", "color_1"], 9), (["blue", "b", "diffuse_blue", "color_2"], 10),
     ];
 
     private const int Slots = 11;
@@ -70,6 +70,10 @@ internal static class PlyReader
             : new MeshData(vertices.Positions, [.. indices]) { Normals = vertices.Normals, Uv = vertices.Uv, Colors = vertices.Colors };
     }
 
+    // Mitsuba's own files hold linear light, as numbers with a point and by these names.
+    private static (PlyType Type, bool IsLinear) Encoding(PlyProperty red) =>
+        (red.Type, red.Name is "color_0" or "r" && red.Type is (PlyType.Float32 or PlyType.Float64));
+
     private sealed record Vertices(Vector3[] Positions, Vector3[]? Normals, Vector2[]? Uv, Rgb[]? Colors);
 
     private static void Skip(ref PlyValues values, PlyElement element)
@@ -96,7 +100,7 @@ internal static class PlyReader
         int count = values.CheckCount(element);
         var vertices = new Vertices(new Vector3[count], Has(3, 4, 5) ? new Vector3[count] : null, Has(6, 7) ? new Vector2[count] : null, Has(8, 9, 10) ? new Rgb[count] : null);
         PlyProperty[] properties = [.. element.Properties];
-        PlyType colorType = vertices.Colors is null ? default : properties[Array.IndexOf(slots, 8)].Type;
+        (PlyType colorType, bool isLinear) = vertices.Colors is null ? default : Encoding(properties[Array.IndexOf(slots, 8)]);
         Span<float> v = stackalloc float[Slots];
         for (int i = 0; i < count; i++)
         {
@@ -117,7 +121,7 @@ internal static class PlyReader
             Set(vertices.Uv, i, new Vector2(v[6], v[7]));
             if (vertices.Colors is { } colors)
             {
-                colors[i] = new Rgb(VertexColor.Decode(v[8], colorType), VertexColor.Decode(v[9], colorType), VertexColor.Decode(v[10], colorType));
+                colors[i] = isLinear ? new Rgb(v[8], v[9], v[10]) : new Rgb(VertexColor.Decode(v[8], colorType), VertexColor.Decode(v[9], colorType), VertexColor.Decode(v[10], colorType));
             }
         }
 

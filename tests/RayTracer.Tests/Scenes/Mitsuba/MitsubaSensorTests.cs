@@ -104,4 +104,24 @@ public class MitsubaSensorTests
         Assert.Contains("--aov", TestScene.Complaint("""<integrator type="aov"><string name="aovs" value="dd:depth"/><integrator type="path"/></integrator>"""), StringComparison.Ordinal);
         Assert.StartsWith("the sampler \"sobol\"", TestScene.Complaint("", $"""<sensor type="perspective"><float name="fov" value="50"/>{Film}<sampler type="multijitter"/></sensor>"""), StringComparison.Ordinal);
     }
+
+    // Mitsuba 3.9.1 shows what lies on the axis at 0.3 of the width and 0.4 of the height, from the upper left.
+    [Fact]
+    public void A_principal_point_moves_what_lies_on_the_axis_the_other_way()
+    {
+        CameraDescription camera = TestScene.Of("", """
+            <sensor type="perspective"><float name="fov" value="40"/><float name="principal_point_offset_x" value="0.2"/><float name="principal_point_offset_y" value="0.1"/>
+            <film type="hdrfilm"><integer name="width" value="64"/><integer name="height" value="32"/><rfilter type="box"/></film></sensor>
+            """).Camera;
+        Assert.Equal(0.3f, (0.5f - camera.Window[0]) / camera.Window[2], 1e-5f);
+        Assert.Equal(0.4f, (0.5f - camera.Window[1]) / camera.Window[3], 1e-5f);
+        Assert.Equal(Math.Tan(20 * Math.PI / 180) / camera.Window[2], Math.Tan(camera.FieldOfView * Math.PI / 360), 1e-5);
+    }
+
+    [Theory]
+    [InlineData("near_clip", "0.5")]
+    [InlineData("far_clip", "20")]
+    public void Planes_that_would_cut_are_warned_of(string name, string value) => Assert.Equal(
+        $"\"{name}\" cuts nothing here: all that is before the camera is seen",
+        TestScene.Complaint("", TestScene.Sensor.Replace("<film", $"<float name=\"{name}\" value=\"{value}\"/><film", StringComparison.Ordinal)));
 }

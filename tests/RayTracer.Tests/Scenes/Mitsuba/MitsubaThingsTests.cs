@@ -195,4 +195,57 @@ public class MitsubaThingsTests
 
         return picture;
     }
+
+    // What Mitsuba 3.9.1 renders in its spectral mode, whose noise is a few in a thousand; it refuses black bodies in RGB.
+    [Theory]
+    [InlineData(2500, 159.5, 59.35, 10.77)]
+    [InlineData(4000, 4902, 3204, 1850)]
+    [InlineData(6500, 43964, 41448, 43625)]
+    public void Black_bodies_shine_by_their_temperature(int temperature, double red, double green, double blue)
+    {
+        SceneDescription scene = TestScene.Of($"""<emitter type="constant"><spectrum name="radiance" type="blackbody"><float name="temperature" value="{temperature}"/></spectrum></emitter>""");
+        Assert.Equal(1, scene.Background.R / red, 0.02);
+        Assert.Equal(1, scene.Background.G / green, 0.02);
+        Assert.Equal(1, scene.Background.B / blue, 0.03);
+    }
+
+    [Fact]
+    public void Colours_of_corners_are_textures_of_their_meshes_alone()
+    {
+        using TestScene scene = new();
+        File.WriteAllText(scene["c.ply"], """
+            ply
+            format ascii 1.0
+            element vertex 3
+            property float x
+            property float y
+            property float z
+            property float color_0
+            property float color_1
+            property float color_2
+            element face 1
+            property list uchar int vertex_indices
+            end_header
+            0 0 0 0.2 0.5 0.9
+            1 0 0 0.2 0.5 0.9
+            0 1 0 0.2 0.5 0.9
+            3 0 1 2
+
+            """);
+        string path = scene.Write("scene.xml", """
+            <shape type="ply"><string name="filename" value="c.ply"/><bsdf type="diffuse"><texture name="reflectance" type="mesh_attribute"><string name="name" value="vertex_color"/></texture></bsdf></shape>
+            <shape type="ply"><string name="filename" value="c.ply"/></shape>
+            """);
+        SceneReadResult read = MitsubaReader.Read(path);
+        Assert.Equal("", Diagnostic.Format([.. read.Diagnostics]));
+        Assert.Equal([false, true], read.Description!.Shapes.Select(s => ((MeshDescription)s).IgnoreColors));
+        MeshDescription file = Assert.IsType<MeshDescription>(Assert.Single(ModelFile.Read(scene["c.ply"]).Scene.Shapes));
+        Assert.Equal(new Rgb(0.2f, 0.5f, 0.9f), file.Data!.Colors![1]);
+    }
+
+    [Theory]
+    [InlineData("""<shape type="shapegroup" id="a"><shape type="shapegroup"><shape type="sphere"/></shape></shape>""", "a shapegroup cannot hold another one")]
+    [InlineData("""<shape type="sphere"><bsdf type="dielectric"/><medium name="interior" type="heterogeneous"/></shape>""", "media that vary in space (heterogeneous) are not read here: only \"homogeneous\" ones")]
+    [InlineData("""<shape type="sphere"><bsdf type="diffuse"><texture name="reflectance" type="mesh_attribute"><string name="name" value="face_color"/></texture></bsdf></shape>""", "of the attributes of meshes, \"vertex_color\" is read here")]
+    public void What_is_not_read_is_said(string things, string message) => Assert.Equal(message, TestScene.Complaint(things));
 }

@@ -91,7 +91,7 @@ public class GltfTextureTests
         AddPicture(file);
         file.Add("materials", Textured);
         file.Mesh("""{ "attributes": { "POSITION": 0, "TEXCOORD_0": 1 }, "material": 1 }""");
-        TextureDescription[] colors = [.. file.Import().Scene.Shapes.Select(s => ((DiffuseMaterialDescription)s.Material).Color)];
+        TextureDescription[] colors = [.. file.Import().Scene.Shapes.Select(s => ((PrincipledMaterialDescription)s.Material).BaseColor)];
         Assert.Same(colors[0], colors[1]);
     }
 
@@ -155,5 +155,5 @@ public class GltfTextureTests
         TestPng.Header(2, 2), TestPng.Chunk("IDAT", TestPng.Zlib([0, .. rgb[..6], 0, .. rgb[6..]])), TestPng.End);
 
     private static TextureDescription BaseColor(TestGltf file, string folder = "") =>
-        Assert.IsType<DiffuseMaterialDescription>(Assert.Single(file.Import(folder).Scene.Shapes).Material).Color;
+        Assert.IsType<PrincipledMaterialDescription>(Assert.Single(file.Import(folder).Scene.Shapes).Material).BaseColor;
 }
