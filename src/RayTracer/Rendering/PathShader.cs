@@ -79,10 +79,10 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         UIntW around = 0u;
         if (Scene.HasNesting && group.IsNested)
         {
-            UIntW beyond = Scene.Cross(packet.Media, group.Interior, MaskW.All, ~surface.Inside);
+            UIntW beyond = Scene.Cross(packet.Media, group.Interior, MaskW.All, ~ComesFromInside(surface));
             Cross(group, surface, stream, next, index, active & IsUnreal(packet.Media, beyond));
             active = active.Except(IsUnreal(packet.Media, beyond));
-            around = surface.Inside.Select(beyond, packet.Media);
+            around = ComesFromInside(surface).Select(beyond, packet.Media);
         }
 
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
@@ -295,7 +295,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         next.SetMedia(
             going,
-            Scene.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~surface.Inside),
+            Scene.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~ComesFromInside(surface)),
             FloatW.Pick(stream.Travelled, index) + FloatW.Pick(stream.Distance, index));
         next.Append(
             going, Leave(surface, direction), direction, stream.PickThroughput(index), stream.PickRadiance(index), UIntW.Pick(stream.Path, index), UIntW.Pick(stream.State, index));

@@ -306,6 +306,9 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     /// </summary>
     public static MaskW IsUnreal(UIntW before, UIntW after) => UIntW.Equal(MediumStack.Innermost(before), MediumStack.Innermost(after));
 
+    /// <summary>Where rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).</summary>
+    public static MaskW ComesFromInside(in SurfaceW surface) => Vec3W.Dot(surface.Incoming, surface.Normal) > 0f;
+
     // Off the surface, on the side where the ray goes.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vec3W Leave(in SurfaceW surface, in Vec3W direction)

@@ -87,7 +87,7 @@ internal sealed unsafe class Surroundings
         uint interior = group.Interior;
         if (interior != 0)
         {
-            bool leaves = surface.Inside.Bits != 0;
+            bool leaves = SurfaceShader.ComesFromInside(surface).Bits != 0;
             left[interior] += leaves ? 1 : -1;
             met[interior] = true;
             _distance[interior] = leaves && left[interior] > 0 ? float.Min(_distance[interior], way) : _distance[interior];

@@ -94,7 +94,7 @@ internal sealed unsafe class Transmittance(Scene scene)
             transmittance *= part;
         }
 
-        UIntW beyond = scene.Cross(media, group.Interior, MaskW.All, ~surface.Inside);
+        UIntW beyond = scene.Cross(media, group.Interior, MaskW.All, ~SurfaceShader.ComesFromInside(surface));
         if (!isBoundary && !isTransparent && !SurfaceShader.IsUnreal(media, beyond).Any)
         {
             return;
