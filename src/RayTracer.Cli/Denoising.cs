@@ -32,7 +32,7 @@ internal sealed class Denoising
     /// <summary>Renders into a film.</summary>
     public RenderStatistics Render(Film film, RenderOptions options, IProgress<RenderProgress>? progress, CancellationToken cancellation)
     {
-        int count = _scene.Render.SamplesPerPixel;
+        int count = options.Samples?.Count ?? _scene.Render.SamplesPerPixel;
         SampleRange[] ranges = [new(0, count / 2), new(count / 2, count)];
         RenderStatistics statistics = new();
         for (int i = 0; i < 2; i++)

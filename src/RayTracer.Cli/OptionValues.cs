@@ -19,6 +19,15 @@ internal static class OptionValues
         : value >= minimum && value <= maximum ? value
         : throw new FormatException($"must be from {minimum} to {maximum}, but is {word}"));
 
+    /// <summary>A fraction above 0 and below 1, given as such or in per cent.</summary>
+    public static ParsedOption<double?> Fraction(string name, string description) => new(name, "X%", description, word =>
+    {
+        bool isPercent = word.EndsWith('%');
+        return !double.TryParse(isPercent ? word[..^1] : word, NumberStyles.Float, null, out double value) ? throw new FormatException($"expected a number, as in 1% or 0.01, not {Quotation.Of(word)}")
+            : (isPercent ? value / 100 : value) is > 0 and < 1 and double fraction ? fraction
+            : throw new FormatException($"must be above 0 and below 100%, but is {word}");
+    });
+
     /// <summary>A whole number that replaces a parameter of <see cref="RenderDescription"/>, with that parameter's range and meaning.</summary>
     /// <param name="name">The option's name.</param>
     /// <param name="property">The name of the property.</param>

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using RayTracer.Description;
 using RayTracer.Rendering;
 
@@ -23,6 +24,11 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         else if (!request.Quiet)
         {
             WriteSummary(streams.Output);
+        }
+
+        if (outcome.Plan?.Error > request.Noise)
+        {
+            streams.Warn($"the wanted noise of {100 * request.Noise:G3} % would take more samples than there may be (--spp); estimated are {100 * outcome.Plan.Error:G3} %");
         }
 
         WarnOfBadSamples(streams);
@@ -60,8 +66,13 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
     private void WriteSummary(TextWriter output)
     {
         string threads = outcome.Threads == 1 ? "1 thread" : $"{outcome.Threads} threads";
-        output.WriteLine($"{request.ScenePath}: {_render.Width}×{_render.Height} pixels, {_render.SamplesPerPixel} samples each, {threads}");
+        output.WriteLine($"{request.ScenePath}: {_render.Width}×{_render.Height} pixels, {outcome.SamplesText} samples each, {threads}");
         output.WriteLine($"{_statistics.Paths:N0} paths and {_statistics.Rays:N0} rays in {outcome.Seconds:F2} s, {outcome.RaysPerSecond / 1e6:F1} M rays/s; {totalSeconds:F2} s in all");
+        if (outcome.Plan is { } plan)
+        {
+            output.WriteLine($"estimated relative error {100 * plan.Error:G3} %, decided with {plan.Statistics.Paths:N0} of these paths");
+        }
+
         output.WriteLine($"film {outcome.Hash}");
         foreach (string path in written)
         {
@@ -73,7 +84,8 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
     {
         json.WriteNumber("width", _render.Width);
         json.WriteNumber("height", _render.Height);
-        json.WriteNumber("samplesPerPixel", _render.SamplesPerPixel);
+        json.WriteNumber("samplesPerPixel", outcome.MeanSamples);
+        WriteNoise(json);
         json.WriteNumber("threads", outcome.Threads);
         json.WriteNumber("renderSeconds", outcome.Seconds);
         json.WriteNumber("totalSeconds", totalSeconds);
@@ -92,4 +104,22 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
 
         json.WriteEndArray();
     });
+
+    private void WriteNoise(Utf8JsonWriter json)
+    {
+        if (outcome.Plan is not { } plan)
+        {
+            return;
+        }
+
+        json.WriteNumber("fewestSamples", plan.Fewest);
+        json.WriteNumber("mostSamples", plan.Most);
+        json.WriteNumber("estimatedError", plan.Error);
+        json.WriteNumber("decidingPaths", plan.Statistics.Paths);
+        if (request.Noise is { } wanted)
+        {
+            json.WriteNumber("wantedError", wanted);
+            json.WriteBoolean("reached", plan.Error <= wanted);
+        }
+    }
 }

@@ -34,6 +34,15 @@ internal sealed record RenderRequest
     /// <summary>Whether a denoised picture is written too.</summary>
     public bool Denoise { get; init; }
 
+    /// <summary>The relative error at which to stop; null to take all samples.</summary>
+    public double? Noise { get; init; }
+
+    /// <summary>Whether samples are spent where the error is.</summary>
+    public bool Adaptive { get; init; }
+
+    /// <summary>Whether the number of samples was given.</summary>
+    public bool HasSamples { get; init; }
+
     /// <summary>Whether nothing but errors and warnings is printed.</summary>
     public bool Quiet { get; init; }
 

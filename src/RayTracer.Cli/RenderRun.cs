@@ -14,6 +14,7 @@ namespace RayTracer.Cli;
 internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, SceneDescription> overrides, Streams streams)
 {
     private readonly Stopwatch _total = Stopwatch.StartNew();
+    private readonly NoiseRequest _noise = new(request);
 
     /// <summary>Loads, renders, writes and reports.</summary>
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
@@ -26,16 +27,16 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         using StopSignals signals = new(streams);
-        if (SceneFile.Load(request.ScenePath, streams, overrides) is not { } scene)
+        if (SceneFile.Load(request.ScenePath, streams, s => _noise.Widen(overrides(s))) is not { } scene)
         {
             return SceneFile.FailureStatus(request.ScenePath);
         }
 
         RenderOptions options = Options(scene.Render);
         Film film = FilmFor(scene.Render);
-        AovFilm auxiliary = TraceFirstHits(scene, film, options, signals.Token);
+        AovFilm auxiliary = new(film, request.Aovs);
         Denoising? denoising = request.Denoise ? Denoising.Create(scene) : null;
-        RenderOutcome outcome = Render(scene, film, options, denoising, signals.Token);
+        RenderOutcome outcome = Render(scene, auxiliary, film, options, denoising, signals.Token);
         if (request.Pixel is not null)
         {
             PixelReport.Write(request, outcome, streams);
@@ -50,31 +51,37 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         RenderReport report = new(request, outcome, written, _total.Elapsed.TotalSeconds);
         report.Write(streams);
-        return signals.Status != 0 ? signals.Status : written.Count < request.Outputs.Count + aovs.Files.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+        return signals.Status != 0 ? signals.Status
+            : written.Count < request.Outputs.Count + aovs.Files.Count ? ExitStatus.InputOutput
+            : _noise.IsReached(outcome.Plan) ? ExitStatus.Fine : ExitStatus.Noisy;
     }
 
-    // First, so that they are whole even where the picture is stopped early.
-    private AovFilm TraceFirstHits(Scene scene, Film film, RenderOptions options, CancellationToken cancellation)
-    {
-        AovFilm auxiliary = new(film, request.Aovs);
-        try
-        {
-            new FirstHitPass(scene, options).Render(auxiliary, cancellation);
-        }
-        catch (OperationCanceledException)
-        {
-            // The picture's rendering ends at once then, says so, and nothing is written.
-        }
-
-        return auxiliary;
-    }
-
-    private RenderOutcome Render(Scene scene, Film film, RenderOptions options, Denoising? denoising, CancellationToken cancellation)
+    private RenderOutcome Render(Scene scene, AovFilm auxiliary, Film film, RenderOptions options, Denoising? denoising, CancellationToken cancellation)
     {
         using ProgressDisplay? display = request.Quiet || request.Pixel is not null ? null : ProgressDisplay.Start(streams);
         long start = Stopwatch.GetTimestamp();
-        RenderStatistics statistics = denoising?.Render(film, options, display, cancellation) ?? new RTracer(scene, options).Render(film, display, cancellation);
-        return new(scene, film, statistics, options.Threads, Stopwatch.GetElapsedTime(start).TotalSeconds);
+        SamplePlan? plan = null;
+        RenderStatistics statistics;
+        try
+        {
+            plan = _noise.Plan(scene, options, display, cancellation);
+            if (plan is not null)
+            {
+                options = options with { Samples = new(0, (int)double.Round((double)plan.TotalSamples / plan.Area.Pixels)) };
+            }
+
+            // First, so that they are whole even where the picture is stopped early.
+            new FirstHitPass(scene, options).Render(auxiliary, cancellation);
+            statistics = denoising?.Render(film, options, display, cancellation)
+                ?? (request.Adaptive ? new PlannedRender(scene, options, plan!).Render(film, display, cancellation) : new RTracer(scene, options).Render(film, display, cancellation));
+        }
+        catch (OperationCanceledException)
+        {
+            // There is no picture yet.
+            statistics = new() { Cancelled = true };
+        }
+
+        return new(scene, film, statistics, options.Threads, Stopwatch.GetElapsedTime(start).TotalSeconds) { Plan = plan };
     }
 
     private RenderOptions Options(RenderDescription render)
@@ -122,7 +129,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new("Software", CommandLine.Version),
             new("Command", request.CommandText),
             new("Scene", Path.GetFileName(request.ScenePath)),
-            new("Samples", $"{outcome.Scene.Render.SamplesPerPixel}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
+            new("Samples", $"{outcome.SamplesText}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
             new("FilmHash", outcome.Hash),
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };
@@ -145,6 +152,17 @@ internal sealed record RenderOutcome(Scene Scene, Film Film, RenderStatistics St
 
     /// <summary>The film's hash.</summary>
     public string Hash => _hash ??= Film.ComputeHash();
+
+    /// <summary>How the numbers of samples were decided; null where they were given.</summary>
+    public SamplePlan? Plan { get; init; }
+
+    /// <summary>How many samples the pixels have.</summary>
+    public string SamplesText => Plan is null ? $"{Scene.Render.SamplesPerPixel}"
+        : Plan.Fewest == Plan.Most ? $"{Plan.Most}"
+        : $"{Plan.Fewest} to {Plan.Most} (mean {MeanSamples:F1})";
+
+    /// <summary>How many samples a pixel has on average.</summary>
+    public double MeanSamples => Plan is null ? Scene.Render.SamplesPerPixel : (double)Plan.TotalSamples / Plan.Area.Pixels;
 
     /// <summary>Rays a second.</summary>
     public double RaysPerSecond => Seconds > 0 ? Statistics.Rays / Seconds : 0;

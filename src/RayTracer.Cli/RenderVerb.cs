@@ -20,6 +20,9 @@ internal sealed class RenderVerb
     private readonly ParsedOption<Aov[]?> _aovs = OptionValues.Words(
         "--aov", "Writes auxiliary images too, of what camera rays meet first: as layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", AovFiles.Name, Enum.GetValues<Aov>());
     private readonly Option<bool> _denoise = new("--denoise") { Description = "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png)." };
+    private readonly ParsedOption<double?> _noise = OptionValues.Fraction(
+        "--noise", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: stratified samplers (sobol) come out better.");
+    private readonly Option<bool> _adaptive = new("--adaptive") { Description = "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
     private readonly SceneOverrides _overrides;
@@ -30,7 +33,7 @@ internal sealed class RenderVerb
         command.Arguments.Add(_scene);
         command.Options.Add(_outputs);
         _overrides = new(command);
-        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _quiet, _json })
+        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _quiet, _json })
         {
             command.Options.Add(option);
         }
@@ -60,6 +63,9 @@ internal sealed class RenderVerb
             Sample = _sample.Value(result),
             Aovs = _aovs.Value(result) ?? [],
             Denoise = result.GetValue(_denoise),
+            Noise = _noise.Value(result),
+            Adaptive = result.GetValue(_adaptive),
+            HasSamples = _overrides.HasSamples(result),
             Quiet = result.GetValue(_quiet),
             Json = result.GetValue(_json),
             OverrideWords = [.. _overrides.Words(result)],
@@ -77,6 +83,9 @@ internal sealed class RenderVerb
         { Denoise: true, Pixel: not null } => "--pixel prints numbers and writes no image: leave --denoise out",
         { Denoise: true, Outputs.Count: 0 } => "--denoise writes an image: where to? Give -o FILE",
         { Aovs.Count: > 0, Outputs.Count: 0 } => "--aov writes images: where to? Give -o FILE",
+        { Pixel: not null } and ({ Noise: not null } or { Adaptive: true }) => "--pixel renders the samples that it is told to: leave --noise and --adaptive out",
+        { Adaptive: true, Crop: not null } => "--adaptive shares samples out over the whole picture: leave --crop out",
+        { Adaptive: true, Denoise: true } => "--denoise compares two halves of equal samples, which --adaptive has not: leave one of them out",
         { Sample: not null, Pixel: null } => "--sample needs --pixel",
         _ => null,
     };

@@ -31,6 +31,9 @@ internal sealed class SceneOverrides
         .Where(o => result.GetResult(o) is { Implicit: false })
         .SelectMany(o => new[] { o.Name, result.GetResult(o)!.Tokens[^1].Value });
 
+    /// <summary>Whether the number of samples was given.</summary>
+    public bool HasSamples(ParseResult result) => _samples.Value(result) is not null;
+
     /// <summary>A scene with the options put in.</summary>
     /// <exception cref="CommandException">The sampler cannot have that many samples.</exception>
     public SceneDescription Apply(ParseResult result, SceneDescription scene)

@@ -36,6 +36,24 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
         }
     }
 
+    /// <summary>Prepares for single pixels.</summary>
+    /// <param name="pixels">Their numbers in the picture, row by row.</param>
+    /// <param name="samples">Which samples of each.</param>
+    /// <param name="seed">Selects the random numbers, in the place of the scene's seed.</param>
+    public void Begin(ReadOnlySpan<int> pixels, SampleRange samples, uint seed)
+    {
+        _samples = samples;
+        _issued = 0;
+        _total = pixels.Length * samples.Count;
+        for (int i = 0; i < pixels.Length; i++)
+        {
+            (int y, int x) = int.DivRem(pixels[i], scene.Render.Width);
+            _x.Pointer[i] = x;
+            _y.Pointer[i] = y;
+            _key.Pointer[i] = Hash.PixelKey(seed, (uint)pixels[i]);
+        }
+    }
+
     /// <summary>Fills a stream up with new paths, as long as there are any.</summary>
     public void Fill(PathStream stream)
     {

@@ -21,6 +21,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private readonly List<BadSample> _bad = [];
     private Film _film = null!;
     private Tile _tile;
+    private ReadOnlyMemory<int> _targets;
 
     /// <summary>Samples that were not finite, and so were left out.</summary>
     public long NonFinite { get; private set; }
@@ -36,8 +37,18 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     {
         _film = film;
         _tile = tile;
-        NativeMemory.Clear(_sums.Pointer, (nuint)tile.Pixels * Film.SumsPerPixel * sizeof(long));
-        NativeMemory.Clear(_counts.Pointer, (nuint)tile.Pixels * sizeof(uint));
+        _targets = default;
+        Clear(tile.Pixels);
+    }
+
+    /// <summary>Prepares for the samples of single pixels.</summary>
+    /// <param name="film">The film.</param>
+    /// <param name="targets">The numbers of its pixels.</param>
+    public void BeginPixels(Film film, ReadOnlyMemory<int> targets)
+    {
+        _film = film;
+        _targets = targets;
+        Clear(targets.Length);
     }
 
     /// <summary>Adds a packet of samples.</summary>
@@ -127,7 +138,14 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     {
         long* sums = _sums.Pointer;
         uint* counts = _counts.Pointer;
-        for (int row = 0; row < _tile.Height; row++)
+        foreach (int target in _targets.Span)
+        {
+            (int y, int x) = int.DivRem(target, _film.Width);
+            _film.AddRow(x, y, new(sums, Film.SumsPerPixel), new(counts++, 1));
+            sums += Film.SumsPerPixel;
+        }
+
+        for (int row = 0; _targets.IsEmpty && row < _tile.Height; row++)
         {
             _film.AddRow(_tile.X, _tile.Y + row, new(sums, _tile.Width * Film.SumsPerPixel), new(counts, _tile.Width));
             sums += _tile.Width * Film.SumsPerPixel;
@@ -135,10 +153,16 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
         }
     }
 
+    private void Clear(int pixels)
+    {
+        NativeMemory.Clear(_sums.Pointer, (nuint)pixels * Film.SumsPerPixel * sizeof(long));
+        NativeMemory.Clear(_counts.Pointer, (nuint)pixels * sizeof(uint));
+    }
+
     private void NoteBad(int pixel, int sample, Rgb value)
     {
         NonFinite++;
-        (int x, int y) = _tile.Pixel(pixel);
+        (int y, int x) = int.DivRem((int)FilmPixel(pixel), _film.Width);
         _bad.Add(new(x, y, sample, value));
 
         // Those that are kept are the first of the picture, whichever thread met them, and when.
@@ -152,6 +176,11 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
 
     private long FilmPixel(int pixel)
     {
+        if (!_targets.IsEmpty)
+        {
+            return _targets.Span[pixel];
+        }
+
         (int x, int y) = _tile.Pixel(pixel);
         return ((long)y * _film.Width) + x;
     }

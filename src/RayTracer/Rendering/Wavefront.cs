@@ -59,10 +59,30 @@ internal sealed unsafe class Wavefront
         Paths += (long)tile.Pixels * samples.Count;
     }
 
+    /// <summary>Renders some samples of single pixels into a film.</summary>
+    /// <param name="film">The film; no other thread may use its pixels that are written to.</param>
+    /// <param name="pixels">The pixels' numbers in the picture, row by row.</param>
+    /// <param name="targets">Where each goes: numbers of pixels of the film.</param>
+    /// <param name="samples">The samples, at most <see cref="SampleAccumulator.MaxSamples"/>.</param>
+    /// <param name="seed">Selects the random numbers, in the place of the scene's seed.</param>
+    public void Render(Film film, ReadOnlySpan<int> pixels, ReadOnlyMemory<int> targets, SampleRange samples, uint seed)
+    {
+        _accumulator.BeginPixels(film, targets);
+        _generator.Begin(pixels, samples, seed);
+        Follow(samples);
+        _accumulator.End();
+        Paths += (long)pixels.Length * samples.Count;
+    }
+
     /// <summary>Follows the paths of some samples of every pixel of a tile; where there is a recorder, it takes them instead of the film.</summary>
     public void Follow(in Tile tile, SampleRange samples)
     {
         _generator.Begin(tile, samples);
+        Follow(samples);
+    }
+
+    private void Follow(SampleRange samples)
+    {
         _finished.Begin(samples);
         _shader.Begin(_generator, samples);
         _current.Count = 0;

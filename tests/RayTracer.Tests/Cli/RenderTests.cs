@@ -66,6 +66,42 @@ public sealed class RenderTests : IDisposable
     }
 
     [Fact]
+    public void Noise_alone_stops_at_a_plain_picture_and_tells_what_was_reached()
+    {
+        CliRun run = CliRun.Of("render", _scene, "--json", "--quiet", "--noise", "5%");
+        JsonElement json = JsonDocument.Parse(run.Output).RootElement;
+        Assert.Equal((0, ""), (run.Status, run.Error));
+        Assert.True(json.GetProperty("reached").GetBoolean());
+        Assert.InRange(json.GetProperty("estimatedError").GetDouble(), 0.001, 0.05);
+        int samples = Int(json, "samplesPerPixel");
+        JsonElement plain = JsonDocument.Parse(CliRun.Of("render", _scene, "--json", "--quiet", "--spp", $"{samples}").Output).RootElement;
+        Assert.Equal(plain.GetProperty("filmHash").GetString(), json.GetProperty("filmHash").GetString());
+        Assert.Equal(Int(json, "paths"), Int(plain, "paths") + Int(json, "decidingPaths"));
+    }
+
+    [Fact]
+    public void Noise_out_of_reach_has_an_exit_status_of_its_own_and_a_picture()
+    {
+        CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.pfm"], "--noise", "0.01%", "--spp", "4");
+        Assert.Equal(5, run.Status);
+        Assert.Contains("would take more samples than there may be (--spp)", run.Error, StringComparison.Ordinal);
+        Assert.True(File.Exists(_folder["a.pfm"]));
+    }
+
+    [Fact]
+    public void Adaptive_pictures_have_an_image_of_their_samples()
+    {
+        CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.pfm"], "--aov", "samples,depth", "--adaptive", "--spp", "64", "--json", "--quiet");
+        JsonElement json = JsonDocument.Parse(run.Output).RootElement;
+        Picture samples = ImageFile.Read(_folder["a.samples.pfm"]);
+        Assert.Equal((0, ""), (run.Status, run.Error));
+        Assert.Equal(Int(json, "fewestSamples"), samples.Pixels.Min());
+        Assert.Equal(Int(json, "mostSamples"), samples.Pixels.Max());
+        Assert.Equal(json.GetProperty("samplesPerPixel").GetDouble(), samples.Pixels.Average(), 3);
+        Assert.True(samples.Pixels.Min() < samples.Pixels.Max());
+    }
+
+    [Fact]
     public void Film_hash_depends_on_the_seed_and_the_depth_but_not_on_the_threads()
     {
         string hash = Hash();

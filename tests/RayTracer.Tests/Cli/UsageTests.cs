@@ -33,6 +33,9 @@ public sealed class UsageTests : IDisposable
     [InlineData("render SCENE -o a.png --sampler jitterd", "unknown value \"jitterd\" (did you mean \"jittered\"?), expected one of sobol, jittered")]
     [InlineData("render SCENE -o a.png --tonemap 3", "unknown value \"3\", expected one of clamp, reinhard, aces, agx")]
     [InlineData("render SCENE -o a.png --bit-depth 12", "expected one of 8, 16")]
+    [InlineData("render SCENE -o a.png --noise little", "--noise little: expected a number, as in 1% or 0.01, not \"little\"")]
+    [InlineData("render SCENE -o a.png --noise 0", "--noise 0: must be above 0 and below 100%, but is 0")]
+    [InlineData("render SCENE -o a.png --noise 1", "--noise 1: must be above 0 and below 100%, but is 1")]
     [InlineData("render SCENE -o a.png --crop 1,2,3", "--crop 1,2,3: expected x,y,w,h")]
     [InlineData("render SCENE -o a.png --crop 1,2,3,-4", "--crop 1,2,3,-4: expected x,y,w,h")]
     public void Wrong_words_get_one_line_and_the_usage(string line, string message)
@@ -58,6 +61,11 @@ public sealed class UsageTests : IDisposable
     [InlineData("render SCENE --pixel 24,0", "--pixel 24,0: does not lie within the picture of 24×16 pixels")]
     [InlineData("render SCENE --pixel 0,0 --sample 4", "--sample 4: the pixels have samples 0 to 3 only")]
     [InlineData("render SCENE -o OUT --sample 4", "--sample needs --pixel")]
+    [InlineData("render SCENE --pixel 0,0 --noise 1%", "leave --noise and --adaptive out")]
+    [InlineData("render SCENE -o OUT --adaptive --crop 0,0,8,8", "leave --crop out")]
+    [InlineData("render SCENE -o OUT --adaptive --denoise", "leave one of them out")]
+    [InlineData("render SCENE -o OUT --adaptive --spp 16 --sampler jittered", "--adaptive: the pattern of the jittered sampler needs the number of samples beforehand")]
+    [InlineData("render SCENE -o OUT --noise 2% --sampler regular", "--noise: the pattern of the regular sampler needs the number of samples beforehand")]
     [InlineData("render SCENE -o OUT --pixel 0,0", "--pixel prints numbers and writes no image")]
     public void Wrong_requests_get_one_line(string line, string message)
     {

@@ -1,0 +1,51 @@
+using RayTracer.Description;
+using RayTracer.Rendering;
+
+namespace RayTracer.Cli;
+
+/// <summary>What <c>--noise</c> and <c>--adaptive</c> ask for.</summary>
+/// <param name="request">The whole request.</param>
+internal sealed class NoiseRequest(RenderRequest request)
+{
+    private const int Limit = 65536;
+    private const int MostSamples = 1 << 24;
+    private const int MostOverMean = 16;
+    private int _mean;
+    private int _most;
+
+    /// <summary>Whether they ask for anything.</summary>
+    public bool IsAny => request.Noise is not null || request.Adaptive;
+
+    /// <summary>Gives a scene as many samples as a pixel may come to.</summary>
+    /// <exception cref="CommandException">The sampler needs to know the number of samples beforehand.</exception>
+    public SceneDescription Widen(SceneDescription scene)
+    {
+        if (!IsAny)
+        {
+            return scene;
+        }
+
+        RenderDescription render = scene.Render;
+        if (render.Sampler is SamplerKind.Jittered or SamplerKind.Regular)
+        {
+            string option = request.Adaptive ? "--adaptive" : "--noise";
+            throw new CommandException(
+                ExitStatus.Usage, $"{option}: the pattern of the {render.Sampler.ToString().ToLowerInvariant()} sampler needs the number of samples beforehand: take --sampler sobol or independent");
+        }
+
+        _mean = request.Noise is null || request.HasSamples ? render.SamplesPerPixel : Limit;
+        _most = request.Adaptive ? (int)Math.Min(MostSamples, (long)MostOverMean * _mean) : _mean;
+        return scene with { Render = render with { SamplesPerPixel = _most } };
+    }
+
+    /// <summary>Decides how many samples the pixels shall have; null where nothing was asked for.</summary>
+    /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+    public SamplePlan? Plan(Scene scene, RenderOptions options, IProgress<RenderProgress>? progress, CancellationToken cancellation)
+    {
+        SampleGoal goal = new() { Error = request.Noise, IsAdaptive = request.Adaptive, MeanSamples = _mean, MostSamples = _most };
+        return IsAny ? new SamplePlanner(scene, options, goal).Plan(progress, cancellation) : null;
+    }
+
+    /// <summary>Whether a plan is as good as it was asked for.</summary>
+    public bool IsReached(SamplePlan? plan) => request.Noise is not { } wanted || plan is null || plan.Error <= wanted;
+}

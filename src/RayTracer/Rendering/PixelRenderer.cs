@@ -1,0 +1,58 @@
+using System.Collections.Concurrent;
+
+namespace RayTracer.Rendering;
+
+/// <summary>Renders samples of single pixels, wherever they are, on several threads. It keeps what the threads need from one call to the next.</summary>
+/// <param name="scene">What to render.</param>
+/// <param name="options">How to compute it.</param>
+internal sealed class PixelRenderer(Scene scene, RenderOptions options)
+{
+    private const int LargestList = 4096;
+    private const int SmallestList = 64;
+    private const int PathsPerList = 16384;
+    private readonly ConcurrentBag<Wavefront> _idle = [];
+    private readonly int _threads = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
+
+    /// <summary>What was done so far.</summary>
+    public RenderStatistics Statistics => new()
+    {
+        Paths = _idle.Sum(w => w.Paths),
+        ClosestHitRays = _idle.Sum(w => w.ClosestHitRays),
+        ShadowRays = _idle.Sum(w => w.ShadowRays),
+        NonFiniteSamples = _idle.Sum(w => w.Accumulator.NonFinite),
+        ClampedSamples = _idle.Sum(w => w.Accumulator.Clamped),
+        BadSamples = [.. _idle.SelectMany(w => w.Accumulator.Bad).Order().Take(RenderStatistics.MaxBadSamples)],
+    };
+
+    /// <summary>Renders.</summary>
+    /// <param name="film">Takes the samples.</param>
+    /// <param name="pixels">The pixels' numbers in the picture, row by row.</param>
+    /// <param name="targets">Where each goes: numbers of pixels of the film, each at most once.</param>
+    /// <param name="samples">Which samples of each.</param>
+    /// <param name="seed">Selects the random numbers, in the place of the scene's seed.</param>
+    /// <param name="report">Told, by the rendering threads, how many more paths and rays are done.</param>
+    /// <param name="cancellation">Ends the work after the pixels under way.</param>
+    /// <exception cref="OperationCanceledException">It was cancelled: some pixels have all the samples, others have none.</exception>
+    public void Render(Film film, int[] pixels, int[] targets, SampleRange samples, uint seed, Action<long, long> report, CancellationToken cancellation)
+    {
+        int length = Math.Clamp(Math.Min(PathsPerList / samples.Count, pixels.Length / (8 * _threads)), SmallestList, LargestList);
+        int lists = ((pixels.Length - 1) / length) + 1;
+        ParallelOptions parallel = new() { MaxDegreeOfParallelism = _threads, CancellationToken = cancellation };
+        Parallel.For(0, lists, parallel, list =>
+        {
+            Wavefront worker = _idle.TryTake(out Wavefront? idle) ? idle : new(scene, options.StreamSize, LargestList);
+            long paths = worker.Paths;
+            long rays = worker.ClosestHitRays + worker.ShadowRays;
+            int start = list * length;
+            int count = Math.Min(length, pixels.Length - start);
+            for (int first = samples.First; first < samples.End; first += SampleAccumulator.MaxSamples)
+            {
+                SampleRange block = new(first, Math.Min(samples.End, first + SampleAccumulator.MaxSamples));
+                worker.Render(film, pixels.AsSpan(start, count), targets.AsMemory(start, count), block, seed);
+            }
+
+            report(worker.Paths - paths, worker.ClosestHitRays + worker.ShadowRays - rays);
+            _idle.Add(worker);
+        });
+    }
+}

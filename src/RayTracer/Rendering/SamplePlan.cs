@@ -1,0 +1,22 @@
+namespace RayTracer.Rendering;
+
+/// <summary>How many samples each pixel will have: one number for each block of pixels.</summary>
+/// <param name="Area">The part of the picture.</param>
+/// <param name="Blocks">Its blocks, row by row.</param>
+/// <param name="Samples">For each block, the number of samples of each of its pixels.</param>
+/// <param name="Error">
+/// The relative error that is expected of the picture: the root of the mean, over all pixels and channels, of the squared error relative to
+/// the block's brightness (plus a tenth of the picture's, so that black corners do not count for everything). Cautious where samples are stratified.
+/// </param>
+/// <param name="Statistics">What was done to decide.</param>
+public sealed record SamplePlan(Tile Area, IReadOnlyList<Tile> Blocks, IReadOnlyList<int> Samples, double Error, RenderStatistics Statistics)
+{
+    /// <summary>Samples of all pixels together.</summary>
+    public long TotalSamples => Blocks.Zip(Samples, (block, samples) => (long)block.Pixels * samples).Sum();
+
+    /// <summary>The least samples of a pixel.</summary>
+    public int Fewest => Samples.Min();
+
+    /// <summary>The most samples of a pixel.</summary>
+    public int Most => Samples.Max();
+}

@@ -1,0 +1,104 @@
+using System.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Finds out how many samples the pixels of a picture shall have, before it is rendered, from <see cref="DecidingSamples"/>: they are
+/// doubled wherever more than twice as many seem to be wanted as there are. docs/adaptive-sampling.md tells why so, and what it gains.
+/// </summary>
+/// <param name="scene">The scene.</param>
+/// <param name="options">How to compute it; the crop is the part that counts.</param>
+/// <param name="goal">What is wanted.</param>
+public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal goal)
+{
+    private const int BlockEdge = 8;
+    private const int AdaptiveCell = 2;
+    private const int EvenCell = 4;
+    private const int MostFirstSamples = 16;
+    private readonly PixelRenderer _renderer = new(scene, options);
+
+    /// <summary>Decides.</summary>
+    /// <param name="progress">Told how far the picture is, of which this is the first part; may be null.</param>
+    /// <param name="cancellation">Ends the work.</param>
+    /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+    public SamplePlan Plan(IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
+    {
+        Tile area = options.Crop ?? new(0, 0, scene.Render.Width, scene.Render.Height);
+        Tile[] blocks = Tile.Cut(area, BlockEdge);
+        int columns = ((area.Width - 1) / BlockEdge) + 1;
+        DecidingSamples deciding = new(scene, blocks, goal.IsAdaptive ? AdaptiveCell : EvenCell);
+        double budget = (double)goal.MeanSamples * area.Pixels;
+        ProgressSum done = new((long)budget, progress);
+        int first = FirstSamples();
+        SampleAllocation allocation = new([.. blocks.Select(b => (double)b.Pixels)], goal, Math.Min(goal.MeanSamples, first));
+        int[] all = [.. Enumerable.Range(0, blocks.Length)];
+        deciding.Advance(_renderer, all, first / 2, done.Add, cancellation);
+        deciding.Advance(_renderer, all, first, done.Add, cancellation);
+        while (true)
+        {
+            double[] variances = RelativeVariances(blocks, deciding);
+            double[] deviations = goal.IsAdaptive ? Deviations(variances, columns) : new double[blocks.Length];
+            if (!goal.IsAdaptive)
+            {
+                // One number of samples for all: what a single block of their mean variance would get.
+                Array.Fill(deviations, double.Sqrt(allocation.Mean(variances)));
+            }
+
+
+            // For one number of samples for all pixels, the budget is the picture's alone.
+            int[] samples = allocation.Share(variances, deviations, goal.IsAdaptive ? budget - deciding.Total : budget);
+            ILookup<int, int> wanting = all.Where(i => samples[i] > 2 * deciding.Level(i)).ToLookup(deciding.Level);
+            if (wanting.Count == 0)
+            {
+                return new(area, blocks, samples, double.Sqrt(allocation.Error(variances, samples)), _renderer.Statistics);
+            }
+
+            foreach (IGrouping<int, int> level in wanting.OrderBy(l => l.Key))
+            {
+                deciding.Advance(_renderer, [.. level], 2 * level.Key, done.Add, cancellation);
+            }
+        }
+    }
+
+    // A power of two, of which no more than a fourth goes into the first look.
+    private int FirstSamples() => Math.Clamp(1 << BitOperations.Log2((uint)Math.Max(1, goal.MeanSamples / 4)), 2, MostFirstSamples);
+
+    private static double[] RelativeVariances(Tile[] blocks, DecidingSamples deciding)
+    {
+        (double Brightness, double Variance)[] estimates = [.. blocks.Select((_, i) => deciding.Estimate(i))];
+        double light = 0;
+        double pixels = 0;
+        for (int i = 0; i < blocks.Length; i++)
+        {
+            light += blocks[i].Pixels * estimates[i].Brightness;
+            pixels += blocks[i].Pixels;
+        }
+
+        double floor = light / pixels / 10;
+        return [.. estimates.Select(e => e.Variance == 0 ? 0 : e.Variance / ((e.Brightness + floor) * (e.Brightness + floor)))];
+    }
+
+    // What neighbours found counts too where it is more: rare bright paths are met in some of them at first.
+    private static double[] Deviations(double[] variances, int columns)
+    {
+        int rows = variances.Length / columns;
+        double[] deviations = new double[variances.Length];
+        for (int i = 0; i < variances.Length; i++)
+        {
+            (int y, int x) = int.DivRem(i, columns);
+            double sum = 0;
+            int count = 0;
+            for (int v = Math.Max(0, y - 1); v <= Math.Min(rows - 1, y + 1); v++)
+            {
+                for (int u = Math.Max(0, x - 1); u <= Math.Min(columns - 1, x + 1); u++, count++)
+                {
+                    sum += variances[(v * columns) + u];
+                }
+            }
+
+            deviations[i] = double.Sqrt(Math.Max(variances[i], sum / count));
+        }
+
+        return deviations;
+    }
+}
