@@ -7,7 +7,7 @@ public class NestingTests
 {
     private const double Glass = 1.5;
     private const double Water = 1.33;
-    private static readonly int s_seeds = TestSettings.Scale(8, 64);
+    private static readonly int s_seeds = TestSettings.Scale(8, 32);
 
     // Glass from y = 2 to 3 over water; where the water reaches up into the glass to y = 2.5, the glass is there.
     private const string Overlapping = """
