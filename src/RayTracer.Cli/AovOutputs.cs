@@ -15,7 +15,7 @@ internal sealed class AovOutputs
     public AovOutputs(RenderRequest request)
     {
         HashSet<string> taken = [.. request.Outputs.Select(Path.GetFullPath)];
-        foreach (string output in request.Outputs.Distinct().Where(o => Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase)))
+        foreach (string output in request.Outputs.Distinct().Where(o => Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase) && !FilmFile.IsNamed(o)))
         {
             foreach (Aov kind in request.Aovs.Distinct())
             {
