@@ -29,9 +29,11 @@ public static class Denoiser
     /// <param name="first">One half of the samples.</param>
     /// <param name="second">The other half; of the same size.</param>
     /// <param name="threads">How many threads to use; 0 for one a core.</param>
+    /// <param name="cancellation">Ends the work.</param>
     /// <returns>The mean of both halves, without most of its noise; where one has no samples, the mean of all there are.</returns>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
-    public static Picture Denoise(HalfRender first, HalfRender second, int threads = 0)
+    /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+    public static Picture Denoise(HalfRender first, HalfRender second, int threads = 0, CancellationToken cancellation = default)
     {
         (int width, int height) = (first.Film.Width, first.Film.Height);
         if ((second.Film.Width, second.Film.Height) != (width, height))
@@ -41,7 +43,7 @@ public static class Denoiser
 
         DenoiserInput input = new(first, second);
         Picture result = new(width, height);
-        ParallelOptions parallel = new() { MaxDegreeOfParallelism = threads > 0 ? threads : Environment.ProcessorCount };
+        ParallelOptions parallel = new() { MaxDegreeOfParallelism = threads > 0 ? threads : Environment.ProcessorCount, CancellationToken = cancellation };
         Parallel.For(0, (height + BandHeight - 1) / BandHeight, parallel, () => new Band(input), (i, _, band) =>
         {
             int top = i * BandHeight;

@@ -16,16 +16,17 @@ namespace RayTracer.Session;
 /// <param name="Choices">The words to choose from; empty where it is no choice.</param>
 /// <param name="Default">What holds where nothing is written; null where it may be missing.</param>
 /// <param name="Range">The allowed range in words; empty where every number is allowed.</param>
-/// <param name="Family">shape, material or texture where it is one, or several; otherwise null.</param>
+/// <param name="Family">shape, material, texture or environment where it is one, or several; otherwise null.</param>
 /// <param name="Record">The section that it is, or that its elements are; otherwise null.</param>
+/// <param name="IsNumber">Whether it is a texture in whose place a number may stand.</param>
 public sealed record CatalogueParameter(
     string Key, string Kind, string Summary, string Unit, double? Minimum, double? Maximum, bool MinimumIsExclusive, bool Required,
-    IReadOnlyList<string> Choices, Json? Default, string Range, string? Family, string? Record)
+    IReadOnlyList<string> Choices, Json? Default, string Range, string? Family, string? Record, bool IsNumber)
 {
     /// <summary>Describes a parameter.</summary>
     public static CatalogueParameter Of(RecordParameter p) => new(
         p.Key, JsonNamingPolicy.CamelCase.ConvertName(p.Kind.ToString()), p.Summary, p.Unit, Finite(p.Minimum), Finite(p.Maximum), p.MinimumIsExclusive, p.Required,
-        p.Choices, JsonValues.Of(p.Default), p.Range, FamilyOf(p.Kind), p.RecordType is null ? null : RecordType.Of(p.RecordType).Name);
+        p.Choices, JsonValues.Of(p.Default), p.Range, FamilyOf(p.Kind), p.RecordType is null ? null : RecordType.Of(p.RecordType).Name, p.IsNumber);
 
     private static double? Finite(double bound) => double.IsFinite(bound) ? bound : null;
 

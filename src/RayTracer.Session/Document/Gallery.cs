@@ -63,8 +63,15 @@ public sealed class Gallery : IDisposable
         }
     }
 
-    /// <summary>Ends the making of pictures.</summary>
-    public void Dispose() => _end.Cancel();
+    /// <summary>Ends the making of pictures, and waits for the one that is being made, which may write its file still.</summary>
+    public void Dispose()
+    {
+        if (!_end.IsCancellationRequested)
+        {
+            _end.Cancel();
+            _one.Wait();
+        }
+    }
 
     /// <summary>The file of a scene.</summary>
     /// <exception cref="DocumentException">There is no such scene.</exception>

@@ -12,6 +12,9 @@ internal static class NewThing
     // Radiance of a new lamp: what a lamp of the size of new things needs to light what is around it.
     private const double LampRadiance = 20;
 
+    // What a sun brings onto a white floor, in the same units.
+    private const float SunIrradiance = 3;
+
     /// <summary>A shape.</summary>
     /// <param name="type">Its type.</param>
     /// <param name="view">What the camera sees.</param>
@@ -65,8 +68,18 @@ internal static class NewThing
                 Set("c", at + (view.Up * s));
                 break;
             case "point" or "spot":
-                Set("position", at);
+                Set("position", at + Above(view));
                 shape["intensity"] = JsonValues.Vector(new((float)(LampRadiance * s * s)));
+                if (type.Name == "spot")
+                {
+                    shape["direction"] = JsonValues.Vector(-Above(view).Unit());
+                    shape["cutoffAngle"] = 30;
+                }
+
+                break;
+            case "directional":
+                shape["direction"] = new JsonArray(-1, -2, -1);
+                shape["irradiance"] = JsonValues.Vector(new(SunIrradiance));
                 break;
             case "group":
                 shape["shapes"] = new JsonArray(Shape(SceneTypes.Shapes.Find("sphere")!, view, at, null, null));
@@ -121,6 +134,9 @@ internal static class NewThing
         int[][] triangles = [[0, 1, 2], [0, 2, 3], [0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0]];
         mesh["triangles"] = new JsonArray([.. triangles.Select(t => (Json)new JsonArray(t[0], t[1], t[2]))]);
     }
+
+    // From a thing to a light that is put up for it: above, and before it.
+    private static Vector3 Above(SceneView view) => ((view.Up * 3) + (view.Towards * 2)) * view.Size;
 
     // Along the axis that points most at the camera.
     private static Vector3 Facing(SceneView view)

@@ -12,6 +12,7 @@ namespace RayTracer.Session;
 /// <param name="Camera">The camera.</param>
 /// <param name="Render">Size, samples and depths.</param>
 /// <param name="Background">What is seen where there is nothing.</param>
+/// <param name="Environment">What surrounds the scene in place of the background.</param>
 /// <param name="Ambient">The ambient light.</param>
 /// <param name="Shapes">The shapes.</param>
 /// <param name="Lights">The shapes listed as lights.</param>
@@ -19,7 +20,7 @@ namespace RayTracer.Session;
 /// <param name="Textures">The named textures.</param>
 /// <param name="Objects">The named shapes that only instances show.</param>
 public sealed record Outline(
-    int Revision, OutlineNode Camera, OutlineNode Render, OutlineNode Background, OutlineNode Ambient, IReadOnlyList<OutlineNode> Shapes,
+    int Revision, OutlineNode Camera, OutlineNode Render, OutlineNode Background, OutlineNode Environment, OutlineNode Ambient, IReadOnlyList<OutlineNode> Shapes,
     IReadOnlyList<OutlineNode> Lights, IReadOnlyList<OutlineNode> Materials, IReadOnlyList<OutlineNode> Textures, IReadOnlyList<OutlineNode> Objects)
 {
     /// <summary>The outline of a text.</summary>
@@ -32,6 +33,7 @@ public sealed record Outline(
             Section(scene, "camera", c => $"{c.Number("fieldOfView").ToString(CultureInfo.InvariantCulture)}°"),
             Section(scene, "render", r => string.Create(CultureInfo.InvariantCulture, $"{r.Number("width")} × {r.Number("height")}, {r.Number("samplesPerPixel")} samples")),
             Color(scene, "background"),
+            Section(scene, "environment", e => e.Type?.Name ?? "none"),
             Color(scene, "ambient"),
             ListOf(root, scene.Child("shapes")!),
             ListOf(root, scene.Child("lights")!),
@@ -106,7 +108,7 @@ public sealed record Outline(
             return ColorOf(thing) is { } color ? Hex(color) : null;
         }
 
-        string[] keys = ["color", "even", "texture", "diffuse", "first"];
+        string[] keys = ["color", "baseColor", "even", "texture", "diffuse", "first", "brick", "front", "material"];
         if (keys.Select(thing.Child).FirstOrDefault(c => c is not null) is not { } inner)
         {
             return null;

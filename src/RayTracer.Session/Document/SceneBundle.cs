@@ -14,6 +14,9 @@ public static class SceneBundle
 
     private static readonly string[] s_pictures = [".png", ".jpg", ".jpeg", ".pfm", ".exr", ".hdr"];
 
+    /// <summary>Whether a file may be a picture that a scene names, by its name.</summary>
+    internal static bool IsPicture(string name) => s_pictures.Contains(Path.GetExtension(name), StringComparer.OrdinalIgnoreCase);
+
     /// <summary>Writes a bundle.</summary>
     /// <param name="output">Where to.</param>
     /// <param name="text">The scene.</param>
@@ -32,7 +35,7 @@ public static class SceneBundle
         {
             string path = Path.GetFullPath(Path.Combine(place.Folder, node.Text));
             bool isModel = ModelFile.IsModel(path);
-            if (!File.Exists(path) || !(isModel || s_pictures.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase)))
+            if (!File.Exists(path) || !(isModel || IsPicture(path)))
             {
                 missing.Add(node.Text);
                 continue;

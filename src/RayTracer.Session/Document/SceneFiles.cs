@@ -143,8 +143,12 @@ public sealed class SceneFiles
 
     /// <summary>What a dialog shows of a folder.</summary>
     /// <param name="path">The folder; null for the user's own.</param>
+    /// <param name="isNamed">Whether pictures and models are looked for, which a scene may name, instead of what can be opened.</param>
     /// <exception cref="DocumentException">It cannot be listed.</exception>
-    public FolderListing List(string? path = null) => FolderListing.Of(string.IsNullOrEmpty(path) ? _folders.Home : Whole(path));
+    public FolderListing List(string? path = null, bool isNamed = false) =>
+        FolderListing.Of(string.IsNullOrEmpty(path) ? _folders.Home : Whole(path), isNamed ? IsNamed : CanOpen);
+
+    private static bool IsNamed(string name) => SceneBundle.IsPicture(name) || ModelFile.IsModel(name);
 
     private void OpenFile(string path, bool isOwn)
     {

@@ -72,13 +72,13 @@ internal static class SceneTextFile
         }
     });
 
-    /// <summary>Makes a scene's text of one in Mitsuba's format.</summary>
+    /// <summary>Makes a scene's text of one in Mitsuba's format, with its warnings as comments at the head.</summary>
     /// <exception cref="DocumentException">There is something wrong with it.</exception>
     public static string ReadMitsuba(string path)
     {
         SceneReadResult read = MitsubaReader.Read(path);
         return read.Description is { } scene
-            ? SceneWriter.Write(scene)
+            ? string.Concat(read.Diagnostics.Select(d => $"// {(d with { File = Path.GetFileName(d.File) }).ToString().ReplaceLineEndings(" ")}\n")) + SceneWriter.Write(scene)
             : throw new DocumentException($"{Path.GetFileName(path)} cannot be opened: {read.Diagnostics.First(d => d.Severity == Severity.Error)}");
     }
 

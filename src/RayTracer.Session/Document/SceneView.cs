@@ -28,8 +28,19 @@ internal sealed record SceneView(Vector3 Target, Vector3 Right, Vector3 Up, Vect
         Vector3 towards = back * (1 / distance);
         Vector3 right = camera.Vector("up").Cross(towards).Unit();
         right = right.IsFinite() ? right : Vector3.UnitX;
+        return new(target, right, towards.Cross(right), towards, Round(HeightAt(camera, distance) / 8));
+    }
+
+    // How much a picture shows over its height at a distance.
+    private static float HeightAt(SceneValue camera, float distance)
+    {
+        if (camera.Child("projection")?.Node is { Kind: JsonKind.String, Text: "orthographic" })
+        {
+            return camera.Number("viewSize");
+        }
+
         LaneMath.SinCosTurn(Math.Clamp(camera.Number("fieldOfView"), 0.001f, 170) / 720, out float sin, out float cos);
-        return new(target, right, towards.Cross(right), towards, Round(distance * sin / cos / 4));
+        return 2 * distance * sin / cos;
     }
 
     // To one digit, so that new things have round numbers.

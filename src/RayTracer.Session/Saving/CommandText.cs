@@ -38,6 +38,11 @@ public static class CommandText
             words.AddRange(["--tonemap", tone.ToneMap.ToString().ToLowerInvariant()]);
         }
 
+        if (settings.Map == ViewMap.Denoised)
+        {
+            words.Add("--denoise");
+        }
+
         return Shell.Command(words);
     }
 }

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using RayTracer.Description;
 using RayTracer.Rendering;
+using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
@@ -14,6 +15,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private readonly LinearPicture _preview = new();
     private readonly Dictionary<(int Width, int Height), Film> _previewFilms = [];
     private readonly MapPictures _maps = new();
+    private readonly DenoisedPicture _denoised = new();
     private readonly PublishPace _pace = new();
     private SlicePlan _plan = new(default, 0);
     private long _rays;
@@ -39,7 +41,7 @@ internal sealed class FilmWork(FrameBoard frames)
 
     /// <summary>Whether there is something to do for an order.</summary>
     public bool HasWork(RenderOrder order) =>
-        order.Picture != Order?.Picture || order.Map != _shown || _previews.Scale > 1 || _maps.Needs(order)
+        order.Picture != Order?.Picture || order.Map != _shown || _previews.Scale > 1 || _maps.Needs(order) || NeedsDenoising(order)
         || (order.Mode == RenderMode.Running && _plan.Samples < order.Samples) || (_isStale && frames.IsWatched);
 
     /// <summary>Whether the next step must be made to its end, whatever happens: else a fast hand would never see anything.</summary>
@@ -68,6 +70,11 @@ internal sealed class FilmWork(FrameBoard frames)
         else if (_maps.Needs(order))
         {
             _maps.Step(order, Film!, cancellation);
+            Show(order, isMilestone: true, cancellation);
+        }
+        else if (NeedsDenoising(order))
+        {
+            _denoised.Step(order, _plan.Samples, cancellation);
             Show(order, isMilestone: true, cancellation);
         }
         else if (order.Mode == RenderMode.Running && !_plan.IsDone)
@@ -115,13 +122,14 @@ internal sealed class FilmWork(FrameBoard frames)
         {
             Film = null;
             _maps.Clear();
+            _denoised.Clear();
             _previewFilms.Clear();
             Film = FilmBudget.Create(width, height);
         }
 
         Order = order;
         _plan = new(order.Area, order.Samples);
-        if (order.Map == ViewMap.Light)
+        if (IsLight(order.Map))
         {
             _previews.Begin((long)width * height);
         }
@@ -220,7 +228,7 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         _isStale = false;
-        if (order.Map != ViewMap.Light)
+        if (!IsLight(order.Map))
         {
             if (_maps.Picture(order, Film!) is { } map)
             {
@@ -230,12 +238,25 @@ internal sealed class FilmWork(FrameBoard frames)
             return;
         }
 
-        Hang(order, _plan.Samples == 0, picture => PicturePainter.Paint(Film!, _preview, picture));
+        IImageRows? denoised = order.Map == ViewMap.Denoised ? _denoised.Of(order) : null;
+        Hang(order, _plan.Samples == 0, picture =>
+        {
+            PicturePainter.Paint(Film!, _preview, picture);
+            if (denoised is not null)
+            {
+                PicturePainter.Cover(denoised, order.Area, picture);
+            }
+        });
     }
+
+    private static bool IsLight(ViewMap map) => map is ViewMap.Light or ViewMap.Denoised;
+
+    // A paused picture is not rendered a second time behind the user's back.
+    private bool NeedsDenoising(RenderOrder order) => order.Picture == Order?.Picture && order.Mode != RenderMode.Paused && _denoised.Needs(order, _plan.Samples);
 
     private void Hang(RenderOrder order, bool isPreview, Action<LinearPicture> draw)
     {
-        FrameInfo info = new(order.Scene.Render.Width, order.Scene.Render.Height, _plan.Samples, isPreview, _plan.IsDone, order.Map == ViewMap.Light);
+        FrameInfo info = new(order.Scene.Render.Width, order.Scene.Render.Height, _plan.Samples, isPreview, _plan.IsDone && !NeedsDenoising(order), IsLight(order.Map));
         _pace.Make(() => frames.Publish(info, draw));
     }
 }

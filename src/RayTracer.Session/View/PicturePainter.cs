@@ -1,4 +1,5 @@
 using RayTracer.Rendering;
+using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
@@ -29,6 +30,20 @@ public static class PicturePainter
                     coarse.Slice(from, 3).CopyTo(row[(3 * x)..]);
                 }
             }
+        }
+    }
+
+    /// <summary>Paints a part over with another picture of the same size.</summary>
+    /// <param name="picture">The other picture.</param>
+    /// <param name="area">The part.</param>
+    /// <param name="to">What is painted over.</param>
+    public static void Cover(IImageRows picture, Tile area, LinearPicture to)
+    {
+        float[] row = new float[3 * picture.Width];
+        for (int y = area.Y; y < area.Y + area.Height; y++)
+        {
+            picture.ReadRow(y, row);
+            row.AsSpan(3 * area.X, 3 * area.Width).CopyTo(to.Row(y)[(3 * area.X)..]);
         }
     }
 }

@@ -6,6 +6,9 @@ public enum ViewMap
     /// <summary>The light.</summary>
     Light,
 
+    /// <summary>The light without most of its noise.</summary>
+    Denoised,
+
     /// <summary>Number of samples in each pixel.</summary>
     Samples,
 

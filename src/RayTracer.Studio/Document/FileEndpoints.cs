@@ -68,7 +68,7 @@ internal static class FileEndpoints
             return Answers.Json(new { revision = session.Document.Revision, path });
         });
         api.MapGet("/file/recent", () => Answers.Json(new { files = files.Recent.Select(p => new { path = p, name = Path.GetFileName(p) }) }));
-        api.MapGet("/file/list", (string? path) => Answers.Json(files.List(path)));
+        api.MapGet("/file/list", (string? path, bool? named) => Answers.Json(files.List(path, named ?? false)));
         api.MapGet("/file/bundle", () =>
         {
             JsonText text = JsonText.Of(session.Document.Read);

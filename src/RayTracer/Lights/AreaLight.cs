@@ -31,8 +31,8 @@ public sealed class AreaLight(Shape shape, int primitive) : LightSource(0, primi
         if (_plainSphere is null)
         {
             shape.SamplePoint(from, u, v, out sample);
-            _luminaire.Emission(sample.Cosine, sample.U, sample.V, out RgbW emitted);
-            radiance = emitted * sample.InversePdf;
+            _luminaire.Emission(sample.Cosine, sample.U, sample.V, out radiance);
+            radiance *= sample.InversePdf;
             return;
         }
 

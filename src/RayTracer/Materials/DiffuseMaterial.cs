@@ -51,6 +51,14 @@ public sealed class DiffuseMaterial(Texture texture) : Material
         pdf = Warp.CosineHemispherePdf(Vec3W.Dot(direction, surface.Facing));
 
     /// <inheritdoc/>
+    public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    {
+        FloatW cosine = Vec3W.Dot(direction, surface.Facing);
+        pdf = Warp.CosineHemispherePdf(cosine);
+        bsdf = (cosine > 0f).Select(surface.DiffuseColor * (1f / float.Pi), default);
+    }
+
+    /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         samples.Direction(out FloatW u, out FloatW v);

@@ -55,6 +55,7 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
 public sealed class LuminaireMaterial(Texture texture, float multiplier, float exponent, Material? inner) : Material
 {
     private static readonly ScatteringProperties s_black = new();
+    private readonly Rgb? _constant = texture.Constant;
 
     /// <inheritdoc/>
     public override ScatteringProperties Scattering => inner?.Scattering ?? s_black;
@@ -89,12 +90,18 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     /// <inheritdoc/>
     public override void Emission(in FloatW cosine, in FloatW u, in FloatW v, out RgbW radiance)
     {
-        texture.Evaluate(u, v, out RgbW color);
-        radiance = color * Falloff(cosine);
+        if (_constant is { } constant)
+        {
+            radiance = (RgbW)constant * Falloff(cosine);
+            return;
+        }
+
+        texture.Evaluate(u, v, out radiance);
+        radiance *= Falloff(cosine);
     }
 
     /// <summary>Colour of the emitted light if it does not depend on uv, else null.</summary>
-    public Rgb? ConstantColor => texture.Constant;
+    public Rgb? ConstantColor => _constant;
 
     /// <summary>
     /// Mean over all directions of the radiant intensity of a piece of area 1, in luminance: a colour that varies is looked at in some places only.

@@ -99,6 +99,17 @@ public abstract class Material
     /// <param name="pdf">The density.</param>
     public virtual void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) => pdf = 0f;
 
+    /// <summary><see cref="Bsdf"/> and <see cref="Pdf"/> at once.</summary>
+    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="direction">Unit direction away from the surface.</param>
+    /// <param name="bsdf">The BSDF.</param>
+    /// <param name="pdf">The density.</param>
+    public virtual void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    {
+        Bsdf(surface, direction, out bsdf);
+        Pdf(surface, direction, out pdf);
+    }
+
     /// <summary>Chooses how a path goes on (report: DiffuseDirection).</summary>
     /// <param name="surface">Where the path meets the surface.</param>
     /// <param name="samples">The random numbers of this vertex.</param>
@@ -114,6 +125,9 @@ public struct SurfaceW
 {
     /// <summary>The point.</summary>
     public Vec3W Point;
+
+    /// <summary>Which shapes of their batch are met.</summary>
+    public Acceleration.PrimitiveIndex Primitives;
 
     /// <summary>The point in the coordinates in which the shape's own numbers are given; set only where a texture depends on it.</summary>
     public Vec3W Local;

@@ -59,6 +59,14 @@ public sealed class OneSidedMaterial(Material inner) : WrapperMaterial(inner)
     }
 
     /// <inheritdoc/>
+    public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    {
+        Inner.Evaluate(surface, direction, out bsdf, out pdf);
+        bsdf = surface.Inside.Select(default, bsdf);
+        pdf = surface.Inside.Select(0f, pdf);
+    }
+
+    /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         Inner.Scatter(surface, samples, out scatter);

@@ -149,6 +149,13 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
     }
 
     /// <inheritdoc/>
+    public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    {
+        Begin(surface, out Values at);
+        Evaluate(at, at.Frame.ToLocal(direction), out bsdf, out pdf);
+    }
+
+    /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         samples.Direction(out FloatW u, out FloatW v);

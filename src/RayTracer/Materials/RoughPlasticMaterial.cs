@@ -86,7 +86,8 @@ public sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, b
         scatter.Absorbed = ~(pdf > 0f);
     }
 
-    private void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    /// <inheritdoc/>
+    public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
     {
         Onb.FromNormal(surface.Facing, out Onb frame);
         Vec3W view = frame.ToLocal(-surface.Incoming);

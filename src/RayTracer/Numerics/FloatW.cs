@@ -181,9 +181,21 @@ public readonly unsafe struct FloatW
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Store(float* to) => V.Store(to);
 
-    /// <summary>table[index[0]], table[index[1]] … for indices that lie in memory.</summary>
+    /// <summary>table[index[0]], table[index[1]] … for indices that lie in memory and grow, but for those of lanes that do not count, at the end.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatW Pick(float* table, uint* index)
+    {
+        // Neighbours most often have stayed together.
+        if (index[Count - 1] - index[0] == Count - 1)
+        {
+            return Load(table + index[0]);
+        }
+
+        return PickAny(table, index);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static FloatW PickAny(float* table, uint* index)
     {
         if (Vector<float>.Count == 8)
         {
@@ -192,7 +204,7 @@ public readonly unsafe struct FloatW
 
         if (Vector<float>.Count == 16)
         {
-            return new(Vector512.Create(Pick8(table, index), Pick8(table, index + 8)).AsVector());
+            return new(Pick8(table, index).ToVector512Unsafe().WithUpper(Pick8(table, index + 8)).AsVector());
         }
 
         return new(Vector128.Create(table[index[0]], table[index[1]], table[index[2]], table[index[3]]).AsVector());
@@ -217,7 +229,7 @@ public readonly unsafe struct FloatW
 
         uint* lanes = stackalloc uint[Vector<uint>.Count];
         index.V.Store(lanes);
-        return Pick(table, lanes);
+        return PickAny(table, lanes);
     }
 
     /// <summary>

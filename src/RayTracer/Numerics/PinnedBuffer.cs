@@ -6,7 +6,7 @@ namespace RayTracer.Numerics;
 /// Memory for lanes to load from and store to by pointer: it begins at a cache line, does not move, is zero at first, and lives
 /// as long as this object.
 /// </summary>
-/// <typeparam name="T">float or uint.</typeparam>
+/// <typeparam name="T">A number, or a struct of registers.</typeparam>
 public sealed unsafe class PinnedBuffer<T>
     where T : unmanaged
 {
@@ -18,7 +18,7 @@ public sealed unsafe class PinnedBuffer<T>
     /// <exception cref="ArgumentOutOfRangeException">There cannot be that many elements (about 2³¹).</exception>
     public PinnedBuffer(long length)
     {
-        long padded = length + (3 * Alignment / sizeof(T));
+        long padded = length + ((3 * Alignment) + sizeof(T) - 1) / sizeof(T);
         ArgumentOutOfRangeException.ThrowIfGreaterThan(padded, Array.MaxLength, nameof(length));
         _memory = GC.AllocateArray<T>((int)padded, pinned: true);
         byte* start = (byte*)Unsafe.AsPointer(ref _memory[0]);

@@ -13,7 +13,7 @@ namespace RayTracer.Rendering;
 /// Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4), or, where there are many lights, of one
 /// that is chosen.
 /// </summary>
-internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
+internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue)
 {
     // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
@@ -21,8 +21,11 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     private readonly LightSource[] _lights = [.. scene.SampledLights];
     private readonly LightSelection? _selection = scene.LightSelection;
     private readonly Transmittance? _transmittance = scene.HasMedia ? new(scene) : null;
-    private readonly ShapeSampleW[] _samples = new ShapeSampleW[Batch];
-    private readonly RgbW[] _radiance = new RgbW[Batch];
+
+    // Where registers are whole cache lines, as on the stack they are not.
+    private readonly PinnedBuffer<ShapeSampleW> _samples = new(Batch);
+    private readonly PinnedBuffer<RgbW> _radiance = new(Batch);
+    private readonly PinnedBuffer<LitW> _lit = new(1);
 
     public long ShadowRays { get; private set; }
 
@@ -53,21 +56,20 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     public void Add(in SurfaceW surface, Material? material, in UIntW media, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
-        LitW lit = new()
-        {
-            Side = side,
-            Origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point),
-            Media = media,
-            Time = time,
-            Transmits = material is { Transmits: true },
-            IsSmoothed = isSmoothed,
-        };
-        Vec3W from = lit.Transmits ? surface.Point : lit.Origin;
-        RgbW arriving = default;
+        ref LitW lit = ref *_lit.Pointer;
+        lit.Side = side;
+        lit.Origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point);
+        lit.Media = media;
+        lit.Time = time;
+        lit.Transmits = material is { Transmits: true };
+        lit.IsSmoothed = isSmoothed;
+        lit.From = lit.Transmits ? surface.Point : lit.Origin;
+        ref RgbW arriving = ref lit.Arriving;
+        arriving = default;
         queue?.Begin(weight);
         if (_selection is not null)
         {
-            AddChosen(surface, material, lit, from, samples, active, ref arriving);
+            AddChosen(surface, material, ref lit, lit.From, samples, active, ref arriving);
         }
 
         for (int first = 0; first < _lights.Length && _selection is null; first += Batch)
@@ -75,13 +77,13 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
             int count = Math.Min(Batch, _lights.Length - first);
             for (int i = 0; i < count; i++)
             {
-                samples.Light(first + i, out FloatW u, out FloatW v);
-                _lights[first + i].Sample(from, u, v, time, out _samples[i], out _radiance[i]);
+                samples.Light(first + i, out lit.U, out lit.V);
+                _lights[first + i].Sample(lit.From, lit.U, lit.V, time, out _samples.Pointer[i], out _radiance.Pointer[i]);
             }
 
             for (int i = 0; i < count; i++)
             {
-                Connect(surface, material, lit, first + i, _samples[i], active, _radiance[i], ref arriving);
+                Connect(surface, material, ref lit, first + i, _samples.Pointer[i], active, _radiance.Pointer[i], ref arriving);
             }
         }
 
@@ -131,7 +133,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
 
     // One light of many for each lane, those of the same light together.
     private void AddChosen(
-        in SurfaceW surface, Material? material, in LitW lit, in Vec3W from, VertexSamples samples, in MaskW active, ref RgbW arriving)
+        in SurfaceW surface, Material? material, ref LitW lit, in Vec3W from, VertexSamples samples, in MaskW active, ref RgbW arriving)
     {
         Vec3W normal = lit.Transmits ? default : surface.Facing;
         _selection!.Choose(from, normal, samples.LightChoice(), out UIntW chosen, out FloatW probability);
@@ -144,7 +146,7 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
             MaskW same = rest & UIntW.Equal(chosen, (uint)light);
             _lights[light].Sample(from, u, v, lit.Time, out ShapeSampleW sample, out RgbW radiance);
             sample.InversePdf *= inverse;
-            Connect(surface, material, lit, light, sample, same, radiance * inverse, ref arriving);
+            Connect(surface, material, ref lit, light, sample, same, radiance * inverse, ref arriving);
             rest = rest.Except(same);
         }
     }
@@ -152,11 +154,16 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     // What arrives from a chosen point of a light, unless something is in the way.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Connect(
-        in SurfaceW surface, Material? material, in LitW lit, int light, in ShapeSampleW sample, MaskW lanes, RgbW radiance, ref RgbW arriving)
+        in SurfaceW surface, Material? material, ref LitW lit, int light, in ShapeSampleW sample, MaskW lanes, in RgbW brought, ref RgbW arriving)
     {
-        FloatW cosine = Vec3W.Dot(sample.Direction, surface.Facing);
-        MaskW free = lanes & (sample.InversePdf > 0f);
-        Vec3W origin = lit.Origin;
+        ref RgbW radiance = ref lit.Radiance;
+        ref FloatW cosine = ref lit.Cosine;
+        ref MaskW free = ref lit.Free;
+        radiance = brought;
+        cosine = Vec3W.Dot(sample.Direction, surface.Facing);
+        free = lanes & (sample.InversePdf > 0f);
+        ref Vec3W origin = ref lit.Start;
+        origin = lit.Origin;
         if (lit.Transmits)
         {
             free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
@@ -206,12 +213,13 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     // What of a light's sample goes on, and what scattered rays leave of it.
     private void Scatter(in SurfaceW surface, Material material, int light, in ShapeSampleW sample, ref MaskW free, ref RgbW radiance)
     {
-        material.Bsdf(surface, sample.Direction, out RgbW bsdf);
+        ref RgbW bsdf = ref _lit.Pointer->Bsdf;
+        ref FloatW pdf = ref _lit.Pointer->Pdf;
+        material.Evaluate(surface, sample.Direction, out bsdf, out pdf);
         free = free.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f));
         radiance *= bsdf;
         if (!_lights[light].IsDelta)
         {
-            material.Pdf(surface, sample.Direction, out FloatW pdf);
             radiance *= Weight(1f, pdf * sample.InversePdf);
         }
     }
@@ -221,6 +229,15 @@ internal sealed class DirectLight(Scene scene, ShadowQueue? queue)
     {
         public Vec3W Side;
         public Vec3W Origin;
+        public Vec3W From;
+        public Vec3W Start;
+        public FloatW U, V;
+        public RgbW Arriving;
+        public RgbW Radiance;
+        public RgbW Bsdf;
+        public FloatW Pdf;
+        public FloatW Cosine;
+        public MaskW Free;
         public UIntW Media;
         public FloatW Time;
         public bool Transmits;

@@ -61,19 +61,25 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             return;
         }
 
-        UIntW path = UIntW.Pick(stream.Path, index);
+        ref PacketW packet = ref Packet;
+        ref SurfaceW surface = ref packet.Surface;
+        ref RgbW throughput = ref packet.Throughput;
+        ref RgbW radiance = ref packet.Radiance;
+        ref UIntW path = ref packet.Path;
+        ref UIntW vertex = ref packet.Vertex;
+        path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
-        UIntW vertex = state & DepthBits;
-        UIntW media = Scene.HasMedia ? UIntW.Pick(stream.Media, index) : 0u;
+        vertex = state & DepthBits;
+        packet.Media = Scene.HasMedia ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
-        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
-        FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
-        RgbW throughput = stream.PickThroughput(index);
-        RgbW radiance = stream.PickRadiance(index);
+        Describe(Scene, group, stream, index, group.UsesUv, out surface);
+        packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
+        throughput = stream.PickThroughput(index);
+        radiance = stream.PickRadiance(index);
         Material material = group.Material;
         if (group.Emits && _maxDepth > 0)
         {
-            AddEmission(group, surface, stream, index, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), time, throughput, ref radiance);
+            AddEmission(group, surface, stream, index, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
         }
 
         Recorder?.Emitted(path, active, radiance);
@@ -88,10 +94,11 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, material, media, group.MayLeak, Vertex, time, goesOn, throughput, ref radiance);
+            _directLight.Add(surface, material, packet.Media, group.MayLeak, Vertex, packet.Time, goesOn, throughput, ref radiance);
         }
 
-        material.Scatter(surface, Vertex, out ScatterW scatter);
+        ref ScatterW scatter = ref packet.Scatter;
+        material.Scatter(surface, Vertex, out scatter);
         throughput *= scatter.Weight;
         MaskW alive = goesOn.Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
         if (group.MayLeak)
@@ -99,7 +106,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }
 
-        Survive(vertex, ref alive, ref throughput);
+        alive = Survive(vertex, alive, ref throughput);
         Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
@@ -115,7 +122,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         if (going != 0)
         {
-            GoOn(group, surface, scatter, time, media, going, throughput, radiance, path, vertex, next);
+            GoOn(group, ref packet, going, next);
         }
     }
 
@@ -194,7 +201,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Vertex.Direction(out FloatW u, out FloatW v);
         Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
-        Survive(vertex, ref alive, ref throughput);
+        alive = Survive(vertex, alive, ref throughput);
         Recorder?.InMedium(stream, index, active, alive, point, pdf);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
@@ -254,18 +261,19 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         return Scene.HasMedia ? Vec3W.MultiplyAdd(direction, -FloatW.Pick(stream.Travelled, index), origin) : origin;
     }
 
-    private void GoOn(
-        ShadingGroup group, in SurfaceW surface, in ScatterW scatter, in FloatW time, in UIntW media, uint going, in RgbW throughput, in RgbW radiance, UIntW path, UIntW vertex, PathStream next)
+    private void GoOn(ShadingGroup group, ref PacketW packet, uint going, PathStream next)
     {
+        ref SurfaceW surface = ref packet.Surface;
+        ref ScatterW scatter = ref packet.Scatter;
         if (Scene.IsTimed)
         {
-            next.SetTime(going, time);
+            next.SetTime(going, packet.Time);
         }
 
         if (group.HasDensity && _lights.Count > 0)
         {
-            group.Material.Pdf(surface, scatter.Direction, out FloatW pdf);
-            next.SetPdf(going, pdf);
+            group.Material.Pdf(surface, scatter.Direction, out packet.Pdf);
+            next.SetPdf(going, packet.Pdf);
             if (Scene.LightSelection is not null)
             {
                 next.SetNormal(going, group.Material.Transmits ? default : surface.Facing);
@@ -274,28 +282,30 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         if (Scene.HasMedia)
         {
-            next.SetMedia(going, MediumStack.Scattered(MediaAlong(surface, scatter.Direction, group.Interior, media)), 0f);
+            next.SetMedia(going, MediumStack.Scattered(MediaAlong(surface, scatter.Direction, group.Interior, packet.Media)), 0f);
         }
 
         UIntW emission = group.HasDensity && _lights.Count > 0 ? scatter.Delta.Select((UIntW)PathState.CountsEmission, 0u) : PathState.CountsEmission;
-        next.Append(going, Leave(surface, scatter.Direction), scatter.Direction, throughput, radiance, path, (vertex + 1u) | emission);
+        packet.Origin = Leave(surface, scatter.Direction);
+        packet.Vertex = (packet.Vertex + 1u) | emission;
+        next.Append(going, packet.Origin, scatter.Direction, packet.Throughput, packet.Radiance, packet.Path, packet.Vertex);
     }
 
     // Ends paths at random, and makes those that go on brighter, so that the mean stays.
-    private void Survive(UIntW vertex, ref MaskW alive, ref RgbW throughput)
+    private MaskW Survive(UIntW vertex, MaskW alive, ref RgbW throughput)
     {
         MaskW asked = alive & (vertex + 1u > (uint)Scene.Render.RouletteDepth);
         if (!asked.Any)
         {
-            return;
+            return alive;
         }
 
         FloatW most = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
 
         // Written so that a path whose throughput is not a number goes on, and is counted at its end.
         FloatW survival = (most < LargestSurvival).Select(most, LargestSurvival);
-        alive = alive.Except(asked & (Vertex.Roulette() >= survival));
         throughput *= asked.Select(1f / survival, 1f);
+        return alive.Except(asked & (Vertex.Roulette() >= survival));
     }
 
     // Light of the surface itself: in full where no light could have been sampled for it, and weighted else.

@@ -18,15 +18,21 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
         // Random numbers first: their long chain of multiplications then overlaps with the description of the surface.
-        UIntW path = UIntW.Pick(stream.Path, index);
+        ref PacketW packet = ref Packet;
+        ref SurfaceW surface = ref packet.Surface;
+        ref RgbW throughput = ref packet.Throughput;
+        ref RgbW radiance = ref packet.Radiance;
+        ref UIntW path = ref packet.Path;
+        path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
         UIntW diffuseDepth = state & PathState.DepthMask;
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
-        BeginVertex(path, diffuseDepth + specularDepth);
-        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
-        FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
-        RgbW throughput = stream.PickThroughput(index);
-        RgbW radiance = stream.PickRadiance(index);
+        packet.Vertex = diffuseDepth + specularDepth;
+        BeginVertex(path, packet.Vertex);
+        Describe(Scene, group, stream, index, group.UsesUv, out surface);
+        packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
+        throughput = stream.PickThroughput(index);
+        radiance = stream.PickRadiance(index);
 
         // Light that the surface itself sends towards the ray's origin.
         Material material = group.Material;
@@ -54,11 +60,12 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, null, 0u, group.MayLeak, Vertex, time, active, throughput * brdf, ref radiance);
+            _directLight.Add(surface, null, 0u, group.MayLeak, Vertex, packet.Time, active, throughput * brdf, ref radiance);
         }
 
         // Where the path goes on.
-        material.Scatter(surface, Vertex, out ScatterW scatter);
+        ref ScatterW scatter = ref packet.Scatter;
+        material.Scatter(surface, Vertex, out scatter);
         throughput *= scatter.Weight;
         UIntW limit = scatter.Specular.Select((UIntW)(uint)Scene.Render.MaxSpecularDepth, (uint)Scene.Render.MaxDiffuseDepth);
         MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;
@@ -88,13 +95,13 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         {
             UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);
             UIntW emission = scatter.Specular.Select((UIntW)PathState.CountsEmission, 0u);
-            Vec3W origin = Leave(surface, scatter.Direction);
+            packet.Origin = Leave(surface, scatter.Direction);
             if (Scene.IsTimed)
             {
-                next.SetTime(going, time);
+                next.SetTime(going, packet.Time);
             }
 
-            next.Append(going, origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission);
+            next.Append(going, packet.Origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission);
         }
     }
 

@@ -14,6 +14,8 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder)
 {
+    // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
+    private readonly PinnedBuffer<PacketW> _packet = new(1);
     private SampleRange _samples;
 
     /// <summary>How many shadow rays were traced.</summary>
@@ -29,6 +31,9 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     protected VertexSamples Vertex { get; } = new(scene.Sampler);
 
     protected RayGenerator Generator { get; private set; } = null!;
+
+    /// <summary>Room for what is known of the packet that is shaded.</summary>
+    protected ref PacketW Packet => ref *_packet.Pointer;
 
     /// <summary>Makes that of a scene's integrator.</summary>
     public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder) => scene.Render.Integrator switch
@@ -53,15 +58,19 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         {
             uint* index = members + i;
             MaskW active = MaskW.First(count - i);
-            Vec3W direction = stream.PickDirection(index);
-            Arrive(stream, index, direction, out RgbW arriving);
-            RgbW radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), arriving, stream.PickRadiance(index));
+            ref Vec3W direction = ref Packet.Surface.Incoming;
+            ref RgbW radiance = ref Packet.Radiance;
+            ref UIntW path = ref Packet.Path;
+            path = UIntW.Pick(stream.Path, index);
+            direction = stream.PickDirection(index);
+            Arrive(stream, index, direction, out radiance);
+            radiance = RgbW.MultiplyAdd(stream.PickThroughput(index), radiance, stream.PickRadiance(index));
 
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
             recorder?.Missed(stream, index, active);
-            finished.Append(active.Bits, radiance, UIntW.Pick(stream.Path, index));
+            finished.Append(active.Bits, radiance, path);
         }
     }
 
@@ -153,10 +162,10 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     private static void DescribeTable(ShadingGroup group, PathStream stream, uint* index, bool needsUv, ref SurfaceW surface)
     {
         int stride = group.Batch.Stride;
-        PrimitiveIndex primitives = group.OnlyIndex >= 0
+        surface.Primitives = group.OnlyIndex >= 0
             ? new(group.OnlyIndex, stride)
             : new(UIntW.Pick(stream.Primitive, index) - (uint)group.Batch.FirstPrimitive, stride);
-        group.Batch.Describe(primitives, needsUv, ref surface);
+        group.Batch.Describe(surface.Primitives, needsUv, ref surface);
         if (group.UsesLocal)
         {
             surface.Local = surface.Point;
@@ -164,7 +173,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
         if (group.UsesTangent)
         {
-            group.Batch.DescribeTangents(primitives, ref surface);
+            group.Batch.DescribeTangents(surface.Primitives, ref surface);
         }
     }
 
@@ -258,5 +267,20 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     {
         FloatW side = FloatW.CopySign(surface.Offset, Vec3W.Dot(direction, surface.Normal));
         return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);
+    }
+
+    /// <summary>What shading works with, beside what the stream has.</summary>
+    protected struct PacketW
+    {
+        public SurfaceW Surface;
+        public ScatterW Scatter;
+        public RgbW Throughput;
+        public RgbW Radiance;
+        public UIntW Path;
+        public UIntW Vertex;
+        public UIntW Media;
+        public FloatW Time;
+        public FloatW Pdf;
+        public Vec3W Origin;
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Numerics;
 
 namespace RayTracer.Sampling;
@@ -7,38 +8,39 @@ namespace RayTracer.Sampling;
 /// with a reference in it would have the caller's whole stack frame cleared at every call.
 /// </summary>
 /// <param name="sampler">Where the numbers come from.</param>
-public sealed class VertexSamples(Sampler sampler)
+public sealed unsafe class VertexSamples(Sampler sampler)
 {
     private const float LargestBelowOne = 0.99999994f;
-    private UIntW _pixelKey;
-    private UIntW _sample;
-    private UIntW _group;
-    private SamplePoints _points;
-    private FloatW _rest;
+
+    // Registers that lie across two cache lines are slow to store and load: the runtime aligns neither its stack nor its objects.
+    private readonly PinnedBuffer<VertexW> _vertex = new(1);
     private bool _hasRest;
 
     /// <summary>Turns to a vertex.</summary>
     /// <param name="pixelKey">Keys of the pixels.</param>
     /// <param name="sample">Numbers of the samples.</param>
     /// <param name="vertex">Number of the vertex on its path, from 0.</param>
-    public void Begin(in UIntW pixelKey, in UIntW sample, in UIntW vertex)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Begin(UIntW pixelKey, UIntW sample, UIntW vertex)
     {
-        _pixelKey = pixelKey;
-        _sample = sample;
-        _group = (vertex * Dimensions.GroupsPerVertex) + Dimensions.FirstVertex;
-        sampler.Begin(pixelKey, sample, _group, out _points);
+        ref VertexW at = ref *_vertex.Pointer;
+        at.PixelKey = pixelKey;
+        at.Sample = sample;
+        at.Group = (vertex * Dimensions.GroupsPerVertex) + Dimensions.FirstVertex;
+        sampler.Begin(at.PixelKey, at.Sample, at.Group, out at.Points);
         _hasRest = false;
     }
 
     /// <summary>The two numbers that choose the direction of scattering.</summary>
-    public void Direction(out FloatW u, out FloatW v) => sampler.Pair(_points, Dimensions.Direction, out u, out v);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Direction(out FloatW u, out FloatW v) => Pair(Dimensions.Direction, out u, out v);
 
     /// <summary>The number that chooses between lobes.</summary>
     public FloatW Choice()
     {
         if (_hasRest)
         {
-            return _rest;
+            return _vertex.Pointer->Rest;
         }
 
         Decisions(0, out FloatW u, out _);
@@ -63,7 +65,7 @@ public sealed class VertexSamples(Sampler sampler)
     /// <summary>Sets the number that the next <see cref="Choice"/> of this vertex is.</summary>
     public void Leave(in FloatW rest)
     {
-        _rest = rest;
+        _vertex.Pointer->Rest = rest;
         _hasRest = true;
     }
 
@@ -85,8 +87,9 @@ public sealed class VertexSamples(Sampler sampler)
     /// <param name="light">The light's number.</param>
     /// <param name="u">First number.</param>
     /// <param name="v">Second number.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Light(int light, out FloatW u, out FloatW v) =>
-        sampler.Pair(_points, Dimensions.FirstLight + (uint)light, out u, out v);
+        Pair(Dimensions.FirstLight + (uint)light, out u, out v);
 
     /// <summary>The two numbers that decide how far a path flies through a medium.</summary>
     /// <param name="crossings">How many boundaries it has crossed since the vertex.</param>
@@ -94,13 +97,38 @@ public sealed class VertexSamples(Sampler sampler)
     /// <param name="v">Second number.</param>
     public void Flight(UIntW crossings, out FloatW u, out FloatW v)
     {
-        sampler.Begin(_pixelKey, _sample, (_group << 8) + Dimensions.FirstFlight + crossings, out SamplePoints points);
+        sampler.Begin(_vertex.Pointer->PixelKey, _vertex.Pointer->Sample, (_vertex.Pointer->Group << 8) + Dimensions.FirstFlight + crossings, out SamplePoints points);
         sampler.Pair(points, 0, out u, out v);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Pair(uint pair, out FloatW u, out FloatW v)
+    {
+        ref VertexW at = ref *_vertex.Pointer;
+        sampler.Pair(at.Points, pair, out at.U, out at.V);
+        u = at.U;
+        v = at.V;
     }
 
     private void Decisions(uint pair, out FloatW u, out FloatW v)
     {
-        sampler.Begin(_pixelKey, _sample, _group + 1u, out SamplePoints points);
-        sampler.Pair(points, pair, out u, out v);
+        ref VertexW at = ref *_vertex.Pointer;
+        at.Next = at.Group + 1u;
+        sampler.Begin(at.PixelKey, at.Sample, at.Next, out at.Decisions);
+        sampler.Pair(at.Decisions, pair, out at.U, out at.V);
+        u = at.U;
+        v = at.V;
+    }
+
+    private struct VertexW
+    {
+        public UIntW PixelKey;
+        public UIntW Sample;
+        public UIntW Group;
+        public SamplePoints Points;
+        public SamplePoints Decisions;
+        public UIntW Next;
+        public FloatW U, V;
+        public FloatW Rest;
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Numerics;
 
 namespace RayTracer.Shapes;
@@ -12,6 +13,7 @@ internal static class AreaSample
     public static FloatW Pdf(FloatW distance, FloatW cosine, FloatW area) => (cosine > 0f).Select(distance * distance / (cosine * area), 0f);
 
     /// <summary>A light sample from the vector to a point that was chosen uniformly by area.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Sample(in Vec3W to, in Vec3W normal, FloatW area, out ShapeSampleW sample)
     {
         FloatW distance2 = Vec3W.Dot(to, to);

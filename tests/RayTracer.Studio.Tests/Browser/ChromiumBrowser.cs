@@ -1,4 +1,5 @@
 using Microsoft.Playwright;
+using static Microsoft.Playwright.Assertions;
 
 namespace RayTracer.Studio.Tests.Browser;
 
@@ -23,6 +24,8 @@ public sealed class ChromiumBrowser : IAsyncLifetime
             return;
         }
 
+        // What is waited for comes, however busy the machine is.
+        SetDefaultExpectTimeout(60_000);
         _playwright = await Playwright.CreateAsync();
 
         // Processes of root, as in containers, have no sandbox.

@@ -60,6 +60,40 @@ public class SourceWalks(ChromiumBrowser browser)
         await Expect(w.Page.GetByText("The text has an error: this is the last good picture.")).ToBeVisibleAsync();
     }
 
+    [SkippableFact]
+    public async Task A_source_that_is_left_before_its_text_comes_makes_no_trouble()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        await w.Tab("Times");
+
+        // The text comes when its place has just been taken out of the window.
+        await w.Page.EvaluateAsync(
+            """
+            () => {
+                const real = window.fetch;
+                window.fetch = async (...request) => {
+                    const answer = await real(...request);
+                    if (request[0] !== '/api/document') return answer;
+                    window.fetch = real;
+                    const text = await answer.text();
+                    document.body.dataset.waits = 'true';
+                    await new Promise(isGone => {
+                        const watch = () => document.querySelector('.source') || (delete document.body.dataset.waits, isGone());
+                        new MutationObserver(watch).observe(document.body, { childList: true, subtree: true });
+                    });
+                    return { ok: true, json: async () => JSON.parse(text) };
+                };
+            }
+            """);
+        await w.Tab("Source");
+        await Expect(w.Page.Locator("body[data-waits]")).ToHaveCountAsync(1);
+        await w.Tab("Times");
+        await Expect(w.Page.Locator("body[data-waits]")).ToHaveCountAsync(0);
+        await w.Tab("Source");
+        await Expect(w.Page.Locator(".cm-content")).ToContainTextAsync("sphere");
+    }
+
     // Selects a text in the editor.
     private static async Task Find(StudioWindow w, string text)
     {

@@ -47,6 +47,7 @@ internal sealed class StudioWindow : IAsyncDisposable
         options.Permissions = ["clipboard-read", "clipboard-write"];
         options.ReducedMotion = ReducedMotion.Reduce;
         IBrowserContext context = await browser.Instance!.NewContextAsync(options);
+        context.SetDefaultTimeout(60_000);
         DirectoryInfo folder = Directory.CreateTempSubdirectory("studio-walk-");
         user ??= folder.FullName;
         StudioSession session = new(new UserFolders(Path.Combine(user, "state"), Path.Combine(user, "cache"), user));

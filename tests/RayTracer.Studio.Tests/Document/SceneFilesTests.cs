@@ -170,6 +170,16 @@ public sealed class SceneFilesTests : IDisposable
     }
 
     [Fact]
+    public void What_is_not_shown_of_a_scene_of_Mitsuba_is_told_at_the_head_of_its_text()
+    {
+        _folder.Write("a.xml", "<scene version=\"3.0.0\"><integrator type=\"path\"><boolean name=\"hide_emitters\" value=\"true\"/></integrator><sensor type=\"perspective\"/><shape type=\"sphere\"/></scene>");
+        Files.Open(_folder["a.xml"]);
+        Assert.StartsWith("// a.xml:1:", Document.Text, StringComparison.Ordinal);
+        Assert.NotNull(Document.Read.Description);
+        Assert.Equal("a.json", Document.Place.Name);
+    }
+
+    [Fact]
     public void A_folder_is_listed_with_what_can_be_opened_and_no_more()
     {
         _folder.Write("list/b.json", "{}");
@@ -179,6 +189,8 @@ public sealed class SceneFilesTests : IDisposable
         _folder.Write("list/sub/x.json", "");
         FolderListing listing = Files.List(_folder["list"]);
         Assert.Equal(["a.OBJ", "b.json"], listing.Files.Select(f => f.Name));
+        _folder.Write("list/d.png", "");
+        Assert.Equal(["a.OBJ", "d.png"], Files.List(_folder["list"], isNamed: true).Files.Select(f => f.Name));
         Assert.Equal(["sub"], listing.Folders);
         Assert.Equal(_folder.FullName, listing.Parent);
         Assert.Equal(_folder.FullName, Files.List().Path);

@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Lights;
 using RayTracer.Scenes;
@@ -38,6 +39,38 @@ public sealed class SceneThingsTests
         Assert.Equal(type, text.At(second + "/type").Text);
         SceneLoadResult load = SceneLoader.Build(SceneReader.ReadText(text.Text, "scene"), "");
         Assert.True(load.Scene is not null, $"{Diagnostic.Format(load.Diagnostics)}\n{text.Text}");
+    }
+
+    [Theory]
+    [InlineData("point")]
+    [InlineData("spot")]
+    [InlineData("directional")]
+    public void A_light_without_extent_is_put_up_where_it_lights_what_the_camera_looks_at(string type)
+    {
+        JsonText text = JsonText.Of("{ \"camera\": { \"position\": [0, 0, 5], \"lookAt\": [0, 0, 0] } }");
+        (text, string pointer) = SceneThings.Add(text, "light", type);
+        SceneDescription scene = SceneReader.ReadText(text.Text, "scene").Description!;
+        Assert.Equal("/lights/0", pointer);
+        switch (scene.Lights.Single())
+        {
+            case PointLightDescription point:
+                Assert.True(point.Position.Y > 0 && point.Position.Z is > 0 and < 5);
+                break;
+            case SpotLightDescription spot:
+                Assert.InRange(Vector3.Dot(Vector3.Normalize(spot.Direction), Vector3.Normalize(-spot.Position)), 0.999f, 1.001f);
+                break;
+            case DirectionalLightDescription directional:
+                Assert.True(directional.Direction.Y < 0 && directional.Direction.Z < 0);
+                break;
+        }
+    }
+
+    [Fact]
+    public void New_things_are_as_large_as_parallel_rays_show_them()
+    {
+        JsonText text = JsonText.Of("{ \"camera\": { \"position\": [0, 0, 500], \"lookAt\": [0, 0, 0], \"projection\": \"orthographic\", \"viewSize\": 8 } }");
+        (text, string pointer) = SceneThings.Add(text, "shape", "sphere");
+        Assert.Equal("1", text.At(pointer + "/radius").Text);
     }
 
     [Fact]

@@ -38,6 +38,29 @@ public sealed class RenderLoopTests
         Assert.Equal(HashOf(shown.Scene), await Hash(test));
     }
 
+    [Theory]
+    [InlineData("sobol", 16)]
+    [InlineData("jittered", 9)]
+    public async Task The_denoised_picture_is_that_of_the_command_in_the_end(string sampler, int samples)
+    {
+        using TestSession test = new();
+        test.Session.View.Change(s => s with { Map = ViewMap.Denoised });
+        string text = File.ReadAllText(ProjectFolder.PathOf("scenes", Scene2));
+        ShownScene shown = await test.Open(JsonText.Of(text).Set("/render/width", 48).Set("/render/height", 40).Set("/render/samplesPerPixel", samples).Set("/render/sampler", sampler).Text);
+        using FrameLease frame = await test.Frame(wanted: info => info.IsLast && info.PictureWidth == 48);
+        HalfRender[] halves = [HalfRender.Create(48, 40), HalfRender.Create(48, 40)];
+        SampleRange[] ranges = [new(0, samples / 2), new(samples / 2, samples)];
+        for (int i = 0; i < 2; i++)
+        {
+            new RTracer(shown.Scene, new() { Samples = ranges[i] }).Render(halves[i].Film);
+            new FirstHitPass(shown.Scene, new() { Samples = ranges[i] }).Render(halves[i].Features);
+        }
+
+        float[] expected = Denoiser.Denoise(halves[0], halves[1]).Pixels;
+        Assert.All(Enumerable.Range(0, 40), y => Assert.Equal(expected.AsSpan(3 * 48 * y, 3 * 48), frame.Picture.Row(y)));
+        Assert.Equal(HashOf(shown.Scene), await Hash(test));
+    }
+
     [Fact]
     public async Task More_samples_go_on_with_those_that_there_are()
     {

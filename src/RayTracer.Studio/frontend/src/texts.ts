@@ -54,12 +54,12 @@ const english = {
   } satisfies Record<string, readonly [string, string]>,
 
   toolbar: { label: "Main toolbar", file: "File", add: "Add", addWhy: "Put a new thing in front of the camera", save: "Save", more: "More commands" },
-  families: { shape: "Shape", light: "Light", material: "Material", texture: "Texture" } as Record<string, string>,
+  families: { shape: "Shape", light: "Light", environment: "Environment", material: "Material", texture: "Texture" } as Record<string, string>,
 
   left: { label: "Scene and files", scene: "Scene", gallery: "Gallery", files: "Files" },
   outliner: {
     label: "Things in the scene",
-    camera: "Camera", render: "Rendering", background: "Background", ambient: "Ambient light", objects: "Objects",
+    camera: "Camera", render: "Rendering", background: "Background", environment: "Environment", ambient: "Ambient light", objects: "Objects",
     shapes: "Shapes", lights: "Lights", materials: "Materials", textures: "Textures",
     filter: "Find by name or type", empty: "none", shines: "shines",
     nothingFound: "Nothing has that name or type.",
@@ -76,7 +76,8 @@ const english = {
     nothing: "Nothing is selected. Click something in the picture or in the list.",
     required: "required", unit: (unit: string) => `in ${unit}`, range: (range: string) => `Allowed: ${range}`,
     reset: (key: string) => `Reset ${key} to its default`, resetWhy: "Back to the default: the value is taken out of the file",
-    inPlace: "In place", named: "By name", noneYet: "not set", set: "Set", edit: (name: string) => `Edit ${name}`,
+    inPlace: "In place", named: "By name", noneYet: "not set", set: "Set", number: "number", plainColor: "colour",
+    noEnvironment: "none: the background colour", environmentWhy: "Light from all around, in place of the background colour", edit: (name: string) => `Edit ${name}`,
     color: (key: string) => `${key}: colour`, channels: ["red", "green", "blue"], axes: ["x", "y", "z"], pair: ["first", "second"],
     linear: "Linear numbers: 1 is white. Names and #rrggbb are decoded as a browser does.",
     colorName: (key: string) => `${key}: name of a colour, or #rrggbb`,
@@ -107,6 +108,7 @@ const english = {
   },
   maps: {
     light: ["Light", "The picture itself."],
+    denoised: ["Denoised", "The light without most of its noise: smoother, but no longer exact. It takes some more time."],
     samples: ["Samples", "How many samples each pixel has: all alike, unless a region is rendered."],
     variance: ["Variance", "Where the noise is. Bright pixels need more samples: caustics, soft shadows, glossy metal."],
     bvhCost: ["Tree cost", "Nodes visited and triangles tested until the nearest hit is found: what a ray costs. Only meshes stand in trees."],
@@ -160,7 +162,7 @@ const english = {
   dialogs: {
     ok: "OK", cancel: "Cancel", close: "Close", open: "Open", save: "Save", discard: "Don't save", up: "Parent folder", folder: "Folder", fileName: "File name",
     openTitle: "Open a scene or model", saveTitle: "Save scene as", exportTitle: "Export picture", renameTitle: "Rename", newName: "New name",
-    emptyFolder: "No scenes or models in this folder.", path: "Path", go: "Go", chooseTitle: "Choose a file",
+    emptyFolder: "No scenes or models in this folder.", emptyOfNamed: "No pictures or models in this folder.", path: "Path", go: "Go", chooseTitle: "Choose a file",
     unsavedTitle: "Save your changes first?", unsaved: (name: string) => `${name} has changes that are not saved yet. They would be lost.`,
     overwriteTitle: "Replace the file?", replace: "Replace",
     format: "Format", bits: "Bits a channel", layers: "Layers (OpenEXR)", exportTo: "Write to file", download: "Download", formatWhy: "PNG holds what you see; OpenEXR and PFM hold linear light, for work in other programs.",

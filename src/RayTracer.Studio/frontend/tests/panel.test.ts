@@ -1,14 +1,14 @@
 import { expect, test } from "vitest";
 import type { Parameter, RecordType, SchemaAnswer } from "../src/api/types";
-import { boundsOf, findType, hasSlider, kindOf, retyped, spaced } from "../src/panel/types";
+import { asNumber, boundsOf, findType, hasSlider, kindOf, retyped, spaced } from "../src/panel/types";
 
 const parameter = (key: string, kind: string, more: Partial<Parameter> = {}): Parameter => ({
-  key, kind, summary: "", unit: "", minimum: null, maximum: null, minimumIsExclusive: false, required: false, choices: [], default: null, range: "", family: null, record: null, ...more,
+  key, kind, summary: "", unit: "", minimum: null, maximum: null, minimumIsExclusive: false, required: false, choices: [], default: null, range: "", family: null, record: null, isNumber: false, ...more,
 });
 
-const metal: RecordType = { name: "phongMetal", summary: "", parameters: [parameter("color", "texture"), parameter("exponent", "number")] };
-const image: RecordType = { name: "image", summary: "", parameters: [parameter("file", "file", { required: true })] };
-const schema = { schema: {}, types: { material: [metal], texture: [image] }, sections: { camera: { name: "camera", summary: "", parameters: [] } }, refractiveIndices: [], colors: {} } as SchemaAnswer;
+const metal: RecordType = { name: "phongMetal", summary: "", isLight: false, parameters: [parameter("color", "texture"), parameter("exponent", "number")] };
+const image: RecordType = { name: "image", summary: "", isLight: false, parameters: [parameter("file", "file", { required: true })] };
+const schema = { schema: {}, types: { material: [metal], texture: [image] }, sections: { camera: { name: "camera", summary: "", isLight: false, parameters: [] } }, refractiveIndices: [], colors: {} } as SchemaAnswer;
 
 test("a type is found in its family, and sections by their names", () => {
   expect(findType(schema, "material", "phongMetal")).toBe(metal);
@@ -18,8 +18,26 @@ test("a type is found in its family, and sections by their names", () => {
 });
 
 test("another type keeps what it knows of the old one, and gets what it must have", () => {
-  expect(retyped({ type: "diffuse", color: [1, 0, 0], roughness: 1 }, metal)).toEqual({ type: "phongMetal", color: [1, 0, 0] });
-  expect(retyped("red", image)).toEqual({ type: "image", file: "" });
+  const diffuse: RecordType = { ...metal, name: "diffuse", parameters: [parameter("color", "texture")] };
+  expect(retyped({ type: "diffuse", color: [1, 0, 0], roughness: 1 }, metal, diffuse)).toEqual({ type: "phongMetal", color: [1, 0, 0] });
+  expect(retyped("red", image, null)).toEqual({ type: "image", file: "" });
+});
+
+test("what has the same name but another meaning or range does not stay", () => {
+  const types = (more: Partial<Parameter>): RecordType => ({ ...metal, parameters: [parameter("a", "texture", more)] });
+  const kept = (value: Parameter["default"], before: Partial<Parameter>, now: Partial<Parameter>) => retyped({ a: value }, types(now), types(before)).a;
+  expect(kept([5, 5, 5], {}, { maximum: 1 })).toBeUndefined();
+  expect(kept([1, 0, 1], {}, { maximum: 1 })).toEqual([1, 0, 1]);
+  expect(kept(0.5, { isNumber: true }, {})).toBeUndefined();
+  expect(kept(0.5, { isNumber: true }, { isNumber: true })).toBe(0.5);
+  expect(kept("gold", { kind: "choice", choices: ["gold"] }, { kind: "choice", choices: ["iron"] })).toBeUndefined();
+  expect(kept({ type: "diffuse" }, { kind: "material" }, {})).toBeUndefined();
+});
+
+test("a grey is a number where one may stand", () => {
+  expect(asNumber([0.25, 0.25, 0.25])).toBe(0.25);
+  expect(asNumber([0.25, 0.5, 0.25])).toBeNull();
+  expect(asNumber("white")).toBeNull();
 });
 
 test("numbers have sliders where the whole range can be reached by one", () => {

@@ -87,6 +87,7 @@ export interface Outline {
   camera: OutlineNode | null;
   render: OutlineNode | null;
   background: OutlineNode | null;
+  environment: OutlineNode | null;
   ambient: OutlineNode | null;
   shapes: OutlineNode[];
   lights: OutlineNode[];
@@ -112,12 +113,16 @@ export interface Parameter {
   family: string | null;
   /** The section that it is, or that its elements are. */
   record: string | null;
+  /** Whether it is a texture in whose place a number may stand. */
+  isNumber: boolean;
 }
 
 export interface RecordType {
   name: string;
   summary: string;
   parameters: Parameter[];
+  /** Whether it is a light without extent. */
+  isLight: boolean;
 }
 
 export interface SchemaAnswer {

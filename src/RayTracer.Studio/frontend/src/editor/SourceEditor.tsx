@@ -6,7 +6,7 @@ import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/sea
 import { Annotation, EditorState, type ChangeSet } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 import { effect } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { get, post, Refusal } from "../api/client";
 import type { Diagnostic } from "../api/types";
 import { SchemaGuide, type Schema } from "../json/schema";
@@ -120,15 +120,18 @@ function connect({ view, sync }: { view: EditorView; sync: TextSync }): () => vo
 /**
  * The scene's text. It lives in a shadow root: there CodeMirror puts its styles into constructed sheets, where otherwise it would
  * need style elements, which the content security policy forbids.
+ *
+ * A layout effect, as those end with the element; others end only after the next frame, and the text may come before.
  */
 export default function SourceEditor() {
   const host = useRef<HTMLDivElement>(null);
-  useEffect(() => {
+  useLayoutEffect(() => {
+    const element = host.current!;
     let stop = () => undefined as void;
     let isGone = false;
     server.read().then(({ revision: start, text }) => {
       if (isGone) return;
-      const root = host.current!.shadowRoot ?? host.current!.attachShadow({ mode: "open" });
+      const root = element.shadowRoot ?? element.attachShadow({ mode: "open" });
       stop = connect(create(root, text, start));
     }, complain);
     return () => {

@@ -16,15 +16,17 @@ interface FileBrowserProps {
   /** A file was clicked twice, or Enter was pressed on it. */
   onChoose: (path: string) => void;
   picked: string;
+  /** Whether pictures and models are looked for, which a scene may name, instead of what can be opened. */
+  named?: boolean | undefined;
 }
 
 /** The server's folders and the files in them that the Studio can read. */
-export function FileBrowser({ start, onFolder, onPick, onChoose, picked }: FileBrowserProps) {
+export function FileBrowser({ start, onFolder, onPick, onChoose, picked, named }: FileBrowserProps) {
   const [listing, setListing] = useState<FolderListing | null>(null);
   const [typed, setTyped] = useState("");
 
   const go = (path: string | undefined) =>
-    get<FolderListing>("file/list", { path }).then((answer) => {
+    get<FolderListing>("file/list", { path, named: named ? "true" : undefined }).then((answer) => {
       setListing(answer);
       setTyped(answer.path);
       onFolder(answer.path);
@@ -63,7 +65,7 @@ export function FileBrowser({ start, onFolder, onPick, onChoose, picked }: FileB
             </li>
           );
         })}
-        {isEmpty && <li class="quiet">{texts.dialogs.emptyFolder}</li>}
+        {isEmpty && <li class="quiet">{named ? texts.dialogs.emptyOfNamed : texts.dialogs.emptyFolder}</li>}
       </ul>
     </div>
   );

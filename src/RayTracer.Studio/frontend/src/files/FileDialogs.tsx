@@ -18,9 +18,10 @@ interface ChooseProps {
   title: string;
   onClose: () => void;
   onChoose: (path: string) => void;
+  named?: boolean;
 }
 
-function ChooseDialog({ title, onClose, onChoose }: ChooseProps) {
+function ChooseDialog({ title, onClose, onChoose, named }: ChooseProps) {
   const [picked, setPicked] = useState("");
   const choose = (path: string) => {
     if (!path) return;
@@ -35,7 +36,7 @@ function ChooseDialog({ title, onClose, onChoose }: ChooseProps) {
   );
   return (
     <DialogBox title={title} onClose={onClose} buttons={buttons} wide>
-      <FileBrowser start={startFolder()} onFolder={() => setPicked("")} onPick={setPicked} onChoose={choose} picked={picked} />
+      <FileBrowser start={startFolder()} onFolder={() => setPicked("")} onPick={setPicked} onChoose={choose} picked={picked} named={named} />
     </DialogBox>
   );
 }
@@ -46,7 +47,7 @@ export const OpenDialog = () => (
 
 export function WantedFileDialog() {
   const then = fileWanted.value;
-  return then && <ChooseDialog title={t.chooseTitle} onClose={() => (fileWanted.value = null)} onChoose={then} />;
+  return then && <ChooseDialog title={t.chooseTitle} onClose={() => (fileWanted.value = null)} onChoose={then} named />;
 }
 
 interface SaveAsProps {

@@ -15,10 +15,10 @@ const closed = signal<ReadonlySet<string>>(new Set());
 const chosenSection = signal<string | null>(null);
 
 const icons: Record<Row["kind"], IconName> = {
-  camera: "camera", render: "render", background: "background", ambient: "light",
+  camera: "camera", render: "render", background: "background", environment: "background", ambient: "light",
   shapes: "sphere", lights: "light", materials: "material", textures: "texture", objects: "scene",
 };
-const ownTabs: Partial<Record<Row["kind"], string>> = { camera: "camera", render: "render", background: "world", ambient: "world" };
+const ownTabs: Partial<Record<Row["kind"], string>> = { camera: "camera", render: "render", background: "world", environment: "world", ambient: "world" };
 
 function toggle(pointer: string): void {
   const next = new Set(closed.value);
@@ -46,6 +46,7 @@ function RowName({ row }: { row: Row }) {
       <>
         {isSection && (node?.color ? <span class="swatch" style={{ background: node.color }} /> : <Icon name={icons[kind]} />)}
         <span class="name">{texts.outliner[kind]}</span>
+        {kind === "environment" && <span class="type">{node?.summary}</span>}
         {row.isHeading && <span class="type">{count || texts.outliner.empty}</span>}
       </>
     );

@@ -2,7 +2,7 @@ import type { Outline, OutlineNode } from "../api/types";
 
 /** The nodes of an outline in the order in which they are shown, each group under its key. */
 export function nodesOf(outline: Outline): OutlineNode[] {
-  const single = [outline.camera, outline.render, outline.background, outline.ambient].filter((n) => n !== null && n !== undefined);
+  const single = [outline.camera, outline.render, outline.background, outline.environment, outline.ambient].filter((n) => n !== null && n !== undefined);
   return [...single, ...outline.shapes, ...outline.lights, ...outline.materials, ...outline.textures, ...(outline.objects ?? [])];
 }
 

@@ -2,7 +2,7 @@ import type { Outline, OutlineNode } from "../api/types";
 import { filterNodes } from "./find";
 
 export type GroupKey = "shapes" | "lights" | "materials" | "textures" | "objects";
-export type SectionKey = "camera" | "render" | "background" | "ambient";
+export type SectionKey = "camera" | "render" | "background" | "environment" | "ambient";
 
 /** A line of the outliner: a section, the heading of a group, or a thing. */
 export interface Row {
@@ -17,8 +17,11 @@ export interface Row {
   count: number;
 }
 
-const sections: SectionKey[] = ["camera", "render", "background", "ambient"];
+const sections: SectionKey[] = ["camera", "render", "background", "environment", "ambient"];
 const groups: GroupKey[] = ["shapes", "lights", "materials", "textures", "objects"];
+
+/** Whether there is an environment. */
+export const isSurrounded = (outline: Outline | null) => !!outline?.environment && outline.environment.summary !== "none";
 
 /** The lines of the tree from top to bottom, without what is closed or does not fit the filter. */
 export function rowsOf(outline: Outline, closed: ReadonlySet<string>, filter: string): Row[] {
@@ -31,7 +34,9 @@ export function rowsOf(outline: Outline, closed: ReadonlySet<string>, filter: st
   };
   for (const kind of sections) {
     const node = outline[kind];
-    if (node && !filter) add(kind, node, 1);
+    // An environment takes the place of the background.
+    const isHidden = kind === "background" && isSurrounded(outline);
+    if (node && !filter && !isHidden) add(kind, node, 1);
   }
   for (const kind of groups) {
     const nodes = filterNodes(outline[kind] ?? [], filter);

@@ -4,6 +4,7 @@ import { asColor, fromHex, isHex, toHex } from "../json/color";
 import { newGesture, setValue } from "../state/edits";
 import { schema } from "../state/store";
 import { texts } from "../texts";
+import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
 import { TextField } from "../ui/TextField";
 import type { FieldProps } from "./FieldContext";
@@ -12,6 +13,10 @@ import { boundsOf } from "./types";
 /** A colour: the browser's picker, a name or #rrggbb, and the linear numbers that the renderer calculates with. */
 export function ColorField({ parameter, pointer, value, effective, label, id }: FieldProps) {
   const gesture = useRef("");
+  if (effective === null) {
+    const start = Math.max(parameter.minimum ?? 0, Math.min(0.5, parameter.maximum ?? 1));
+    return <Button label={texts.panel.set} showLabel kind="plain" onClick={() => setValue(pointer, [start, start, start])} />;
+  }
   const names = schema.value?.colors ?? {};
   const linear: Vec3 = asColor(effective, names) ?? [0.5, 0.5, 0.5];
   const written = typeof value === "string" ? value : "";

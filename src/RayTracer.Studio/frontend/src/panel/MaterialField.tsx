@@ -20,13 +20,13 @@ export function MaterialField({ pointer, value, label, id }: FieldProps) {
     ...names.map((n) => ({ value: `name:${n}`, label: n, group: texts.panel.named })),
     ...types.map((t) => ({ value: `type:${t.name}`, label: t.name, group: texts.panel.inPlace })),
   ];
+  const inPlace = isObject(value) ? findType(known, "material", String(value.type)) : null;
   const choose = (choice: string) => {
     const name = choice.slice(5);
     const type = choice.startsWith("type:") ? findType(known, "material", name) : null;
-    if (type) setValue(pointer, retyped(value, type));
+    if (type) setValue(pointer, retyped(value, type, inPlace));
     else if (choice) setValue(pointer, name);
   };
-  const inPlace = isObject(value) ? findType(known, "material", String(value.type)) : null;
   return (
     <div class="nested">
       <div class="pair">

@@ -1,9 +1,11 @@
 import { parent } from "../json/pointer";
+import { isSurrounded } from "../outliner/rows";
 import { rightTab } from "../state/settings";
-import { schema, selection } from "../state/store";
+import { outline, schema, selection } from "../state/store";
 import { texts } from "../texts";
 import { Tabs } from "../ui/Tabs";
 import { ColorNames } from "./ColorField";
+import { EnvironmentPanel } from "./EnvironmentPanel";
 import { RenderPanel } from "./RenderPanel";
 import { ThingPanel } from "./ThingPanel";
 
@@ -19,7 +21,14 @@ function World() {
   const scene = schema.value?.sections.scene;
   // What colours the whole scene; the lists have their own places in the outliner.
   const own = scene?.parameters.filter((p) => ["color", "texture", "number", "choice", "boolean"].includes(p.kind.toLowerCase())) ?? [];
-  return <>{own.map((p) => <ThingPanel pointer={`/${p.key}`} key={p.key} />)}</>;
+  // An environment takes the place of the background.
+  const hidden = isSurrounded(outline.value) ? "background" : null;
+  return (
+    <>
+      {own.map((p) => (p.key === hidden ? null : <ThingPanel pointer={`/${p.key}`} key={p.key} />))}
+      <EnvironmentPanel />
+    </>
+  );
 }
 
 /** The right pane. */

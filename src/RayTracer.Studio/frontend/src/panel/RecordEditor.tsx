@@ -4,7 +4,7 @@ import { resetValue } from "../state/edits";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { Field } from "./Field";
-import { isObject, kindOf, spaced } from "./types";
+import { asNumber, isObject, kindOf, spaced } from "./types";
 import type { Parameter } from "../api/types";
 
 interface RecordEditorProps {
@@ -16,6 +16,9 @@ interface RecordEditorProps {
 }
 
 const tallKinds = new Set(["color", "texture", "material", "record", "records", "vector3", "file"]);
+
+const isTall = (parameter: Parameter, effective: Json) =>
+  tallKinds.has(kindOf(parameter)) && !(parameter.isNumber && asNumber(effective) !== null) && !(kindOf(parameter) === "color" && effective === null);
 
 function explain(parameter: Parameter): string {
   const { range, unit, summary } = parameter;
@@ -33,7 +36,7 @@ export function RecordEditor({ type, pointer, value, without = [] }: RecordEdito
         const id = `field${at.replace(/\W/g, "-")}`;
         const label = spaced(parameter.key);
         return (
-          <div class={`row ${tallKinds.has(kindOf(parameter)) ? "tall" : ""} ${own === undefined ? "default" : ""}`} key={parameter.key}>
+          <div class={`row ${isTall(parameter, own ?? parameter.default) ? "tall" : ""} ${own === undefined ? "default" : ""}`} key={parameter.key}>
             <div class="row-label" data-tip={explain(parameter)}>
               <label for={id}>{label}</label>
               {parameter.unit && <span class="unit">{parameter.unit}</span>}

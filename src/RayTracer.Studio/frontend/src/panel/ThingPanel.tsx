@@ -24,7 +24,7 @@ export function ThingPanel({ pointer, without = ["name"] }: { pointer: string; w
   const types = known.types[answer.family ?? ""] ?? [];
   const change = (name: string) => {
     const chosen = findType(known, answer.family, name);
-    if (chosen) setValue(pointer, retyped(answer.value, chosen));
+    if (chosen) setValue(pointer, retyped(answer.value, chosen, type));
   };
   return (
     <section class="thing" aria-label={title}>

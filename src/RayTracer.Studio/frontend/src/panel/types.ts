@@ -32,11 +32,30 @@ export const boundsOf = (parameter: Parameter) => ({
 export const hasSlider = (parameter: Parameter) =>
   parameter.minimum !== null && parameter.maximum !== null && parameter.maximum - parameter.minimum <= (kindOf(parameter) === "integer" ? 64 : 360);
 
-/** Another type in place of this one: what both of them know stays. */
-export function retyped(value: Json | undefined, type: RecordType): JsonObject {
+/** A number, or the one that all channels of a colour are; null where it is neither. */
+export function asNumber(value: Json | undefined): number | null {
+  if (typeof value === "number") return value;
+  const isGrey = Array.isArray(value) && value.length === 3 && typeof value[0] === "number" && value.every((v) => v === value[0]);
+  return isGrey ? (value[0] as number) : null;
+}
+
+const numbersOf = (value: Json): number[] =>
+  typeof value === "number" ? [value] : Array.isArray(value) ? value.flatMap(numbersOf) : [];
+
+/** Whether what was written for one parameter may stand for another one of the same name. */
+function fits(before: Parameter | undefined, now: Parameter, value: Json): boolean {
+  if (!before || kindOf(before) !== kindOf(now) || before.record !== now.record) return false;
+  if (typeof value === "number" && kindOf(now) === "texture" && !now.isNumber) return false;
+  if (kindOf(now) === "choice") return now.choices.includes(String(value));
+  return numbersOf(value).every((n) => n >= (now.minimum ?? -Infinity) && n <= (now.maximum ?? Infinity));
+}
+
+/** Another type in place of this one: what both of them know stays, where it means the same. */
+export function retyped(value: Json | undefined, type: RecordType, before: RecordType | null): JsonObject {
   const result: JsonObject = { type: type.name };
   for (const p of type.parameters) {
-    const kept = isObject(value) ? value[p.key] : undefined;
+    const written = isObject(value) ? value[p.key] : undefined;
+    const kept = written !== undefined && fits(before?.parameters.find((q) => q.key === p.key), p, written) ? written : undefined;
     if (kept !== undefined) result[p.key] = kept;
     else if (p.required) result[p.key] = p.default ?? requiredValue(kindOf(p));
   }
@@ -44,7 +63,7 @@ export function retyped(value: Json | undefined, type: RecordType): JsonObject {
 }
 
 const requiredValue = (kind: string): Json =>
-  ({ texture: "white", color: "white", vector3: [0, 1, 0], vector2: [1, 1], number: 1, integer: 1, boolean: false } as Record<string, Json>)[kind] ?? "";
+  ({ texture: "white", color: "white", vector3: [0, 1, 0], vector2: [1, 1], number: 1, integer: 1, boolean: false, material: { type: "diffuse" } } as Record<string, Json>)[kind] ?? "";
 
 /** "samplesPerPixel" as people read it: "samples per pixel". */
 export const spaced = (key: string) => key.replace(/([a-z0-9])([A-Z])/g, (_, a: string, b: string) => `${a} ${b.toLowerCase()}`);

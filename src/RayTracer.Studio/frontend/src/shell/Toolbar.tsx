@@ -1,7 +1,8 @@
-import { addThing } from "../state/edits";
+import type { RecordType } from "../api/types";
+import { add } from "../files/add";
 import { commandButton, commandItem, type CommandId } from "../state/commands";
 import { bottomOpen, leftOpen, rightOpen } from "../state/settings";
-import { documentState, renderState, schema } from "../state/store";
+import { documentState, outline, renderState, schema } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { Menu, type MenuItem } from "../ui/Menu";
@@ -11,21 +12,23 @@ const t = texts.toolbar;
 const fileItems: CommandId[] = ["new", "open", "gallery", "save", "saveAs", "export", "copyImage", "copyCommand", "bundle"];
 const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "home", "theme", "shortcuts", "tour"];
 
+// Shapes that shine as they are; others can be given a luminaire.
+const lamps = new Set(["sphere", "disk", "rectangle", "plane", "triangle", "box", "cylinder", "cone", "torus"]);
+const inSource = new Set(["mesh", "group"]);
+
 function addItems(): MenuItem[] {
   const types = schema.value?.types ?? {};
-  // A light is a shape that shines.
-  const families: [string, string][] = [["shape", "shape"], ["light", "light" in types ? "light" : "shape"], ["material", "material"], ["texture", "texture"]];
-  const lights = new Set(["sphere", "disk", "rectangle", "plane", "triangle", "box", "cylinder", "cone", "torus"]);
-  const needsFile = new Set(["model", "mesh", "group", "instance"]);
-  return families.flatMap(([family, source]) =>
-    (types[source] ?? [])
-      .filter((type) => (family !== "light" || lights.has(type.name)) && !(family === "shape" && needsFile.has(type.name)))
-      .map((type) => ({
-        label: `${texts.families[family]}: ${spaced(type.name)}`,
-        tip: type.summary,
-        group: texts.families[family],
-        run: () => addThing(family, type.name),
-      })),
+  const shapes = types.shape ?? [];
+  const isThere = (type: RecordType) => !type.isLight && !inSource.has(type.name) && (type.name !== "instance" || !!outline.value?.objects.length);
+  const families: [string, RecordType[]][] = [
+    ["shape", shapes.filter(isThere)],
+    ["light", [...shapes.filter((type) => type.isLight), ...shapes.filter((type) => lamps.has(type.name))]],
+    ["environment", types.environment ?? []],
+    ["material", types.material ?? []],
+    ["texture", types.texture ?? []],
+  ];
+  return families.flatMap(([family, all]) =>
+    all.map((type) => ({ label: `${texts.families[family]}: ${spaced(type.name)}`, tip: type.summary, group: texts.families[family], run: () => add(family, type) })),
   );
 }
 

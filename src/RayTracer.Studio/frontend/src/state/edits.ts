@@ -33,10 +33,10 @@ export const resetValue = (pointer: string) => attempt(() => post("document/set"
 
 export const select = (pointer: string | null) => attempt(() => post("select", { pointer }));
 
-export const addThing = (family: string, type: string) =>
+export const addThing = (family: string, type: string, file?: string) =>
   attempt(async () => {
-    const added = await post<{ pointer: string }>("document/add", { family, type });
-    await post("select", { pointer: added.pointer });
+    const added = await post<{ pointer: string }>("document/add", { family, type, file });
+    await post("select", { pointer: isThing(added.pointer) ? added.pointer : null });
   });
 
 export const duplicate = (pointer: string) =>

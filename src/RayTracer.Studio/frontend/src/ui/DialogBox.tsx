@@ -1,5 +1,5 @@
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { texts } from "../texts";
 import { Button } from "./Button";
 
@@ -14,7 +14,8 @@ interface DialogBoxProps {
 /** A modal dialog; Escape and the close button end it. */
 export function DialogBox({ title, onClose, children, buttons, wide }: DialogBoxProps) {
   const ref = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
+  // A layout effect, so that no key goes past the dialog, and the focus is back before the next one.
+  useLayoutEffect(() => {
     const box = ref.current!;
     const before = document.activeElement as HTMLElement | null;
     box.showModal();

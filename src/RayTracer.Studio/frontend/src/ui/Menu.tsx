@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { Icon, type IconName } from "./Icon";
 
 export interface MenuItem {
@@ -30,7 +30,8 @@ export function Menu({ label, items, icon, tip, showLabel = true }: MenuProps) {
     if (focusButton) root.current?.querySelector("button")?.focus();
   };
 
-  useEffect(() => {
+  // A layout effect, so that the next key finds the focus in the menu, or not there any more.
+  useLayoutEffect(() => {
     if (!isOpen) return;
     buttons()[0]?.focus();
     const outside = (e: PointerEvent) => root.current?.contains(e.target as Node) || close(false);

@@ -5,6 +5,7 @@ import { endMove, move, moveInBurst } from "./camera";
 
 const keyStep = 0.04;
 const flySpeed = 0.6;
+const oneFrame = 1 / 60;
 
 const flyDirections: Record<string, [number, number, number]> = {
   KeyW: [0, 0, 1], KeyS: [0, 0, -1], KeyA: [-1, 0, 0], KeyD: [1, 0, 0], KeyE: [0, -1, 0], KeyQ: [0, 1, 0],
@@ -13,6 +14,12 @@ const flyDirections: Record<string, [number, number, number]> = {
 const held = new Set<string>();
 let flight = "";
 
+function advance(seconds: number): void {
+  const way = flySpeed * seconds;
+  const sum = [...held].map((key) => flyDirections[key]!).reduce((a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
+  move("fly", flight, sum[0] * way, sum[1] * way, sum[2] * way);
+}
+
 function fly(before: number): void {
   requestAnimationFrame((now) => {
     if (held.size === 0) {
@@ -20,9 +27,7 @@ function fly(before: number): void {
       flight = "";
       return;
     }
-    const way = flySpeed * Math.min((now - before) / 1000, 0.1);
-    const sum = [...held].map((key) => flyDirections[key]!).reduce((a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
-    move("fly", flight, sum[0] * way, sum[1] * way, sum[2] * way);
+    advance(Math.min((now - before) / 1000, 0.1));
     fly(now);
   });
 }
@@ -34,6 +39,8 @@ export function onCameraKey(e: KeyboardEvent): boolean {
     held.add(e.code);
     if (!flight) {
       flight = newGesture();
+      // So that a press without a frame in it moves too.
+      advance(oneFrame);
       fly(performance.now());
     }
     return true;

@@ -1,0 +1,170 @@
+using Microsoft.Playwright;
+using RayTracer.Description;
+using RayTracer.Lights;
+using RayTracer.Materials;
+using RayTracer.Scenes;
+using RayTracer.Session;
+using static Microsoft.Playwright.Assertions;
+
+namespace RayTracer.Studio.Tests.Browser;
+
+/// <summary>How students light a scene, and choose what things are made of.</summary>
+[Collection(BrowserCollection.Name)]
+[Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
+public class LightWalks(ChromiumBrowser browser)
+{
+    [SkippableFact]
+    public async Task Lights_and_what_surrounds_the_scene_are_added_and_changed()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        foreach (string type in new[] { "point", "directional", "spot" })
+        {
+            await Add(w, $"Light: {type}");
+            await Expect(w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new($"^{type} 1") })).ToHaveAttributeAsync("aria-selected", "true");
+        }
+
+        ILocator cone = w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "cutoff angle", Exact = true });
+        await cone.FillAsync("25");
+        await cone.PressAsync("Enter");
+        await Good(w, "the spot is narrower", s => s.Lights.OfType<SpotLightDescription>().Any(l => l.CutoffAngle == 25));
+
+        await Add(w, "Environment: sky");
+        await Good(w, "there is a sky", s => s.Environment is SkyEnvironmentDescription);
+        await Expect(w.Page.GetByText("background", new() { Exact = true })).ToHaveCountAsync(0);
+        await w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "sun elevation", Exact = true }).FillAsync("12");
+        await w.Page.Keyboard.PressAsync("Enter");
+        await Good(w, "the sun is low", s => s.Environment is SkyEnvironmentDescription { SunElevation: 12 });
+        await w.Painted(4);
+        await w.Shot("sky", isShown: true);
+
+        // A picture of the sky is asked for.
+        byte[] pixels = new byte[24];
+        byte[] header = System.Text.Encoding.ASCII.GetBytes("PF\n2 1\n-1\n");
+        await File.WriteAllBytesAsync(Path.Combine(w.Folder, "scenes", "primer", "panorama.pfm"), [.. header, .. pixels]);
+        ILocator environment = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Environment", Exact = true });
+        await environment.SelectOptionAsync("image");
+        await w.Page.GetByRole(AriaRole.Dialog).GetByRole(AriaRole.Button, new() { NameRegex = new("panorama") }).DblClickAsync();
+        await Good(w, "there is a picture", s => s.Environment is ImageEnvironmentDescription { File: "panorama.pfm" });
+        await environment.SelectOptionAsync("constant");
+        await Good(w, "light is the same from everywhere", s => s.Environment is ConstantEnvironmentDescription);
+        await environment.SelectOptionAsync("");
+        await Good(w, "nothing surrounds it", s => s.Environment is null);
+        await Expect(w.Page.GetByText("background", new() { Exact = true })).ToHaveCountAsync(1);
+    }
+
+    [SkippableFact]
+    public async Task A_material_becomes_each_type_there_is_and_the_scene_stays_good()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await w.Painted();
+        await w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("^glass ball") }).ClickAsync();
+        await w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("^glass .*dielectric") }).ClickAsync();
+        ILocator type = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Type", Exact = true });
+
+        // Last what the next steps change.
+        string[] last = ["dielectric", "principled"];
+        string[] others = [.. SceneTypes.Materials.Names.Except(last)];
+        foreach (string name in others.Where((_, i) => TestSettings.Thorough || (i + TestSettings.Seed) % 5 == 0).Concat(last))
+        {
+            await type.SelectOptionAsync(name);
+            await Good(w, $"the glass is a {name}", s => TypeOf(s.Materials["glass"]) == name);
+            if (name == "dielectric")
+            {
+                ILocator fog = w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "extinction red", Exact = true }).Last;
+                await fog.FillAsync("2");
+                await fog.PressAsync("Enter");
+                await Good(w, "there is fog in it", s => s.Materials["glass"] is DielectricMaterialDescription { Interior.Extinction.R: 2 });
+                await w.Shot("medium");
+            }
+        }
+
+        // Where a number may stand, a texture may too.
+        ILocator metallic = w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "metallic", Exact = true });
+        await metallic.FillAsync("0.75");
+        await metallic.PressAsync("Enter");
+        await w.Text("it is metallic", t => t.Contains("\"metallic\": 0.75", StringComparison.Ordinal));
+        ILocator kinds = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "roughness: Texture", Exact = true });
+        await kinds.SelectOptionAsync("type:noise");
+        await Good(w, "its roughness is noise", s => s.Materials["glass"] is PrincipledMaterialDescription { Roughness: Textures.NoiseTextureDescription });
+        await w.Painted();
+        await w.Shot("principled", isShown: true);
+        await kinds.SelectOptionAsync("number");
+        await Good(w, "its roughness is a number", s => s.Materials["glass"] is PrincipledMaterialDescription { Roughness: Textures.SolidTextureDescription });
+    }
+
+    [SkippableFact]
+    public async Task Integrator_filter_and_camera_are_chosen_and_the_picture_is_denoised()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        await w.Tab("Render");
+        async Task Choose(string name, string choice) => await w.Page.GetByRole(AriaRole.Combobox, new() { Name = name, Exact = true }).SelectOptionAsync(choice);
+        await Choose("integrator", "path");
+        await Choose("shape", "mitchell");
+        await Good(w, "paths are traced", s => s.Render is { Integrator: Integrator.Path, Filter.Shape: FilterShape.Mitchell });
+        await w.Tab("Camera");
+        await Choose("projection", "orthographic");
+        await Good(w, "rays are parallel", s => s.Camera.Projection == Projection.Orthographic);
+        await w.Painted();
+        await Choose("projection", "perspective");
+        await w.Painted(4);
+        byte[] light = await Picture(w);
+        await Choose("Show", "denoised");
+        await StudioWindow.Until("it is denoised", async () => !(await Picture(w)).SequenceEqual(light));
+        Assert.Equal(ViewMap.Denoised, w.Session.View.Settings.Map);
+        Assert.EndsWith(" --denoise", w.Session.Pictures.Command(), StringComparison.Ordinal);
+        await w.Shot("denoised", isShown: true);
+    }
+
+    [SkippableFact]
+    public async Task A_scene_of_Mitsuba_is_opened_and_saved_as_one_of_its_own()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser);
+        string path = Path.Combine(w.Folder, "ball.xml");
+        await File.WriteAllTextAsync(path, """
+            <scene version="3.0.0">
+              <integrator type="path"><integer name="max_depth" value="4"/></integrator>
+              <sensor type="perspective">
+                <float name="fov" value="40"/>
+                <transform name="to_world"><lookat origin="0, 1, 5" target="0, 0, 0" up="0, 1, 0"/></transform>
+                <film type="hdrfilm"><integer name="width" value="64"/><integer name="height" value="48"/></film>
+              </sensor>
+              <shape type="sphere"><bsdf type="roughconductor"><string name="material" value="Au"/></bsdf></shape>
+              <emitter type="constant"/>
+            </scene>
+            """);
+        await w.Page.Keyboard.PressAsync("Control+o");
+        ILocator dialog = w.Page.GetByRole(AriaRole.Dialog);
+        ILocator folder = dialog.GetByRole(AriaRole.Textbox, new() { Name = "Path" });
+        await folder.FillAsync(w.Folder);
+        await folder.PressAsync("Enter");
+        await dialog.GetByRole(AriaRole.Button, new() { NameRegex = new("ball.xml") }).DblClickAsync();
+        await Good(w, "it is open", s => s is { Render.Integrator: Integrator.Path, Background.R: 1 });
+        await w.Painted();
+        await w.Page.Keyboard.PressAsync("Control+s");
+        await dialog.GetByRole(AriaRole.Button, new() { Name = "Save", Exact = true }).ClickAsync();
+        string file = Path.Combine(w.Folder, "ball.json");
+        await StudioWindow.Until("it is saved", () => Task.FromResult(File.Exists(file)));
+        Assert.NotNull(SceneReader.Read(file).Description);
+    }
+
+    private static async Task Add(StudioWindow w, string item)
+    {
+        await w.Button("Add").ClickAsync();
+        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = item, Exact = true }).ClickAsync();
+    }
+
+    // Waits until the scene is good, and so.
+    private static Task Good(StudioWindow w, string what, Func<SceneDescription, bool> isSo) => StudioWindow.Until(what, () =>
+    {
+        DocumentContent content = w.Session.Document.Content;
+        bool isNew = content.Revision == w.Session.Document.Revision && content.LastGood?.Revision == content.Revision;
+        return Task.FromResult(isNew && isSo(content.LastGood!.Read.Description!));
+    });
+
+    private static string TypeOf(MaterialDescription material) => RecordType.Of(material.GetType()).Name;
+
+    private static Task<byte[]> Picture(StudioWindow w) => w.Canvas.ScreenshotAsync();
+}
