@@ -130,7 +130,14 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new FirstHitPass(outcome.Scene, options with { Samples = done }).Render(_auxiliary!, cancellation);
         }
 
-        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = passes.Header, HasFailedCheckpoint = checkpoints?.HasFailed ?? false };
+        header = passes.Header;
+        if (request is { Time: not null, HasSamples: false, Noise: null } && header.Samples is [var whole])
+        {
+            // Nobody asked for more than there was time for.
+            header = header with { Wanted = whole, Total = whole.End };
+        }
+
+        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, HasFailedCheckpoint = checkpoints?.HasFailed ?? false };
     }
 
     private static RenderStatistics Counted(SamplePlan? plan, RenderStatistics picture) => plan?.Add(picture) ?? picture;

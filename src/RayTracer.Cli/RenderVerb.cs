@@ -91,7 +91,7 @@ internal sealed class RenderVerb
 
     private static string? Contradiction(RenderRequest request) => request switch
     {
-        { Outputs.Count: 0, Pixel: null, Json: false } => "where to? Give -o FILE (or --json alone for the numbers, or --pixel x,y)",
+        { Outputs.Count: 0, Pixel: null, Json: false, Checkpoint: null } => "where to? Give -o FILE (or --json alone for the numbers, or --pixel x,y)",
         { Outputs.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave -o out",
         { Crop: not null, Pixel: not null } => "--pixel and --crop cannot go together",
         { Aovs.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave --aov out",
