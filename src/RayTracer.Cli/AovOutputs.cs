@@ -38,7 +38,7 @@ internal sealed class AovOutputs
 
     // Outputs that hold no layers.
     private IEnumerable<string> Pictures =>
-        _request.Outputs.Distinct().Where(o => Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase));
+        _request.Outputs.Distinct().Where(o => Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase) && !FilmFile.IsNamed(o));
 
     /// <summary>Lists the files of layers of light.</summary>
     /// <exception cref="CommandException">Two images would go to one file, or one cannot be written.</exception>

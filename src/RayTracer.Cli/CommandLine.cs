@@ -18,6 +18,9 @@ internal static class CommandLine
     private static readonly (string Name, string Summary, Action<Command, Streams> Build)[] Verbs =
     [
         ("render", "Renders a scene into image files.", RenderVerb.Build),
+        ("resume", "Goes on with a film that was stopped, or gives it more samples.", ResumeVerb.Build),
+        ("merge", "Adds films of different samples of one picture up.", MergeVerb.Build),
+        ("verify", "Renders what an image or film says it is once more, and compares.", VerifyVerb.Build),
         ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
         ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
         ("convert", "Writes a scene of another format in the native one.", ConvertVerb.Build),

@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Rendering;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
@@ -14,7 +15,10 @@ internal static class ImageOutputs
         AtomicFile.Check(path);
         try
         {
-            ImageFile.Check(path);
+            if (!FilmFile.IsNamed(path))
+            {
+                ImageFile.Check(path);
+            }
         }
         catch (ImageWriteException e)
         {
@@ -34,6 +38,33 @@ internal static class ImageOutputs
             try
             {
                 ImageFile.Write(path, image, options);
+                written.Add(path);
+            }
+            catch (ImageWriteException e)
+            {
+                streams.Fail(e.Message.TrimEnd('.'));
+            }
+        }
+
+        return written;
+    }
+
+    /// <summary>Writes a film to the files that are named so, and its picture to the others; says of each that cannot be written why.</summary>
+    /// <returns>Those that were written.</returns>
+    public static IReadOnlyList<string> Write(IEnumerable<string> paths, Film film, FilmHeader header, ImageWriteOptions options, Streams streams)
+    {
+        List<string> written = [];
+        foreach (string path in paths)
+        {
+            if (!FilmFile.IsNamed(path))
+            {
+                written.AddRange(Write([path], film, options, streams));
+                continue;
+            }
+
+            try
+            {
+                FilmFile.Write(path, film, header);
                 written.Add(path);
             }
             catch (ImageWriteException e)

@@ -3,7 +3,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
 
-/// <summary>What <c>--noise</c> and <c>--adaptive</c> ask for.</summary>
+/// <summary>What <c>--noise</c> and <c>--adaptive</c> ask for; and how many samples there may be, where <c>--time</c> ends the rendering.</summary>
 /// <param name="request">The whole request.</param>
 internal sealed class NoiseRequest(RenderRequest request)
 {
@@ -20,20 +20,20 @@ internal sealed class NoiseRequest(RenderRequest request)
     /// <exception cref="CommandException">The sampler needs to know the number of samples beforehand.</exception>
     public SceneDescription Widen(SceneDescription scene)
     {
-        if (!IsAny)
+        RenderDescription render = scene.Render;
+        if (!IsAny && request.Time is null)
         {
             return scene;
         }
 
-        RenderDescription render = scene.Render;
-        if (render.Sampler is SamplerKind.Jittered or SamplerKind.Regular)
+        if (ContentHash.HasPattern(render))
         {
-            string option = request.Adaptive ? "--adaptive" : "--noise";
+            string option = request.Adaptive ? "--adaptive" : request.Noise is not null ? "--noise" : "--time";
             throw new CommandException(
                 ExitStatus.Usage, $"{option}: the pattern of the {render.Sampler.ToString().ToLowerInvariant()} sampler needs the number of samples beforehand: take --sampler sobol or independent");
         }
 
-        _mean = request.Noise is null || request.HasSamples ? render.SamplesPerPixel : Limit;
+        _mean = (request.Noise is null && request.Time is null) || request.HasSamples ? render.SamplesPerPixel : Limit;
         _most = request.Adaptive ? (int)Math.Min(MostSamples, (long)MostOverMean * _mean) : _mean;
         return scene with { Render = render with { SamplesPerPixel = _most } };
     }
@@ -45,7 +45,4 @@ internal sealed class NoiseRequest(RenderRequest request)
         SampleGoal goal = new() { Error = request.Noise, IsAdaptive = request.Adaptive, MeanSamples = _mean, MostSamples = _most };
         return IsAny ? new SamplePlanner(scene, options, goal).Plan(progress, cancellation) : null;
     }
-
-    /// <summary>Whether a plan is as good as it was asked for.</summary>
-    public bool IsReached(SamplePlan? plan) => request.Noise is not { } wanted || plan is null || plan.Error <= wanted;
 }

@@ -33,6 +33,11 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
 
         WarnOfBadSamples(streams);
         WarnOfClamped(_statistics, streams);
+        if (request.Time is not null && outcome.IsNoisy(request) && outcome.Plan!.Error <= request.Noise)
+        {
+            streams.Warn($"the time ended before the wanted noise: there are {outcome.MeanSamples:F0} of {outcome.Plan.Most} samples");
+        }
+
         if (_statistics.Cancelled)
         {
             string files = written.Count > 0 ? $"the image so far is in {string.Join(" and ", written)}" : "no image was written";
@@ -94,6 +99,12 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         json.WriteNumber("shadowRays", _statistics.ShadowRays);
         json.WriteNumber("raysPerSecond", outcome.RaysPerSecond);
         json.WriteString("filmHash", outcome.Hash);
+        if (outcome.Header is { } header)
+        {
+            json.WriteString("samples", header.SamplesText);
+            json.WriteBoolean("complete", header.IsComplete);
+        }
+
         json.WriteNumber("nonFiniteSamples", _statistics.NonFiniteSamples);
         json.WriteBoolean("cancelled", _statistics.Cancelled);
         json.WriteStartArray("outputs");

@@ -1,8 +1,14 @@
 using System.CommandLine;
+using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Session;
 
 namespace RayTracer.Cli;
+
+/// <summary>A film from a file, to which samples are added.</summary>
+/// <param name="Header">What the file says of it.</param>
+/// <param name="Film">The film.</param>
+internal sealed record ResumedFilm(FilmHeader Header, Film Film);
 
 /// <summary>What <c>raytracer render</c> was asked for.</summary>
 internal sealed record RenderRequest
@@ -14,7 +20,7 @@ internal sealed record RenderRequest
     public required IReadOnlyList<string> Outputs { get; init; }
 
     /// <summary>How PNGs are written; the metadata is added later.</summary>
-    public required Imaging.ImageWriteOptions Writing { get; init; }
+    public required ImageWriteOptions Writing { get; init; }
 
     /// <summary>Number of threads.</summary>
     public required int Threads { get; init; }
@@ -45,6 +51,27 @@ internal sealed record RenderRequest
 
     /// <summary>Whether the number of samples was given.</summary>
     public bool HasSamples { get; init; }
+
+    /// <summary>The samples to render; null for all.</summary>
+    public SampleRange? Samples { get; init; }
+
+    /// <summary>Which of how many equal parts of the samples to render, from 1; null for all.</summary>
+    public (int Number, int Count)? Part { get; init; }
+
+    /// <summary>After which time to stop; null for never.</summary>
+    public TimeSpan? Time { get; init; }
+
+    /// <summary>Where the film is written now and then; null for nowhere.</summary>
+    public string? Checkpoint { get; init; }
+
+    /// <summary>How long at least between two of them.</summary>
+    public TimeSpan CheckpointInterval { get; init; }
+
+    /// <summary>The film that samples are added to; null for a new one.</summary>
+    public ResumedFilm? Resumed { get; init; }
+
+    /// <summary>Whether the film must hold whole ranges of samples whenever the rendering stops.</summary>
+    public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Outputs.Any(FilmFile.IsNamed);
 
     /// <summary>Whether nothing but errors and warnings is printed.</summary>
     public bool Quiet { get; init; }

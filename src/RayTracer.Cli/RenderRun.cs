@@ -15,42 +15,35 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 {
     private readonly Stopwatch _total = Stopwatch.StartNew();
     private readonly NoiseRequest _noise = new(request);
+    private SceneDescription? _description;
+    private AovFilm? _auxiliary;
+    private LightLayerFilm? _light;
+    private Denoising? _denoising;
 
     /// <summary>Loads, renders, writes and reports.</summary>
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public int Run()
     {
         AovOutputs aovs = new(request);
-        foreach (string output in request.Outputs.Concat(aovs.Files))
+        foreach (string output in request.Outputs.Concat(aovs.Files).Concat(request.Checkpoint is { } file ? [file] : []))
         {
             ImageOutputs.Check(output);
         }
 
         using StopSignals signals = new(streams);
-        if (SceneFile.Load(request.ScenePath, streams, s => _noise.Widen(overrides(s))) is not { } scene)
+        if (Compute(signals.Token, aovs) is not { } outcome)
         {
             return SceneFile.FailureStatus(request.ScenePath);
         }
 
-        RenderOptions options = Options(scene.Render);
-        Film film = FilmFor(scene);
-        if (request.Layers.Count > 0)
-        {
-            options = options with { Layers = LayersFor(scene, film) };
-            aovs.Add(options.Layers);
-        }
-
-        AovFilm auxiliary = new(film, request.Aovs);
-        Denoising? denoising = request.Denoise ? Denoising.Create(scene) : null;
-        RenderOutcome outcome = Render(scene, auxiliary, film, options, denoising, signals.Token);
         if (request.Pixel is not null)
         {
             PixelReport.Write(request, outcome, streams);
             return signals.Status;
         }
 
-        IReadOnlyList<string> written = film.TotalSamples > 0 ? Write(outcome, aovs, auxiliary, options.Layers, denoising) : [];
-        if (film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
+        IReadOnlyList<string> written = outcome.Film.TotalSamples > 0 ? Write(outcome, aovs) : [];
+        if (outcome.Film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
         {
             streams.Fail("no sample came to a finite number, so there is no picture to write");
         }
@@ -58,37 +51,119 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         RenderReport report = new(request, outcome, written, _total.Elapsed.TotalSeconds);
         report.Write(streams);
         return signals.Status != 0 ? signals.Status
-            : written.Count < request.Outputs.Count + aovs.Files.Count ? ExitStatus.InputOutput
-            : _noise.IsReached(outcome.Plan) ? ExitStatus.Fine : ExitStatus.Noisy;
+            : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.HasFailedCheckpoint ? ExitStatus.InputOutput
+            : outcome.IsNoisy(request) ? ExitStatus.Noisy : ExitStatus.Fine;
     }
 
-    private RenderOutcome Render(Scene scene, AovFilm auxiliary, Film film, RenderOptions options, Denoising? denoising, CancellationToken cancellation)
+    /// <summary>Loads and renders.</summary>
+    /// <param name="cancellation">Ends it early.</param>
+    /// <param name="aovs">Takes the names of layers of light; null where none are written.</param>
+    /// <returns>What it came to; null where the scene is wrong, which was said.</returns>
+    public RenderOutcome? Compute(CancellationToken cancellation, AovOutputs? aovs = null)
     {
+        Scene? scene = SceneFile.Load(request.ScenePath, streams, s => _description = _noise.Widen(overrides(s)));
+        if (scene is null)
+        {
+            return null;
+        }
+
+        RenderOptions options = Options(scene.Render);
+        Film film = request.Resumed?.Film ?? FilmFor(scene);
+        if ((film.Width, film.Height) != (scene.Render.Width, scene.Render.Height))
+        {
+            throw ResumeVerb.OtherScene(request.ScenePath);
+        }
+
+        if (request.Layers.Count > 0)
+        {
+            options = options with { Layers = _light = LayersFor(scene, film) };
+            aovs?.Add(_light);
+        }
+
+        _auxiliary = new(film, request.Aovs);
+        _denoising = request.Denoise ? Denoising.Create(scene) : null;
         using ProgressDisplay? display = request.Quiet || request.Pixel is not null ? null : ProgressDisplay.Start(streams);
         long start = Stopwatch.GetTimestamp();
-        SamplePlan? plan = null;
-        RenderStatistics statistics;
+        RenderOutcome outcome = Render(scene, film, options, display, cancellation);
+        return outcome with { Seconds = Stopwatch.GetElapsedTime(start).TotalSeconds };
+    }
+
+    private RenderOutcome Render(Scene scene, Film film, RenderOptions options, ProgressDisplay? display, CancellationToken cancellation)
+    {
+        RenderOutcome outcome = new(scene, film, new() { Cancelled = true }, options.Threads, 0);
         try
         {
-            plan = _noise.Plan(scene, options, display, cancellation);
+            SamplePlan? plan = _noise.Plan(scene, options, display, cancellation);
+            outcome = outcome with { Plan = plan };
             if (plan is not null)
             {
                 options = options with { Samples = new(0, (int)double.Round((double)plan.TotalSamples / plan.Area.Pixels)) };
             }
 
+            if (request.NeedsPasses)
+            {
+                return RenderPasses(outcome, options, display, cancellation);
+            }
+
             // First, so that they are whole even where the picture is stopped early.
-            new FirstHitPass(scene, options).Render(auxiliary, cancellation);
-            statistics = denoising?.Render(film, options, display, cancellation)
-                ?? (request.Adaptive ? new PlannedRender(scene, options, plan!).Render(film, display, cancellation) : new RTracer(scene, options).Render(film, display, cancellation));
+            new FirstHitPass(scene, options).Render(_auxiliary!, cancellation);
+            return outcome with
+            {
+                Samples = request.Adaptive || request.Pixel is not null ? null : options.Samples,
+                Statistics = _denoising?.Render(film, options, display, cancellation)
+                    ?? (request.Adaptive ? new PlannedRender(scene, options, plan!).Render(film, display, cancellation) : Counted(plan, new RTracer(scene, options).Render(film, display, cancellation))),
+            };
         }
         catch (OperationCanceledException)
         {
             // There is no picture yet.
-            statistics = new() { Cancelled = true };
+            return outcome;
+        }
+    }
+
+    private RenderOutcome RenderPasses(RenderOutcome outcome, RenderOptions options, ProgressDisplay? display, CancellationToken cancellation)
+    {
+        SampleRange wanted = options.Samples!.Value;
+        FilmHeader header = Header(outcome.Scene.Render, wanted, options.Crop);
+        if (request.Resumed is { } resumed)
+        {
+            header = resumed.Header.Content == header.Content ? header with { Samples = resumed.Header.Samples } : throw ResumeVerb.OtherScene(request.ScenePath);
         }
 
-        return new(scene, film, statistics, options.Threads, Stopwatch.GetElapsedTime(start).TotalSeconds) { Plan = plan };
+        Checkpoints? checkpoints = request.Checkpoint is { } path ? new(path, request.CheckpointInterval, streams) : null;
+        PassRender passes = new(outcome.Scene, options, header) { Limit = request.Time, Checkpoints = checkpoints };
+        SampleRange missing = new(header.Samples is [.., var last] ? last.End : wanted.First, wanted.End);
+        RenderStatistics statistics = passes.Render(outcome.Film, missing, display, cancellation);
+        if (passes.Header.Samples is [var done] && !cancellation.IsCancellationRequested)
+        {
+            new FirstHitPass(outcome.Scene, options with { Samples = done }).Render(_auxiliary!, cancellation);
+        }
+
+        header = passes.Header;
+        if (request is { Time: not null, HasSamples: false, Noise: null } && header.Samples is [var whole])
+        {
+            // Nobody asked for more than there was time for.
+            header = header with { Wanted = whole, Total = whole.End };
+        }
+
+        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, HasFailedCheckpoint = checkpoints?.HasFailed ?? false };
     }
+
+    private static RenderStatistics Counted(SamplePlan? plan, RenderStatistics picture) => plan?.Add(picture) ?? picture;
+
+    private FilmHeader Header(RenderDescription render, SampleRange wanted, Tile? crop) => new()
+    {
+        Width = render.Width,
+        Height = render.Height,
+        Content = ContentHash.Of(_description!, request.ScenePath, crop),
+        Samples = [],
+        Wanted = wanted,
+        Total = request.Samples is null && request.Part is null && request.Resumed is null ? wanted.End : render.SamplesPerPixel,
+        Crop = crop,
+        Scene = Path.GetFullPath(request.ScenePath),
+        Overrides = request.OverrideWords,
+        Software = CommandLine.Version,
+    };
 
     private RenderOptions Options(RenderDescription render)
     {
@@ -111,7 +186,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         {
             Threads = request.Threads,
             Crop = request.Pixel is [var x, var y] ? new(x, y, 1, 1) : request.Crop is [var left, var top, var width, var height] ? new(left, top, width, height) : null,
-            Samples = request.Sample is { } sample ? new((int)sample, (int)sample + 1) : null,
+            Samples = request.Sample is { } sample ? new((int)sample, (int)sample + 1) : SampleShares.Of(request, render),
         };
     }
 
@@ -135,14 +210,14 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     {
         RenderDescription render = scene.Render;
         long bytes = FilmMemory.Bytes(render.Width, render.Height) + AovFilm.Bytes(request.Aovs, render.Width, render.Height) + LightLayerFilm.Bytes(request.Layers, scene)
-            + (request.Denoise ? Denoising.Bytes(render.Width, render.Height) : 0);
+            + (request.Denoise ? Denoising.Bytes(render.Width, render.Height) : request.NeedsPasses ? FilmMemory.Bytes(render.Width, render.Height) : 0);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         bool fits = bytes <= available && (long)render.Width * render.Height <= Film.MaxPixels;
         return fits ? new(render.Width, render.Height) : throw new CommandException(
             ExitStatus.InputOutput, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than can be had ({FilmMemory.Text(available)})");
     }
 
-    private IReadOnlyList<string> Write(RenderOutcome outcome, AovOutputs aovs, AovFilm auxiliary, LightLayerFilm? light, Denoising? denoising)
+    private IReadOnlyList<string> Write(RenderOutcome outcome, AovOutputs aovs)
     {
         KeyValuePair<string, string>[] texts =
         [
@@ -151,12 +226,16 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new("Scene", Path.GetFileName(request.ScenePath)),
             new("Samples", $"{outcome.SamplesText}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
             new("FilmHash", outcome.Hash),
+            .. outcome.RangeText is { } range ? [KeyValuePair.Create("SampleRange", range)] : Array.Empty<KeyValuePair<string, string>>(),
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };
-        Picture? denoised = denoising?.Denoise(request.Threads);
-        IReadOnlyList<ExrLayerChannel> layers = [.. AovFiles.Layers(auxiliary), .. light is null ? [] : AovFiles.Layers(light), .. denoised is null ? [] : DenoisedFiles.Layers(denoised)];
-        IReadOnlyList<string> pictures = ImageOutputs.Write(request.Outputs, outcome.Film, writing with { ExrLayers = layers }, streams);
-        return [.. pictures, .. aovs.Write(auxiliary, light, denoised, writing, streams)];
+        Picture? denoised = _denoising?.Denoise(request.Threads);
+        IReadOnlyList<ExrLayerChannel> layers = [.. AovFiles.Layers(_auxiliary!), .. _light is null ? [] : AovFiles.Layers(_light), .. denoised is null ? [] : DenoisedFiles.Layers(denoised)];
+        writing = writing with { ExrLayers = layers };
+        IReadOnlyList<string> pictures = outcome.Header is { } header
+            ? ImageOutputs.Write(request.Outputs, outcome.Film, header, writing, streams)
+            : ImageOutputs.Write(request.Outputs, outcome.Film, writing, streams);
+        return [.. pictures, .. aovs.Write(_auxiliary!, _light, denoised, writing with { ExrLayers = [] }, streams)];
     }
 }
 
@@ -176,13 +255,28 @@ internal sealed record RenderOutcome(Scene Scene, Film Film, RenderStatistics St
     /// <summary>How the numbers of samples were decided; null where they were given.</summary>
     public SamplePlan? Plan { get; init; }
 
+    /// <summary>What a film file says of the film; null where it need not hold whole passes.</summary>
+    public FilmHeader? Header { get; init; }
+
+    /// <summary>Which samples the pixels have, where all have the same and no passes were made.</summary>
+    public SampleRange? Samples { get; init; }
+
+    /// <summary>Whether the last checkpoint could not be written.</summary>
+    public bool HasFailedCheckpoint { get; init; }
+
     /// <summary>How many samples the pixels have.</summary>
-    public string SamplesText => Plan is null ? $"{Scene.Render.SamplesPerPixel}"
-        : Plan.Fewest == Plan.Most ? $"{Plan.Most}"
+    public string SamplesText => RangeText is { } range ? range.StartsWith("0..", StringComparison.Ordinal) && !range.Contains(',', StringComparison.Ordinal) ? $"{MeanSamples}" : $"{MeanSamples} ({range})"
+        : Plan is null ? $"{Scene.Render.SamplesPerPixel}"
         : $"{Plan.Fewest} to {Plan.Most} (mean {MeanSamples:F1})";
 
+    /// <summary>Which samples all pixels have, the last one included; null where that is not the same for all, or none.</summary>
+    public string? RangeText => Header is { Samples.Count: > 0 } header ? header.SamplesText : Samples is { } range && !Statistics.Cancelled ? FilmHeader.Text(range) : null;
+
     /// <summary>How many samples a pixel has on average.</summary>
-    public double MeanSamples => Plan is null ? Scene.Render.SamplesPerPixel : (double)Plan.TotalSamples / Plan.Area.Pixels;
+    public double MeanSamples => Header?.Samples.Sum(r => r.Count) ?? Samples?.Count ?? (Plan is null ? Scene.Render.SamplesPerPixel : (double)Plan.TotalSamples / Plan.Area.Pixels);
+
+    /// <summary>Whether the wanted noise was not reached, for want of samples or time.</summary>
+    public bool IsNoisy(RenderRequest request) => request.Noise is { } wanted && Plan is not null && (Plan.Error > wanted || Header is { IsComplete: false });
 
     /// <summary>Rays a second.</summary>
     public double RaysPerSecond => Seconds > 0 ? Statistics.Rays / Seconds : 0;

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Session;
@@ -9,11 +10,8 @@ namespace RayTracer.Cli;
 internal sealed class RenderVerb
 {
     private readonly Argument<string> _scene;
-    private readonly Option<string[]> _outputs = new("-o", "--output") { Description = "The image file: .png, .pfm, .exr or .hdr. May be given several times.", HelpName = "FILE" };
+    private readonly WritingOptions _writing;
     private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
-    private readonly ParsedOption<double?> _exposure = OptionValues.Number("--exposure", "PNG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
-    private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG: how bright light is brought into what a screen can show; clamp cuts it off.");
-    private readonly ParsedOption<int?> _bitDepth = OptionValues.Choice<int?>("--bit-depth", "PNG: bits a channel; 8 without it.", ["8", "16"], [8, 16]);
     private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
     private readonly ParsedOption<int[]?> _pixel = OptionValues.Integers("--pixel", "x,y", "Renders only this pixel and prints its radiance.");
     private readonly ParsedOption<long?> _sample = OptionValues.Integer("--sample", "With --pixel: renders only this sample, from 0.", 0, int.MaxValue - 1);
@@ -23,20 +21,27 @@ internal sealed class RenderVerb
     private readonly ParsedOption<double?> _noise = OptionValues.Fraction(
         "--noise", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: stratified samplers (sobol) come out better.");
     private readonly Option<bool> _adaptive = new("--adaptive") { Description = "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes." };
+    private readonly ParsedOption<SampleRange?> _samples = new("--samples", "A..B", "Renders only these samples of each pixel, both included, from 0. With -o part.rtfilm, for merge.", SampleShares.Range);
+    private readonly ParsedOption<(int Number, int Count)?> _part = new("--part", "I/N", "Renders only the I-th, from 1, of N equal shares of the samples. With -o part.rtfilm, for merge.", SampleShares.Part);
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
     private readonly SceneOverrides _overrides;
+    private readonly LongRenderOptions _long;
 
     private RenderVerb(Command command)
     {
         _scene = new("SCENE") { Description = "The scene file: native (.json), of Mitsuba (.xml), or a model." };
         command.Arguments.Add(_scene);
-        command.Options.Add(_outputs);
+        _writing = new(command, "The image file: .png, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
         _overrides = new(command);
-        foreach (Option option in new Option[] { _threads.Symbol, _exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _quiet, _json })
+        foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol]))
         {
             command.Options.Add(option);
         }
+
+        _long = new(command, "Writes the film to this file (.rtfilm) now and then, from which resume goes on.");
+        command.Options.Add(_quiet);
+        command.Options.Add(_json);
     }
 
     public static void Build(Command command, Streams streams)
@@ -45,18 +50,25 @@ internal sealed class RenderVerb
         command.SetAction(result => new RenderRun(verb.Request(result), s => verb._overrides.Apply(result, s), streams).Run());
     }
 
+    /// <summary>What some words after <c>render</c> ask for, and how they change the scene.</summary>
+    /// <exception cref="CommandException">They are wrong.</exception>
+    public static (RenderRequest Request, Func<SceneDescription, SceneDescription> Overrides) Parse(IReadOnlyList<string> words)
+    {
+        Command command = new("render");
+        RenderVerb verb = new(command);
+        ParseResult result = command.Parse(words, new() { ResponseFileTokenReplacer = null });
+        return result.Errors.Count > 0
+            ? throw new CommandException(ExitStatus.Usage, result.Errors[0].Message)
+            : (verb.Request(result), s => verb._overrides.Apply(result, s));
+    }
+
     private RenderRequest Request(ParseResult result)
     {
         RenderRequest request = new()
         {
             ScenePath = result.GetValue(_scene)!,
-            Outputs = result.GetValue(_outputs) ?? [],
-            Writing = new()
-            {
-                BitDepth = _bitDepth.Value(result) ?? 8,
-                Exposure = (float)(_exposure.Value(result) ?? 0),
-                ToneMap = _toneMap.Value(result) ?? ToneMap.Clamp,
-            },
+            Outputs = _writing.Files(result),
+            Writing = _writing.Writing(result),
             Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
             Crop = _crop.Value(result),
             Pixel = _pixel.Value(result),
@@ -66,18 +78,21 @@ internal sealed class RenderVerb
             Denoise = result.GetValue(_denoise),
             Noise = _noise.Value(result),
             Adaptive = result.GetValue(_adaptive),
+            Samples = _samples.Value(result),
+            Part = _part.Value(result),
             HasSamples = _overrides.HasSamples(result),
             Quiet = result.GetValue(_quiet),
             Json = result.GetValue(_json),
             OverrideWords = [.. _overrides.Words(result)],
             CommandText = Shell.Command(result.Tokens.Select(t => t.Value)),
         };
+        request = _long.Put(result, request);
         return Contradiction(request) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : request;
     }
 
     private static string? Contradiction(RenderRequest request) => request switch
     {
-        { Outputs.Count: 0, Pixel: null, Json: false } => "where to? Give -o FILE (or --json alone for the numbers, or --pixel x,y)",
+        { Outputs.Count: 0, Pixel: null, Json: false, Checkpoint: null } => "where to? Give -o FILE (or --json alone for the numbers, or --pixel x,y)",
         { Outputs.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave -o out",
         { Crop: not null, Pixel: not null } => "--pixel and --crop cannot go together",
         { Aovs.Count: > 0, Pixel: not null } or { Layers.Count: > 0, Pixel: not null } => "--pixel prints numbers and writes no image: leave --aov out",
@@ -85,8 +100,18 @@ internal sealed class RenderVerb
         { Denoise: true, Outputs.Count: 0 } => "--denoise writes an image: where to? Give -o FILE",
         { Aovs.Count: > 0, Outputs.Count: 0 } or { Layers.Count: > 0, Outputs.Count: 0 } => "--aov writes images: where to? Give -o FILE",
         { Pixel: not null } and ({ Noise: not null } or { Adaptive: true }) => "--pixel renders the samples that it is told to: leave --noise and --adaptive out",
+        { Adaptive: true } and ({ Samples: not null } or { Part: not null }) => "--adaptive decides how many samples there are: leave --samples and --part out",
+        { Adaptive: true, NeedsPasses: true } => "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot go on from: leave it out",
+        { Noise: not null } and ({ Samples: not null } or { Part: not null }) => "--noise decides how many samples there are: leave --samples and --part out",
+        { Samples: not null, Part: not null } => "--samples and --part cannot go together",
+        { Pixel: not null } and ({ Samples: not null } or { Part: not null } or { Time: not null } or { Checkpoint: not null }) =>
+            "--pixel goes with --sample only: leave --samples, --part, --time and --checkpoint out",
+        { Denoise: true } and ({ NeedsPasses: true } or { Samples: not null } or { Part: not null }) =>
+            "--denoise compares two halves of all samples: it goes neither with shares of them nor with .rtfilm, --checkpoint and --time",
+        { Checkpoint: { } checkpoint } when !FilmFile.IsNamed(checkpoint) => $"--checkpoint {checkpoint}: films are written to .rtfilm files",
         { Adaptive: true, Crop: not null } => "--adaptive shares samples out over the whole picture: leave --crop out",
         { Adaptive: true, Denoise: true } => "--denoise compares two halves of equal samples, which --adaptive has not: leave one of them out",
+        { NeedsPasses: true, Layers.Count: > 0 } => "layers of light are of one rendering, which .rtfilm, --checkpoint and --time may cut in pieces: leave one of them out",
         { Adaptive: true, Layers.Count: > 0 } => "layers of light are of equal samples, which --adaptive has not: leave one of them out",
         { Sample: not null, Pixel: null } => "--sample needs --pixel",
         _ => null,

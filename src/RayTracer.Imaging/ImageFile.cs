@@ -3,7 +3,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Picture files of every format that is known: PNG, PFM, OpenEXR and Radiance HDR; and JPEG, which is read only.</summary>
+/// <summary>Picture files of every format that is known: PNG, PFM, OpenEXR and Radiance HDR; and JPEG and films, which are read only.</summary>
 public static class ImageFile
 {
     private const string Formats = "PNG, JPEG, PFM, OpenEXR and Radiance HDR";
@@ -43,6 +43,11 @@ public static class ImageFile
             return HdrReader.Read(file);
         }
 
+        if (file.StartsWith(FilmFile.Signature))
+        {
+            return Picture(file);
+        }
+
         return PfmReader.IsPfm(file) ? PfmReader.Read(file) : throw Unknown();
     }
 
@@ -52,13 +57,26 @@ public static class ImageFile
     /// <exception cref="PictureException">As for <see cref="Decode"/>.</exception>
     public static Picture? DecodeAlpha(ReadOnlySpan<byte> file) => file.StartsWith(PngReader.Signature) ? PngReader.ReadAlpha(file) : null;
 
+    private static Picture Picture(ReadOnlySpan<byte> file)
+    {
+        using MemoryStream stream = new(file.ToArray(), writable: false);
+        Rendering.Film film = FilmFile.Read(stream).Film;
+        float[] pixels = new float[checked(3L * film.Width * film.Height)];
+        for (int y = 0; y < film.Height; y++)
+        {
+            film.ReadRow(y, pixels.AsSpan(3 * film.Width * y, 3 * film.Width));
+        }
+
+        return new(film.Width, film.Height, pixels);
+    }
+
     /// <summary>Reads the texts that a picture file carries, in their order; of a PFM, JPEG or Radiance HDR, none.</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, file =>
         file.StartsWith(PngReader.Signature) ? PngReader.ReadText(file)
         : file.StartsWith(ExrReader.Signature) ? ExrReader.ReadText(file)
-        : PfmReader.IsPfm(file) || file.StartsWith(JpegReader.Signature) || file.StartsWith(HdrReader.Signature) ? []
+        : PfmReader.IsPfm(file) || file.StartsWith(FilmFile.Signature) || file.StartsWith(JpegReader.Signature) || file.StartsWith(HdrReader.Signature) ? []
         : throw Unknown());
 
     /// <summary>

@@ -5,7 +5,7 @@ using RayTracer.Scenes;
 namespace RayTracer.Session;
 
 /// <summary>The files that a model file names: materials, buffers, pictures.</summary>
-internal static class ModelSidecars
+public static class ModelSidecars
 {
     private const int LongestText = 1 << 28;
 

@@ -139,6 +139,37 @@ public sealed class Film : IImageRows
         }
     }
 
+    /// <summary>Copies the exact content of a row, to be added to a film again by <see cref="AddSums"/>.</summary>
+    /// <param name="y">Row, from the top.</param>
+    /// <param name="sums">Takes four sums a pixel: red, green and blue in units of 2⁻³², and squared luminance in units of 2⁻⁴⁸.</param>
+    /// <param name="counts">Takes the number of samples of each pixel.</param>
+    public void ReadSums(int y, Span<Int128> sums, Span<uint> counts)
+    {
+        int first = (int)Index(0, y);
+        _sums.AsSpan(first * SumsPerPixel, Width * SumsPerPixel).CopyTo(sums);
+        _counts.AsSpan(first, Width).CopyTo(counts);
+    }
+
+    /// <summary>Adds the exact content of a row of another film.</summary>
+    /// <param name="y">Row, from the top.</param>
+    /// <param name="sums">Four sums a pixel, as <see cref="ReadSums"/> gives them.</param>
+    /// <param name="counts">The number of samples of each pixel.</param>
+    public void AddSums(int y, ReadOnlySpan<Int128> sums, ReadOnlySpan<uint> counts)
+    {
+        int first = (int)Index(0, y);
+        Span<Int128> target = _sums.AsSpan(first * SumsPerPixel, Width * SumsPerPixel);
+        for (int i = 0; i < target.Length; i++)
+        {
+            target[i] += sums[i];
+        }
+
+        Span<uint> targetCounts = _counts.AsSpan(first, Width);
+        for (int i = 0; i < targetCounts.Length; i++)
+        {
+            targetCounts[i] += counts[i];
+        }
+    }
+
     /// <summary>
     /// SHA-256, as hexadecimal digits, of the exact content: of the size and of the SHA-256 of each row, which covers the
     /// sums (16 bytes each, lowest first) and then the counts (4 bytes each) of its pixels.

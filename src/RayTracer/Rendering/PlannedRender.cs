@@ -31,14 +31,7 @@ public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan
             cancelled = true;
         }
 
-        RenderStatistics statistics = renderer.Statistics;
-        return statistics with
-        {
-            Paths = statistics.Paths + plan.Statistics.Paths,
-            ClosestHitRays = statistics.ClosestHitRays + plan.Statistics.ClosestHitRays,
-            ShadowRays = statistics.ShadowRays + plan.Statistics.ShadowRays,
-            Cancelled = cancelled,
-        };
+        return plan.Add(renderer.Statistics) with { Cancelled = cancelled };
     }
 
     // The pixels that have so many samples or more.

@@ -11,6 +11,15 @@ namespace RayTracer.Rendering;
 /// <param name="Statistics">What was done to decide.</param>
 public sealed record SamplePlan(Tile Area, IReadOnlyList<Tile> Blocks, IReadOnlyList<int> Samples, double Error, RenderStatistics Statistics)
 {
+    /// <summary>What was done for a picture and to decide on it.</summary>
+    /// <param name="picture">What was done for the picture.</param>
+    public RenderStatistics Add(RenderStatistics picture) => picture with
+    {
+        Paths = picture.Paths + Statistics.Paths,
+        ClosestHitRays = picture.ClosestHitRays + Statistics.ClosestHitRays,
+        ShadowRays = picture.ShadowRays + Statistics.ShadowRays,
+    };
+
     /// <summary>Samples of all pixels together.</summary>
     public long TotalSamples => Blocks.Zip(Samples, (block, samples) => (long)block.Pixels * samples).Sum();
 

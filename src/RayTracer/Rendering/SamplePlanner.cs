@@ -4,7 +4,7 @@ namespace RayTracer.Rendering;
 
 /// <summary>
 /// Finds out how many samples the pixels of a picture shall have, before it is rendered, from <see cref="DecidingSamples"/>: they are
-/// doubled wherever more than twice as many seem to be wanted as there are. docs/adaptive-sampling.md tells why so, and what it gains.
+/// doubled wherever several times as many seem to be wanted as there are. docs/adaptive-sampling.md tells why so, and what it gains.
 /// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="options">How to compute it; the crop is the part that counts.</param>
@@ -15,6 +15,10 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
     private const int AdaptiveCell = 2;
     private const int EvenCell = 4;
     private const int MostFirstSamples = 16;
+
+    // How many times their own number deciding samples may foretell.
+    private const int AdaptiveLead = 4;
+    private const int EvenLead = 2;
     private readonly PixelRenderer _renderer = new(scene, options);
 
     /// <summary>Decides.</summary>
@@ -29,6 +33,7 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
         DecidingSamples deciding = new(scene, blocks, goal.IsAdaptive ? AdaptiveCell : EvenCell);
         double budget = (double)goal.MeanSamples * area.Pixels;
         ProgressSum done = new((long)budget, progress);
+        int lead = goal.IsAdaptive ? AdaptiveLead : EvenLead;
         int first = FirstSamples();
         SampleAllocation allocation = new([.. blocks.Select(b => (double)b.Pixels)], goal, Math.Min(goal.MeanSamples, first));
         int[] all = [.. Enumerable.Range(0, blocks.Length)];
@@ -47,7 +52,7 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
 
             // For one number of samples for all pixels, the budget is the picture's alone.
             int[] samples = allocation.Share(variances, deviations, goal.IsAdaptive ? budget - deciding.Total : budget);
-            ILookup<int, int> wanting = all.Where(i => samples[i] > 2 * deciding.Level(i)).ToLookup(deciding.Level);
+            ILookup<int, int> wanting = all.Where(i => samples[i] > lead * deciding.Level(i)).ToLookup(deciding.Level);
             if (wanting.Count == 0)
             {
                 return new(area, blocks, samples, double.Sqrt(allocation.Error(variances, samples)), _renderer.Statistics);

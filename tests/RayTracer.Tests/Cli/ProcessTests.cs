@@ -115,7 +115,7 @@ public sealed class ProcessTests : IDisposable
 
     private static string Program { get; } = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raytracer.exe" : "raytracer");
 
-    private static Process Start(params string[] args) => Start(null, args);
+    internal static Process Start(params string[] args) => Start(null, args);
 
     private static Process Start(string? vectorWidth, string[] args)
     {

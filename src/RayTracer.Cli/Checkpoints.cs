@@ -1,0 +1,52 @@
+using System.Diagnostics;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+
+namespace RayTracer.Cli;
+
+/// <summary>
+/// Writes the film to a file now and then. The old file stays until the new one is whole; the interval stretches so that writing takes less than a
+/// hundredth of the time.
+/// </summary>
+/// <param name="path">The file.</param>
+/// <param name="interval">The shortest time between two of them.</param>
+/// <param name="streams">Takes complaints.</param>
+internal sealed class Checkpoints(string path, TimeSpan interval, Streams streams)
+{
+    private const int LargestShare = 100;
+    private long _last = Stopwatch.GetTimestamp();
+    private TimeSpan _stretched;
+
+    /// <summary>Whether the latest could not be written.</summary>
+    public bool HasFailed { get; private set; }
+
+    /// <summary>Writes one if it is time for it.</summary>
+    public void Offer(Film film, FilmHeader header)
+    {
+        TimeSpan wait = _stretched > interval ? _stretched : interval;
+        if (Stopwatch.GetElapsedTime(_last) >= wait)
+        {
+            Write(film, header);
+        }
+    }
+
+    /// <summary>Writes one.</summary>
+    public void Write(Film film, FilmHeader header)
+    {
+        long start = Stopwatch.GetTimestamp();
+        try
+        {
+            FilmFile.Write(path, film, header);
+            HasFailed = false;
+        }
+        catch (ImageWriteException e)
+        {
+            // The rendering goes on: there may be room again at the next.
+            streams.Fail(e.Message.TrimEnd('.'));
+            HasFailed = true;
+        }
+
+        _last = Stopwatch.GetTimestamp();
+        _stretched = Stopwatch.GetElapsedTime(start) * LargestShare;
+    }
+}

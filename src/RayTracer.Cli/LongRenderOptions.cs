@@ -1,0 +1,32 @@
+using System.CommandLine;
+
+namespace RayTracer.Cli;
+
+/// <summary>The options of verbs that render for long.</summary>
+internal sealed class LongRenderOptions
+{
+    private const double StandardInterval = 30;
+    private readonly ParsedOption<TimeSpan?> _time = Durations.Option("--time", "Stops after the pass over the picture under way at this time: 90s, 10m, 1.5h. At most --spp samples are taken (65,536 without it).");
+    private readonly Option<string?> _checkpoint = new("--checkpoint") { HelpName = "FILE" };
+    private readonly ParsedOption<double?> _interval = OptionValues.Number(
+        "--checkpoint-interval", "Seconds between checkpoints; 30 without it. Longer where writing would take more than 1 % of the time.", 0, 1e7);
+
+    /// <summary>Gives a command the options.</summary>
+    /// <param name="command">The command.</param>
+    /// <param name="checkpoint">What the checkpoint's file is for.</param>
+    public LongRenderOptions(Command command, string checkpoint)
+    {
+        _checkpoint.Description = checkpoint;
+        command.Options.Add(_time.Symbol);
+        command.Options.Add(_checkpoint);
+        command.Options.Add(_interval.Symbol);
+    }
+
+    /// <summary>A request with what was asked for.</summary>
+    public RenderRequest Put(ParseResult result, RenderRequest request) => request with
+    {
+        Time = _time.Value(result),
+        Checkpoint = result.GetValue(_checkpoint) ?? request.Checkpoint,
+        CheckpointInterval = TimeSpan.FromSeconds(_interval.Value(result) ?? StandardInterval),
+    };
+}

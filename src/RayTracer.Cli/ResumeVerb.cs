@@ -1,0 +1,114 @@
+using System.CommandLine;
+using RayTracer.Description;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Session;
+
+namespace RayTracer.Cli;
+
+/// <summary><c>raytracer resume FILE</c>: goes on with a film that was not finished, or gives it more samples.</summary>
+internal sealed class ResumeVerb
+{
+    private readonly Argument<string> _file = new("FILE") { Description = "The film (.rtfilm), of --checkpoint or -o. It is brought up to date itself, now and then and at the end." };
+    private readonly ParsedOption<long?> _samples = OptionValues.Parameter("--spp", nameof(RenderDescription.SamplesPerPixel));
+    private readonly Option<string?> _scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
+    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
+    private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
+    private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
+    private readonly WritingOptions _writing;
+    private readonly LongRenderOptions _long;
+
+    private ResumeVerb(Command command)
+    {
+        command.Arguments.Add(_file);
+        _writing = new(command);
+        foreach (Option option in new Option[] { _samples.Symbol, _scene, _threads.Symbol }.Concat(_writing.Looks))
+        {
+            command.Options.Add(option);
+        }
+
+        _long = new(command, "Writes the film to this file now and then; without it, to FILE.");
+        command.Options.Add(_quiet);
+        command.Options.Add(_json);
+    }
+
+    public static void Build(Command command, Streams streams)
+    {
+        ResumeVerb verb = new(command);
+        command.SetAction(result => verb.Run(result, streams));
+    }
+
+    /// <summary>The complaint about a scene that a film is not of.</summary>
+    public static CommandException OtherScene(string path) =>
+        new(ExitStatus.InputOutput, $"the film is not of '{path}': the scene, a file that it names, its settings or the program are others than they were");
+
+    /// <summary>Where the scene of a film is: where it was, or beside the film.</summary>
+    public static string ScenePath(FilmHeader header, string file)
+    {
+        string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, Path.GetFileName(header.Scene));
+        return File.Exists(header.Scene) || !File.Exists(beside) ? header.Scene : beside;
+    }
+
+    /// <summary>The options that replaced what the scene's file said, with as many samples a pixel as the whole picture has.</summary>
+    public static IReadOnlyList<string> Words(FilmHeader header, int total)
+    {
+        int given = header.Overrides.ToList().IndexOf("--spp");
+        IEnumerable<string> others = given < 0 ? header.Overrides : header.Overrides.Where((_, i) => i != given && i != given + 1);
+        return [.. others, "--spp", $"{total}"];
+    }
+
+    private int Run(ParseResult result, Streams streams)
+    {
+        string file = result.GetValue(_file)!;
+        (FilmHeader header, Film film) = FilmFile.Read(file);
+        SampleRange wanted = Wanted(header, (int?)_samples.Value(result));
+        int total = Math.Max(header.Total, wanted.End);
+        if (_samples.Value(result) is not null)
+        {
+            total = wanted.End;
+        }
+
+        IReadOnlyList<string> words = Words(header, total);
+        string scene = result.GetValue(_scene) ?? ScenePath(header, file);
+        RenderRequest request = _long.Put(result, new()
+        {
+            ScenePath = scene,
+            Outputs = _writing.Files(result),
+            Writing = _writing.Writing(result),
+            Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
+            Crop = header.Crop is { } c ? [c.X, c.Y, c.Width, c.Height] : null,
+            Samples = wanted,
+            HasSamples = true,
+            Checkpoint = file,
+            Resumed = new(header, film),
+            Quiet = result.GetValue(_quiet),
+            Json = result.GetValue(_json),
+            OverrideWords = words,
+            CommandText = Shell.Command(["render", scene, .. words]),
+        });
+        if (!FilmFile.IsNamed(request.Checkpoint!))
+        {
+            throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");
+        }
+
+        return new RenderRun(request, RenderVerb.Parse([scene, "--json", .. words]).Overrides, streams).Run();
+    }
+
+    // The samples that the film shall come to hold.
+    private static SampleRange Wanted(FilmHeader header, int? samples)
+    {
+        SampleRange wanted = samples is { } more ? new(header.Wanted.First, more) : header.Wanted;
+        if (samples is not null && header.Wanted.First != 0)
+        {
+            throw new CommandException(ExitStatus.Usage, $"--spp {samples}: the film is a part of a picture, samples {FilmHeader.Text(header.Wanted)}");
+        }
+
+        return header.Samples switch
+        {
+            [] => wanted,
+            [var held] when held.First == wanted.First && held.End <= wanted.End => wanted,
+            [var held] when held.First == wanted.First => throw new CommandException(ExitStatus.Usage, $"--spp {samples}: the film has {held.Count} samples a pixel already"),
+            _ => throw new CommandException(ExitStatus.InputOutput, $"samples are missing within the film, which has {header.SamplesText}: render them and merge"),
+        };
+    }
+}

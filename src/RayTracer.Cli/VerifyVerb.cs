@@ -1,0 +1,112 @@
+using System.CommandLine;
+using RayTracer.Description;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Session;
+
+namespace RayTracer.Cli;
+
+/// <summary><c>raytracer verify FILE</c>: renders what an image or film says it is once more, and compares the films' hashes.</summary>
+internal static class VerifyVerb
+{
+    public static void Build(Command command, Streams streams)
+    {
+        Argument<string> file = new("FILE") { Description = "The film (.rtfilm), or the image (.png or .exr) that this program wrote." };
+        Option<string?> scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
+        ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
+        Option<bool> json = new("--json") { Description = "Prints one JSON object." };
+        command.Arguments.Add(file);
+        foreach (Option option in new Option[] { scene, threads.Symbol, json })
+        {
+            command.Options.Add(option);
+        }
+
+        command.SetAction(result =>
+        {
+            Claim claim = Of(result.GetValue(file)!, result.GetValue(scene));
+            return Verify(claim, (int)(threads.Value(result) ?? Environment.ProcessorCount), result.GetValue(json), streams);
+        });
+    }
+
+    private static int Verify(Claim claim, int threads, bool json, Streams streams)
+    {
+        using StopSignals signals = new(streams);
+        Film? whole = null;
+        foreach (SampleRange? range in claim.Samples)
+        {
+            RenderRequest request = claim.Request with { Outputs = [], Aovs = [], Denoise = false, Checkpoint = null, Threads = threads, Quiet = true };
+            if (range is not null)
+            {
+                // Whatever decided on the number of samples: these they are.
+                request = request with { Samples = range, Part = null, Noise = null, Time = null };
+            }
+
+            RenderOutcome? outcome = new RenderRun(request, s => Widen(claim.Overrides(s), range), streams).Compute(signals.Token);
+            if (outcome is null)
+            {
+                return SceneFile.FailureStatus(request.ScenePath);
+            }
+
+            if (outcome.Statistics.Cancelled)
+            {
+                return signals.Status;
+            }
+
+            whole ??= new(outcome.Film.Width, outcome.Film.Height);
+            whole.Merge(outcome.Film);
+        }
+
+        string hash = whole?.ComputeHash() ?? "";
+        bool same = hash == claim.Hash;
+        if (json)
+        {
+            JsonText.Write(streams, writer =>
+            {
+                writer.WriteBoolean("same", same);
+                writer.WriteString("filmHash", claim.Hash);
+                writer.WriteString("renderedHash", hash);
+            });
+        }
+        else
+        {
+            streams.Output.WriteLine(same ? $"the same to the bit: film {hash}" : $"another picture: the file's film is {claim.Hash}, but rendered anew it is {hash}");
+        }
+
+        return same ? ExitStatus.Fine : ExitStatus.Different;
+    }
+
+    // Samples of a sampler without a pattern do not depend on how many there are.
+    private static SceneDescription Widen(SceneDescription scene, SampleRange? range) =>
+        range is { } samples && samples.End > scene.Render.SamplesPerPixel && !ContentHash.HasPattern(scene.Render)
+            ? scene with { Render = scene.Render with { SamplesPerPixel = samples.End } }
+            : scene;
+
+    private static Claim Of(string file, string? scene)
+    {
+        if (FilmFile.IsNamed(file))
+        {
+            (FilmHeader header, Film film) = FilmFile.Read(file);
+            string[] crop = header.Crop is { } c ? ["--crop", $"{c.X},{c.Y},{c.Width},{c.Height}"] : [];
+            (RenderRequest asked, Func<SceneDescription, SceneDescription> changes) =
+                RenderVerb.Parse([scene ?? ResumeVerb.ScenePath(header, file), "--json", .. ResumeVerb.Words(header, header.Total), .. crop]);
+            return new(asked, changes, [.. header.Samples.Select(r => (SampleRange?)r)], film.ComputeHash());
+        }
+
+        Dictionary<string, string> texts = ImageFile.ReadText(file).GroupBy(t => t.Key).ToDictionary(g => g.Key, g => g.First().Value, StringComparer.Ordinal);
+        if (!texts.TryGetValue("FilmHash", out string? hash) || !texts.TryGetValue("Command", out string? line) || Shell.Words(line) is not [_, "render", .. var words])
+        {
+            throw new CommandException(ExitStatus.InputOutput, $"'{file}' does not say how it was made: only .rtfilm, .png and .exr files of render, resume and merge do");
+        }
+
+        (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([.. words, "--json"]);
+        SampleRange?[] ranges = texts.TryGetValue("SampleRange", out string? samples) ? [.. samples.Split(", ").Select(SampleShares.Range)] : [null];
+        return new(scene is null ? request : request with { ScenePath = scene }, overrides, ranges, hash);
+    }
+
+    /// <summary>What a file says of itself.</summary>
+    /// <param name="Request">How it was rendered.</param>
+    /// <param name="Overrides">Puts the options of the command line into the scene.</param>
+    /// <param name="Samples">The samples that it holds; null for those that the request decides on.</param>
+    /// <param name="Hash">The hash of its film.</param>
+    private sealed record Claim(RenderRequest Request, Func<SceneDescription, SceneDescription> Overrides, IReadOnlyList<SampleRange?> Samples, string Hash);
+}

@@ -1,0 +1,41 @@
+using System.CommandLine;
+using RayTracer.Imaging;
+
+namespace RayTracer.Cli;
+
+/// <summary>The options of verbs that write pictures.</summary>
+internal sealed class WritingOptions
+{
+    private readonly Option<string[]> _outputs = new("-o", "--output") { HelpName = "FILE" };
+    private readonly ParsedOption<double?> _exposure = OptionValues.Number("--exposure", "PNG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
+    private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG: how bright light is brought into what a screen can show; clamp cuts it off.");
+    private readonly ParsedOption<int?> _bitDepth = OptionValues.Choice<int?>("--bit-depth", "PNG: bits a channel; 8 without it.", ["8", "16"], [8, 16]);
+
+    /// <summary>Gives a command the options.</summary>
+    /// <param name="command">The command.</param>
+    /// <param name="outputs">What the files are.</param>
+    public WritingOptions(Command command, string outputs = "The file to write: .png, .pfm, .exr or .hdr, or .rtfilm for the film itself. May be given several times.")
+    {
+        _outputs.Description = outputs;
+        Output = _outputs;
+        Looks = [_exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol];
+        command.Options.Add(_outputs);
+    }
+
+    /// <summary>The option of the files.</summary>
+    public Option Output { get; }
+
+    /// <summary>The options of how pictures look.</summary>
+    public IReadOnlyList<Option> Looks { get; }
+
+    /// <summary>The files.</summary>
+    public IReadOnlyList<string> Files(ParseResult result) => result.GetValue(_outputs) ?? [];
+
+    /// <summary>How they are written.</summary>
+    public ImageWriteOptions Writing(ParseResult result) => new()
+    {
+        BitDepth = _bitDepth.Value(result) ?? 8,
+        Exposure = (float)(_exposure.Value(result) ?? 0),
+        ToneMap = _toneMap.Value(result) ?? ToneMap.Clamp,
+    };
+}

@@ -1,0 +1,221 @@
+using System.Buffers.Binary;
+using System.Runtime.InteropServices;
+using System.Security.Cryptography;
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>
+/// Files that hold a film to the bit (.rtfilm): samples can be added to them later, and films of other samples of the same scene can be merged.
+/// docs/long-renders.md describes the format: signature, version, header, rows, and the SHA-256 of all of these.
+/// </summary>
+public static class FilmFile
+{
+    /// <summary>The extension of their names.</summary>
+    public const string Extension = ".rtfilm";
+
+    private const int Version = 1;
+    private const int LongestHeader = 1 << 24;
+    private const int FrontLength = 16;
+    private const int SumsPerPixel = Film.BytesPerPixel / 16;
+    private const byte EqualCounts = 1;
+    private const byte WideSums = 2;
+
+    /// <summary>The first bytes; as in PNG, line ends that are changed on the way show at once.</summary>
+    public static ReadOnlySpan<byte> Signature => "RTFILM\r\n"u8;
+
+    /// <summary>Whether a file's name says that it holds a film.</summary>
+    public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
+
+    /// <summary>Writes a film. The file is there whole or not at all, and what was there before stays until then (<see cref="AtomicFile"/>).</summary>
+    /// <exception cref="ImageWriteException">It cannot be written.</exception>
+    public static void Write(string path, Film film, FilmHeader header) => AtomicFile.Write(path, stream =>
+    {
+        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        void Put(ReadOnlySpan<byte> bytes)
+        {
+            hash.AppendData(bytes);
+            stream.Write(bytes);
+        }
+
+        byte[] text = header.ToBytes();
+        byte[] front = new byte[FrontLength];
+        Signature.CopyTo(front);
+        BinaryPrimitives.WriteInt32LittleEndian(front.AsSpan(8), Version);
+        BinaryPrimitives.WriteInt32LittleEndian(front.AsSpan(12), text.Length);
+        Put(front);
+        Put(text);
+        byte[] row = new byte[1 + ((long)film.Width * Film.BytesPerPixel)];
+        Int128[] sums = new Int128[(long)film.Width * SumsPerPixel];
+        uint[] counts = new uint[film.Width];
+        for (int y = 0; y < film.Height; y++)
+        {
+            film.ReadSums(y, sums, counts);
+            Put(row.AsSpan(0, EncodeRow(sums, counts, row)));
+        }
+
+        stream.Write(hash.GetHashAndReset());
+    });
+
+    /// <summary>Reads what a file says about its film.</summary>
+    /// <exception cref="PictureException">It cannot be read, or is damaged.</exception>
+    public static FilmHeader ReadHeader(string path) => OfFile(path, stream => Open(stream, out _));
+
+    /// <summary>Reads a film.</summary>
+    /// <exception cref="PictureException">It cannot be read, or is damaged.</exception>
+    public static (FilmHeader Header, Film Film) Read(string path) => OfFile(path, Read);
+
+    /// <summary>Reads a film from a stream that can seek.</summary>
+    /// <exception cref="PictureException">It is damaged; the message is a clause.</exception>
+    internal static (FilmHeader Header, Film Film) Read(Stream stream)
+    {
+        FilmHeader header = Open(stream, out IncrementalHash hash);
+        Film film = new(header.Width, header.Height);
+        AddRows(stream, hash, film);
+        return (header, film);
+    }
+
+    /// <summary>Adds the samples of a file to a film of its size.</summary>
+    /// <exception cref="PictureException">It cannot be read, or is damaged: the film then holds a part of the samples.</exception>
+    /// <exception cref="ArgumentException">The sizes differ.</exception>
+    public static FilmHeader AddTo(string path, Film film) => OfFile(path, stream =>
+    {
+        FilmHeader header = Open(stream, out IncrementalHash hash);
+        if ((header.Width, header.Height) != (film.Width, film.Height))
+        {
+            throw new ArgumentException($"it has {header.Width}×{header.Height} pixels, not {film.Width}×{film.Height}", nameof(film));
+        }
+
+        AddRows(stream, hash, film);
+        return header;
+    });
+
+    // A row is a byte of flags, the counts (one where all are equal), and the sums (of 8 bytes where all fit into them, else of 16).
+    private static int EncodeRow(Int128[] sums, uint[] counts, byte[] row)
+    {
+        bool equal = !counts.AsSpan().ContainsAnyExcept(counts[0]);
+        bool wide = Array.Exists(sums, s => s < long.MinValue || s > long.MaxValue);
+        row[0] = (byte)((equal ? EqualCounts : 0) | (wide ? WideSums : 0));
+        int length = 1;
+        Copy(MemoryMarshal.AsBytes(counts.AsSpan(0, equal ? 1 : counts.Length)));
+        if (wide)
+        {
+            Copy(MemoryMarshal.AsBytes(sums.AsSpan()));
+            return length;
+        }
+
+        foreach (Int128 sum in sums)
+        {
+            BinaryPrimitives.WriteInt64LittleEndian(row.AsSpan(length), (long)sum);
+            length += sizeof(long);
+        }
+
+        return length;
+
+        void Copy(ReadOnlySpan<byte> bytes)
+        {
+            bytes.CopyTo(row.AsSpan(length));
+            length += bytes.Length;
+        }
+    }
+
+    private static FilmHeader Open(Stream stream, out IncrementalHash hash)
+    {
+        hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        byte[] front = Take(stream, FrontLength, hash);
+        if (!front.AsSpan().StartsWith(Signature))
+        {
+            throw new PictureException("it is no film: its first bytes are others");
+        }
+
+        int version = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(8));
+        if (version != Version)
+        {
+            throw new PictureException($"its format has version {version}, but only {Version} is known");
+        }
+
+        int length = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(12));
+        if (length is < 2 or > LongestHeader || length > stream.Length)
+        {
+            throw new PictureException($"its header cannot have {length} bytes");
+        }
+
+        FilmHeader header = FilmHeader.Of(Take(stream, length, hash));
+
+        // Before any memory is taken for them: pixels take 32 bytes at least.
+        Int128 least = (Int128)header.Height * (5 + ((Int128)header.Width * 8 * SumsPerPixel));
+        return stream.Length >= least && (Int128)header.Width * header.Height <= Film.MaxPixels
+            ? header
+            : throw new PictureException($"it is too short for {header.Width}×{header.Height} pixels");
+    }
+
+    private static void AddRows(Stream stream, IncrementalHash hash, Film film)
+    {
+        Int128[] sums = new Int128[(long)film.Width * SumsPerPixel];
+        uint[] counts = new uint[film.Width];
+        for (int y = 0; y < film.Height; y++)
+        {
+            byte flags = Take(stream, 1, hash)[0];
+            ReadOnlySpan<uint> read = MemoryMarshal.Cast<byte, uint>(Take(stream, sizeof(uint) * ((flags & EqualCounts) != 0 ? 1 : film.Width), hash));
+            if (read.Length == 1)
+            {
+                counts.AsSpan().Fill(read[0]);
+            }
+            else
+            {
+                read.CopyTo(counts);
+            }
+
+            bool wide = (flags & WideSums) != 0;
+            byte[] bytes = Take(stream, sums.Length * (wide ? 16 : 8), hash);
+            if (wide)
+            {
+                MemoryMarshal.Cast<byte, Int128>(bytes).CopyTo(sums);
+            }
+            else
+            {
+                for (int i = 0; i < sums.Length; i++)
+                {
+                    sums[i] = BinaryPrimitives.ReadInt64LittleEndian(bytes.AsSpan(8 * i));
+                }
+            }
+
+            film.AddSums(y, sums, counts);
+        }
+
+        if (!hash.GetHashAndReset().AsSpan().SequenceEqual(Take(stream, SHA256.HashSizeInBytes, hash)))
+        {
+            throw new PictureException("it is damaged: its checksum is that of another content");
+        }
+    }
+
+    private static byte[] Take(Stream stream, int length, IncrementalHash hash)
+    {
+        byte[] bytes = new byte[length];
+        if (stream.ReadAtLeast(bytes, length, throwOnEndOfStream: false) < length)
+        {
+            throw new PictureException("it ends too early");
+        }
+
+        hash.AppendData(bytes);
+        return bytes;
+    }
+
+    private static T OfFile<T>(string path, Func<Stream, T> read)
+    {
+        try
+        {
+            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 20);
+            return read(stream);
+        }
+        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw new PictureException($"Cannot read the film '{path}': there is no such file.", e);
+        }
+        catch (Exception e) when (e is PictureException or IOException or UnauthorizedAccessException)
+        {
+            throw new PictureException($"Cannot read the film '{path}': {e.Message.ReplaceLineEndings(" ").TrimEnd('.')}.", e);
+        }
+    }
+}

@@ -1,0 +1,129 @@
+using System.Text.Json;
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>What a film file says about its film.</summary>
+public sealed record FilmHeader
+{
+    /// <summary>Width in pixels.</summary>
+    public required int Width { get; init; }
+
+    /// <summary>Height in pixels.</summary>
+    public required int Height { get; init; }
+
+    /// <summary>SHA-256, in hexadecimal digits, of all that decides what a sample comes to: films of one scene have the same.</summary>
+    public required string Content { get; init; }
+
+    /// <summary>The samples of each pixel that it holds: ranges in their order, which do not touch.</summary>
+    public required IReadOnlyList<SampleRange> Samples { get; init; }
+
+    /// <summary>The samples of each pixel that it is meant to come to hold.</summary>
+    public required SampleRange Wanted { get; init; }
+
+    /// <summary>How many samples a pixel of the whole picture has.</summary>
+    public required int Total { get; init; }
+
+    /// <summary>The part of the picture that was rendered; null for all of it.</summary>
+    public Tile? Crop { get; init; }
+
+    /// <summary>The scene's file.</summary>
+    public string Scene { get; init; } = "";
+
+    /// <summary>The options that replace what the scene's file says, as words of a command line.</summary>
+    public IReadOnlyList<string> Overrides { get; init; } = [];
+
+    /// <summary>The program that wrote it.</summary>
+    public string Software { get; init; } = "";
+
+    /// <summary>Whether it holds all the samples that it is meant to.</summary>
+    public bool IsComplete => Samples is [var only] && only == Wanted;
+
+    /// <summary>The samples as people write them, the last one included: 0..63.</summary>
+    public string SamplesText => Samples.Count == 0 ? "none" : string.Join(", ", Samples.Select(Text));
+
+    /// <summary>A range as people write it, the last one included.</summary>
+    public static string Text(SampleRange range) => $"{range.First}..{range.End - 1}";
+
+    /// <summary>Writes it as JSON.</summary>
+    internal byte[] ToBytes()
+    {
+        using MemoryStream stream = new();
+        using (Utf8JsonWriter json = new(stream))
+        {
+            json.WriteStartObject();
+            json.WriteNumber("width", Width);
+            json.WriteNumber("height", Height);
+            json.WriteString("content", Content);
+            Numbers(json, "samples", Samples.SelectMany(r => new[] { r.First, r.End }));
+            Numbers(json, "wanted", [Wanted.First, Wanted.End]);
+            json.WriteNumber("total", Total);
+            if (Crop is { } crop)
+            {
+                Numbers(json, "crop", [crop.X, crop.Y, crop.Width, crop.Height]);
+            }
+
+            json.WriteString("scene", Scene);
+            json.WriteStartArray("overrides");
+            foreach (string word in Overrides)
+            {
+                json.WriteStringValue(word);
+            }
+
+            json.WriteEndArray();
+            json.WriteString("software", Software);
+            json.WriteEndObject();
+        }
+
+        return stream.ToArray();
+    }
+
+    /// <summary>Reads it.</summary>
+    /// <exception cref="PictureException">It is damaged.</exception>
+    internal static FilmHeader Of(byte[] bytes)
+    {
+        try
+        {
+            using JsonDocument document = JsonDocument.Parse(bytes);
+            JsonElement json = document.RootElement;
+            int[] crop = json.TryGetProperty("crop", out JsonElement part) ? Numbers(part) : [];
+            int[] samples = Numbers(json.GetProperty("samples"));
+            int[] wanted = Numbers(json.GetProperty("wanted"));
+            FilmHeader header = new()
+            {
+                Width = json.GetProperty("width").GetInt32(),
+                Height = json.GetProperty("height").GetInt32(),
+                Content = json.GetProperty("content").GetString()!,
+                Samples = [.. samples.Chunk(2).Select(r => new SampleRange(r[0], r[1]))],
+                Wanted = new(wanted[0], wanted[1]),
+                Total = json.GetProperty("total").GetInt32(),
+                Crop = crop.Length == 4 ? new(crop[0], crop[1], crop[2], crop[3]) : null,
+                Scene = json.GetProperty("scene").GetString()!,
+                Overrides = [.. json.GetProperty("overrides").EnumerateArray().Select(w => w.GetString()!)],
+                Software = json.GetProperty("software").GetString()!,
+            };
+            return header.IsSound ? header : throw new PictureException("its header makes no sense");
+        }
+        catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or IndexOutOfRangeException)
+        {
+            throw new PictureException($"its header is damaged ({e.Message.ReplaceLineEndings(" ").TrimEnd('.')})", e);
+        }
+    }
+
+    private bool IsSound => Width > 0 && Height > 0 && Samples.All(r => r.First >= 0 && r.End > r.First) && Wanted.First >= 0 && Wanted.End > Wanted.First
+        && Samples.Zip(Samples.Skip(1)).All(p => p.First.End < p.Second.First);
+
+    private static int[] Numbers(JsonElement list) => [.. list.EnumerateArray().Select(n => n.GetInt32())];
+
+    private static void Numbers(Utf8JsonWriter json, string key, IEnumerable<int> numbers)
+    {
+        json.WriteStartArray(key);
+        foreach (int number in numbers)
+        {
+            json.WriteNumberValue(number);
+        }
+
+        json.WriteEndArray();
+    }
+}
