@@ -76,7 +76,7 @@ const english = {
     nothing: "Nothing is selected. Click something in the picture or in the list.",
     required: "required", unit: (unit: string) => `in ${unit}`, range: (range: string) => `Allowed: ${range}`,
     reset: (key: string) => `Reset ${key} to its default`, resetWhy: "Back to the default: the value is taken out of the file",
-    inPlace: "In place", named: "By name", noneYet: "not set", set: "Set", number: "number", plainColor: "colour",
+    inPlace: "In place", named: "By name", noneYet: "not set", set: "Set", number: "value", plainColor: "colour",
     noEnvironment: "none: the background colour", environmentWhy: "Light from all around, in place of the background colour", edit: (name: string) => `Edit ${name}`,
     color: (key: string) => `${key}: colour`, channels: ["red", "green", "blue"], axes: ["x", "y", "z"], pair: ["first", "second"],
     linear: "Linear numbers: 1 is white. Names and #rrggbb are decoded as a browser does.",
