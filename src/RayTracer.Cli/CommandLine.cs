@@ -23,6 +23,7 @@ internal static class CommandLine
         ("convert", "Writes a scene of another format in the native one.", ConvertVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),
         ("compose", "Balances the lights of a rendered picture anew.", ComposeVerb.Build),
+        ("view", "Shows an image in the terminal.", ViewVerb.Build),
         ("bench", "Measures how many rays are traced in a second.", BenchVerb.Build),
         ("reproduce", "Renders the pictures and tables of the report that the project follows.", ReproduceVerb.Build),
         ("studio", "Opens the Studio, in which scenes are edited and seen, in a window of the browser.", StudioVerb.Build),

@@ -12,20 +12,32 @@ internal static class CompareVerb
     {
         Argument<string[]> images = new("IMAGE") { Description = "The image to judge, and the reference.", Arity = new ArgumentArity(2, 2) };
         Option<string?> output = new("-o", "--output") { Description = "Writes the absolute difference as an image.", HelpName = "FILE" };
+        Option<string?> map = new("--map") { Description = "Writes the FLIP error of each pixel as colours, with a scale.", HelpName = "FILE" };
+        Option<string?> sheet = new("--side-by-side") { Description = "Writes both images and the FLIP errors beside each other, with labels and a scale.", HelpName = "FILE" };
+        ParsedOption<double?> density = OptionValues.Number("--pixels-per-degree", "For FLIP: how many pixels a degree of the field of view has. Without it 67, as of a display with 3840 columns seen from as far away as it is wide.", 1, 1000);
         ParsedOption<double?> tolerance = OptionValues.Number("--tolerance", "The largest root mean squared difference (linear light) that is no difference. Without it, any is.", 0, double.MaxValue);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(images);
         command.Options.Add(output);
+        command.Options.Add(map);
+        command.Options.Add(sheet);
+        command.Options.Add(density.Symbol);
         command.Options.Add(tolerance.Symbol);
         command.Options.Add(json);
-        command.SetAction(result => Compare(result.GetValue(images)!, result.GetValue(output), tolerance.Value(result), result.GetValue(json), streams));
+        command.SetAction(result => Compare(
+            result.GetValue(images)!,
+            new(result.GetValue(output), result.GetValue(map), result.GetValue(sheet)),
+            density.Value(result) ?? FlipError.StandardPixelsPerDegree,
+            tolerance.Value(result),
+            result.GetValue(json),
+            streams));
     }
 
-    private static int Compare(string[] paths, string? output, double? tolerance, bool json, Streams streams)
+    private static int Compare(string[] paths, Files files, double pixelsPerDegree, double? tolerance, bool json, Streams streams)
     {
-        if (output is not null)
+        foreach (string file in new[] { files.Difference, files.Map, files.Sheet }.OfType<string>())
         {
-            ImageOutputs.Check(output);
+            ImageOutputs.Check(file);
         }
 
         Picture image = ImageFile.Read(paths[0]);
@@ -37,31 +49,40 @@ internal static class CompareVerb
         }
 
         ImageComparison comparison = ImageComparison.Compare(image, reference);
-        if (output is not null)
-        {
-            ImageFile.Write(output, new DifferenceRows(image, reference));
-        }
+        FlipError flip = FlipError.Compare(image, reference, pixelsPerDegree);
+        Write(files.Difference, () => new DifferenceRows(image, reference));
+        Write(files.Map, () => ComparisonSheet.Draw(flip));
+        Write(files.Sheet, () => ComparisonSheet.Draw(image, Path.GetFileName(paths[0]), reference, Path.GetFileName(paths[1]), flip));
 
         bool isDifferent = tolerance is { } limit && !(comparison.Rmse <= limit && comparison.NotFinite == 0);
         if (json)
         {
-            WriteJson(comparison, isDifferent, streams);
+            WriteJson(comparison, flip, isDifferent, streams);
         }
         else
         {
-            Write(comparison, streams);
+            Write(comparison, flip, streams);
         }
 
         return isDifferent ? ExitStatus.Different : ExitStatus.Fine;
     }
 
-    private static void Write(ImageComparison comparison, Streams streams)
+    private static void Write(string? path, Func<IImageRows> image)
+    {
+        if (path is not null)
+        {
+            ImageFile.Write(path, image());
+        }
+    }
+
+    private static void Write(ImageComparison comparison, FlipError flip, Streams streams)
     {
         string channel = comparison.LargestChannel switch { 0 => "red", 1 => "green", _ => "blue" };
         streams.Output.WriteLine($"RMSE                {comparison.Rmse:G6}");
         streams.Output.WriteLine($"relative MSE        {comparison.RelativeMse:G6}");
         streams.Output.WriteLine($"PSNR                {(double.IsInfinity(comparison.Psnr) ? "infinite" : $"{comparison.Psnr:F2} dB")}");
         streams.Output.WriteLine($"SSIM                {(double.IsNaN(comparison.Ssim) ? "undefined below 11×11 pixels" : $"{comparison.Ssim:F6}")}");
+        streams.Output.WriteLine($"FLIP                {flip.Mean:F6}");
         streams.Output.WriteLine($"largest difference  {comparison.LargestDifference:G6} ({channel} of pixel {comparison.LargestX},{comparison.LargestY})");
         if (comparison.NotFinite > 0)
         {
@@ -69,12 +90,13 @@ internal static class CompareVerb
         }
     }
 
-    private static void WriteJson(ImageComparison comparison, bool isDifferent, Streams streams) => JsonText.Write(streams, json =>
+    private static void WriteJson(ImageComparison comparison, FlipError flip, bool isDifferent, Streams streams) => JsonText.Write(streams, json =>
     {
         JsonText.Number(json, "rmse", comparison.Rmse);
         JsonText.Number(json, "relativeMse", comparison.RelativeMse);
         JsonText.Number(json, "psnr", comparison.Psnr);
         JsonText.Number(json, "ssim", comparison.Ssim);
+        JsonText.Number(json, "flip", flip.Mean);
         JsonText.Number(json, "largestDifference", comparison.LargestDifference);
         json.WriteNumber("largestX", comparison.LargestX);
         json.WriteNumber("largestY", comparison.LargestY);
@@ -82,4 +104,10 @@ internal static class CompareVerb
         json.WriteNumber("notFinite", comparison.NotFinite);
         json.WriteBoolean("differs", isDifferent);
     });
+
+    /// <summary>The files to write; null for none.</summary>
+    /// <param name="Difference">The absolute difference.</param>
+    /// <param name="Map">The map of FLIP errors.</param>
+    /// <param name="Sheet">Both images and the map.</param>
+    private sealed record Files(string? Difference, string? Map, string? Sheet);
 }

@@ -20,7 +20,7 @@ internal static class ComposeVerb
     public static void Build(Command command, Streams streams)
     {
         Argument<string> image = new("IMAGE") { Description = "An OpenEXR file with layers of lights, as render --aov lights writes it." };
-        Option<string[]> outputs = new("-o", "--output") { Description = "The image file: .png, .pfm or .exr. May be given several times.", HelpName = "FILE" };
+        Option<string[]> outputs = new("-o", "--output") { Description = "The image file: .png, .pfm, .exr or .hdr. May be given several times.", HelpName = "FILE" };
         Option<string[]> lights = new("--light") { Description = "What a light is multiplied by: a number, or three for red, green and blue. May be given several times.", HelpName = "NAME=X|NAME=R,G,B" };
         ParsedOption<double?> others = OptionValues.Number("--others", "What all lights are multiplied by that are not named; 1 without it.", 0, 1e6);
         ParsedOption<double?> exposure = OptionValues.Number("--exposure", "PNG: stops by which the picture is made brighter (each doubles the light).", -100, 100);

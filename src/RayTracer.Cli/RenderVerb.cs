@@ -9,7 +9,7 @@ namespace RayTracer.Cli;
 internal sealed class RenderVerb
 {
     private readonly Argument<string> _scene;
-    private readonly Option<string[]> _outputs = new("-o", "--output") { Description = "The image file: .png, .pfm or .exr. May be given several times.", HelpName = "FILE" };
+    private readonly Option<string[]> _outputs = new("-o", "--output") { Description = "The image file: .png, .pfm, .exr or .hdr. May be given several times.", HelpName = "FILE" };
     private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
     private readonly ParsedOption<double?> _exposure = OptionValues.Number("--exposure", "PNG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
     private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG: how bright light is brought into what a screen can show; clamp cuts it off.");

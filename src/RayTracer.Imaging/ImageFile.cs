@@ -3,11 +3,11 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Picture files of every format that is known: PNG, PFM and OpenEXR; and JPEG and Radiance HDR, which are read only.</summary>
+/// <summary>Picture files of every format that is known: PNG, PFM, OpenEXR and Radiance HDR; and JPEG, which is read only.</summary>
 public static class ImageFile
 {
     private const string Formats = "PNG, JPEG, PFM, OpenEXR and Radiance HDR";
-    private static readonly string[] Extensions = [".png", ".pfm", ".exr"];
+    private static readonly string[] Extensions = [".png", ".pfm", ".exr", ".hdr"];
 
     /// <summary>Reads a picture file; its format is told by its first bytes, not by its name.</summary>
     /// <param name="path">The file, of at most 2 GiB.</param>
@@ -62,7 +62,7 @@ public static class ImageFile
         : throw Unknown());
 
     /// <summary>
-    /// Writes an image, row by row, in the format that the extension names (.png, .pfm or .exr). The file is there whole or not at
+    /// Writes an image, row by row, in the format that the extension names (.png, .pfm, .exr or .hdr). The file is there whole or not at
     /// all (<see cref="AtomicFile"/>).
     /// </summary>
     /// <param name="path">Where to; the folder must exist.</param>
@@ -85,7 +85,7 @@ public static class ImageFile
     }
 
     /// <summary>Writes an image to memory, in the format that an extension names.</summary>
-    /// <param name="extension">.png, .pfm or .exr.</param>
+    /// <param name="extension">.png, .pfm, .exr or .hdr.</param>
     /// <param name="image">Linear RGB.</param>
     /// <param name="options">As for <see cref="Write"/>.</param>
     /// <exception cref="ImageWriteException">The extension is unknown.</exception>
@@ -115,6 +115,9 @@ public static class ImageFile
                 break;
             case ".pfm":
                 PfmWriter.Write(stream, image);
+                break;
+            case ".hdr":
+                HdrWriter.Write(stream, image);
                 break;
             default:
                 ExrWriter.Write(stream, image, options.ExrPixelType, options.ExrCompression, options.Metadata, options.ExrLayers);

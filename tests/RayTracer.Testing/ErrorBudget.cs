@@ -35,7 +35,7 @@ public static class ErrorBudget
     public static TestFamily Geometry { get; } = new("geometry", 5e-5, 100, "equivalent scenes have the same expected image");
 
     /// <summary>Integrators against one another.</summary>
-    public static TestFamily Transport { get; } = new("transport", 5e-5, 100, "integrators have the same expected image");
+    public static TestFamily Transport { get; } = new("transport", 5e-5, 200, "integrators have the same expected image");
 
     /// <summary>The tests of the tests: p-values under the null hypothesis.</summary>
     public static TestFamily NullRuns { get; } = new("null runs", 1e-4, 200, "p-values below a are no more frequent than a");

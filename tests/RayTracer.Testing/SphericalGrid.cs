@@ -55,40 +55,52 @@ public sealed class SphericalGrid
     public double[] Integrate(Func<Vector3D, double> density)
     {
         double[] integrals = new double[Count];
+        foreach (GridPoint point in Points())
+        {
+            integrals[point.Cell] += point.Weight * density(point.Direction);
+        }
+
+        return integrals;
+    }
+
+    /// <summary>The directions at which a density must be known for its integral over each cell, which is the sum of its values times their weights.</summary>
+    public IReadOnlyList<GridPoint> Points()
+    {
+        List<GridPoint> points = [];
         for (int cell = 0; cell < Count; cell++)
         {
             double from = Angle(cell / Sectors);
             double to = Angle((cell / Sectors) + 1);
             double start = 2 * Math.PI * (cell % Sectors) / Sectors;
             double end = start + (2 * Math.PI / Sectors);
-            integrals[cell] = Quadrature(start, [Crossing(from), Crossing(to), (2 * Math.PI) - Crossing(from), (2 * Math.PI) - Crossing(to)], end, phi =>
+            foreach ((double phi, double width) in Quadrature(start, [Crossing(from), Crossing(to), (2 * Math.PI) - Crossing(from), (2 * Math.PI) - Crossing(to)], end))
             {
                 Vector3D side = (_first * Math.Cos(phi)) + (_second * Math.Sin(phi));
                 double horizon = Math.Atan2(_along, -_up * Math.Cos(phi));
-                return Quadrature(from, [horizon, Math.PI / 2], to, theta =>
-                    Math.Sin(theta) * density((_axis * Math.Cos(theta)) + (side * Math.Sin(theta))));
-            });
+                foreach ((double theta, double height) in Quadrature(from, [horizon, Math.PI / 2], to))
+                {
+                    double sine = Math.Sin(theta);
+                    points.Add(new(cell, (_axis * Math.Cos(theta)) + (side * sine), width * height * sine));
+                }
+            }
         }
 
-        return integrals;
+        return points;
     }
 
-    // An integral in pieces, from one break to the next.
-    private double Quadrature(double from, double[] breaks, double to, Func<double, double> f)
+    // The points of an integral in pieces, from one break to the next, and their weights.
+    private IEnumerable<(double At, double Weight)> Quadrature(double from, double[] breaks, double to)
     {
-        double sum = 0;
         double start = from;
         foreach (double end in breaks.Select(b => Math.Clamp(b, from, to)).Append(to).Order())
         {
             for (int i = 0; start < end && i < _rule.Order; i++)
             {
-                sum += (end - start) * _rule.GetWeight(i) * f(start + ((end - start) * _rule.GetAbscissa(i)));
+                yield return (start + ((end - start) * _rule.GetAbscissa(i)), (end - start) * _rule.GetWeight(i));
             }
 
             start = end;
         }
-
-        return sum;
     }
 
     // The φ at which the horizon passes an angle to the axis.

@@ -1,5 +1,6 @@
 using System.Globalization;
 using RayTracer.Numerics;
+using RayTracer.Spectra;
 
 namespace RayTracer.Scenes;
 

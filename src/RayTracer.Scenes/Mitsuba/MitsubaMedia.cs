@@ -17,7 +17,8 @@ internal static class MitsubaMedia
     {
         if (shape.Child("medium", "exterior") is { } outside)
         {
-            shape.Log.Error(outside.Place, "a medium outside a shape is not read here");
+            shape.Log.Warn(outside.Place, "what is outside a shape is told here by the shapes around it: this has no effect");
+            _ = Read(outside);
         }
 
         if (shape.Child("medium", "interior") is not { } inside)
@@ -26,17 +27,41 @@ internal static class MitsubaMedia
         }
 
         MediumDescription medium = Read(inside);
-        switch (material)
+        if (Filled(material, medium) is { } filled)
         {
-            case InvisibleMaterialDescription boundary:
-                return boundary with { Interior = medium };
-            case DielectricMaterialDescription glass:
-                return glass with { Interior = medium };
-            default:
-                shape.Log.Error(inside.Place, "a medium is read in shapes of the BSDFs \"null\" and \"dielectric\" only");
-                return material;
+            return filled;
+        }
+
+        shape.Log.Warn(inside.Place, "nothing is seen of a medium in a shape that lets no light in");
+        return material;
+    }
+
+    /// <summary>Takes the medium of a camera as known: what the camera stands in is told here by the shapes around it.</summary>
+    public static void Around(MitsubaObject sensor)
+    {
+        if (sensor.Only("medium") is { } medium)
+        {
+            sensor.Log.Warn(medium.Place, "what the camera stands in is told here by the shapes around it: this has no effect");
+            _ = Read(medium);
         }
     }
+
+    // What lets light in, with a medium inside; null where nothing does.
+    private static MaterialDescription? Filled(MaterialDescription material, MediumDescription medium) => material switch
+    {
+        InvisibleMaterialDescription boundary => boundary with { Interior = medium },
+        GlassDescription glass => glass with { Interior = medium },
+        ThinDielectricMaterialDescription pane => pane with { Interior = medium },
+        PrincipledMaterialDescription principled => principled with { Interior = medium },
+        MaskMaterialDescription mask => mask with { Interior = medium },
+        NormalMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
+        BumpMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
+        MixMaterialDescription mix => FilledMix(mix, Filled(mix.First, medium), Filled(mix.Second, medium)),
+        _ => null,
+    };
+
+    private static MixMaterialDescription? FilledMix(MixMaterialDescription mix, MaterialDescription? first, MaterialDescription? second) =>
+        (first ?? second) is null ? null : mix with { First = first ?? mix.First, Second = second ?? mix.Second };
 
     private static MediumDescription Read(MitsubaObject medium)
     {

@@ -1,4 +1,5 @@
 using RayTracer.Numerics;
+using RayTracer.Spectra;
 
 namespace RayTracer.Scenes;
 
@@ -49,7 +50,7 @@ internal sealed class Spectrum(float[] wavelengths, float[] values)
     public Rgb Light() => Color(static _ => 1);
 
     /// <summary>The colour of what reflects daylight (D65) so, or of a number that depends on the wavelength: 1 at all wavelengths is white.</summary>
-    public Rgb Reflectance() => Color(static w => Between(CieTables.D65, w));
+    public Rgb Reflectance() => Color(static w => CieTables.Between(CieTables.D65, w));
 
     // The integrals of CIE 15:2004, section 7.1, in steps of 1 nm, and linear sRGB of them (IEC 61966-2-1, section 5.2).
     private Rgb Color(Func<double, double> illuminant)
@@ -59,10 +60,10 @@ internal sealed class Spectrum(float[] wavelengths, float[] values)
         {
             double light = illuminant(w);
             double value = light * At(w);
-            double luminance = Between(CieTables.Y, w);
-            x += value * Between(CieTables.X, w);
+            double luminance = CieTables.Between(CieTables.Y, w);
+            x += value * CieTables.Between(CieTables.X, w);
             y += value * luminance;
-            z += value * Between(CieTables.Z, w);
+            z += value * CieTables.Between(CieTables.Z, w);
             all += light * luminance;
         }
 
@@ -75,11 +76,4 @@ internal sealed class Spectrum(float[] wavelengths, float[] values)
 
     // Colours that screens do not have.
     private static float Positive(double channel) => (float)double.Max(channel, 0);
-
-    private static double Between(ReadOnlySpan<double> table, double wavelength)
-    {
-        double place = (wavelength - CieTables.First) / CieTables.Step;
-        int below = int.Min((int)place, table.Length - 2);
-        return table[below] + ((place - below) * (table[below + 1] - table[below]));
-    }
 }

@@ -108,13 +108,14 @@ internal sealed unsafe class World
 
     private void MeetShapes(PathStream s)
     {
+        ref RayW ray = ref s.Packet;
         for (int i = 0; i < s.Count; i += FloatW.Count)
         {
-            Vec3W origin = new(FloatW.Load(s.OriginX + i), FloatW.Load(s.OriginY + i), FloatW.Load(s.OriginZ + i));
-            Vec3W direction = new(FloatW.Load(s.DirectionX + i), FloatW.Load(s.DirectionY + i), FloatW.Load(s.DirectionZ + i));
-            Itself.Primitives.ClosestHit(origin, direction, out FloatW distance, out UIntW primitive, s.Count - i);
-            distance.Store(s.Distance + i);
-            primitive.Store(s.Primitive + i);
+            ray.Origin = new(FloatW.Load(s.OriginX + i), FloatW.Load(s.OriginY + i), FloatW.Load(s.OriginZ + i));
+            ray.Direction = new(FloatW.Load(s.DirectionX + i), FloatW.Load(s.DirectionY + i), FloatW.Load(s.DirectionZ + i));
+            Itself.Primitives.ClosestHit(ray.Origin, ray.Direction, out ray.Distance, out ray.Primitive, s.Count - i);
+            ray.Distance.Store(s.Distance + i);
+            ray.Primitive.Store(s.Primitive + i);
         }
     }
 }

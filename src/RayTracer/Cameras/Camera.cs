@@ -13,9 +13,11 @@ public sealed class Camera
     private readonly CameraProjection _projection;
     private readonly Lens? _lens;
     private readonly Motion _motion;
+    private readonly Vector3 _position;
 
-    private Camera(CameraProjection projection, Lens? lens, Motion motion)
+    private Camera(CameraProjection projection, Lens? lens, Motion motion, Vector3 position)
     {
+        _position = position;
         _projection = projection;
         _lens = lens;
         _motion = motion;
@@ -72,7 +74,20 @@ public sealed class Camera
         float focus = camera.Lens.FocusDistance > 0 ? camera.Lens.FocusDistance : (camera.LookAt - camera.Position).Dot(forward);
         CameraProjection projection = CameraProjection.Create(camera, forward, right, up, focus, width, height);
         Motion motion = TransformSteps.Motion(camera, camera.Transform, camera.Motion, builder);
-        return new Camera(projection, hasLens ? new Lens(camera.Lens, right, up) : null, motion);
+        return new Camera(projection, hasLens ? new Lens(camera.Lens, right, up) : null, motion, camera.Position);
+    }
+
+    /// <summary>Where the camera stands at a time in seconds: the middle of its lens, or of its picture where its rays are parallel.</summary>
+    internal Vec3W Origin(float time)
+    {
+        Vec3W origin = _position;
+        Vec3W direction = new(0f, 0f, 1f);
+        if (IsPlaced)
+        {
+            Place(time, ref origin, ref direction);
+        }
+
+        return origin;
     }
 
     private static bool IsWindow(CameraDescription camera, SceneBuilder builder)

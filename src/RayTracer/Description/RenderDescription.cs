@@ -112,6 +112,10 @@ public sealed record RenderDescription
     [Parameter("With the path, direct and volPath integrators: what is done near the outlines of meshes, where interpolated normals turn away from the ray. \"mended\" mirrors them into view and drops light that would pass through the surface; \"literal\" shows the surface from behind there, as other renderers do.")]
     public ShadingNormals ShadingNormals { get; init; } = ShadingNormals.Mended;
 
+    /// <summary>Whether transparent things weaken the light of sources that they stand before, with the report integrator.</summary>
+    [Parameter("With the report integrator: whether glass, panes and masks between a surface and a light weaken the light, in place of a dark shadow with bright spots of refracted light (the report's section 4.3.1). Light is not bent on that way: quiet, but not what glass really does.")]
+    public bool WeakenedShadows { get; init; }
+
     /// <summary>How the samples of a pixel are placed.</summary>
     [Parameter("How the samples of a pixel are placed.")]
     public SamplerKind Sampler { get; init; } = SamplerKind.Sobol;

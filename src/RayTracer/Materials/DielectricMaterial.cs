@@ -1,7 +1,9 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Description;
 using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
+using RayTracer.Spectra;
 using RayTracer.Textures;
 
 namespace RayTracer.Materials;
@@ -18,19 +20,17 @@ public enum FresnelModel
 
 /// <summary>Describes a <see cref="DielectricMaterial"/>.</summary>
 [SceneType("dielectric", "Clear glass, water or gems: reflects or refracts, and may tint the light on its way through. Put it on closed shapes.")]
-public sealed record DielectricMaterialDescription : MaterialDescription
+public sealed record DielectricMaterialDescription : GlassDescription
 {
+    private const float UsualIndex = 1.5f;
+
     /// <summary>Refractive index of the inside, relative to the outside.</summary>
     [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5, diamond 2.417 (the report's table 4.1).", Minimum = 1e-3, Maximum = 100)]
-    public float RefractiveIndex { get; init; } = 1.5f;
+    public float RefractiveIndex { get; init; } = UsualIndex;
 
     /// <summary>Extinction coefficient of the inside.</summary>
     [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). It counts where a ray meets this surface from inside, over the way since the last hit (or the camera): not on a way that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
     public Rgb Extinction { get; init; }
-
-    /// <summary>What fills the inside besides.</summary>
-    [Parameter("What fills the inside: milk, fog, a coloured liquid. The volPath integrator shows it.")]
-    public MediumDescription Interior { get; init; } = new();
 
     /// <summary>How the reflectance is computed.</summary>
     [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did (with the angle on the side of the lower index).")]
@@ -45,8 +45,13 @@ public sealed record DielectricMaterialDescription : MaterialDescription
     public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <inheritdoc/>
-    public override Material Build(SceneBuilder builder) => new DielectricMaterial(
-        RefractiveIndex, Extinction, Fresnel, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), Interior.Build());
+    public override Material Build(SceneBuilder builder)
+    {
+        Dispersion? dispersion = BuildDispersion(builder, nameof(RefractiveIndex), RefractiveIndex != UsualIndex);
+        return new DielectricMaterial(
+            RefractiveIndex, Extinction, Fresnel, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), Interior.Build(), dispersion,
+            BuildNesting(RefractiveIndex, dispersion, Extinction));
+    }
 }
 
 /// <summary>
@@ -60,8 +65,11 @@ public sealed record DielectricMaterialDescription : MaterialDescription
 /// <param name="reflectedPart">Factor on what is reflected; null for 1.</param>
 /// <param name="refractedPart">Factor on what is refracted; null for 1.</param>
 /// <param name="interior">What fills the inside besides; null for nothing.</param>
+/// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does not.</param>
+/// <param name="nesting">How the inside goes with others that overlap it, whose extinction then counts in place of <paramref name="extinction"/>; null for an index relative to what is around.</param>
 public sealed class DielectricMaterial(
-    float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null, Medium? interior = null) : Material
+    float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null, Medium? interior = null,
+    Dispersion? dispersion = null, Nesting? nesting = null) : Material
 {
     private readonly bool _isColored = (reflectedPart is not null && reflectedPart.Constant != Rgb.White) || (refractedPart is not null && refractedPart.Constant != Rgb.White);
 
@@ -75,21 +83,42 @@ public sealed class DielectricMaterial(
     public override bool UsesUv => _isColored && (reflectedPart is { Constant: null } || refractedPart is { Constant: null });
 
     /// <inheritdoc/>
-    public override bool UsesDistance => !extinction.IsBlack;
+    public override bool Disperses => dispersion is not null;
+
+    /// <inheritdoc/>
+    public override Nesting? Nesting => nesting;
+
+    /// <inheritdoc/>
+    public override bool UsesDistance => nesting is null && !extinction.IsBlack;
 
     /// <inheritdoc/>
     public override void Albedo(in SurfaceW surface, out RgbW albedo) => albedo = Rgb.White;
 
     /// <inheritdoc/>
+    public override bool IsTransparent => true;
+
+    /// <inheritdoc/>
+    public override void Transparency(in SurfaceW surface, out RgbW transparency)
+    {
+        Refract(surface, out _, out _, out FloatW reflectance);
+        FloatW through = 1f - reflectance;
+        transparency = new(through, through, through);
+        if (UsesDistance && surface.Inside.Any)
+        {
+            transparency = surface.Inside.Select(transparency * Transmittance(surface.Distance), transparency);
+        }
+
+        if (_isColored)
+        {
+            Color(surface, MaskW.None, ref transparency);
+        }
+    }
+
+    /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
-        FloatW eta = surface.Inside.Select(refractiveIndex, 1f / refractiveIndex);
+        Refract(surface, out FloatW eta, out FloatW cosTransmitted, out FloatW reflectance);
         FloatW cosIncident = surface.Cosine;
-        FloatW sin2Transmitted = eta * eta * FloatW.Max(FloatW.NegatedMultiplyAdd(cosIncident, cosIncident, 1f), 0f);
-        MaskW total = sin2Transmitted >= 1f;
-        FloatW cosTransmitted = FloatW.Sqrt(FloatW.Max(1f - sin2Transmitted, 0f));
-        FloatW reflectance = total.Select(1f, Reflectance(cosIncident, cosTransmitted, eta));
-
         samples.Direction(out FloatW u, out _);
         MaskW reflected = u < reflectance;
         Vec3W refraction = Vec3W.MultiplyAdd(surface.Facing, FloatW.MultiplyAdd(eta, cosIncident, -cosTransmitted), surface.Incoming * eta);
@@ -112,14 +141,32 @@ public sealed class DielectricMaterial(
         scatter.Absorbed = MaskW.None;
     }
 
-    private FloatW Reflectance(FloatW cosIncident, FloatW cosTransmitted, FloatW eta)
+    // The index of the ray's side over that of the other, the cosine of refraction by Snell's law, and what is reflected.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Refract(in SurfaceW surface, out FloatW eta, out FloatW cosTransmitted, out FloatW reflectance)
+    {
+        FloatW index = dispersion?.Index(surface.Wavelength) ?? refractiveIndex;
+        if (nesting is not null)
+        {
+            index /= surface.Around;
+        }
+
+        eta = surface.Inside.Select(index, 1f / index);
+        FloatW cosIncident = surface.Cosine;
+        FloatW sin2Transmitted = eta * eta * FloatW.Max(FloatW.NegatedMultiplyAdd(cosIncident, cosIncident, 1f), 0f);
+        MaskW total = sin2Transmitted >= 1f;
+        cosTransmitted = FloatW.Sqrt(FloatW.Max(1f - sin2Transmitted, 0f));
+        reflectance = total.Select(1f, Reflectance(cosIncident, cosTransmitted, eta, index));
+    }
+
+    private FloatW Reflectance(FloatW cosIncident, FloatW cosTransmitted, FloatW eta, FloatW index)
     {
         if (model == FresnelModel.Exact)
         {
             return Fresnel.Dielectric(cosIncident, cosTransmitted, eta);
         }
 
-        float r = (refractiveIndex - 1) / (refractiveIndex + 1);
+        FloatW r = (index - 1f) / (index + 1f);
         MaskW fromDenser = eta > 1f;
         return Fresnel.Schlick(fromDenser.Select(cosTransmitted, cosIncident), r * r);
     }

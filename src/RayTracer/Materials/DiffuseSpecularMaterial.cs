@@ -65,6 +65,12 @@ public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular,
     public override bool UsesUv => diffuse.UsesUv || specular.UsesUv;
 
     /// <inheritdoc/>
+    public override Media.Nesting? Nesting => specular.Nesting;
+
+    /// <inheritdoc/>
+    public override bool Disperses => diffuse.Disperses || specular.Disperses;
+
+    /// <inheritdoc/>
     public override bool UsesDistance => specular.UsesDistance;
 
     /// <inheritdoc/>

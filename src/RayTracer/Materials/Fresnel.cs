@@ -10,7 +10,7 @@ public static class Fresnel
     /// <param name="cosine">Cosine of the angle on the side of the thinner medium, 0 to 1.</param>
     /// <param name="r0">Reflectance at normal incidence.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatW Schlick(FloatW cosine, float r0)
+    public static FloatW Schlick(FloatW cosine, FloatW r0)
     {
         FloatW x = FloatW.Max(1f - cosine, 0f);
         FloatW x2 = x * x;

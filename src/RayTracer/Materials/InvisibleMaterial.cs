@@ -34,6 +34,12 @@ public sealed class InvisibleMaterial(Medium? interior) : Material
     public override void Albedo(in SurfaceW surface, out RgbW albedo) => albedo = Rgb.White;
 
     /// <inheritdoc/>
+    public override bool IsTransparent => true;
+
+    /// <inheritdoc/>
+    public override void Transparency(in SurfaceW surface, out RgbW transparency) => transparency = Rgb.White;
+
+    /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         scatter.Direction = surface.Incoming;

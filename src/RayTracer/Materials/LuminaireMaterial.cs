@@ -85,6 +85,12 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     public override bool TurnsNormal => inner is { TurnsNormal: true };
 
     /// <inheritdoc/>
+    public override Media.Nesting? Nesting => inner?.Nesting;
+
+    /// <inheritdoc/>
+    public override bool Disperses => inner is { Disperses: true };
+
+    /// <inheritdoc/>
     public override bool UsesDistance => inner is { UsesDistance: true };
 
     /// <inheritdoc/>

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Textures;
@@ -17,15 +18,36 @@ public sealed record MaskMaterialDescription : MaterialDescription
     [Parameter("Share of the light that meets the material; the rest passes straight on. The red channel counts.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Opacity { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
+    /// <summary>What fills the inside.</summary>
+    [Parameter("What fills the inside of the (closed) shape, if the material says nothing about that. The volPath integrator shows it.")]
+    public MediumDescription Interior { get; init; } = new();
+
     /// <inheritdoc/>
-    public override Material Build(SceneBuilder builder) => new MaskMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Opacity));
+    public override Material Build(SceneBuilder builder) =>
+        new MaskMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Opacity), Interior.Build());
 }
 
 /// <summary>Lets a share of the light straight through, and scatters the rest by another material.</summary>
 /// <param name="inner">The other material.</param>
 /// <param name="opacity">The share that meets it; its red channel counts.</param>
-public sealed class MaskMaterial(Material inner, Texture opacity) : WrapperMaterial(inner)
+/// <param name="interior">What fills the inside; null for what the other material says.</param>
+public sealed class MaskMaterial(Material inner, Texture opacity, Medium? interior = null) : WrapperMaterial(inner)
 {
+    /// <inheritdoc/>
+    public override Medium? Interior => interior ?? Inner.Interior;
+
+    /// <inheritdoc/>
+    public override bool IsTransparent => true;
+
+    /// <inheritdoc/>
+    public override void Transparency(in SurfaceW surface, out RgbW transparency)
+    {
+        Inner.Transparency(surface, out RgbW through);
+        FloatW opaque = Opacity(surface);
+        FloatW free = 1f - opaque;
+        transparency = (through * opaque) + new RgbW(free, free, free);
+    }
+
     /// <inheritdoc/>
     public override ScatteringProperties Scattering { get; } = inner.Scattering with { Specular = inner.HasDensity ? SpecularLobe.Glossy : SpecularLobe.Delta };
 

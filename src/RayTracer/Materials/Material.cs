@@ -33,6 +33,9 @@ public abstract class Material
     /// <summary>What fills the inside of the shape; null for empty space.</summary>
     public virtual Medium? Interior => null;
 
+    /// <summary>How the inside goes with others that overlap it; null for a boundary whose refractive index is relative to what is around.</summary>
+    public virtual Nesting? Nesting => null;
+
     /// <summary>Whether all light goes straight through, so that a path has no vertex here.</summary>
     public virtual bool IsBoundary => false;
 
@@ -47,6 +50,9 @@ public abstract class Material
 
     /// <summary>Whether <see cref="Prepare"/> turns <see cref="SurfaceW.Facing"/>.</summary>
     public virtual bool TurnsNormal => false;
+
+    /// <summary>Whether scattering depends on <see cref="SurfaceW.Wavelength"/>.</summary>
+    public virtual bool Disperses => false;
 
     /// <summary>Whether scattering depends on <see cref="SurfaceW.Distance"/>, the length of the ray.</summary>
     public virtual bool UsesDistance => false;
@@ -123,6 +129,16 @@ public abstract class Material
         Pdf(surface, direction, out pdf);
     }
 
+    /// <summary>Whether <see cref="Transparency"/> may be other than zero.</summary>
+    public virtual bool IsTransparent => false;
+
+    /// <summary>
+    /// What part of the light that comes along the ray goes through the surface, whether it is bent there or not: what weakened shadows are left with (report, section 4.3.1).
+    /// </summary>
+    /// <param name="surface">Where a ray towards a light meets the surface.</param>
+    /// <param name="transparency">The fraction.</param>
+    public virtual void Transparency(in SurfaceW surface, out RgbW transparency) => transparency = default;
+
     /// <summary>Chooses how a path goes on (report: DiffuseDirection).</summary>
     /// <param name="surface">Where the path meets the surface.</param>
     /// <param name="samples">The random numbers of this vertex.</param>
@@ -138,9 +154,6 @@ public struct SurfaceW
 {
     /// <summary>The point.</summary>
     public Vec3W Point;
-
-    /// <summary>Which shapes of their batch are met.</summary>
-    public Acceleration.PrimitiveIndex Primitives;
 
     /// <summary>The point in the coordinates in which the shape's own numbers are given; set only where a texture depends on it.</summary>
     public Vec3W Local;
@@ -174,6 +187,12 @@ public struct SurfaceW
     /// <summary>Length of the ray; set only where <see cref="Material.UsesDistance"/>.</summary>
     public FloatW Distance;
 
+    /// <summary>The path's wavelength in µm; set only where <see cref="Material.Disperses"/>.</summary>
+    public FloatW Wavelength;
+
+    /// <summary>Refractive index of what is on the other side of the shape, relative to empty space; set only where <see cref="Material.Nesting"/> tells the inside's.</summary>
+    public FloatW Around;
+
     /// <summary>Surface coordinates; set only where <see cref="Material.UsesUv"/>.</summary>
     public FloatW U, V;
 
@@ -188,6 +207,9 @@ public struct SurfaceW
 
     /// <summary>How far a new ray must start from the point, along the normal, so as not to meet the same surface again.</summary>
     public FloatW Offset;
+
+    /// <summary>Which shapes of their batch are met. Last, for it is no whole number of registers.</summary>
+    public Acceleration.PrimitiveIndex Primitives;
 
     /// <summary>Sets <see cref="Tangent"/> to what <see cref="AlongU"/> is beside <see cref="Facing"/>; where that is nothing, or no number, to any direction there.</summary>
     public void SetTangent()

@@ -66,6 +66,12 @@ public sealed class MixMaterial(Material first, Material second, Texture weight)
     public override bool UsesTangent => first.UsesTangent || second.UsesTangent;
 
     /// <inheritdoc/>
+    public override Nesting? Nesting => first.Nesting ?? second.Nesting;
+
+    /// <inheritdoc/>
+    public override bool Disperses => first.Disperses || second.Disperses;
+
+    /// <inheritdoc/>
     public override bool UsesDistance => first.UsesDistance || second.UsesDistance;
 
     /// <inheritdoc/>
@@ -126,6 +132,19 @@ public sealed class MixMaterial(Material first, Material second, Texture weight)
         Own(second, surface, out SurfaceW b);
         second.Pdf(b, direction, out FloatW other);
         pdf = FloatW.MultiplyAdd(other - one, Weight(surface), one);
+    }
+
+    /// <inheritdoc/>
+    public override bool IsTransparent => first.IsTransparent || second.IsTransparent;
+
+    /// <inheritdoc/>
+    public override void Transparency(in SurfaceW surface, out RgbW transparency)
+    {
+        Own(first, surface, out SurfaceW a);
+        first.Transparency(a, out RgbW one);
+        Own(second, surface, out SurfaceW b);
+        second.Transparency(b, out RgbW other);
+        transparency = Mix(one, other, Weight(surface));
     }
 
     /// <inheritdoc/>

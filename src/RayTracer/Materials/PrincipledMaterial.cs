@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Textures;
@@ -61,6 +62,10 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     [Parameter("How much the matt base looks as if light went around below the surface, as in skin and wax.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Flatness { get; init; } = Number(0);
 
+    /// <summary>What fills the inside.</summary>
+    [Parameter("What fills the inside of the (closed) shape, where transmission lets light in. The volPath integrator shows it.")]
+    public MediumDescription Interior { get; init; } = new();
+
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder)
     {
@@ -84,7 +89,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
                 ClearcoatRoughness = builder.NumberTexture(ClearcoatRoughness),
                 Flatness = builder.NumberTexture(Flatness),
             },
-            Specular is { } specular ? IndexOf(specular) : RefractiveIndex ?? 1.5f);
+            Specular is { } specular ? IndexOf(specular) : RefractiveIndex ?? 1.5f, Interior.Build());
     }
 
     // Of 8 % · specular = ((n − 1)/(n + 1))².
@@ -100,7 +105,8 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
 /// </summary>
 /// <param name="textures">The parameters.</param>
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 1.</param>
-public sealed class PrincipledMaterial(PrincipledTextures textures, float refractiveIndex) : Material
+/// <param name="interior">What fills the inside; null for nothing.</param>
+public sealed class PrincipledMaterial(PrincipledTextures textures, float refractiveIndex, Medium? interior = null) : Material
 {
     private const float SmallestAlpha = 1e-3f;
 
@@ -125,6 +131,9 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
 
     /// <inheritdoc/>
     public override bool Transmits => _transmits;
+
+    /// <inheritdoc/>
+    public override Medium? Interior => interior;
 
     /// <inheritdoc/>
     public override bool UsesUv => UsesTangent || textures.UsesUv;

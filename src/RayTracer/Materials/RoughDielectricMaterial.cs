@@ -1,17 +1,21 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
+using RayTracer.Spectra;
 using RayTracer.Textures;
 
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="RoughDielectricMaterial"/>.</summary>
 [SceneType("roughDielectric", "Frosted glass: a rough boundary of a clear inside. Put it on closed shapes.")]
-public sealed record RoughDielectricMaterialDescription : MaterialDescription
+public sealed record RoughDielectricMaterialDescription : GlassDescription
 {
+    private const float UsualIndex = 1.5f;
+
     /// <summary>Refractive index of the inside, relative to the outside.</summary>
     [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5. Not 1: such a boundary is none.", Minimum = 1e-3, Maximum = 100)]
-    public float RefractiveIndex { get; init; } = 1.5f;
+    public float RefractiveIndex { get; init; } = UsualIndex;
 
     /// <summary>How the microfacets' normals are distributed.</summary>
     [Parameter("How the tiny facets are tilted: \"ggx\" has long tails, as ground glass does; \"beckmann\" is a rough surface of normally distributed slopes.")]
@@ -45,8 +49,10 @@ public sealed record RoughDielectricMaterialDescription : MaterialDescription
             builder.Error(this, nameof(RefractiveIndex), "the refractive index of a rough boundary must not be 1: nothing would be refracted");
         }
 
+        Dispersion? dispersion = BuildDispersion(builder, nameof(RefractiveIndex), RefractiveIndex != UsualIndex);
         return new RoughDielectricMaterial(
-            RefractiveIndex, Roughness.Of(builder, Distribution, Alpha, AlphaU, AlphaV), builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance));
+            RefractiveIndex, Roughness.Of(builder, Distribution, Alpha, AlphaU, AlphaV), builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), Interior.Build(), dispersion,
+            BuildNesting(RefractiveIndex, dispersion, Rgb.Black));
     }
 }
 
@@ -58,13 +64,28 @@ public sealed record RoughDielectricMaterialDescription : MaterialDescription
 /// <param name="roughness">How the microfacets are tilted.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
 /// <param name="transmittance">Factor on what is refracted.</param>
-public sealed class RoughDielectricMaterial(float refractiveIndex, Roughness roughness, Texture reflectance, Texture transmittance) : Material
+/// <param name="interior">What fills the inside besides; null for nothing.</param>
+/// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does not.</param>
+/// <param name="nesting">How the inside goes with others that overlap it; null for an index relative to what is around.</param>
+public sealed class RoughDielectricMaterial(
+    float refractiveIndex, Roughness roughness, Texture reflectance, Texture transmittance, Medium? interior = null, Dispersion? dispersion = null, Nesting? nesting = null) : Material
 {
+    private const float LeastDifference = 1e-3f;
+
     /// <inheritdoc/>
     public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Glossy };
 
     /// <inheritdoc/>
     public override bool Transmits => true;
+
+    /// <inheritdoc/>
+    public override Medium? Interior => interior;
+
+    /// <inheritdoc/>
+    public override Nesting? Nesting => nesting;
+
+    /// <inheritdoc/>
+    public override bool Disperses => dispersion is not null;
 
     /// <inheritdoc/>
     public override bool UsesUv => UsesTangent || roughness.UsesUv || reflectance.Constant is null || transmittance.Constant is null;
@@ -129,7 +150,23 @@ public sealed class RoughDielectricMaterial(float refractiveIndex, Roughness rou
     }
 
     // Refractive index of the other side over that of the ray's.
-    private FloatW Index(in SurfaceW surface) => surface.Inside.Select(1f / refractiveIndex, refractiveIndex);
+    private FloatW Index(in SurfaceW surface)
+    {
+        if (dispersion is null && nesting is null)
+        {
+            return surface.Inside.Select(1f / refractiveIndex, refractiveIndex);
+        }
+
+        FloatW index = dispersion?.Index(surface.Wavelength) ?? refractiveIndex;
+        if (nesting is not null)
+        {
+            // Between two of the same index there is no half vector: they are taken to differ a little.
+            index /= surface.Around;
+            index = (FloatW.Abs(index - 1f) < LeastDifference).Select(1f + LeastDifference, index);
+        }
+
+        return surface.Inside.Select(1f / index, index);
+    }
 
     private void Begin(in SurfaceW surface, in Vec3W direction, out Pair pair, out Microfacets microfacets)
     {

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Textures;
@@ -21,9 +22,13 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
     [Parameter("Factor on what goes through, per channel: tinted glass.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
+    /// <summary>What fills the inside.</summary>
+    [Parameter("What fills the inside of the (closed) shape: a bubble's wall around smoke. The volPath integrator shows it.")]
+    public MediumDescription Interior { get; init; } = new();
+
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) =>
-        new ThinDielectricMaterial(RefractiveIndex, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance));
+        new ThinDielectricMaterial(RefractiveIndex, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), Interior.Build());
 }
 
 /// <summary>
@@ -33,8 +38,12 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
 /// <param name="refractiveIndex">Index of the pane over that of its surroundings.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
 /// <param name="transmittance">Factor on what goes through.</param>
-public sealed class ThinDielectricMaterial(float refractiveIndex, Texture reflectance, Texture transmittance) : Material
+/// <param name="interior">What fills the inside; null for nothing.</param>
+public sealed class ThinDielectricMaterial(float refractiveIndex, Texture reflectance, Texture transmittance, Medium? interior = null) : Material
 {
+    /// <inheritdoc/>
+    public override Medium? Interior => interior;
+
     /// <inheritdoc/>
     public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
 
@@ -45,10 +54,19 @@ public sealed class ThinDielectricMaterial(float refractiveIndex, Texture reflec
     public override void Albedo(in SurfaceW surface, out RgbW albedo) => albedo = Rgb.White;
 
     /// <inheritdoc/>
+    public override bool IsTransparent => true;
+
+    /// <inheritdoc/>
+    public override void Transparency(in SurfaceW surface, out RgbW transparency)
+    {
+        transmittance.Evaluate(surface, out RgbW through);
+        transparency = through * (1f - Reflected(surface));
+    }
+
+    /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
-        FloatW once = Fresnel.Dielectric(surface.Cosine, 1f / refractiveIndex, out _);
-        FloatW all = 2f * once / (1f + once);
+        FloatW all = Reflected(surface);
         samples.Direction(out FloatW u, out _);
         MaskW reflected = u < all;
         Vec3W mirror = Vec3W.Normalize(Vec3W.MultiplyAdd(surface.Facing, surface.Cosine * 2f, surface.Incoming));
@@ -59,5 +77,11 @@ public sealed class ThinDielectricMaterial(float refractiveIndex, Texture reflec
         scatter.Specular = MaskW.All;
         scatter.Delta = MaskW.All;
         scatter.Absorbed = MaskW.None;
+    }
+
+    private FloatW Reflected(in SurfaceW surface)
+    {
+        FloatW once = Fresnel.Dielectric(surface.Cosine, 1f / refractiveIndex, out _);
+        return 2f * once / (1f + once);
     }
 }

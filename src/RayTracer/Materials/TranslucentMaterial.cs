@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Textures;
@@ -17,6 +18,10 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
     [Parameter("Fraction of the light that comes out on the other side, per channel. Of both fractions, the sum must not be above 1.", Minimum = 0, Maximum = 1)]
     public TextureDescription Transmittance { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
+    /// <summary>What fills the inside.</summary>
+    [Parameter("What fills the inside of the (closed) shape. The volPath integrator shows it.")]
+    public MediumDescription Interior { get; init; } = new();
+
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder)
     {
@@ -27,15 +32,19 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
             builder.Error(this, nameof(Transmittance), "\"color\" and \"transmittance\" together must not be above 1 in any channel: more light would go out than comes in");
         }
 
-        return new TranslucentMaterial(above, below);
+        return new TranslucentMaterial(above, below, Interior.Build());
     }
 }
 
 /// <summary>Lambertian reflection and diffuse transmission (report, sections 4.2.2 and 4.2.4): BSDF = colour/π on each side.</summary>
 /// <param name="above">Fraction of the light that is reflected.</param>
 /// <param name="below">Fraction of the light that is let through.</param>
-public sealed class TranslucentMaterial(Texture above, Texture below) : Material
+/// <param name="interior">What fills the inside; null for nothing.</param>
+public sealed class TranslucentMaterial(Texture above, Texture below, Medium? interior = null) : Material
 {
+    /// <inheritdoc/>
+    public override Medium? Interior => interior;
+
     /// <inheritdoc/>
     public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Glossy, KeepsEnergy = true };
 

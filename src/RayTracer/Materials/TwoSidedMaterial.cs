@@ -59,6 +59,12 @@ public sealed class TwoSidedMaterial(Material front, Material back) : Material
     public override bool TurnsNormal => front.TurnsNormal || back.TurnsNormal;
 
     /// <inheritdoc/>
+    public override Media.Nesting? Nesting => front.Nesting ?? back.Nesting;
+
+    /// <inheritdoc/>
+    public override bool Disperses => front.Disperses || back.Disperses;
+
+    /// <inheritdoc/>
     public override bool UsesDistance => front.UsesDistance || back.UsesDistance;
 
     /// <inheritdoc/>

@@ -38,6 +38,12 @@ public abstract class WrapperMaterial(Material inner) : Material
     public override bool TurnsNormal => inner.TurnsNormal;
 
     /// <inheritdoc/>
+    public override Nesting? Nesting => inner.Nesting;
+
+    /// <inheritdoc/>
+    public override bool Disperses => inner.Disperses;
+
+    /// <inheritdoc/>
     public override bool UsesDistance => inner.UsesDistance;
 
     /// <summary>The material that a part of a record describes: of any type but a luminaire, which is an error.</summary>
@@ -76,6 +82,12 @@ public abstract class WrapperMaterial(Material inner) : Material
 
     /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) => inner.Pdf(surface, direction, out pdf);
+
+    /// <inheritdoc/>
+    public override bool IsTransparent => inner.IsTransparent;
+
+    /// <inheritdoc/>
+    public override void Transparency(in SurfaceW surface, out RgbW transparency) => inner.Transparency(surface, out transparency);
 
     /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter) => inner.Scatter(surface, samples, out scatter);

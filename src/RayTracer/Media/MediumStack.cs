@@ -40,6 +40,33 @@ public static class MediumStack
         return crosses.Select(enters.Select(entered, left) | (crossings << CountShift), stack);
     }
 
+    /// <summary>
+    /// As <see cref="Cross"/>, with priorities: the media are kept by falling priority, and what enters comes before those of its own
+    /// (Schmidt &amp; Budge 2002, with the list of interiors sorted).
+    /// </summary>
+    /// <param name="stack">The stack.</param>
+    /// <param name="medium">Number of the medium behind the boundary.</param>
+    /// <param name="crosses">Where the boundary is crossed.</param>
+    /// <param name="enters">Whether that is inwards.</param>
+    /// <param name="priorities">The priorities of the media by number, of which that of number 0 is below all others.</param>
+    public static unsafe UIntW CrossByPriority(UIntW stack, uint medium, MaskW crosses, MaskW enters, float* priorities)
+    {
+        UIntW media = stack & Media;
+        FloatW own = priorities[medium];
+        MaskW beforeFirst = own >= FloatW.Gather(priorities, media & 0xffu);
+        MaskW beforeSecond = own >= FloatW.Gather(priorities, (media >> 8) & 0xffu);
+        MaskW beforeThird = own >= FloatW.Gather(priorities, media >> 16);
+        UIntW first = media & 0xffu;
+        UIntW two = media & 0xffffu;
+        UIntW entered = beforeFirst.Select(
+            ((media << 8) | medium) & Media,
+            beforeSecond.Select(first | (medium << 8) | (((media >> 8) & 0xffu) << 16), beforeThird.Select(two | (medium << 16), media)));
+
+        // What leaves is taken out wherever it is; and so the way in is the plain one for what comes first anyway.
+        UIntW plain = Cross(stack, medium, crosses, enters);
+        return (crosses & enters).Select((plain & ~Media) | entered, plain);
+    }
+
     /// <summary>The stack with no boundary crossed since.</summary>
     public static UIntW Scattered(UIntW stack) => stack & Media;
 }

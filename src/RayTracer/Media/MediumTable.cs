@@ -2,29 +2,68 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Media;
 
-/// <summary>The media of a scene by their numbers; 0 is empty space.</summary>
+/// <summary>What is inside the shapes of a scene, by numbers; 0 is empty space.</summary>
 internal sealed unsafe class MediumTable
 {
     private const int Stride = 8;
+    private static readonly Medium s_empty = new(Rgb.Black, Rgb.Black, 0);
+    private readonly IReadOnlyList<Interior> _interiors;
     private readonly PinnedBuffer<float> _numbers;
+    private readonly PinnedBuffer<float> _absorption;
+    private readonly PinnedBuffer<float> _priorities;
 
-    /// <summary>Makes the table; the media have the numbers from 1 in their order.</summary>
-    public MediumTable(IReadOnlyList<Medium> media)
+    /// <summary>Makes the table; they have the numbers from 1 in their order.</summary>
+    public MediumTable(IReadOnlyList<Interior> interiors)
     {
-        _numbers = new((media.Count + 1L) * Stride);
-        for (int i = 0; i < media.Count; i++)
+        _interiors = interiors;
+        _numbers = new((interiors.Count + 1L) * Stride);
+        _absorption = new((interiors.Count + 1L) * Stride);
+        _priorities = new(interiors.Count + 1L);
+        _priorities.Pointer[0] = -1;
+        for (int i = 0; i < interiors.Count; i++)
         {
-            (Rgb extinction, Rgb albedo, float anisotropy) = media[i];
+            (Rgb extinction, Rgb albedo, float anisotropy) = interiors[i].Medium ?? s_empty;
             ReadOnlySpan<float> numbers = [extinction.R, extinction.G, extinction.B, albedo.R, albedo.G, albedo.B, anisotropy, 0];
             numbers.CopyTo(new Span<float>(_numbers.Pointer + ((i + 1) * Stride), Stride));
+            Rgb absorption = interiors[i].Nesting?.Extinction ?? Rgb.Black;
+            ReadOnlySpan<float> channels = [absorption.R, absorption.G, absorption.B];
+            channels.CopyTo(new Span<float>(_absorption.Pointer + ((i + 1) * Stride), Stride));
+
+            // A medium without a priority is where nothing else is, or what was entered last: before all others.
+            _priorities.Pointer[i + 1] = interiors[i].Nesting?.Priority ?? float.MaxValue;
         }
     }
 
     /// <summary>Extinction coefficients of the innermost media.</summary>
-    public RgbW Extinction(UIntW stack) => Color(stack, 0);
+    public RgbW Extinction(UIntW stack) => Color(_numbers.Pointer, stack);
+
+    /// <summary>Extinction coefficients of the dielectrics themselves.</summary>
+    public RgbW Absorption(UIntW stack) => Color(_absorption.Pointer, stack);
+
+    /// <summary>The priorities by number.</summary>
+    public float* Priorities => _priorities.Pointer;
+
+    /// <summary>Refractive indices of the innermost ones, relative to empty space; 1 where they have none.</summary>
+    /// <param name="stack">The stack.</param>
+    /// <param name="wavelength">Wavelengths in µm; used only where an index depends on them.</param>
+    public FloatW Index(UIntW stack, FloatW wavelength)
+    {
+        UIntW innermost = MediumStack.Innermost(stack);
+        FloatW index = 1f;
+        for (int i = 0; i < _interiors.Count; i++)
+        {
+            MaskW here = UIntW.Equal(innermost, (uint)i + 1u);
+            if (_interiors[i].Nesting is { } nesting && here.Any)
+            {
+                index = here.Select(nesting.Index.Index(wavelength), index);
+            }
+        }
+
+        return index;
+    }
 
     /// <summary>What part of that is scattered.</summary>
-    public RgbW Albedo(UIntW stack) => Color(stack, 3);
+    public RgbW Albedo(UIntW stack) => Color(_numbers.Pointer + 3, stack);
 
     /// <summary>Mean cosines of the angles of scattering.</summary>
     public FloatW Anisotropy(UIntW stack) => FloatW.Gather(_numbers.Pointer + 6, MediumStack.Innermost(stack) * Stride);
@@ -36,10 +75,9 @@ internal sealed unsafe class MediumTable
         return new(LaneMath.Exp(-extinction.R * way), LaneMath.Exp(-extinction.G * way), LaneMath.Exp(-extinction.B * way));
     }
 
-    private RgbW Color(UIntW stack, int first)
+    private static RgbW Color(float* from, UIntW stack)
     {
         UIntW at = MediumStack.Innermost(stack) * Stride;
-        float* from = _numbers.Pointer + first;
         return new(FloatW.Gather(from, at), FloatW.Gather(from + 1, at), FloatW.Gather(from + 2, at));
     }
 }

@@ -20,7 +20,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
     private const int Batch = 8;
     private readonly LightSource[] _lights = [.. scene.SampledLights];
     private readonly LightSelection? _selection = scene.LightSelection;
-    private readonly Transmittance? _transmittance = scene.HasMedia ? new(scene) : null;
+    private readonly Transmittance? _transmittance = scene.TracksInteriors || scene.WeakensShadows ? new(scene) : null;
 
     // Where registers are whole cache lines, as on the stack they are not.
     private readonly PinnedBuffer<ShapeSampleW> _samples = new(Batch);
@@ -46,14 +46,15 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
     /// What scatters the light, by its BSDF, where scattered rays are to find the rest of it; null where what is scattered is the same for all
     /// directions on the ray's side and <paramref name="weight"/> has it, and no scattered ray looks for lights.
     /// </param>
-    /// <param name="media">The media on the ray's side; used only where the scene has media.</param>
+    /// <param name="media">The media on the ray's side; used only where paths keep in mind what they are in.</param>
+    /// <param name="interior">Number of what is inside the surface's shape; used only there, too.</param>
     /// <param name="isSmoothed">Whether the points are shaded with another normal than the surface's own.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
     /// <param name="time">Times in seconds; used only where something moves.</param>
     /// <param name="active">Lanes in use.</param>
     /// <param name="weight">Throughput, times BRDF where there is no material.</param>
     /// <param name="radiance">Added to.</param>
-    public void Add(in SurfaceW surface, Material? material, in UIntW media, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
+    public void Add(in SurfaceW surface, Material? material, in UIntW media, uint interior, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
         bool isLiteral = isSmoothed && scene.IsLiteral;
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
@@ -61,6 +62,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         lit.Side = side;
         lit.Origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point);
         lit.Media = media;
+        lit.Interior = interior;
         lit.Time = time;
         lit.Transmits = material is { Transmits: true };
         lit.IsSmoothed = isSmoothed && !isLiteral;
@@ -207,7 +209,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         ShadowRays += BitOperations.PopCount(wanted);
         if (_transmittance is not null)
         {
-            UIntW there = SurfaceShader.MediaAlong(surface, sample.Direction, scene.NumberOf(material!.Interior), lit.Media);
+            UIntW there = SurfaceShader.MediaAlong(scene, surface, sample.Direction, lit.Interior, lit.Media);
             _transmittance.Trace(wanted, origin, sample.Direction, sample.Distance, there, lit.Time, _lights[light], out RgbW part);
             arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
             shares?.Lit(light, free, radiance * part * cosine, isWaiting: false);
@@ -257,6 +259,9 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         public MaskW Free;
         public UIntW Media;
         public FloatW Time;
+
+        // Behind the registers, which lie in whole cache lines.
+        public uint Interior;
         public bool Transmits;
         public bool IsSmoothed;
         public bool IsLiteral;

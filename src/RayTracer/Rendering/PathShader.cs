@@ -58,7 +58,8 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
     {
         if (Scene.HasMedia && group.Material.IsBoundary)
         {
-            Cross(group, stream, next, index, active);
+            Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW boundary);
+            Cross(group, boundary, stream, next, index, active);
             return;
         }
 
@@ -71,10 +72,19 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
         vertex = state & DepthBits;
-        packet.Media = Scene.HasMedia ? UIntW.Pick(stream.Media, index) : 0u;
+        packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
         Shares?.BeginPacket(path);
         Describe(Scene, group, stream, index, group.UsesUv, out surface);
+        UIntW around = 0u;
+        if (Scene.HasNesting && group.IsNested)
+        {
+            UIntW beyond = Scene.Cross(packet.Media, group.Interior, MaskW.All, ~surface.Inside);
+            Cross(group, surface, stream, next, index, active & IsUnreal(packet.Media, beyond));
+            active = active.Except(IsUnreal(packet.Media, beyond));
+            around = surface.Inside.Select(beyond, packet.Media);
+        }
+
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
         radiance = stream.PickRadiance(index);
@@ -87,6 +97,16 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Recorder?.Emitted(path, active, radiance);
         Recorder?.Brightened(path, active, radiance);
 
+        if (group.Disperses)
+        {
+            Disperse(state, ref surface, ref throughput);
+        }
+
+        if (Scene.HasNesting && group.IsNested)
+        {
+            surface.Around = Scene.Media.Index(around, surface.Wavelength);
+        }
+
         // A path of so many edges may have one more: the ray to a light, or the next one.
         MaskW goesOn = active & (vertex + 1u < _maxDepth);
         if (group.HasDensity)
@@ -96,7 +116,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, material, packet.Media, group.MayLeak, Vertex, packet.Time, goesOn, throughput, ref radiance);
+            _directLight.Add(surface, material, packet.Media, group.Interior, group.MayLeak, Vertex, packet.Time, goesOn, throughput, ref radiance);
         }
 
         ref ScatterW scatter = ref packet.Scatter;
@@ -125,6 +145,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         if (going != 0)
         {
+            vertex |= WavelengthAfter(group, state);
             GoOn(group, ref packet, going, next);
         }
     }
@@ -144,6 +165,11 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
                 Fly(stream, i, inside.Select(media, 0u), inside);
             }
         }
+
+        for (int i = 0; Scene.HasNesting && i < stream.Count; i += FloatW.Count)
+        {
+            Absorb(stream, i);
+        }
     }
 
     /// <inheritdoc/>
@@ -153,6 +179,16 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         {
             ScatterPacket(stream, next, members + i, MaskW.First(count - i));
         }
+    }
+
+    // What dielectrics that paths keep in mind leave of the light, all the way to what is met.
+    private void Absorb(PathStream stream, int i)
+    {
+        UIntW media = MaskW.First(stream.Count - i).Select(UIntW.Load(stream.Media + i), 0u);
+        RgbW left = MediumTable.Transmittance(Scene.Media.Absorption(media), FloatW.Load(stream.Distance + i));
+        (left.R * FloatW.Load(stream.ThroughputR + i)).Store(stream.ThroughputR + i);
+        (left.G * FloatW.Load(stream.ThroughputG + i)).Store(stream.ThroughputG + i);
+        (left.B * FloatW.Load(stream.ThroughputB + i)).Store(stream.ThroughputB + i);
     }
 
     private void Fly(PathStream stream, int i, UIntW media, MaskW inside)
@@ -186,7 +222,8 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
     private void ScatterPacket(PathStream stream, PathStream next, uint* index, MaskW active)
     {
         UIntW path = UIntW.Pick(stream.Path, index);
-        UIntW vertex = UIntW.Pick(stream.State, index) & DepthBits;
+        UIntW state = UIntW.Pick(stream.State, index);
+        UIntW vertex = state & DepthBits;
         UIntW media = UIntW.Pick(stream.Media, index);
         BeginVertex(path, vertex);
         Shares?.BeginPacket(path);
@@ -229,16 +266,21 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             }
 
             next.SetMedia(going, MediumStack.Scattered(media), 0f);
-            next.Append(going, point, direction, throughput, radiance, path, (vertex + 1u) | (_lights.Count > 0 ? 0u : PathState.CountsEmission));
+            UIntW emission = _lights.Count > 0 ? 0u : PathState.CountsEmission;
+            next.Append(going, point, direction, throughput, radiance, path, (vertex + 1u) | emission | (state & PathState.HasWavelength));
         }
     }
 
     // A boundary: the path has no vertex there, only other media behind it.
-    private void Cross(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    private void Cross(ShadingGroup group, in SurfaceW surface, PathStream stream, PathStream next, uint* index, MaskW active)
     {
-        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
-        Vec3W direction = surface.Incoming;
         uint going = active.Bits;
+        if (going == 0)
+        {
+            return;
+        }
+
+        Vec3W direction = surface.Incoming;
         Recorder?.Crossed(stream, index, active, surface);
         if (Scene.IsTimed)
         {
@@ -253,7 +295,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         next.SetMedia(
             going,
-            MediumStack.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~surface.Inside),
+            Scene.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~surface.Inside),
             FloatW.Pick(stream.Travelled, index) + FloatW.Pick(stream.Distance, index));
         next.Append(
             going, Leave(surface, direction), direction, stream.PickThroughput(index), stream.PickRadiance(index), UIntW.Pick(stream.Path, index), UIntW.Pick(stream.State, index));
@@ -263,7 +305,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
     private Vec3W Start(PathStream stream, uint* index, in Vec3W direction)
     {
         Vec3W origin = stream.PickOrigin(index);
-        return Scene.HasMedia ? Vec3W.MultiplyAdd(direction, -FloatW.Pick(stream.Travelled, index), origin) : origin;
+        return Scene.TracksInteriors ? Vec3W.MultiplyAdd(direction, -FloatW.Pick(stream.Travelled, index), origin) : origin;
     }
 
     private void GoOn(ShadingGroup group, ref PacketW packet, uint going, PathStream next)
@@ -285,9 +327,9 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             }
         }
 
-        if (Scene.HasMedia)
+        if (Scene.TracksInteriors)
         {
-            next.SetMedia(going, MediumStack.Scattered(MediaAlong(surface, scatter.Direction, group.Interior, packet.Media)), 0f);
+            next.SetMedia(going, MediumStack.Scattered(MediaAlong(Scene, surface, scatter.Direction, group.Interior, packet.Media)), 0f);
         }
 
         UIntW emission = group.HasDensity && _lights.Count > 0 ? scatter.Delta.Select((UIntW)PathState.CountsEmission, 0u) : PathState.CountsEmission;
@@ -322,7 +364,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         shared &= cosine > 0f;
         if (shared.Any)
         {
-            FloatW travelled = Scene.HasMedia ? FloatW.Pick(stream.Travelled, index) : 0f;
+            FloatW travelled = Scene.TracksInteriors ? FloatW.Pick(stream.Travelled, index) : 0f;
             LightHitW hit = new()
             {
                 From = Start(stream, index, surface.Incoming),

@@ -12,6 +12,7 @@ internal sealed unsafe class PathStream
 {
     private const int Columns = 24;
     private readonly PinnedBuffer<float> _memory;
+    private readonly PinnedBuffer<RayW> _packet = new(1);
 
     /// <summary>Makes an empty stream.</summary>
     /// <param name="capacity">How many paths it can hold.</param>
@@ -56,6 +57,9 @@ internal sealed unsafe class PathStream
     }
 
     public int Capacity { get; }
+
+    /// <summary>Room for a packet of the rays.</summary>
+    public ref RayW Packet => ref *_packet.Pointer;
 
     /// <summary>Number of paths in the stream.</summary>
     public int Count { get; set; }
@@ -190,6 +194,15 @@ internal sealed unsafe class PathStream
         new(FloatW.Pick(OriginX, index), FloatW.Pick(OriginY, index), FloatW.Pick(OriginZ, index));
 }
 
+/// <summary>A packet of rays, and what they met.</summary>
+internal struct RayW
+{
+    public Vec3W Origin;
+    public Vec3W Direction;
+    public FloatW Distance;
+    public UIntW Primitive;
+}
+
 /// <summary>What a path remembers besides its numbers, in one integer.</summary>
 internal static class PathState
 {
@@ -207,4 +220,7 @@ internal static class PathState
 
     /// <summary>Emission at the next hit counts: the last scattering was specular, or there was none (report: countEmittedLight).</summary>
     public const uint CountsEmission = 1 << 16;
+
+    /// <summary>The path has met a dispersing surface: it stands for light of a single wavelength from there on, and its throughput has that wavelength's colour.</summary>
+    public const uint HasWavelength = 1 << 17;
 }

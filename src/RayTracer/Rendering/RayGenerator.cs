@@ -10,6 +10,7 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
     private readonly PinnedBuffer<float> _x = new(maxPixels);
     private readonly PinnedBuffer<float> _y = new(maxPixels);
     private readonly PinnedBuffer<uint> _key = new(maxPixels);
+    private readonly PinnedBuffer<StartW> _start = new(1);
     private SampleRange _samples;
     private int _issued;
     private int _total;
@@ -57,30 +58,33 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
     /// <summary>Fills a stream up with new paths, as long as there are any.</summary>
     public void Fill(PathStream stream)
     {
+        ref StartW start = ref *_start.Pointer;
+        start.Throughput = Rgb.White;
+        start.State = PathState.CountsEmission;
         while (_issued < _total && stream.Count < stream.Capacity)
         {
             int count = Math.Min(Math.Min(FloatW.Count, _total - _issued), stream.Capacity - stream.Count);
-            UIntW path = UIntW.Iota + (uint)_issued;
-            PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
+            start.Path = UIntW.Iota + (uint)_issued;
+            PathNumber.Split(start.Path, _samples, out UIntW pixel, out start.Sample);
             pixel = MaskW.First(count).Select(pixel, 0u);
-            UIntW key = UIntW.Gather(_key.Pointer, pixel);
-            scene.Sampler.Begin(key, sample, Dimensions.Pixel, out SamplePoints points);
-            scene.Sampler.Pair(points, 0, out FloatW x, out FloatW y);
-            scene.Filter?.Place(ref x, ref y);
+            start.Key = UIntW.Gather(_key.Pointer, pixel);
+            scene.Sampler.Begin(start.Key, start.Sample, Dimensions.Pixel, out start.Points);
+            scene.Sampler.Pair(start.Points, 0, out start.X, out start.Y);
+            scene.Filter?.Place(ref start.X, ref start.Y);
             scene.Camera.GenerateRays(
-                FloatW.Gather(_x.Pointer, pixel) + x, FloatW.Gather(_y.Pointer, pixel) + y, scene.Sampler, key, sample, out Vec3W origin, out Vec3W direction);
+                FloatW.Gather(_x.Pointer, pixel) + start.X, FloatW.Gather(_y.Pointer, pixel) + start.Y, scene.Sampler, start.Key, start.Sample, out start.Origin, out start.Direction);
             uint lanes = MaskW.First(count).Bits;
             if (scene.IsTimed || scene.Camera.IsPlaced)
             {
-                Place(stream, lanes, key, sample, ref origin, ref direction);
+                Place(stream, lanes, start.Key, start.Sample, ref start.Origin, ref start.Direction);
             }
 
-            if (scene.HasMedia)
+            if (scene.TracksInteriors)
             {
-                stream.SetMedia(lanes, 0u, 0f);
+                stream.SetMedia(lanes, scene.CameraInteriors, 0f);
             }
 
-            stream.Append(lanes, origin, direction, Rgb.White, Rgb.Black, path, PathState.CountsEmission);
+            stream.Append(lanes, start.Origin, start.Direction, start.Throughput, start.Radiance, start.Path, start.State);
             _issued += count;
         }
     }
@@ -112,6 +116,21 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
         {
             scene.Camera.Place(time, ref origin, ref direction);
         }
+    }
+
+    // How paths start; the radiance stays black.
+    private struct StartW
+    {
+        public UIntW Path;
+        public UIntW Sample;
+        public UIntW Key;
+        public SamplePoints Points;
+        public FloatW X, Y;
+        public Vec3W Origin;
+        public Vec3W Direction;
+        public RgbW Throughput;
+        public RgbW Radiance;
+        public UIntW State;
     }
 }
 

@@ -45,6 +45,11 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
 
         Recorder?.Emitted(path, active, radiance);
 
+        if (group.Disperses)
+        {
+            Disperse(state, ref surface, ref throughput);
+        }
+
         if (!Scene.Ambient.IsBlack)
         {
             material.AmbientResponse(surface, out RgbW response);
@@ -63,7 +68,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, null, 0u, group.MayLeak, Vertex, packet.Time, active, throughput * brdf, ref radiance);
+            _directLight.Add(surface, null, 0u, 0, group.MayLeak, Vertex, packet.Time, active, throughput * brdf, ref radiance);
         }
 
         // Where the path goes on.
@@ -99,13 +104,20 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         {
             UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);
             UIntW emission = scatter.Specular.Select((UIntW)PathState.CountsEmission, 0u);
+            if (Scene.WeakensShadows && group.IsTransparent)
+            {
+                // What comes straight through has been asked of the sources already, where the path came from.
+                MaskW passes = Vec3W.Dot(scatter.Direction, surface.Facing) < 0f;
+                emission = (scatter.Specular & passes).Select(state & PathState.CountsEmission, emission);
+            }
+
             packet.Origin = Leave(surface, scatter.Direction);
             if (Scene.IsTimed)
             {
                 next.SetTime(going, packet.Time);
             }
 
-            next.Append(going, packet.Origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission);
+            next.Append(going, packet.Origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission | WavelengthAfter(group, state));
         }
     }
 

@@ -18,6 +18,8 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private const float OrdinaryLimit = 16;
     private readonly PinnedBuffer<long> _sums = new((long)maxPixels * Film.SumsPerPixel);
     private readonly PinnedBuffer<uint> _counts = new(maxPixels);
+    private readonly PinnedBuffer<long> _units = new((long)Film.SumsPerPixel * FloatW.Count);
+    private readonly PinnedBuffer<uint> _pixels = new(FloatW.Count);
     private readonly List<BadSample> _bad = [];
     private Film _film = null!;
     private Tile _tile;
@@ -58,11 +60,11 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <param name="radiance">The samples.</param>
     public void Add(int count, UIntW pixels, UIntW samples, in RgbW radiance)
     {
-        long* red = stackalloc long[Film.SumsPerPixel * FloatW.Count];
+        long* red = _units.Pointer;
         long* green = red + FloatW.Count;
         long* blue = green + FloatW.Count;
         long* square = blue + FloatW.Count;
-        uint* pixel = stackalloc uint[FloatW.Count];
+        uint* pixel = _pixels.Pointer;
         FloatW luminance = FloatW.MultiplyAdd(0.0722f, radiance.B, FloatW.MultiplyAdd(0.7152f, radiance.G, radiance.R * 0.2126f));
         ToChannelUnits(radiance.R, red);
         ToChannelUnits(radiance.G, green);

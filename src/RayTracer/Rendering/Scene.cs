@@ -7,6 +7,7 @@ using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Shapes;
+using RayTracer.Spectra;
 
 namespace RayTracer.Rendering;
 
@@ -17,7 +18,7 @@ public sealed class Scene
 {
     // Up to so many lights, each point is lit by a point of every one.
     private const int MostLightsOfPoint = 8;
-    private readonly Medium[] _media;
+    private readonly Interior[] _interiors;
 
     private Scene(RenderDescription render, Camera camera, Rgb background, EnvironmentLight? environment, Rgb ambient, World world)
     {
@@ -35,8 +36,11 @@ public sealed class Scene
         IsTimed = camera.Moves || World.Moves;
         Groups = ShadingGroup.Create(World, out int[] groupOf);
         GroupOfPrimitive = groupOf;
-        _media = ShadingGroup.NumberInteriors(Groups);
-        Media = new(_media);
+        _interiors = ShadingGroup.NumberInteriors(Groups);
+        Wavelengths = Array.Exists(Groups, g => g.Disperses) ? new() : null;
+        Media = new(_interiors);
+        (HasMedia, HasNesting) = Tracked();
+        CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;
         Lights = LightList.Create(World);
         LightSelection = SelectLights();
     }
@@ -58,8 +62,11 @@ public sealed class Scene
         IsTimed = camera.Moves || World.Moves;
         Groups = other.Groups;
         GroupOfPrimitive = other.GroupOfPrimitive;
-        _media = other._media;
+        Wavelengths = other.Wavelengths;
+        _interiors = other._interiors;
         Media = other.Media;
+        (HasMedia, HasNesting) = Tracked();
+        CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;
         Lights = other.Lights;
         LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
     }
@@ -110,18 +117,39 @@ public sealed class Scene
     /// <summary>Chooses one light for each point; null where all of them are sampled at each: in the report, and where they are few.</summary>
     internal LightSelection? LightSelection { get; }
 
+    /// <summary>Gives paths wavelengths; null where no surface disperses light.</summary>
+    internal Wavelengths? Wavelengths { get; }
+
     /// <summary>What fills shapes.</summary>
     internal MediumTable Media { get; }
 
     /// <summary>Whether media absorb and scatter light: there are some, and the integrator is one that shows them.</summary>
-    internal bool HasMedia => _media.Length > 0 && Render.Integrator == Integrator.VolPath;
+    internal bool HasMedia { get; }
 
     /// <summary>Whether shading normals alone tell from which side surfaces are seen.</summary>
     internal bool IsLiteral =>
         Render.ShadingNormals == ShadingNormals.Literal && Render.Integrator is Integrator.Path or Integrator.Direct or Integrator.VolPath;
 
-    /// <summary>The number of a medium in <see cref="Media"/>; 0 for none.</summary>
-    internal uint NumberOf(Medium? medium) => (uint)(Array.IndexOf(_media, medium) + 1);
+    /// <summary>Whether dielectrics have priorities: there are some, and the integrator is one that knows them.</summary>
+    internal bool HasNesting { get; }
+
+    /// <summary>Whether paths keep in mind what they are in.</summary>
+    internal bool TracksInteriors => HasMedia || HasNesting;
+
+    /// <summary>What the camera stands in.</summary>
+    internal uint CameraInteriors { get; }
+
+    /// <summary>Whether transparent things only weaken the light of sources behind them.</summary>
+    internal bool WeakensShadows => Render is { WeakenedShadows: true, Integrator: Integrator.Report };
+
+    /// <summary>What a path is in after a boundary.</summary>
+    /// <param name="stack">What it is in.</param>
+    /// <param name="interior">Number of what is inside the boundary.</param>
+    /// <param name="crosses">Where the boundary is crossed.</param>
+    /// <param name="enters">Whether that is inwards.</param>
+    internal unsafe UIntW Cross(UIntW stack, uint interior, MaskW crosses, MaskW enters) => HasNesting
+        ? MediumStack.CrossByPriority(stack, interior, crosses, enters, Media.Priorities)
+        : MediumStack.Cross(stack, interior, crosses, enters);
 
     /// <summary>What is shaded together.</summary>
     internal ShadingGroup[] Groups { get; }
@@ -167,6 +195,12 @@ public sealed class Scene
         return scene;
     }
 
+    private (bool Media, bool Nesting) Tracked() => (
+        Render.Integrator == Integrator.VolPath && HasInterior(static i => i.Medium is not null),
+        Render.Integrator is Integrator.Path or Integrator.Direct or Integrator.VolPath && HasInterior(static i => i.Nesting is not null));
+
+    private bool HasInterior(Predicate<Interior> which) => Array.Exists(_interiors, which);
+
     private LightSelection? SelectLights() => SampledLights.Count > MostLightsOfPoint && Render.Integrator != Integrator.Report
         ? new(SampledLights, (Render.Shutter.X, Render.Shutter.Y))
         : null;
@@ -178,7 +212,17 @@ public sealed class Scene
             builder.Warn(description, nameof(Ambient), "only the report integrator knows ambient light: here it has no effect");
         }
 
-        if (_media.Length > 0 && Render.Integrator is (Integrator.Report or Integrator.Path or Integrator.Direct))
+        if (Render.WeakenedShadows && Render.Integrator != Integrator.Report)
+        {
+            builder.Warn(description.Render, nameof(Render.WeakenedShadows), "only the report integrator weakens shadows: here it has no effect");
+        }
+
+        if (HasInterior(static i => i.Nesting is not null) && Render.Integrator == Integrator.Report)
+        {
+            builder.Warn(description.Render, nameof(Render.Integrator), "there are dielectrics with priorities, which only the path, direct and volPath integrators know");
+        }
+
+        if (HasInterior(static i => i.Medium is not null) && Render.Integrator is (Integrator.Report or Integrator.Path or Integrator.Direct))
         {
             builder.Warn(description.Render, nameof(Render.Integrator), "there are media inside shapes, which only the volPath integrator shows");
         }

@@ -38,7 +38,7 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
 
     public int OnlyIndex => onlyIndex;
 
-    /// <summary>Number of the medium inside; 0 for none.</summary>
+    /// <summary>Number of what is inside; 0 for nothing.</summary>
     public uint Interior { get; set; }
 
     // The material's constant answers, asked once.
@@ -49,6 +49,13 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
     public bool Emits { get; } = material.Emits;
 
     public bool UsesUv { get; } = material.UsesUv;
+
+    /// <summary>Whether directions depend on the wavelength: by the material's own index, or by another's around.</summary>
+    public bool Disperses { get; private set; } = material.Disperses;
+
+    public bool IsTransparent { get; } = material.IsTransparent;
+
+    public bool IsNested { get; } = material.Nesting is not null;
 
     /// <summary>Makes the groups of a scene, and the table that names the group of each primitive.</summary>
     public static ShadingGroup[] Create(World world, out int[] groupOf)
@@ -69,17 +76,22 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
         return [.. groups];
     }
 
-    /// <summary>Gives the media inside of groups numbers from 1, the same to equal ones, and tells which they are.</summary>
-    public static Medium[] NumberInteriors(ShadingGroup[] groups)
+    /// <summary>Gives what is inside of groups numbers from 1, the same to equal ones, and tells which they are.</summary>
+    public static Interior[] NumberInteriors(ShadingGroup[] groups)
     {
-        Medium[] media = [.. groups.Select(g => g.Material.Interior).OfType<Medium>().Distinct()];
+        Interior[] interiors = [.. groups.Select(InteriorOf).OfType<Interior>().Distinct()];
+        bool nestedDisperse = Array.Exists(groups, g => g.IsNested && g.Disperses);
         foreach (ShadingGroup group in groups)
         {
-            group.Interior = (uint)(Array.IndexOf(media, group.Material.Interior) + 1);
+            group.Interior = (uint)(Array.IndexOf(interiors, InteriorOf(group)) + 1);
+            group.Disperses |= nestedDisperse && group.IsNested;
         }
 
-        return media;
+        return interiors;
     }
+
+    private static Interior? InteriorOf(ShadingGroup group) =>
+        group.Material.Interior is null && group.Material.Nesting is null ? null : new(group.Material.Interior, group.Material.Nesting);
 
     private static void Add(Space space, SurfaceTable table, bool isInstanced, int[] groupOf, List<ShadingGroup> groups)
     {

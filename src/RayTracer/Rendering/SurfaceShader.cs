@@ -153,6 +153,12 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             surface.Tint = Rgb.White;
         }
 
+        if (group.IsNested)
+        {
+            // Where nobody keeps in mind what paths are in, nothing is around.
+            surface.Around = 1f;
+        }
+
         group.Material.Prepare(ref surface);
         if (group.HasTint)
         {
@@ -215,6 +221,17 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         Vertex.Begin(UIntW.Gather(Generator.PixelKeys, pixel), sample, vertex);
     }
 
+    /// <summary>Gives paths their wavelengths at a surface that disperses light: from the first one on, they have the colour of a single wavelength.</summary>
+    protected void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
+    {
+        scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
+        throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
+    }
+
+    /// <summary>The part of a path's state after a surface that tells whether it stands for a single wavelength.</summary>
+    protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => scene.Wavelengths is null ? 0u
+        : group.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
+
     // As DescribePlain, in the space that each lane's instance shows.
     private static void DescribeInstanced(Scene scene, ShadingGroup group, PathStream stream, uint* index, bool needsUv, out SurfaceW surface)
     {
@@ -267,11 +284,12 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     }
 
     /// <summary>The media of a ray that leaves a surface, by those of the ray that came.</summary>
+    /// <param name="scene">The scene.</param>
     /// <param name="surface">The surface.</param>
     /// <param name="direction">The ray's direction.</param>
     /// <param name="interior">Number of the medium inside; 0 for none.</param>
     /// <param name="media">The media of the ray that came.</param>
-    public static UIntW MediaAlong(in SurfaceW surface, in Vec3W direction, uint interior, UIntW media)
+    public static UIntW MediaAlong(Scene scene, in SurfaceW surface, in Vec3W direction, uint interior, UIntW media)
     {
         if (interior == 0)
         {
@@ -279,8 +297,14 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         }
 
         FloatW outwards = Vec3W.Dot(direction, surface.Normal);
-        return MediumStack.Cross(media, interior, outwards * Vec3W.Dot(surface.Incoming, surface.Normal) > 0f, outwards < 0f);
+        return scene.Cross(media, interior, outwards * Vec3W.Dot(surface.Incoming, surface.Normal) > 0f, outwards < 0f);
     }
+
+    /// <summary>
+    /// Where a boundary is none, since what is inside it does not count on either side: another dielectric of a higher priority is there
+    /// (the false intersections of Schmidt &amp; Budge 2002).
+    /// </summary>
+    public static MaskW IsUnreal(UIntW before, UIntW after) => UIntW.Equal(MediumStack.Innermost(before), MediumStack.Innermost(after));
 
     // Off the surface, on the side where the ray goes.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -293,7 +317,6 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     /// <summary>What shading works with, beside what the stream has.</summary>
     protected struct PacketW
     {
-        public SurfaceW Surface;
         public ScatterW Scatter;
         public RgbW Throughput;
         public RgbW Radiance;
@@ -304,5 +327,6 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         public FloatW Time;
         public FloatW Pdf;
         public Vec3W Origin;
+        public SurfaceW Surface;
     }
 }

@@ -5,10 +5,10 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// What media leave of the light on its way from a light to where it is scattered, through boundaries that do not change its direction. Each thread has
+/// What media, or in the report transparent things, leave of the light on its way from a light to where it is scattered, through boundaries that do not change its direction, that priorities make unreal, or where the report does not mind it. Each thread has
 /// its own.
 /// </summary>
-/// <param name="scene">A scene with media.</param>
+/// <param name="scene">A scene in which paths keep in mind what they are in, or transparent things weaken shadows.</param>
 internal sealed unsafe class Transmittance(Scene scene)
 {
     private const int MaxBoundaries = 256;
@@ -61,13 +61,25 @@ internal sealed unsafe class Transmittance(Scene scene)
         bool isLight = primitive == light.Primitive && (scene.World.Instances is null || _rays.Instance[ray] == (uint)light.Instance);
         bool isThere = isLight || met >= left * Reached;
         ShadingGroup? group = isThere ? null : scene.Groups[scene.GroupOfPrimitive[primitive]];
-        if (group is { Material.IsBoundary: false })
+        bool isBoundary = scene.HasMedia && group is { Material.IsBoundary: true };
+        bool isTransparent = scene.WeakensShadows && group is { IsTransparent: true };
+        if (group is not null && !isBoundary && !isTransparent && !(scene.HasNesting && group.IsNested))
         {
             return;
         }
 
         UIntW media = UIntW.Pick(_rays.Media, index);
-        RgbW transmittance = _rays.PickThroughput(index) * MediumTable.Transmittance(scene.Media.Extinction(media), float.Min(met, left));
+        RgbW transmittance = _rays.PickThroughput(index);
+        if (scene.HasMedia)
+        {
+            transmittance *= MediumTable.Transmittance(scene.Media.Extinction(media), float.Min(met, left));
+        }
+
+        if (scene.HasNesting)
+        {
+            transmittance *= MediumTable.Transmittance(scene.Media.Absorption(media), float.Min(met, left));
+        }
+
         if (group is null)
         {
             uint lane = _rays.Path[ray];
@@ -76,7 +88,18 @@ internal sealed unsafe class Transmittance(Scene scene)
         }
 
         SurfaceShader.Describe(scene, group, _rays, index, group.UsesUv, out Materials.SurfaceW surface);
-        UIntW beyond = MediumStack.Cross(media, group.Interior, MaskW.All, ~surface.Inside);
+        if (isTransparent)
+        {
+            group.Material.Transparency(surface, out RgbW part);
+            transmittance *= part;
+        }
+
+        UIntW beyond = scene.Cross(media, group.Interior, MaskW.All, ~surface.Inside);
+        if (!isBoundary && !isTransparent && !SurfaceShader.IsUnreal(media, beyond).Any)
+        {
+            return;
+        }
+
         FloatW time = scene.IsTimed ? FloatW.Pick(_rays.Time, index) : 0f;
         Vec3W start = SurfaceShader.Leave(surface, surface.Incoming);
         Append(_next, 1u, start, surface.Incoming, transmittance, UIntW.Pick(_rays.Path, index), beyond, left - met, time);

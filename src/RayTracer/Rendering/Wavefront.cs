@@ -37,7 +37,7 @@ internal sealed unsafe class Wavefront
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
         _finished = new(scene, streamSize, _generator, _accumulator, _shares);
-        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.SampledLights.Count == 0 || scene.HasMedia ? null : new(scene, _shares), recorder, _shares);
+        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.SampledLights.Count == 0 || scene.TracksInteriors || scene.WeakensShadows ? null : new(scene, _shares), recorder, _shares);
         _hits = new(scene.World.RoomForHits(streamSize));
         _members = new(scene, streamSize);
     }

@@ -90,6 +90,9 @@ public static class Dimensions
     /// <summary>Group of one pair, of which the first number counts: the time while the shutter is open. Beyond the groups of any vertex.</summary>
     public const uint Time = 1 << 16;
 
+    /// <summary>Group of one pair, of which the first number counts: the path's wavelength, where it comes to depend on one.</summary>
+    public const uint Wavelength = Time + 1;
+
     /// <summary>Groups of one pair each, 256 to a vertex and more: flights through media. Beyond all others.</summary>
     public const uint FirstFlight = 1 << 24;
 

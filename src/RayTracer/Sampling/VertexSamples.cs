@@ -101,6 +101,14 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         sampler.Pair(points, 0, out u, out v);
     }
 
+    /// <summary>The number that chooses the path's wavelength: the same at all of its vertices.</summary>
+    public FloatW Wavelength()
+    {
+        sampler.Begin(_vertex.Pointer->PixelKey, _vertex.Pointer->Sample, Dimensions.Wavelength, out SamplePoints points);
+        sampler.Pair(points, 0, out FloatW u, out _);
+        return u;
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Pair(uint pair, out FloatW u, out FloatW v)
     {

@@ -12,8 +12,6 @@ internal sealed record HitRecord(Shape Shape, Vec Point, Vec Incoming, double Di
     /// <summary>The shape's own unit normal, outward.</summary>
     public Vec Normal { get; } = Shape.Normal(Point);
 
-    public (double U, double V) Uv => Shape.Uv(Point);
-
     /// <summary>Whether the ray comes from inside, against the shape's own normal.</summary>
     public bool Inside => Vec.Dot(Incoming, Normal) > 0;
 

@@ -10,8 +10,9 @@ internal sealed class ImageTexture(Vec[][] texels, string interpolation, string 
     : Texture
 {
     // A sum of texels, each weighted by a kernel of its distance in columns and in rows.
-    public override Vec Value((double U, double V) uv)
+    public override Vec Value(Shape shape, Vec point)
     {
+        (double U, double V) uv = shape.Uv(point);
         int width = texels[0].Length;
         int height = texels.Length;
         double x = (((uv.U * scale.U) + offset.U) * width) - 0.5;

@@ -4,7 +4,7 @@ namespace RayTracer.RenderTests.Oracle;
 internal abstract class Material
 {
     /// <summary>Radiance that the surface sends out at an angle to its outward normal.</summary>
-    public virtual Vec EmittedRadiance(double cosine, (double U, double V) uv) => default;
+    public virtual Vec EmittedRadiance(double cosine, Shape shape, Vec point) => default;
 
     /// <summary>What ambient light is multiplied by.</summary>
     public virtual Vec AmbientResponse(HitRecord hit) => default;

@@ -56,7 +56,7 @@ internal sealed class RecursiveTracer(Scene scene, RandomNumbers random)
         Vec color = scene.Ambient * record.Material.AmbientResponse(record);
         if (countEmittedLight)
         {
-            color += record.Material.EmittedRadiance(-Vec.Dot(direction, record.Normal), record.Uv);
+            color += record.Material.EmittedRadiance(-Vec.Dot(direction, record.Normal), record.Shape, record.Point);
         }
 
         if (record.Material.DiffuseDirection(record, random) is not { } scatter || scatter.Color == default)
@@ -90,7 +90,7 @@ internal sealed class RecursiveTracer(Scene scene, RandomNumbers random)
             double cosine1 = -Vec.Dot(toLight, light.Normal(onLight)) / distance;
             if (area > 0 && cosine0 > 0 && cosine1 > 0 && !ShadowHit(record.Point, toLight, light))
             {
-                Vec emitted = light.Material.EmittedRadiance(cosine1, light.Uv(onLight));
+                Vec emitted = light.Material.EmittedRadiance(cosine1, light, onLight);
                 result += area * cosine0 * cosine1 / (distance * distance) * record.Material.ExplicitBrdf(record) * emitted;
             }
         }

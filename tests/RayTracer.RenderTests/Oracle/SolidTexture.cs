@@ -3,5 +3,5 @@ namespace RayTracer.RenderTests.Oracle;
 /// <summary>The same colour everywhere.</summary>
 internal sealed class SolidTexture(Vec color) : Texture
 {
-    public override Vec Value((double U, double V) uv) => color;
+    public override Vec Value(Shape shape, Vec point) => color;
 }

@@ -44,8 +44,8 @@ public sealed class ChromiumBrowser : IAsyncLifetime
     }
 }
 
-/// <summary>Tests that use the browser run one after the other: they would make each other slow.</summary>
-[CollectionDefinition(Name, DisableParallelization = true)]
+/// <summary>Tests that use the browser run one after the other, as they would make each other slow; beside them, others use the time in which they wait.</summary>
+[CollectionDefinition(Name)]
 public sealed class BrowserCollection : ICollectionFixture<ChromiumBrowser>
 {
     /// <summary>The collection's name.</summary>

@@ -36,7 +36,7 @@ public class InsideWalks(ChromiumBrowser browser)
             int version = await w.Data("version");
             await map.SelectOptionAsync(name);
             await StudioWindow.Until($"{name} is painted", async () => await w.Data("version") > version);
-            await Task.Delay(200);
+            await StudioWindow.Until($"{name} is chosen", async () => await map.InputValueAsync() == name);
             await w.Shot("map-" + name, isShown: name == "bvhCost");
         }
     }

@@ -172,7 +172,7 @@ public sealed class SceneFilesTests : IDisposable
     [Fact]
     public void What_is_not_shown_of_a_scene_of_Mitsuba_is_told_at_the_head_of_its_text()
     {
-        _folder.Write("a.xml", "<scene version=\"3.0.0\"><integrator type=\"path\"><boolean name=\"hide_emitters\" value=\"true\"/></integrator><sensor type=\"perspective\"/><shape type=\"sphere\"/></scene>");
+        _folder.Write("a.xml", "<scene version=\"3.0.0\"><integrator type=\"path\"/><sensor type=\"perspective\"><float name=\"fov\" value=\"40\"/></sensor><sensor type=\"perspective\"/><shape type=\"sphere\"/></scene>");
         Files.Open(_folder["a.xml"]);
         Assert.StartsWith("// a.xml:1:", Document.Text, StringComparison.Ordinal);
         Assert.NotNull(Document.Read.Description);

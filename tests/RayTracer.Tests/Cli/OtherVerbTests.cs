@@ -65,6 +65,31 @@ public sealed class OtherVerbTests : IDisposable
     }
 
     [Fact]
+    public void Compare_draws_what_differs_to_the_eye()
+    {
+        Gray("a.pfm", 0.5f);
+        Gray("b.pfm", 0.6f);
+        string[] files = [_folder["a.pfm"], _folder["b.pfm"]];
+        double flip = JsonDocument.Parse(CliRun.Of(["compare", .. files, "--json", "--map", _folder["map.png"], "--side-by-side", _folder["sheet.png"]]).Output).RootElement.GetProperty("flip").GetDouble();
+        Assert.Equal(FlipError.Compare(ImageFile.Read(files[0]), ImageFile.Read(files[1])).Mean, flip);
+        Assert.Contains($"FLIP                {flip:F6}", CliRun.Of(["compare", .. files]).Output, StringComparison.Ordinal);
+        Assert.True(ImageFile.Read(_folder["sheet.png"]).Width > 3 * 16 && ImageFile.Read(_folder["map.png"]).Width > 16);
+        Assert.Equal(2, CliRun.Of(["compare", .. files, "--pixels-per-degree", "0"]).Status);
+    }
+
+    [Fact]
+    public void View_shows_an_image_as_the_terminal_can()
+    {
+        Gray("a.pfm", 0.5f);
+        string letters = CliRun.Of("view", _folder["a.pfm"], "--as", "letters", "--columns", "4").Output;
+        Assert.Equal("####\n####\n", letters.Replace('*', '#'));
+        string blocks = CliRun.Of("view", _folder["a.pfm"], "--as", "blocks", "--columns", "2").Output;
+        Assert.Equal("\e[38;2;188;188;188;48;2;188;188;188m▀\e[38;2;188;188;188;48;2;188;188;188m▀\e[0m\n", blocks);
+        Assert.Equal(2, CliRun.Of("view", _folder["a.pfm"], "--as", "paper").Status);
+        Assert.Equal(4, CliRun.Of("view", _folder["none.pfm"]).Status);
+    }
+
+    [Fact]
     public void Compare_fails_on_other_sizes_damaged_and_missing_files()
     {
         Gray("a.pfm", 0.5f);

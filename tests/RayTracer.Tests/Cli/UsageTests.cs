@@ -53,7 +53,7 @@ public sealed class UsageTests : IDisposable
     [Theory]
     [InlineData("", "a verb is expected")]
     [InlineData("render SCENE", "where to? Give -o FILE")]
-    [InlineData("render SCENE -o a.pgn", "the extension '.pgn' is none of .png, .pfm, .exr (did you mean '.png'?)")]
+    [InlineData("render SCENE -o a.pgn", "the extension '.pgn' is none of .png, .pfm, .exr, .hdr (did you mean '.png'?)")]
     [InlineData("render SCENE -o OUT --crop 20,0,5,5", "--crop 20,0,5,5: does not lie within the picture of 24×16 pixels")]
     [InlineData("render SCENE -o OUT --crop 2147483647,0,5,5", "does not lie within the picture")]
     [InlineData("render SCENE -o OUT --crop 0,0,0,5", "does not lie within the picture")]

@@ -25,7 +25,8 @@ public class ScatteringTests
         SurfaceW surface = at.Prepare(material.Material);
         SphericalGrid grid = new(Mirror(surface), Facing(surface), 1 / (material.Exponent + 1), material.QuadraturePoints);
         int count = TestSettings.Scale(1 << 17, 1 << 20);
-        double[] expected = grid.Integrate(d => Pdf(material, surface, d));
+        double[] expected = new double[SphericalGrid.Count];
+        ForEachPoint(grid, surface, material.Material.Pdf, (point, pdf) => expected[point.Cell] += point.Weight * pdf);
         double mass = expected.Sum();
         Assert.True(mass < 1 + 1e-4, $"{material} at {at}: the pdf integrates to {mass}");
 
@@ -44,6 +45,12 @@ public class ScatteringTests
     [MemberData(nameof(Cases))]
     public void The_mean_weight_is_the_integral_of_the_bsdf_and_the_cosine(string name) => ForEachSurface(name, (material, at) =>
     {
+        // A million samples a surface: of the three pairs of everyday angles, two are looked at, by the seed.
+        if (!TestSettings.Thorough && ((Array.IndexOf(s_everyday, at.Cosine) / 2) + TestSettings.Seed) % 3 == 0)
+        {
+            return;
+        }
+
         SurfaceW surface = at.Prepare(material.Material);
         SphericalGrid grid = new(Mirror(surface), Facing(surface), 1 / (material.Exponent + 1), material.QuadraturePoints);
         double[] sampled = new double[4];
@@ -56,21 +63,12 @@ public class ScatteringTests
         });
 
         // Not only the energy but also where it goes on the whole: the mean direction.
-        // The points of each integral are the same, in the same order.
-        List<double> values = [];
+        double[] integrals = new double[4];
+        Vector3D facing = Facing(surface);
+        ForEachPoint(grid, surface, Green(material), (point, green) => AddMoments(integrals, point.Direction, green * Math.Abs(point.Direction.Dot(facing)) * point.Weight));
         for (int k = 0; k < 4; k++)
         {
-            int next = 0;
-            double integral = grid.Integrate(d =>
-            {
-                if (k == 0)
-                {
-                    values.Add(Bsdf(material, surface, d).Y * Math.Abs(d.Dot(Facing(surface))));
-                }
-
-                return Moment(k, d) * values[next++];
-            }).Sum();
-            AssertNear(integral, sampled[k], material.MeanTolerance, $"moment {k} of {material} at {at}");
+            AssertNear(integrals[k], sampled[k], material.MeanTolerance, $"moment {k} of {material} at {at}");
         }
     });
 
@@ -285,6 +283,37 @@ public class ScatteringTests
             foreach (bool inside in !material.SeenFromBehind ? [false] : both ? [false, true] : new[] { i % 2 == 1 })
             {
                 action(material, new(cosines[i], inside));
+            }
+        }
+    }
+
+    // A number for each lane of directions.
+    private delegate void Evaluate(in SurfaceW surface, in Vec3W direction, out FloatW value);
+
+    private static Evaluate Green(MaterialCase material) => (in SurfaceW surface, in Vec3W direction, out FloatW green) =>
+    {
+        material.Material.Bsdf(surface, direction, out RgbW bsdf);
+        green = bsdf.G;
+    };
+
+    // Values at all points of a grid, which are found a packet at a time.
+    private static void ForEachPoint(SphericalGrid grid, in SurfaceW surface, Evaluate evaluate, Action<GridPoint, double> action)
+    {
+        IReadOnlyList<GridPoint> points = grid.Points();
+        float[][] lanes = [new float[FloatW.Count], new float[FloatW.Count], new float[FloatW.Count]];
+        for (int first = 0; first < points.Count; first += FloatW.Count)
+        {
+            for (int lane = 0; lane < FloatW.Count; lane++)
+            {
+                Vector3D d = points[Math.Min(first + lane, points.Count - 1)].Direction;
+                (lanes[0][lane], lanes[1][lane], lanes[2][lane]) = ((float)d.X, (float)d.Y, (float)d.Z);
+            }
+
+            Vec3W directions = new(new(new Vector<float>(lanes[0])), new(new Vector<float>(lanes[1])), new(new Vector<float>(lanes[2])));
+            evaluate(surface, directions, out FloatW value);
+            for (int lane = 0; lane < FloatW.Count && first + lane < points.Count; lane++)
+            {
+                action(points[first + lane], value[lane]);
             }
         }
     }

@@ -98,6 +98,17 @@ public sealed class SceneLoaderTests : IDisposable
         Assert.NotNull(result.Scene);
     }
 
+    [Theory]
+    [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\", \"weakenedShadows\": true }", "only the report integrator weakens shadows: here it has no effect")]
+    [InlineData("report", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"dielectric\", \"priority\": 1 } }]", "there are dielectrics with priorities, which only the path, direct and volPath integrators know")]
+    [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"mask\", \"material\": { \"type\": \"diffuse\" }, \"interior\": { \"extinction\": [1, 1, 1] } } }]", "there are media inside shapes, which only the volPath integrator shows")]
+    public void What_an_integrator_does_not_know_is_warned_of(string integrator, string scene, string warning)
+    {
+        SceneLoadResult result = SceneLoader.Load(Write($"{{ {scene.Replace("INTEGRATOR", integrator, StringComparison.Ordinal)} }}"));
+        Assert.Equal(warning, Assert.Single(result.Diagnostics).Message);
+        Assert.NotNull(result.Scene);
+    }
+
     [Fact]
     public void Consequences_of_an_error_are_not_told()
     {

@@ -1,6 +1,8 @@
 using RayTracer.Materials;
 using RayTracer.Numerics;
+using RayTracer.Spectra;
 using RayTracer.Textures;
+using GlassName = RayTracer.Materials.Glass;
 using MetalName = RayTracer.Materials.Metal;
 
 namespace RayTracer.Tests.Statistics;
@@ -40,6 +42,9 @@ internal sealed record MaterialCase(string Name, Material Material)
     /// <summary>Whether two lobes may choose the same direction.</summary>
     public bool IsMixture { get; init; }
 
+    // Before all cases, which use it.
+    private static readonly Dispersion s_flint = GlassName.Sf11.Dispersion();
+
     /// <summary>All cases: a new material is tested once it has its line here.</summary>
     public static IReadOnlyList<MaterialCase> All { get; } =
     [
@@ -53,6 +58,9 @@ internal sealed record MaterialCase(string Name, Material Material)
         new("diamond", Glass(2.417f, Rgb.Black)) { Index = 2.417, Albedo = Rgb.White },
         new("air in water", Glass(0.75f, Rgb.Black)) { Index = 0.75, Albedo = Rgb.White },
         new("green glass", Glass(1.5f, new(0.5f, 0.1f, 0.5f))) { Index = 1.5 },
+        new("flint", new DielectricMaterial(1, Rgb.Black, FresnelModel.Exact, dispersion: s_flint)) { Index = s_flint.Index(SurfaceCase.Wavelength)[0], Albedo = Rgb.White },
+        new("glass in water", new DielectricMaterial(1.5f, new(9, 9, 9), FresnelModel.Exact, nesting: new(1, Dispersion.None(1.5f), new(9, 9, 9)))) { Index = 1.5 / SurfaceCase.Around, Albedo = Rgb.White },
+        new("frosted flint", new RoughDielectricMaterial(1, RoughnessOf(MicrofacetDistribution.Ggx, 0.4f, 0.4f), Solid(1), Solid(1), dispersion: s_flint)) { Index = s_flint.Index(SurfaceCase.Wavelength)[0], Exponent = 1, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 },
         Coat("white polish", Diffuse(1, 1, 1), 10, 0.04f),
         Coat("polish", Diffuse(0.7f, 0.4f, 0.1f), 50, 0.04f),
         Coat("sharp polish", Diffuse(0.7f, 0.4f, 0.1f), 1e4f, 0.3f),

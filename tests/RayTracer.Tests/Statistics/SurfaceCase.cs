@@ -16,6 +16,12 @@ internal sealed record SurfaceCase(double Cosine, bool Inside = false)
     /// <summary>Length of the ray.</summary>
     public const float Distance = 0.7f;
 
+    /// <summary>Of light that is dispersed, in µm.</summary>
+    public const float Wavelength = 0.45f;
+
+    /// <summary>Refractive index of what is around dielectrics that have priorities.</summary>
+    public const float Around = 1.2f;
+
     // Poles of the basis, next to them, and anywhere.
     private static readonly Vector3D[] s_normals =
         [new(0.3, 0.8, -0.4), new(0, 0, 1), new(0, 0, -1), new(-1e-4, 2e-4, -1), new(0, -1, 0), new(0.6, -0.1, 0.7)];
@@ -45,6 +51,8 @@ internal sealed record SurfaceCase(double Cosine, bool Inside = false)
         surface.Cosine = (float)Cosine;
         surface.Inside = Inside ? MaskW.All : MaskW.None;
         surface.Distance = Distance;
+        surface.Wavelength = Wavelength;
+        surface.Around = Around;
         surface.U = U;
         surface.V = V;
         surface.Tint = Rgb.White;

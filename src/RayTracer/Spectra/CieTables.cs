@@ -1,9 +1,9 @@
-namespace RayTracer.Scenes;
+namespace RayTracer.Spectra;
 
 /// <summary>
 /// The colour matching functions of the 2° observer (CIE 1931) and the daylight D65 (CIE 15:2004), from 360 to 830 nm in steps of 5 nm.
 /// </summary>
-internal static class CieTables
+public static class CieTables
 {
     /// <summary>The first wavelength, in nm.</summary>
     public const int First = 360;
@@ -73,4 +73,14 @@ internal static class CieTables
         46.4182, 56.6118, 66.8054, 65.0941, 63.3828, 63.8434, 64.304, 61.8779, 59.4519, 55.7054,
         51.959, 54.6998, 57.4406, 58.8765, 60.3125,
     ];
+
+    /// <summary>A table's number at a wavelength, linear in between.</summary>
+    /// <param name="table">The table.</param>
+    /// <param name="wavelength">In nm, from <see cref="First"/> to <see cref="Last"/>.</param>
+    public static double Between(ReadOnlySpan<double> table, double wavelength)
+    {
+        double place = (wavelength - First) / Step;
+        int below = int.Min((int)place, table.Length - 2);
+        return table[below] + ((place - below) * (table[below + 1] - table[below]));
+    }
 }

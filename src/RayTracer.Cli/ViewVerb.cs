@@ -1,0 +1,44 @@
+using System.CommandLine;
+using RayTracer.Imaging;
+
+namespace RayTracer.Cli;
+
+/// <summary><c>raytracer view IMAGE</c></summary>
+internal static class ViewVerb
+{
+    private const int ColumnsWithoutTerminal = 80;
+
+    public static void Build(Command command, Streams streams)
+    {
+        Argument<string> image = new("IMAGE") { Description = "The image file: PNG, JPEG, PFM, OpenEXR or Radiance HDR." };
+        ParsedOption<long?> columns = OptionValues.Integer("--columns", "How many columns of the terminal the picture may take; without it, all (80 where there is no terminal).", 1, 10_000);
+        ParsedOption<TerminalGraphics?> graphics = OptionValues.Choice<TerminalGraphics>("--as", "How the terminal shows it; without it, as TERM and others of its variables say, and as letters under NO_COLOR.");
+        ParsedOption<double?> exposure = OptionValues.Number("--exposure", "Stops by which the picture is made brighter (each doubles the light).", -100, 100);
+        ParsedOption<ToneMap?> toneMap = OptionValues.Choice<ToneMap>("--tonemap", "How bright light is brought into what a screen can show; clamp cuts it off.");
+        command.Arguments.Add(image);
+        foreach (Option option in new Option[] { columns.Symbol, graphics.Symbol, exposure.Symbol, toneMap.Symbol })
+        {
+            command.Options.Add(option);
+        }
+
+        command.SetAction(result =>
+        {
+            ToneMappedRows seen = new(ImageFile.Read(result.GetValue(image)!), toneMap.Value(result) ?? ToneMap.Clamp, (float)(exposure.Value(result) ?? 0));
+            TerminalGraphics how = graphics.Value(result) ?? TerminalPicture.Of(Environment.GetEnvironmentVariable);
+            streams.Output.Write(TerminalPicture.Draw(seen, (int)(columns.Value(result) ?? Columns()), how));
+            return ExitStatus.Fine;
+        });
+    }
+
+    private static int Columns()
+    {
+        try
+        {
+            return Console.IsOutputRedirected || Console.WindowWidth < 1 ? ColumnsWithoutTerminal : Console.WindowWidth;
+        }
+        catch (IOException)
+        {
+            return ColumnsWithoutTerminal;
+        }
+    }
+}

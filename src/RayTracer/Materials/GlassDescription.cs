@@ -1,0 +1,96 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Media;
+using RayTracer.Numerics;
+using RayTracer.Spectra;
+
+namespace RayTracer.Materials;
+
+/// <summary>What the descriptions of smooth and rough glass share.</summary>
+public abstract record GlassDescription : MaterialDescription
+{
+    private const float SmallestIndex = 1e-3f;
+    private const float LargestIndex = 100;
+
+    /// <summary>Which glass; null where the other parameters tell.</summary>
+    [Parameter("Which glass, from published tables, in place of refractiveIndex: light of each colour is refracted by an index of its own, as in a prism. It stands in air.")]
+    public Glass? Glass { get; init; }
+
+    /// <summary>Cauchy's A and B.</summary>
+    [Parameter("A and B of Cauchy's formula, n = A + B/λ² with the wavelength λ in µm, in place of refractiveIndex: light of each colour is refracted by an index of its own.", Unit = "1, µm²")]
+    public Vector2? Cauchy { get; init; }
+
+    /// <summary>Sellmeier's B.</summary>
+    [Parameter("B₁, B₂ and B₃ of Sellmeier's formula, n² = 1 + ΣB·λ²/(λ² − C), in place of refractiveIndex; together with sellmeierC.")]
+    public Vector3? SellmeierB { get; init; }
+
+    /// <summary>Sellmeier's C.</summary>
+    [Parameter("C₁, C₂ and C₃ of Sellmeier's formula; together with sellmeierB.", Unit = "µm²")]
+    public Vector3? SellmeierC { get; init; }
+
+    /// <summary>What fills the inside besides.</summary>
+    [Parameter("What fills the inside: milk, fog, a coloured liquid. The volPath integrator shows it.")]
+    public MediumDescription Interior { get; init; } = new();
+
+    /// <summary>Which of dielectrics that overlap is there; 0 where the refractive index is relative to what is around.</summary>
+    [Parameter("Which of dielectrics that overlap is there, with the path, direct and volPath integrators: the one with the highest priority. A liquid that reaches into its glass, which has the higher priority, needs no boundary that fits. All dielectrics that touch must have priorities, and then refractive indices are relative to empty space. 0 is none: the index is relative to what is around.", Minimum = 0, Maximum = 1000)]
+    public int Priority { get; init; }
+
+    /// <summary>How the inside goes with others; null without a priority.</summary>
+    /// <param name="refractiveIndex">The index where it does not depend on the wavelength.</param>
+    /// <param name="dispersion">How it does; null where it does not.</param>
+    /// <param name="extinction">How the inside absorbs.</param>
+    protected Nesting? BuildNesting(float refractiveIndex, Dispersion? dispersion, Rgb extinction) =>
+        Priority == 0 ? null : new(Priority, dispersion ?? Dispersion.None(refractiveIndex), extinction);
+
+    /// <summary>How the index depends on the wavelength; null where it does not.</summary>
+    /// <param name="builder">Takes what is wrong.</param>
+    /// <param name="refractiveIndex">The property of the index that does not depend on it.</param>
+    /// <param name="isGiven">Whether that is another than the one that is used where none is given.</param>
+    protected Dispersion? BuildDispersion(SceneBuilder builder, string refractiveIndex, bool isGiven)
+    {
+        string[] ways = [.. Ways()];
+        if (ways.Length > 1)
+        {
+            builder.Error(this, ways[1], "glass has either a \"glass\", \"cauchy\", or \"sellmeierB\" and \"sellmeierC\", not several of them");
+        }
+        else if (ways.Length == 1 && isGiven)
+        {
+            builder.Error(this, refractiveIndex, $"a \"refractiveIndex\" is the same for all colours: give either that or \"{char.ToLowerInvariant(ways[0][0])}{ways[0][1..]}\"");
+        }
+
+        if ((SellmeierB is null) != (SellmeierC is null))
+        {
+            builder.Error(this, SellmeierB is null ? nameof(SellmeierC) : nameof(SellmeierB), "\"sellmeierB\" and \"sellmeierC\" must be given together");
+            return null;
+        }
+
+        Dispersion? dispersion = Glass is { } glass ? glass.Dispersion()
+            : Cauchy is { } ab ? Dispersion.Cauchy(ab.X, ab.Y)
+            : SellmeierB is { } b && SellmeierC is { } c ? Dispersion.Sellmeier(new(b, 0), new(c, 0)) : null;
+        if (dispersion?.Range() is var (lowest, highest) && !(lowest >= SmallestIndex && highest <= LargestIndex))
+        {
+            builder.Error(this, ways[0], $"the refractive index must be from {SmallestIndex} to {LargestIndex} at all wavelengths from {CieTables.First} to {CieTables.Last} nm");
+        }
+
+        return dispersion;
+    }
+
+    private IEnumerable<string> Ways()
+    {
+        if (Glass is not null)
+        {
+            yield return nameof(Glass);
+        }
+
+        if (Cauchy is not null)
+        {
+            yield return nameof(Cauchy);
+        }
+
+        if (SellmeierB is not null)
+        {
+            yield return nameof(SellmeierB);
+        }
+    }
+}

@@ -1,0 +1,58 @@
+using RayTracer.Imaging;
+using RayTracer.Textures;
+
+namespace RayTracer.Tests.Imaging;
+
+/// <summary>Radiance pictures as they are written: read by the own reader, and by ImageMagick.</summary>
+public sealed class HdrWriterTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [InlineData(1, 1)]
+    [InlineData(7, 3)]
+    [InlineData(8, 3)]
+    [InlineData(300, 5)]
+    [InlineData(33000, 1)]
+    public void Values_are_off_by_less_than_their_pixels_largest_over_255(int width, int height)
+    {
+        Random random = new(width);
+        Picture picture = new(width, height, [.. Enumerable.Range(0, 3 * width * height).Select(i => i % 40 < 25 ? i / 60 : (float)(random.NextDouble() * Math.Pow(2, random.Next(-60, 60))))]);
+        ImageFile.Write(_folder["a.hdr"], picture);
+        AssertClose(picture, ImageFile.Read(_folder["a.hdr"]));
+    }
+
+    [Fact]
+    public void Numbers_that_the_format_lacks_are_the_nearest_that_it_has()
+    {
+        Picture picture = new(2, 2, [float.NaN, -1, 0.5f, float.PositiveInfinity, 0, 1, 1e-44f, 0, 0, 255.7f, 1, 254.4f]);
+        ImageFile.Write(_folder["a.hdr"], picture);
+        Picture read = ImageFile.Read(_folder["a.hdr"]);
+        Assert.Equal([0, 0, 0.5f, 255 * MathF.Pow(2, 119), 0, 0, 0, 0, 0, 256, 0, 254], read.Pixels.Select(v => v == 0 ? 0 : v));
+    }
+
+    [SkippableFact]
+    public void ImageMagick_reads_what_is_written()
+    {
+        ImageMagick.SkipUnlessThere();
+        Picture picture = TestPictures.Noise(40, 30);
+        ImageFile.Write(_folder["a.hdr"], picture);
+        ImageMagick.Convert(_folder["a.hdr"], "-strip", "+set", "comment", _folder["a.pfm"]);
+        AssertClose(picture, ImageFile.Read(_folder["a.pfm"]));
+    }
+
+    private static void AssertClose(Picture expected, Picture actual)
+    {
+        Assert.Equal((expected.Width, expected.Height), (actual.Width, actual.Height));
+        for (int i = 0; i < expected.Pixels.Length; i += 3)
+        {
+            float largest = expected.Pixels.AsSpan(i, 3).ToArray().Max();
+            for (int k = 0; k < 3; k++)
+            {
+                Assert.Equal(expected.Pixels[i + k], actual.Pixels[i + k], largest / 250);
+            }
+        }
+    }
+}
