@@ -1,10 +1,11 @@
 using BenchmarkDotNet.Running;
 using RayTracer.Benchmarks;
 using RayTracer.Benchmarks.Embree;
+using RayTracer.Benchmarks.Mitsuba;
 using RayTracer.Benchmarks.Studio;
 
-// "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle tree with Embree; "studio [SCENE]" measures
-// how quickly the Studio follows a hand; anything else goes to
+// "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle tree with Embree, "mitsuba SCENE.xml SAMPLES…" whole renders with
+// Mitsuba; "studio [SCENE]" measures how quickly the Studio follows a hand; anything else goes to
 // BenchmarkDotNet ("--filter *").
 if (args.Length > 0 && args[0] == "ratios")
 {
@@ -14,6 +15,11 @@ if (args.Length > 0 && args[0] == "ratios")
 if (args.Length > 0 && args[0] == "embree")
 {
     return EmbreeBenchmark.Run(args[1..]);
+}
+
+if (args.Length > 0 && args[0] == "mitsuba")
+{
+    return MitsubaBenchmark.Run(args[1..]);
 }
 
 if (args.Length > 0 && args[0] == "studio")
