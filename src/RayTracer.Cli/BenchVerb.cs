@@ -15,7 +15,7 @@ internal static class BenchVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes.Folder}.", Arity = ArgumentArity.ZeroOrMore };
+        Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes.Folder}, and the Cornell box.", Arity = ArgumentArity.ZeroOrMore };
         ParsedOption<long?> samples = OptionValues.Parameter("--spp", nameof(Description.RenderDescription.SamplesPerPixel));
         ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "How often each scene is rendered; the best counts. 3 without it.", 1, 1000);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
@@ -28,7 +28,7 @@ internal static class BenchVerb
 
     private static int Run(string[] scenes, int? samples, int repeat, bool json, Streams streams)
     {
-        IReadOnlyList<string> paths = scenes.Length > 0 ? scenes : ReportScenes.Find();
+        IReadOnlyList<string> paths = scenes.Length > 0 ? scenes : ReportScenes.FindMeasured();
         List<Measurement> all = [];
         if (!json)
         {

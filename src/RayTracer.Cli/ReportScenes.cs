@@ -6,6 +6,15 @@ internal static class ReportScenes
     /// <summary>Their folder, within the repository.</summary>
     public const string Folder = "scenes/report";
 
+    /// <summary>Their files, and the Cornell box, where it lies beside their folder: what is measured unless other scenes are named.</summary>
+    /// <exception cref="CommandException">There are none.</exception>
+    public static IReadOnlyList<string> FindMeasured()
+    {
+        IReadOnlyList<string> scenes = Find();
+        string box = Path.Combine(Path.GetDirectoryName(scenes[0])!, "..", "cornell.json");
+        return File.Exists(box) ? [.. scenes, box] : scenes;
+    }
+
     /// <summary>Their files, in order of their names: of the current folder, or of one above the program.</summary>
     /// <exception cref="CommandException">There are none.</exception>
     public static IReadOnlyList<string> Find()
