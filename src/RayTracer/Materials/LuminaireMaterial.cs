@@ -85,6 +85,9 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     public override bool TurnsNormal => inner is { TurnsNormal: true };
 
     /// <inheritdoc/>
+    public override bool MirrorsNormal => inner is { MirrorsNormal: true };
+
+    /// <inheritdoc/>
     public override Media.Nesting? Nesting => inner?.Nesting;
 
     /// <inheritdoc/>

@@ -30,11 +30,11 @@ public sealed record MaskMaterialDescription : MaterialDescription
 /// <summary>Lets a share of the light straight through, and scatters the rest by another material.</summary>
 /// <param name="inner">The other material.</param>
 /// <param name="opacity">The share that meets it; its red channel counts.</param>
-/// <param name="interior">What fills the inside; null for what the other material says.</param>
+/// <param name="interior">What fills the inside; null for nothing. What the other material says comes first.</param>
 public sealed class MaskMaterial(Material inner, Texture opacity, Medium? interior = null) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>
-    public override Medium? Interior => interior ?? Inner.Interior;
+    public override Medium? Interior => Inner.Interior ?? interior;
 
     /// <inheritdoc/>
     public override bool IsTransparent => true;

@@ -51,6 +51,9 @@ public abstract class Material
     /// <summary>Whether <see cref="Prepare"/> turns <see cref="SurfaceW.Facing"/>.</summary>
     public virtual bool TurnsNormal => false;
 
+    /// <summary>Whether normals that would face away are mirrored into view, which leaves nothing to be taken literally (<see cref="Description.ShadingNormals"/>).</summary>
+    public virtual bool MirrorsNormal => false;
+
     /// <summary>Whether scattering depends on <see cref="SurfaceW.Wavelength"/>.</summary>
     public virtual bool Disperses => false;
 
@@ -187,7 +190,7 @@ public struct SurfaceW
     /// <summary>Length of the ray; set only where <see cref="Material.UsesDistance"/>.</summary>
     public FloatW Distance;
 
-    /// <summary>The path's wavelength in µm; set only where <see cref="Material.Disperses"/>.</summary>
+    /// <summary>The path's wavelength in µm, or a yellow one where it has none; set only where <see cref="Material.Disperses"/>.</summary>
     public FloatW Wavelength;
 
     /// <summary>Refractive index of what is on the other side of the shape, relative to empty space; set only where <see cref="Material.Nesting"/> tells the inside's.</summary>

@@ -52,6 +52,9 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
     public override bool TurnsNormal => true;
 
     /// <inheritdoc/>
+    public override bool MirrorsNormal => Turned == TurnedNormal.Mirror;
+
+    /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface)
     {
         // The outward normal with which the surface is shaded so far.
@@ -63,7 +66,7 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
         Vec3W facing = surface.Inside.Select(-normal, normal);
 
         FloatW along = Vec3W.Dot(surface.Incoming, facing);
-        Face(along, facing, ref surface);
+        Face(ref along, facing, ref surface);
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
         surface.SetTangent();
         Inner.Prepare(ref surface);
@@ -146,7 +149,7 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
     private bool IsPlain => Turned == TurnedNormal.Mirror && !SoftensShadow;
 
     // Sets the normal on the ray's side, and the surface's own beside it.
-    private void Face(in FloatW along, in Vec3W facing, ref SurfaceW surface)
+    private void Face(ref FloatW along, in Vec3W facing, ref SurfaceW surface)
     {
         Vec3W own = surface.Facing;
         MaskW isTurned = along > 0f;
@@ -154,7 +157,11 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
         {
             case TurnedNormal.Flip:
                 Vec3W flipped = Vec3W.MultiplyAdd(own, Vec3W.Dot(own, facing) * 2f, -facing);
+
+                // What the map turns below the surface itself cannot be flipped into view.
+                flipped = (Vec3W.Dot(surface.Incoming, flipped) < 0f).Select(flipped, own);
                 surface.Facing = isTurned.Select(flipped, facing);
+                along = isTurned.Select(Vec3W.Dot(surface.Incoming, flipped), along);
                 break;
             case TurnedNormal.Back:
                 surface.Facing = isTurned.Select(-facing, facing);

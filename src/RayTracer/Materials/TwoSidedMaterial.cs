@@ -59,6 +59,9 @@ public sealed class TwoSidedMaterial(Material front, Material back) : Material
     public override bool TurnsNormal => front.TurnsNormal || back.TurnsNormal;
 
     /// <inheritdoc/>
+    public override bool MirrorsNormal => front.MirrorsNormal || back.MirrorsNormal;
+
+    /// <inheritdoc/>
     public override Media.Nesting? Nesting => front.Nesting ?? back.Nesting;
 
     /// <inheritdoc/>

@@ -38,6 +38,9 @@ public abstract class WrapperMaterial(Material inner) : Material
     public override bool TurnsNormal => inner.TurnsNormal;
 
     /// <inheritdoc/>
+    public override bool MirrorsNormal => inner.MirrorsNormal;
+
+    /// <inheritdoc/>
     public override Nesting? Nesting => inner.Nesting;
 
     /// <inheritdoc/>

@@ -53,9 +53,9 @@ public static class MediumStack
     {
         UIntW media = stack & Media;
         FloatW own = priorities[medium];
-        MaskW beforeFirst = own >= FloatW.Gather(priorities, media & 0xffu);
-        MaskW beforeSecond = own >= FloatW.Gather(priorities, (media >> 8) & 0xffu);
-        MaskW beforeThird = own >= FloatW.Gather(priorities, media >> 16);
+        MaskW beforeFirst = own >= Rank(priorities, media & 0xffu);
+        MaskW beforeSecond = own >= Rank(priorities, (media >> 8) & 0xffu);
+        MaskW beforeThird = own >= Rank(priorities, media >> 16);
         UIntW first = media & 0xffu;
         UIntW two = media & 0xffffu;
         UIntW entered = beforeFirst.Select(
@@ -65,6 +65,13 @@ public static class MediumStack
         // What leaves is taken out wherever it is; and so the way in is the plain one for what comes first anyway.
         UIntW plain = Cross(stack, medium, crosses, enters);
         return (crosses & enters).Select((plain & ~Media) | entered, plain);
+    }
+
+    // What has no priority gives way to whatever enters it.
+    private static unsafe FloatW Rank(float* priorities, UIntW medium)
+    {
+        FloatW priority = FloatW.Gather(priorities, medium);
+        return (priority < float.MaxValue).Select(priority, -1f);
     }
 
     /// <summary>The stack with no boundary crossed since.</summary>

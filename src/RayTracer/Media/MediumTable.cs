@@ -29,7 +29,7 @@ internal sealed unsafe class MediumTable
             ReadOnlySpan<float> channels = [absorption.R, absorption.G, absorption.B];
             channels.CopyTo(new Span<float>(_absorption.Pointer + ((i + 1) * Stride), Stride));
 
-            // A medium without a priority is where nothing else is, or what was entered last: before all others.
+            // A medium without a priority counts where it was entered last: before all others when it is entered, behind them afterwards.
             _priorities.Pointer[i + 1] = interiors[i].Nesting?.Priority ?? float.MaxValue;
         }
     }

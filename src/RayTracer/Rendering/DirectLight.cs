@@ -49,14 +49,15 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
     /// <param name="media">The media on the ray's side; used only where paths keep in mind what they are in.</param>
     /// <param name="interior">Number of what is inside the surface's shape; used only there, too.</param>
     /// <param name="isSmoothed">Whether the points are shaded with another normal than the surface's own.</param>
+    /// <param name="mayBeLiteral">Whether that normal may be all that counts.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
     /// <param name="time">Times in seconds; used only where something moves.</param>
     /// <param name="active">Lanes in use.</param>
     /// <param name="weight">Throughput, times BRDF where there is no material.</param>
     /// <param name="radiance">Added to.</param>
-    public void Add(in SurfaceW surface, Material? material, in UIntW media, uint interior, bool isSmoothed, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
+    public void Add(in SurfaceW surface, Material? material, in UIntW media, uint interior, bool isSmoothed, bool mayBeLiteral, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
     {
-        bool isLiteral = isSmoothed && scene.IsLiteral;
+        bool isLiteral = mayBeLiteral && scene.IsLiteral;
         Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
         ref LitW lit = ref *_lit.Pointer;
         lit.Side = side;

@@ -368,6 +368,11 @@ internal sealed unsafe class LightShares
     // What rounding leaves goes to the largest, the first of equals.
     private static void Balance(long* units, int first, int last, long total)
     {
+        if (first > last)
+        {
+            return;
+        }
+
         int largest = first;
         for (int i = first; i <= last; i++)
         {

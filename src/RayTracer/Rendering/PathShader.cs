@@ -116,14 +116,14 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, material, packet.Media, group.Interior, group.MayLeak, Vertex, packet.Time, goesOn, throughput, ref radiance);
+            _directLight.Add(surface, material, packet.Media, group.Interior, group.MayLeak, group.MayBeLiteral, Vertex, packet.Time, goesOn, throughput, ref radiance);
         }
 
         ref ScatterW scatter = ref packet.Scatter;
         material.Scatter(surface, Vertex, out scatter);
         throughput *= scatter.Weight;
         MaskW alive = goesOn.Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
-        if (group.MayLeak && !Scene.IsLiteral)
+        if (group.MayLeak && !(Scene.IsLiteral && group.MayBeLiteral))
         {
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }

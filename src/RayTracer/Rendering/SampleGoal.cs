@@ -9,7 +9,7 @@ public sealed record SampleGoal
     /// <summary>Whether pixels may have different numbers of samples.</summary>
     public bool IsAdaptive { get; init; }
 
-    /// <summary>The most samples a pixel, on average over the picture; those that decide count too.</summary>
+    /// <summary>The most samples a pixel, on average over the picture; with <see cref="IsAdaptive"/>, those that decide count too, but for the fewest that it takes to decide at all.</summary>
     public required int MeanSamples { get; init; }
 
     /// <summary>The most samples of one pixel.</summary>

@@ -42,13 +42,9 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
         while (true)
         {
             double[] variances = RelativeVariances(blocks, deciding);
-            double[] deviations = goal.IsAdaptive ? Deviations(variances, columns) : new double[blocks.Length];
-            if (!goal.IsAdaptive)
-            {
-                // One number of samples for all: what a single block of their mean variance would get.
-                Array.Fill(deviations, double.Sqrt(allocation.Mean(variances)));
-            }
 
+            // One number of samples for all: what a single block of their mean variance would get.
+            double[] deviations = goal.IsAdaptive ? Deviations(variances, columns) : [.. Enumerable.Repeat(double.Sqrt(allocation.Mean(variances)), blocks.Length)];
 
             // For one number of samples for all pixels, the budget is the picture's alone.
             int[] samples = allocation.Share(variances, deviations, goal.IsAdaptive ? budget - deciding.Total : budget);
@@ -75,12 +71,15 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
         double pixels = 0;
         for (int i = 0; i < blocks.Length; i++)
         {
-            light += blocks[i].Pixels * estimates[i].Brightness;
+            light += blocks[i].Pixels * Math.Max(0, estimates[i].Brightness);
             pixels += blocks[i].Pixels;
         }
 
+        // Filters with negative lobes may make the dark negative.
         double floor = light / pixels / 10;
-        return [.. estimates.Select(e => e.Variance == 0 ? 0 : e.Variance / ((e.Brightness + floor) * (e.Brightness + floor)))];
+        return [.. estimates.Select(e => e.Variance == 0 ? 0 : Relative(e.Variance, Math.Max(0, e.Brightness) + floor))];
+
+        static double Relative(double variance, double brightness) => variance / (brightness * brightness);
     }
 
     // What neighbours found counts too where it is more: rare bright paths are met in some of them at first.

@@ -191,6 +191,12 @@ public sealed class Scene
 
         World world = new(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop);
         Scene scene = new(render, camera, description.Background, builder.Environment(description), description.Ambient, world);
+        if (scene._interiors.Length > MediumStack.MaxMedia)
+        {
+            builder.Error(description, nameof(SceneDescription.Materials), $"the materials have {scene._interiors.Length} different insides (media, and dielectrics with a priority), but there can be {MediumStack.MaxMedia}");
+            return null;
+        }
+
         scene.WarnOfWhatIsNotShown(description, builder);
         return scene;
     }

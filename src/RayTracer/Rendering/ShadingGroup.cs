@@ -25,6 +25,9 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
     /// <summary>Whether light is scattered with other normals than the surface's own, so that it could leak through it.</summary>
     public bool MayLeak { get; } = batch.HasShadingNormals || material.TurnsNormal;
 
+    /// <summary>Whether shading normals may be all that counts (<see cref="Scene.IsLiteral"/>).</summary>
+    public bool MayBeLiteral { get; } = (batch.HasShadingNormals || material.TurnsNormal) && !material.MirrorsNormal;
+
     public bool UsesTangent { get; } = material.UsesTangent;
 
     /// <summary>Whether the diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>

@@ -133,7 +133,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
         if (group.HasShadingNormals)
         {
-            if (scene.IsLiteral)
+            if (scene.IsLiteral && group.MayBeLiteral)
             {
                 TakeLiterally(ref surface);
             }
@@ -157,6 +157,12 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         {
             // Where nobody keeps in mind what paths are in, nothing is around.
             surface.Around = 1f;
+        }
+
+        if (group.Disperses)
+        {
+            // The yellow line of helium, by which refractive indices are told: where no path chooses its wavelength (Disperse).
+            surface.Wavelength = 0.5876f;
         }
 
         group.Material.Prepare(ref surface);
@@ -279,8 +285,8 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     /// <summary>The cosine between the shape's own normal and the way back along the ray; negative from behind.</summary>
     protected static FloatW CosineOfEmission(in SurfaceW surface)
     {
-        FloatW cosine = FloatW.Min(FloatW.Abs(Vec3W.Dot(surface.Incoming, surface.Normal)), 1f);
-        return surface.Inside.Select(-cosine, cosine);
+        FloatW cosine = -Vec3W.Dot(surface.Incoming, surface.Normal);
+        return FloatW.Max(FloatW.Min(cosine, 1f), -1f);
     }
 
     /// <summary>The media of a ray that leaves a surface, by those of the ray that came.</summary>

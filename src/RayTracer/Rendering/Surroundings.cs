@@ -9,13 +9,16 @@ internal sealed unsafe class Surroundings
 {
     private const int Directions = 14;
     private const int MostHits = 1000;
+
+    // As many as a path can keep in mind.
+    private const int MostShapes = 3;
     private readonly Scene _scene;
     private readonly PinnedBuffer<int> _hits;
     private PathStream _rays = new(16);
     private PathStream _next = new(16);
 
-    // For each interior: by how many of the rays that met it was it left once more than entered; and how far it was where it was left.
-    private readonly int[] _inside;
+    // For each interior: how often rays left it more than they entered it, and how many met it; and how far it was where it was left.
+    private readonly int[] _left;
     private readonly int[] _met;
     private readonly float[] _distance;
 
@@ -24,7 +27,7 @@ internal sealed unsafe class Surroundings
         _scene = scene;
         _hits = new(scene.World.RoomForHits(16));
         int interiors = 1 + (int)scene.Groups.Max(g => g.Interior);
-        (_inside, _met, _distance) = (new int[interiors], new int[interiors], new float[interiors]);
+        (_left, _met, _distance) = (new int[interiors], new int[interiors], new float[interiors]);
         Array.Fill(_distance, float.PositiveInfinity);
     }
 
@@ -39,11 +42,15 @@ internal sealed unsafe class Surroundings
             Follow(i);
         }
 
-        // The furthest comes first, as if the camera had come in from outside. What rays meet from both sides, such as a plane, is around where most say so.
+        // The furthest comes first, as if the camera had come in from outside. What rays meet from both sides, such as a plane, is around where most say so;
+        // of shapes of one interior that overlap, there are several around.
         UIntW stack = 0u;
-        foreach (int interior in Enumerable.Range(0, _inside.Length).Where(i => _inside[i] * 2 > _met[i]).OrderByDescending(i => _distance[i]))
+        foreach (int interior in Enumerable.Range(0, _left.Length).OrderByDescending(i => _distance[i]))
         {
-            stack = _scene.Cross(stack, (uint)interior, MaskW.All, MaskW.All);
+            for (int shape = 0; shape < MostShapes && _left[interior] * 2 > _met[interior] * ((2 * shape) + 1); shape++)
+            {
+                stack = _scene.Cross(stack, (uint)interior, MaskW.All, MaskW.All);
+            }
         }
 
         return MediumStack.Scattered(stack)[0];
@@ -53,8 +60,8 @@ internal sealed unsafe class Surroundings
     {
         _rays.Count = 0;
         Append(_rays, _scene.Camera.Origin(_scene.Render.Shutter.X), Direction(number));
-        int[] left = new int[_inside.Length];
-        bool[] met = new bool[_inside.Length];
+        int[] left = new int[_left.Length];
+        bool[] met = new bool[_left.Length];
         float way = 0;
         for (int hit = 0; hit < MostHits && _rays.Count > 0; hit++)
         {
@@ -68,7 +75,7 @@ internal sealed unsafe class Surroundings
         for (int i = 1; i < left.Length; i++)
         {
             _met[i] += met[i] ? 1 : 0;
-            _inside[i] += left[i] > 0 ? 1 : 0;
+            _left[i] += Math.Max(left[i], 0);
         }
     }
 
