@@ -47,10 +47,16 @@ internal static class ComposeVerb
     {
         (string Word, string Light, Rgb Factor)[] factors = [.. words.Select(Parse)];
         Array.ForEach(outputs, ImageOutputs.Check);
-        Picture composed = OfFile(path, file =>
+        Picture? composed = OfFile<Picture?>(path, file =>
         {
             LightMix mix = LightMix.Open(file);
             Dictionary<string, Rgb> byLight = ByLight(factors, mix.Lights, path);
+            if (outputs.Length == 0 && words.Length == 0)
+            {
+                streams.Output.WriteLine(string.Join(Environment.NewLine, mix.Lights));
+                return null;
+            }
+
             if (outputs.Length == 0)
             {
                 throw new CommandException(ExitStatus.Usage, $"where to? Give -o FILE. The lights of '{path}' are {Names(mix.Lights)}");
@@ -63,7 +69,7 @@ internal static class ComposeVerb
 
             return mix.Compose(light => byLight.GetValueOrDefault(light, new(others, others, others)));
         });
-        return ImageOutputs.Write(outputs, composed, writing, streams).Count < outputs.Length ? ExitStatus.InputOutput : ExitStatus.Fine;
+        return composed is null ? ExitStatus.Fine : ImageOutputs.Write(outputs, composed, writing, streams).Count < outputs.Length ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
 
     private static T OfFile<T>(string path, Func<byte[], T> read)

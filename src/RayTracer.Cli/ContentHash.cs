@@ -147,7 +147,7 @@ internal sealed class ContentHash : IDisposable
     private void AddFile(string path)
     {
         string folder = Path.GetDirectoryName(path)!;
-        foreach (string file in ModelSidecars.Of(path).Select(n => Path.Combine(folder, n)).Prepend(path).Where(File.Exists))
+        foreach (string file in ModelSidecars.Everywhere(path).Select(n => Path.Combine(folder, n)).Prepend(path).Where(File.Exists))
         {
             using FileStream stream = File.OpenRead(file);
             Text(Convert.ToHexStringLower(SHA256.HashData(stream)));

@@ -10,12 +10,18 @@ internal static class ImageOutputs
     /// <summary>Finds out before the work whether a file can be written after it.</summary>
     /// <exception cref="CommandException">The extension is unknown.</exception>
     /// <exception cref="ImageWriteException">The folder is missing or closed to us, or has no room for another file.</exception>
-    public static void Check(string path)
+    public static void Check(string path) => Check(path, isFilm: false);
+
+    /// <summary>As <see cref="Check(string)"/>, of a file that the film itself may be written to.</summary>
+    /// <inheritdoc cref="Check(string)"/>
+    public static void CheckFilm(string path) => Check(path, FilmFile.IsNamed(path));
+
+    private static void Check(string path, bool isFilm)
     {
         AtomicFile.Check(path);
         try
         {
-            if (!FilmFile.IsNamed(path))
+            if (!isFilm)
             {
                 ImageFile.Check(path);
             }

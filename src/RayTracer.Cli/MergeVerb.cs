@@ -40,7 +40,7 @@ internal sealed class MergeVerb
 
         foreach (string output in outputs)
         {
-            ImageOutputs.Check(output);
+            ImageOutputs.CheckFilm(output);
         }
 
         (string Path, FilmHeader Header)[] parts = [.. result.GetValue(_parts)!.Select(p => (p, FilmFile.ReadHeader(p)))];
@@ -99,7 +99,8 @@ internal sealed class MergeVerb
         return written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
 
-    private static string[] CropWords(FilmHeader header) => header.Crop is { } c ? ["--crop", $"{c.X},{c.Y},{c.Width},{c.Height}"] : [];
+    /// <summary>The options that say which part of the picture a film is of.</summary>
+    public static string[] CropWords(FilmHeader header) => header.Crop is { } c ? ["--crop", $"{c.X},{c.Y},{c.Width},{c.Height}"] : [];
 
     private static void WriteJson(FilmHeader header, int samples, string hash, IReadOnlyList<string> written, Streams streams) => JsonText.Write(streams, json =>
     {
@@ -122,6 +123,11 @@ internal sealed class MergeVerb
     private static FilmHeader Join((string Path, FilmHeader Header)[] parts)
     {
         (string firstPath, FilmHeader first) = parts[0];
+        if (Array.Find(parts, p => p.Header.Samples.Count == 0).Path is { } empty)
+        {
+            throw new CommandException(ExitStatus.InputOutput, $"'{empty}' holds no samples yet");
+        }
+
         foreach ((string path, FilmHeader header) in parts)
         {
             if (header.Content != first.Content || (header.Width, header.Height, header.Crop) != (first.Width, first.Height, first.Crop))

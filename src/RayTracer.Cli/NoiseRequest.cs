@@ -33,7 +33,7 @@ internal sealed class NoiseRequest(RenderRequest request)
                 ExitStatus.Usage, $"{option}: the pattern of the {render.Sampler.ToString().ToLowerInvariant()} sampler needs the number of samples beforehand: take --sampler sobol or independent");
         }
 
-        _mean = (request.Noise is null && request.Time is null) || request.HasSamples ? render.SamplesPerPixel : Limit;
+        _mean = (request.Noise is null && request.Time is null) || request.HasSamples || request.Part is not null || request.Samples is not null ? render.SamplesPerPixel : Limit;
         _most = request.Adaptive ? (int)Math.Min(MostSamples, (long)MostOverMean * _mean) : _mean;
         return scene with { Render = render with { SamplesPerPixel = _most } };
     }

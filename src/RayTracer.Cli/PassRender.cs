@@ -55,7 +55,11 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
             count = NextCount(Stopwatch.GetElapsedTime(passStart).TotalSeconds / range.Count, Limit - Stopwatch.GetElapsedTime(start));
         }
 
-        Checkpoints?.Write(film, Header);
+        if (Header.Samples.Count > 0)
+        {
+            Checkpoints?.Write(film, Header);
+        }
+
         return statistics;
     }
 

@@ -16,6 +16,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     private readonly Stopwatch _total = Stopwatch.StartNew();
     private readonly NoiseRequest _noise = new(request);
     private SceneDescription? _description;
+    private long _begun;
     private AovFilm? _auxiliary;
     private LightLayerFilm? _light;
     private Denoising? _denoising;
@@ -27,7 +28,13 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         AovOutputs aovs = new(request);
         foreach (string output in request.Outputs.Concat(aovs.Files).Concat(request.Checkpoint is { } file ? [file] : []))
         {
-            ImageOutputs.Check(output);
+            ImageOutputs.CheckFilm(output);
+        }
+
+        if (request is { Checkpoint: { } checkpoint, Resumed: null } && FilmFile.Unfinished(checkpoint) is { } unfinished)
+        {
+            throw new CommandException(
+                ExitStatus.InputOutput, $"'{checkpoint}' holds samples {unfinished.SamplesText} of an unfinished rendering: \"raytracer resume {checkpoint}\" goes on with it; delete it to begin anew");
         }
 
         using StopSignals signals = new(streams);
@@ -93,6 +100,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         RenderOutcome outcome = new(scene, film, new() { Cancelled = true }, options.Threads, 0);
         try
         {
+            _begun = Stopwatch.GetTimestamp();
             SamplePlan? plan = _noise.Plan(scene, options, display, cancellation);
             outcome = outcome with { Plan = plan };
             if (plan is not null)
@@ -131,7 +139,8 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         Checkpoints? checkpoints = request.Checkpoint is { } path ? new(path, request.CheckpointInterval, streams) : null;
-        PassRender passes = new(outcome.Scene, options, header) { Limit = request.Time, Checkpoints = checkpoints };
+        TimeSpan? left = request.Time is { } limit ? limit - Stopwatch.GetElapsedTime(_begun) : null;
+        PassRender passes = new(outcome.Scene, options, header) { Limit = left, Checkpoints = checkpoints };
         SampleRange missing = new(header.Samples is [.., var last] ? last.End : wanted.First, wanted.End);
         RenderStatistics statistics = passes.Render(outcome.Film, missing, display, cancellation);
         if (passes.Header.Samples is [var done] && !cancellation.IsCancellationRequested)
@@ -140,7 +149,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         header = passes.Header;
-        if (request is { Time: not null, HasSamples: false, Noise: null } && header.Samples is [var whole])
+        if (request is { Time: not null, HasSamples: false, Noise: null, Part: null, Samples: null } && header.Samples is [var whole])
         {
             // Nobody asked for more than there was time for.
             header = header with { Wanted = whole, Total = whole.End };

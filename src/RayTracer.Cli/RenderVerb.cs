@@ -113,6 +113,8 @@ internal sealed class RenderVerb
         { Adaptive: true, Denoise: true } => "--denoise compares two halves of equal samples, which --adaptive has not: leave one of them out",
         { NeedsPasses: true, Layers.Count: > 0 } => "layers of light are of one rendering, which .rtfilm, --checkpoint and --time may cut in pieces: leave one of them out",
         { Adaptive: true, Layers.Count: > 0 } => "layers of light are of equal samples, which --adaptive has not: leave one of them out",
+        { Outputs.Count: > 0 } and ({ Aovs.Count: > 0 } or { Denoise: true }) when request.Outputs.All(FilmFile.IsNamed) =>
+            "--aov and --denoise write images, but there are only films to write: give -o FILE.png or another image too",
         { Sample: not null, Pixel: null } => "--sample needs --pixel",
         _ => null,
     };

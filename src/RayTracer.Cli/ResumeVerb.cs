@@ -84,7 +84,7 @@ internal sealed class ResumeVerb
             Quiet = result.GetValue(_quiet),
             Json = result.GetValue(_json),
             OverrideWords = words,
-            CommandText = Shell.Command(["render", scene, .. words]),
+            CommandText = Shell.Command(["render", scene, .. words, .. MergeVerb.CropWords(header)]),
         });
         if (!FilmFile.IsNamed(request.Checkpoint!))
         {

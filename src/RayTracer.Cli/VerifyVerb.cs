@@ -86,9 +86,13 @@ internal static class VerifyVerb
         if (FilmFile.IsNamed(file))
         {
             (FilmHeader header, Film film) = FilmFile.Read(file);
-            string[] crop = header.Crop is { } c ? ["--crop", $"{c.X},{c.Y},{c.Width},{c.Height}"] : [];
+            if (header.Samples.Count == 0)
+            {
+                throw new CommandException(ExitStatus.InputOutput, $"'{file}' holds no samples yet");
+            }
+
             (RenderRequest asked, Func<SceneDescription, SceneDescription> changes) =
-                RenderVerb.Parse([scene ?? ResumeVerb.ScenePath(header, file), "--json", .. ResumeVerb.Words(header, header.Total), .. crop]);
+                RenderVerb.Parse([scene ?? ResumeVerb.ScenePath(header, file), "--json", .. ResumeVerb.Words(header, header.Total), .. MergeVerb.CropWords(header)]);
             return new(asked, changes, [.. header.Samples.Select(r => (SampleRange?)r)], film.ComputeHash());
         }
 
@@ -98,7 +102,14 @@ internal static class VerifyVerb
             throw new CommandException(ExitStatus.InputOutput, $"'{file}' does not say how it was made: only .rtfilm, .png and .exr files of render, resume and merge do");
         }
 
+        if (texts.ContainsKey("Aov") || texts.ContainsKey("Layer") || texts.ContainsKey("Denoised"))
+        {
+            throw new CommandException(ExitStatus.InputOutput, $"'{file}' is an image beside the picture: only the picture itself can be rendered anew and compared");
+        }
+
         (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([.. words, "--json"]);
+        string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, Path.GetFileName(request.ScenePath));
+        scene ??= File.Exists(request.ScenePath) || !File.Exists(beside) ? null : beside;
         SampleRange?[] ranges = texts.TryGetValue("SampleRange", out string? samples) ? [.. samples.Split(", ").Select(SampleShares.Range)] : [null];
         return new(scene is null ? request : request with { ScenePath = scene }, overrides, ranges, hash);
     }

@@ -91,6 +91,22 @@ public static class FilmFile
         return header;
     });
 
+    /// <summary>The header of a film that shall come to hold more samples than it does; null where there is no such film.</summary>
+    /// <param name="path">The file.</param>
+    public static FilmHeader? Unfinished(string path)
+    {
+        try
+        {
+            FilmHeader header = ReadHeader(path);
+            return header.Samples.Count > 0 && header.Samples[^1].End < header.Wanted.End ? header : null;
+        }
+        catch (PictureException)
+        {
+            // No film, or none that could be gone on with.
+            return null;
+        }
+    }
+
     // A row is a byte of flags, the counts (one where all are equal), and the sums (of 8 bytes where all fit into them, else of 16).
     private static int EncodeRow(Int128[] sums, uint[] counts, byte[] row)
     {
@@ -188,6 +204,11 @@ public static class FilmFile
         {
             throw new PictureException("it is damaged: its checksum is that of another content");
         }
+
+        if (stream.Position < stream.Length)
+        {
+            throw new PictureException("something follows its end");
+        }
     }
 
     private static byte[] Take(Stream stream, int length, IncrementalHash hash)
@@ -207,7 +228,7 @@ public static class FilmFile
         try
         {
             using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 20);
-            return read(stream);
+            return stream.CanSeek ? read(stream) : throw new PictureException("it is a pipe, but films are read from files");
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {

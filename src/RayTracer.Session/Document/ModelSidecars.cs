@@ -14,6 +14,14 @@ public static class ModelSidecars
     public static IReadOnlyList<string> Of(string path)
     {
         string folder = Path.GetDirectoryName(path)!;
+        return [.. Everywhere(path).Where(n => IsWithin(folder, n))];
+    }
+
+    /// <summary>Their paths, relative to the model's folder or absolute, wherever they are.</summary>
+    /// <param name="path">The model file.</param>
+    public static IReadOnlyList<string> Everywhere(string path)
+    {
+        string folder = Path.GetDirectoryName(path)!;
         IEnumerable<string> names = Path.GetExtension(path).ToLowerInvariant() switch
         {
             ".obj" => OfObj(path, folder),
@@ -21,8 +29,11 @@ public static class ModelSidecars
             ".glb" => Uris(GlbText(path)),
             _ => [],
         };
-        return [.. names.Select(n => n.Replace('\\', '/')).Where(n => IsWithin(folder, n) && File.Exists(Path.Combine(folder, n))).Distinct(StringComparer.Ordinal)];
+        return [.. names.Select(n => n.Replace('\\', '/')).Where(n => IsThere(folder, n)).Distinct(StringComparer.Ordinal)];
     }
+
+    private static bool IsThere(string folder, string name) =>
+        name.Length > 0 && !name.Contains('\0', StringComparison.Ordinal) && File.Exists(Path.Combine(folder, name));
 
     private static bool IsWithin(string folder, string name) =>
         name.Length > 0 && !name.Contains('\0', StringComparison.Ordinal) && !Path.IsPathRooted(name)
@@ -30,27 +41,29 @@ public static class ModelSidecars
 
     private static IEnumerable<string> OfObj(string path, string folder)
     {
-        foreach (string library in Statements(path, k => k == "mtllib"))
+        // A statement may name several libraries, or one whose name has spaces.
+        foreach (string library in Statements(path, k => k == "mtllib").SelectMany(s => s.Split((char[])[' ', '\t']).Prepend(s)))
         {
             yield return library;
-            string file = Path.Combine(folder, library.Replace('\\', '/'));
-            if (!IsWithin(folder, library.Replace('\\', '/')) || !File.Exists(file))
+            string name = library.Replace('\\', '/');
+            if (!IsThere(folder, name))
             {
                 continue;
             }
 
-            foreach (string map in Statements(file, k => k.StartsWith("map_", StringComparison.Ordinal) || k is "bump" or "disp" or "decal" or "refl" or "norm"))
+            foreach (string map in Statements(Path.Combine(folder, name), k => k.StartsWith("map_", StringComparison.Ordinal) || k is "bump" or "disp" or "decal" or "refl" or "norm"))
             {
-                // Options may stand before the name, and the name may have spaces.
+                // Options may stand before the name, and the name may have spaces. Readers also look for what another machine's path ends on.
                 yield return map;
                 yield return map[(map.LastIndexOf(' ') + 1)..];
+                yield return map[(map.LastIndexOfAny(['/', '\\']) + 1)..];
             }
         }
     }
 
     private static IEnumerable<string> Statements(string path, Func<string, bool> isWanted) => File.ReadLines(path)
         .Select(l => l.Trim().Split((char[])[' ', '\t'], 2))
-        .Where(s => s.Length == 2 && isWanted(s[0]))
+        .Where(s => s.Length == 2 && isWanted(s[0].ToLowerInvariant()))
         .Select(s => s[1].Trim());
 
     private static IEnumerable<string> Uris(string json) => JsonParser.Parse(new SourceText("", json), new List<Diagnostic>()) is { } root

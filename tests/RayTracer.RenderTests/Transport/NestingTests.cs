@@ -69,6 +69,24 @@ public class NestingTests
     }
 
     [Fact]
+    public void Glass_with_a_priority_is_seen_in_fog()
+    {
+        // With path, fog is nothing at all.
+        const string fog = """{ "type": "sphere", "center": [0, 0, 0], "radius": 3, "material": { "type": "invisible", "interior": { "extinction": [0.1, 0.1, 0.1] } } },""";
+        string scene = $$"""
+            { "camera": { "position": [0, 2, 7], "lookAt": [0, 0, 0], "fieldOfView": 30 },
+              "render": { "width": 16, "height": 12, "samplesPerPixel": 64, "integrator": "path", "maxDepth": 7 },
+              "background": [0.5, 0.6, 0.7],
+              "shapes": [ {{fog}} { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "dielectric", "refractiveIndex": 1.5, "priority": 1, "extinction": [0.5, 1, 0] } },
+                { "type": "plane", "point": [0, -1.5, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.8, 0.6, 0.4] } } ] }
+            """;
+        BlockTest test = BlockTest.Compare(
+            SceneRuns.RenderText(scene, s_seeds),
+            SceneRuns.RenderText(scene.Replace(fog, "", StringComparison.Ordinal), s_seeds, firstSeed: 1001));
+        ErrorBudget.Transport.Check(test.P, test.ToString());
+    }
+
+    [Fact]
     public void Two_of_a_kind_that_overlap_are_one()
     {
         // Through two drops of one water, one edge in and one out.

@@ -51,6 +51,71 @@ public sealed class LongRenderTests : IDisposable
     }
 
     [Fact]
+    public void An_unfinished_checkpoint_is_not_written_over()
+    {
+        string film = _folder["a.rtfilm"];
+        Fine("render", _scene, "--spp", "16", "--samples", "0..3", "-o", film);
+        Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" goes on with it; delete it to begin anew", "render", _scene, "--spp", "16", "--part", "1/2", "--checkpoint", Unfinished(film));
+        Fine("resume", film, "--quiet");
+        Fine("render", _scene, "--spp", "16", "--checkpoint", film, "--quiet");
+    }
+
+    [Fact]
+    public void A_film_without_samples_is_refused()
+    {
+        string film = _folder["none.rtfilm"];
+        FilmFile.Write(film, new(4, 3), new FilmHeader { Width = 4, Height = 3, Content = "", Samples = [], Wanted = new(0, 8), Total = 8, Scene = _scene, Overrides = [], Software = "" });
+        Refused(4, $"'{film}' holds no samples yet", "merge", film, "--partial", "--json");
+        Refused(4, $"'{film}' holds no samples yet", "verify", film);
+    }
+
+    [Fact]
+    public void What_follows_a_films_end_is_told()
+    {
+        string film = _folder["a.rtfilm"];
+        Fine("render", _scene, "--spp", "4", "-o", film);
+        File.AppendAllText(film, "!");
+        Refused(4, "something follows its end", "merge", film, "--json");
+    }
+
+    [Fact]
+    public void A_cropped_film_that_was_gone_on_with_is_verified()
+    {
+        string film = _folder["a.rtfilm"];
+        Fine("render", _scene, "--spp", "4", "--crop", "1,1,3,2", "-o", film);
+        Fine("resume", film, "--spp", "8", "-o", _folder["a.png"], "--quiet");
+        Fine("verify", _folder["a.png"]);
+    }
+
+    [Fact]
+    public void Only_the_picture_itself_is_verified()
+    {
+        Fine("render", _scene, "--spp", "4", "--aov", "depth", "-o", _folder["a.png"]);
+        Refused(4, "is an image beside the picture", "verify", _folder["a.depth.png"]);
+    }
+
+    [Fact]
+    public void A_picture_above_the_models_folder_counts_too()
+    {
+        Directory.CreateDirectory(_folder["model"]);
+        File.WriteAllText(_folder["model/a.mtl"], "newmtl m\nMap_kd ../up.png\n");
+        File.WriteAllText(_folder["model/a.obj"], "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+        File.WriteAllText(_folder["m.json"], """{ "render": { "width": 4, "height": 3 }, "shapes": [ { "type": "model", "file": "model/a.obj" } ] }""");
+        ImageFile.Write(_folder["up.png"], new Picture(1, 1, [1, 0, 0]));
+        Fine("render", _folder["m.json"], "--spp", "4", "--samples", "0..1", "-o", _folder["a.rtfilm"]);
+        ImageFile.Write(_folder["up.png"], new Picture(1, 1, [0, 1, 0]));
+        Refused(4, "the film is not of", "resume", _folder["a.rtfilm"]);
+    }
+
+    // A film of some samples, as a checkpoint of more.
+    private static string Unfinished(string film)
+    {
+        (FilmHeader header, Film held) = FilmFile.Read(film);
+        FilmFile.Write(film, held, header with { Wanted = new(0, 16) });
+        return film;
+    }
+
+    [Fact]
     public void Overlaps_gaps_and_other_pictures_are_refused_by_name()
     {
         string a = _folder["a.rtfilm"];
