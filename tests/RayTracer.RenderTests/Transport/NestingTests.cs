@@ -71,11 +71,11 @@ public class NestingTests
     [Fact]
     public void Glass_with_a_priority_is_seen_in_fog()
     {
-        // With path, fog is nothing at all.
+        // With path, fog is nothing at all; only that its boundaries count as edges.
         const string fog = """{ "type": "sphere", "center": [0, 0, 0], "radius": 3, "material": { "type": "invisible", "interior": { "extinction": [0.1, 0.1, 0.1] } } },""";
         string scene = $$"""
             { "camera": { "position": [0, 2, 7], "lookAt": [0, 0, 0], "fieldOfView": 30 },
-              "render": { "width": 16, "height": 12, "samplesPerPixel": 64, "integrator": "path", "maxDepth": 7 },
+              "render": { "width": 16, "height": 12, "samplesPerPixel": 64, "integrator": "path", "maxDepth": -1 },
               "background": [0.5, 0.6, 0.7],
               "shapes": [ {{fog}} { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "dielectric", "refractiveIndex": 1.5, "priority": 1, "extinction": [0.5, 1, 0] } },
                 { "type": "plane", "point": [0, -1.5, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.8, 0.6, 0.4] } } ] }

@@ -63,7 +63,8 @@ public sealed class ComposeTests : IDisposable
         AssertRefused("--light big_lamp=-1: expected a number from 0 to 1000000, not \"-1\"", 2, a, "--light", "big_lamp=-1", "-o", _folder["b.png"]);
         AssertRefused("--light big_lamp=nan: expected a number from 0 to 1000000, not \"nan\"", 2, a, "--light", "big_lamp=nan", "-o", _folder["b.png"]);
         AssertRefused("--light big lamp=3: the light \"big_lamp\" is given twice", 2, a, "--light", "big_lamp=1", "--light", "big lamp=3", "-o", _folder["b.png"]);
-        AssertRefused($"where to? Give -o FILE. The lights of '{a}' are ambient, background, big_lamp", 2, a);
+        AssertRefused($"where to? Give -o FILE. The lights of '{a}' are ambient, background, big_lamp", 2, a, "--light", "big_lamp=1");
+        Assert.Equal("ambient background big_lamp", CliRun.Of("compose", a).Output.ReplaceLineEndings(" ").Trim());
         AssertRefused("it is no OpenEXR file, and no other has layers of lights", 4, _folder["a.png"], "-o", _folder["b.png"]);
         AssertRefused("it has no layers of lights", 4, _folder["plain.exr"], "-o", _folder["b.png"]);
         AssertRefused("no-such.exr", 4, _folder["no-such.exr"], "-o", _folder["b.png"]);
