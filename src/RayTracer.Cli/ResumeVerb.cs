@@ -42,11 +42,11 @@ internal sealed class ResumeVerb
     public static CommandException OtherScene(string path) =>
         new(ExitStatus.InputOutput, $"the film is not of '{path}': the scene, a file that it names, its settings or the program are others than they were");
 
-    /// <summary>Where the scene of a film is: where it was, or beside the film.</summary>
-    public static string ScenePath(FilmHeader header, string file)
+    /// <summary>Where the scene of a film or image is: where it was, or beside the file.</summary>
+    public static string ScenePath(string scene, string file)
     {
-        string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, Path.GetFileName(header.Scene));
-        return File.Exists(header.Scene) || !File.Exists(beside) ? header.Scene : beside;
+        string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, Path.GetFileName(scene));
+        return File.Exists(scene) || !File.Exists(beside) ? scene : beside;
     }
 
     /// <summary>The options that replaced what the scene's file said, with as many samples a pixel as the whole picture has.</summary>
@@ -69,7 +69,7 @@ internal sealed class ResumeVerb
         }
 
         IReadOnlyList<string> words = Words(header, total);
-        string scene = result.GetValue(_scene) ?? ScenePath(header, file);
+        string scene = result.GetValue(_scene) ?? ScenePath(header.Scene, file);
         RenderRequest request = _long.Put(result, new()
         {
             ScenePath = scene,

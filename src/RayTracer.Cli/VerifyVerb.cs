@@ -92,7 +92,7 @@ internal static class VerifyVerb
             }
 
             (RenderRequest asked, Func<SceneDescription, SceneDescription> changes) =
-                RenderVerb.Parse([scene ?? ResumeVerb.ScenePath(header, file), "--json", .. ResumeVerb.Words(header, header.Total), .. MergeVerb.CropWords(header)]);
+                RenderVerb.Parse([scene ?? ResumeVerb.ScenePath(header.Scene, file), "--json", .. ResumeVerb.Words(header, header.Total), .. MergeVerb.CropWords(header)]);
             return new(asked, changes, [.. header.Samples.Select(r => (SampleRange?)r)], film.ComputeHash());
         }
 
@@ -108,10 +108,8 @@ internal static class VerifyVerb
         }
 
         (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([.. words, "--json"]);
-        string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, Path.GetFileName(request.ScenePath));
-        scene ??= File.Exists(request.ScenePath) || !File.Exists(beside) ? null : beside;
         SampleRange?[] ranges = texts.TryGetValue("SampleRange", out string? samples) ? [.. samples.Split(", ").Select(SampleShares.Range)] : [null];
-        return new(scene is null ? request : request with { ScenePath = scene }, overrides, ranges, hash);
+        return new(request with { ScenePath = scene ?? ResumeVerb.ScenePath(request.ScenePath, file) }, overrides, ranges, hash);
     }
 
     /// <summary>What a file says of itself.</summary>
