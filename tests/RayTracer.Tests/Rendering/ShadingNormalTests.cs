@@ -87,6 +87,32 @@ public class ShadingNormalTests
             """));
     }
 
+    [Theory]
+    [InlineData("MAP", true)]
+    [InlineData("""{ "type": "twoSided", "front": MAP, "back": MAP }""", true)]
+    [InlineData("""{ "type": "luminaire", "multiplier": 0.1, "material": MAP }""", true)]
+    [InlineData("""{ "type": "mask", "opacity": 0.8, "material": MAP }""", true)]
+    [InlineData("""{ "type": "normalMap", "turned": "back", "map": { "type": "solid", "color": [1, 0.5, 0.6] }, "material": { "type": "phongMetal" } }""", false)]
+    public void Normals_that_are_mirrored_into_view_leave_nothing_to_take_literally(string material, bool isSame)
+    {
+        // What metal that leans aside reflects goes on below the surface: taken literally, that is where the floor is.
+        string made = material.Replace("MAP", """{ "type": "normalMap", "map": COLOR, "material": { "type": "phongMetal" } }""", StringComparison.Ordinal)
+            .Replace("COLOR", """{ "type": "solid", "color": [0.5, 1, 0.6] }""", StringComparison.Ordinal);
+        string[] hashes = [.. new[] { "literal", "mended" }.Select(n => new RTracer(TestScenes.Build(
+            $$"""
+            {
+              "camera": { "position": [-3, 1, 0], "lookAt": [0, 0, 0], "fieldOfView": 12 },
+              "render": { "width": 16, "height": 16, "samplesPerPixel": 4, "integrator": "path", "maxDepth": 3, "shadingNormals": "{{n}}" },
+              "background": [0.5, 0.5, 0.5],
+              "shapes": [
+                { "type": "rectangle", "corner": [-1, 0, 1], "edgeU": [2, 0, 0], "edgeV": [0, 0, -2], "material": {{made}} },
+                { "type": "plane", "point": [0, -1, 0], "normal": [0, 1, 0] }
+              ]
+            }
+            """)).Render().Film.ComputeHash())];
+        Assert.Equal(isSame, hashes[0] == hashes[1]);
+    }
+
     private static double Brightness(Scene scene)
     {
         Film film = new RTracer(scene).Render().Film;
