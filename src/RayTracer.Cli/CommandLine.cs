@@ -23,7 +23,7 @@ internal static class CommandLine
         ("verify", "Renders what an image or film says it is once more, and compares.", VerifyVerb.Build),
         ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
         ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
-        ("convert", "Writes a scene of another format in the native one.", ConvertVerb.Build),
+        ("convert", "Writes a scene of another format in the native one, and images and films as other images.", ConvertVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),
         ("compose", "Balances the lights of a rendered picture anew.", ComposeVerb.Build),
         ("view", "Shows an image in the terminal.", ViewVerb.Build),

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
+using RayTracer.Scenes;
 using RayTracer.Session;
 
 namespace RayTracer.Cli;
@@ -78,6 +79,9 @@ internal sealed record RenderRequest
 
     /// <summary>Whether a JSON object is printed.</summary>
     public bool Json { get; init; }
+
+    /// <summary>The values that replace those of the scene file before it is read.</summary>
+    public IReadOnlyList<SceneSetting> Settings { get; init; } = [];
 
     /// <summary>The words of the overrides that were given.</summary>
     public required IReadOnlyList<string> OverrideWords { get; init; }

@@ -68,7 +68,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     /// <returns>What it came to; null where the scene is wrong, which was said.</returns>
     public RenderOutcome? Compute(CancellationToken cancellation, AovOutputs? aovs = null)
     {
-        Scene? scene = SceneFile.Load(request.ScenePath, streams, s => _description = _noise.Widen(overrides(s)));
+        Scene? scene = SceneFile.Load(request.ScenePath, streams, s => _description = _noise.Widen(overrides(s)), request.Settings);
         if (scene is null)
         {
             return null;

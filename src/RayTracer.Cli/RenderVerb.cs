@@ -83,6 +83,7 @@ internal sealed class RenderVerb
             HasSamples = _overrides.HasSamples(result),
             Quiet = result.GetValue(_quiet),
             Json = result.GetValue(_json),
+            Settings = _overrides.Settings(result),
             OverrideWords = [.. _overrides.Words(result)],
             CommandText = Shell.Command(result.Tokens.Select(t => t.Value)),
         };

@@ -70,6 +70,7 @@ internal sealed class ResumeVerb
 
         IReadOnlyList<string> words = Words(header, total);
         string scene = result.GetValue(_scene) ?? ScenePath(header.Scene, file);
+        (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
         RenderRequest request = _long.Put(result, new()
         {
             ScenePath = scene,
@@ -83,6 +84,7 @@ internal sealed class ResumeVerb
             Resumed = new(header, film),
             Quiet = result.GetValue(_quiet),
             Json = result.GetValue(_json),
+            Settings = first.Settings,
             OverrideWords = words,
             CommandText = Shell.Command(["render", scene, .. words, .. MergeVerb.CropWords(header)]),
         });
@@ -91,7 +93,7 @@ internal sealed class ResumeVerb
             throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");
         }
 
-        return new RenderRun(request, RenderVerb.Parse([scene, "--json", .. words]).Overrides, streams).Run();
+        return new RenderRun(request, overrides, streams).Run();
     }
 
     // The samples that the film shall come to hold.
