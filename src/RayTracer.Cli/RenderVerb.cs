@@ -23,10 +23,9 @@ internal sealed class RenderVerb
     private readonly Option<bool> _adaptive = new("--adaptive") { Description = "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes." };
     private readonly ParsedOption<SampleRange?> _samples = new("--samples", "A..B", "Renders only these samples of each pixel, both included, from 0. With -o part.rtfilm, for merge.", SampleShares.Range);
     private readonly ParsedOption<(int Number, int Count)?> _part = new("--part", "I/N", "Renders only the I-th, from 1, of N equal shares of the samples. With -o part.rtfilm, for merge.", SampleShares.Part);
-    private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
-    private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
     private readonly SceneOverrides _overrides;
     private readonly LongRenderOptions _long;
+    private readonly DisplayOptions _display;
 
     private RenderVerb(Command command)
     {
@@ -40,14 +39,13 @@ internal sealed class RenderVerb
         }
 
         _long = new(command, "Writes the film to this file (.rtfilm) now and then, from which resume goes on.");
-        command.Options.Add(_quiet);
-        command.Options.Add(_json);
+        _display = new(command);
     }
 
     public static void Build(Command command, Streams streams)
     {
         RenderVerb verb = new(command);
-        command.SetAction(result => new RenderRun(verb.Request(result), s => verb._overrides.Apply(result, s), streams).Run());
+        command.SetAction(result => new RenderRun(DisplayOptions.ForTerminal(verb.Request(result), streams), s => verb._overrides.Apply(result, s), streams).Run());
     }
 
     /// <summary>What some words after <c>render</c> ask for, and how they change the scene.</summary>
@@ -81,12 +79,11 @@ internal sealed class RenderVerb
             Samples = _samples.Value(result),
             Part = _part.Value(result),
             HasSamples = _overrides.HasSamples(result),
-            Quiet = result.GetValue(_quiet),
-            Json = result.GetValue(_json),
+            Settings = _overrides.Settings(result),
             OverrideWords = [.. _overrides.Words(result)],
             CommandText = Shell.Command(result.Tokens.Select(t => t.Value)),
         };
-        request = _long.Put(result, request);
+        request = _display.Put(result, _long.Put(result, request));
         return Contradiction(request) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : request;
     }
 
@@ -101,6 +98,10 @@ internal sealed class RenderVerb
         { Aovs.Count: > 0, Outputs.Count: 0 } or { Layers.Count: > 0, Outputs.Count: 0 } => "--aov writes images: where to? Give -o FILE",
         { Pixel: not null } and ({ Noise: not null } or { Adaptive: true }) => "--pixel renders the samples that it is told to: leave --noise and --adaptive out",
         { Adaptive: true } and ({ Samples: not null } or { Part: not null }) => "--adaptive decides how many samples there are: leave --samples and --part out",
+        { Preview: true, Pixel: not null } => "--pixel prints numbers: leave --preview out",
+        { Preview: true, Adaptive: true } or { Preview: true, Denoise: true } or { Preview: true, Layers.Count: > 0 } =>
+            "--preview shows passes over the whole picture, which --adaptive, --denoise and layers of light have not: leave it out",
+        { Quiet: true, Verbose: true } => "--quiet and --verbose cannot go together",
         { Adaptive: true, NeedsPasses: true } => "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot go on from: leave it out",
         { Noise: not null } and ({ Samples: not null } or { Part: not null }) => "--noise decides how many samples there are: leave --samples and --part out",
         { Samples: not null, Part: not null } => "--samples and --part cannot go together",

@@ -13,17 +13,20 @@ internal static class SceneFile
     /// <param name="path">The scene file.</param>
     /// <param name="overrides">Changes the description before the scene is built; may be null.</param>
     /// <param name="readPicture">Reads pictures; null for <see cref="ImageFile.Read"/>.</param>
-    public static SceneLoadResult Load(string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null) =>
-        SceneLoader.Load(path, overrides, readPicture);
+    /// <param name="settings">Values to put in the place of the file's; may be null.</param>
+    public static SceneLoadResult Load(
+        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null) =>
+        SceneLoader.Load(path, overrides, readPicture, settings);
 
     /// <summary>Loads a scene and shows what is wrong with it.</summary>
     /// <param name="path">The scene file.</param>
     /// <param name="streams">Where the diagnostics go.</param>
     /// <param name="overrides">Changes the description before the scene is built; may be null.</param>
+    /// <param name="settings">Values to put in the place of the file's; may be null.</param>
     /// <returns>The scene; null where there are errors.</returns>
-    public static Scene? Load(string path, Streams streams, Func<SceneDescription, SceneDescription>? overrides = null)
+    public static Scene? Load(string path, Streams streams, Func<SceneDescription, SceneDescription>? overrides = null, IReadOnlyList<SceneSetting>? settings = null)
     {
-        SceneLoadResult result = Load(path, overrides);
+        SceneLoadResult result = Load(path, overrides, settings: settings);
         Show(result, streams);
         return result.Scene;
     }

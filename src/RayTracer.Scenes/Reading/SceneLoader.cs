@@ -15,13 +15,26 @@ public static class SceneLoader
     /// Reads the picture file of a path, decoded from sRGB unless the second argument says that its numbers are to be
     /// taken raw; may throw <see cref="PictureException"/>. By default <see cref="ImageFile.Read"/>.
     /// </param>
+    /// <param name="settings">Values to put in the place of the file's before it is checked; those of a file in another format go by what the scene is in the native one.</param>
     public static SceneLoadResult Load(
-        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null)
+        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null)
     {
         string folder = Path.GetDirectoryName(path) ?? "";
         ModelFolder models = new(folder);
-        SceneReadResult read = ModelFile.IsModel(path) ? ModelScene.Read(path, models) : MitsubaReader.IsScene(path) ? MitsubaReader.Read(path) : SceneReader.Read(path);
+        SceneReadResult read = ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models), settings)
+            : MitsubaReader.IsScene(path) ? Set(MitsubaReader.Read(path), settings) : SceneReader.Read(path, settings);
         return Build(read, folder, models, overrides, readPicture, keepsSources: false);
+    }
+
+    private static SceneReadResult Set(SceneReadResult read, IReadOnlyList<SceneSetting>? settings)
+    {
+        if (settings is not { Count: > 0 } || read.Description is not { } scene)
+        {
+            return read;
+        }
+
+        SceneReadResult native = SceneReader.ReadText(SceneWriter.Write(scene), $"{FileName(read)}, converted", settings);
+        return new(native.Source, native.Root, native.Partial, native.SourceMap, read.Diagnostics.Concat(native.Diagnostics));
     }
 
     /// <summary>Builds the scene of a description that has been read; it remembers the records that its parts were made from.</summary>
@@ -51,7 +64,7 @@ public static class SceneLoader
         }
 
         Scene? scene = null;
-        if (!diagnostics.Exists(d => d.Line == 0 && d.Severity == Severity.Error))
+        if (!diagnostics.Exists(d => d is { Line: 0, Column: 0 } && d.Severity == Severity.Error))
         {
             SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load, models.Load) { KeepsSources = keepsSources };
             scene = builder.Build(description);
@@ -76,7 +89,7 @@ public static class SceneLoader
             {
                 if (parameter.RangeComplaint(parameter.Get(to)) is { } complaint)
                 {
-                    diagnostics.Add(new(FileName(read), 0, 0, Severity.Error, $"{Quotation.Of(parameter.Key)} {complaint}"));
+                    diagnostics.Add(new(FileName(read), 0, 0, Severity.Error, $"{Quotation.Of(parameter.Key)} {complaint}") { Rule = DiagnosticRule.OutOfRange });
                 }
             }
         }
