@@ -16,6 +16,10 @@ internal static class ImageOutputs
     /// <inheritdoc cref="Check(string)"/>
     public static void CheckFilm(string path) => Check(path, FilmFile.IsNamed(path));
 
+    /// <summary>As <see cref="Check(string)"/>, whatever the extension.</summary>
+    /// <inheritdoc cref="Check(string)"/>
+    public static void CheckFolder(string path) => Check(path, isFilm: true);
+
     private static void Check(string path, bool isFilm)
     {
         AtomicFile.Check(path);

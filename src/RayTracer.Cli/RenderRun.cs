@@ -21,6 +21,12 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     private LightLayerFilm? _light;
     private Denoising? _denoising;
 
+    /// <summary>Reads pictures; null for <see cref="ImageFile.Read"/>.</summary>
+    public Func<string, bool, Picture>? ReadPicture { get; init; }
+
+    /// <summary>Takes what it came to and the files that were written, at the end; may be null.</summary>
+    public Action<RenderOutcome, IReadOnlyList<string>>? Done { get; init; }
+
     /// <summary>Loads, renders, writes and reports.</summary>
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public int Run()
@@ -49,7 +55,8 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             return signals.Status;
         }
 
-        IReadOnlyList<string> written = outcome.Film.TotalSamples > 0 ? Write(outcome, aovs) : [];
+        bool isWanted = outcome.Film.TotalSamples > 0 && !(request.IsOfSequence && outcome.Statistics.Cancelled);
+        IReadOnlyList<string> written = isWanted ? Write(outcome, aovs) : [];
         if (outcome.Film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
         {
             streams.Fail("no sample came to a finite number, so there is no picture to write");
@@ -57,6 +64,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         RenderReport report = new(request, outcome, written, _total.Elapsed.TotalSeconds);
         report.Write(streams);
+        Done?.Invoke(outcome, written);
         return signals.Status != 0 ? signals.Status
             : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.HasFailedCheckpoint ? ExitStatus.InputOutput
             : outcome.IsNoisy(request) ? ExitStatus.Noisy : ExitStatus.Fine;
@@ -68,7 +76,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     /// <returns>What it came to; null where the scene is wrong, which was said.</returns>
     public RenderOutcome? Compute(CancellationToken cancellation, AovOutputs? aovs = null)
     {
-        Scene? scene = SceneFile.Load(request.ScenePath, streams, s => _description = _noise.Widen(overrides(s)));
+        Scene? scene = SceneFile.Load(request.ScenePath, streams, s => _noise.Widen(overrides(s)), request.Frame, ReadPicture, s => _description = s);
         if (scene is null)
         {
             return null;
@@ -194,7 +202,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         return new()
         {
             Threads = request.Threads,
-            Crop = request.Pixel is [var x, var y] ? new(x, y, 1, 1) : request.Crop is [var left, var top, var width, var height] ? new(left, top, width, height) : null,
+            Crop = request.Pixel is [var x, var y] ? new(x, y, 1, 1) : request.Area,
             Samples = request.Sample is { } sample ? new((int)sample, (int)sample + 1) : SampleShares.Of(request, render),
         };
     }
@@ -236,6 +244,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new("Samples", $"{outcome.SamplesText}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
             new("FilmHash", outcome.Hash),
             .. outcome.RangeText is { } range ? [KeyValuePair.Create("SampleRange", range)] : Array.Empty<KeyValuePair<string, string>>(),
+            .. request.IsOfSequence ? [KeyValuePair.Create("Content", ContentHash.Of(_description!, request.ScenePath, request.Area))] : Array.Empty<KeyValuePair<string, string>>(),
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };
         Picture? denoised = _denoising?.Denoise(request.Threads);

@@ -70,6 +70,7 @@ internal sealed class ResumeVerb
 
         IReadOnlyList<string> words = Words(header, total);
         string scene = result.GetValue(_scene) ?? ScenePath(header.Scene, file);
+        (RenderRequest parsed, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
         RenderRequest request = _long.Put(result, new()
         {
             ScenePath = scene,
@@ -78,6 +79,7 @@ internal sealed class ResumeVerb
             Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
             Crop = header.Crop is { } c ? [c.X, c.Y, c.Width, c.Height] : null,
             Samples = wanted,
+            Frames = parsed.Frames,
             HasSamples = true,
             Checkpoint = file,
             Resumed = new(header, film),
@@ -91,7 +93,7 @@ internal sealed class ResumeVerb
             throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");
         }
 
-        return new RenderRun(request, RenderVerb.Parse([scene, "--json", .. words]).Overrides, streams).Run();
+        return new RenderRun(request, overrides, streams).Run();
     }
 
     // The samples that the film shall come to hold.

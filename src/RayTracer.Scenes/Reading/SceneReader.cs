@@ -10,7 +10,8 @@ public static class SceneReader
 
     /// <summary>Reads a file.</summary>
     /// <param name="path">The file's path, by which diagnostics call it too.</param>
-    public static SceneReadResult Read(string path)
+    /// <param name="frame">The frame whose values animated properties get; null for those that the file has in their places.</param>
+    public static SceneReadResult Read(string path, int? frame = null)
     {
         byte[]? bytes;
         try
@@ -33,20 +34,28 @@ public static class SceneReader
         }
 
         SourceText source = SourceText.Decode(path, bytes, out Diagnostic? error);
-        return error is null ? Read(source) : new(source, null, null, new(), [error]);
+        return error is null ? Read(source, frame) : new(source, null, null, new(), [error]);
     }
 
     /// <summary>Reads a text.</summary>
     /// <param name="text">The scene file's text.</param>
     /// <param name="fileName">How diagnostics call it.</param>
-    public static SceneReadResult ReadText(string text, string fileName) => Read(new SourceText(fileName, text));
+    /// <param name="frame">As for <see cref="Read(string, int?)"/>.</param>
+    public static SceneReadResult ReadText(string text, string fileName, int? frame = null) => Read(new SourceText(fileName, text), frame);
 
-    private static SceneReadResult Read(SourceText source)
+    private static SceneReadResult Read(SourceText source, int? frame)
     {
         DiagnosticBag bag = new(source);
         SourceMap map = new();
         JsonNode? root = JsonParser.Parse(source, bag.Diagnostics);
         SceneDescription? scene = root is null ? null : RecordReader.ReadScene(root, bag, map);
+        if (frame is { } number && scene is { Animation.Count: > 0 } && bag.Diagnostics.Count == 0)
+        {
+            root = AnimationTrack.Apply(root!, scene.Animation, map, number / (double)scene.Render.FramesPerSecond);
+            map = new();
+            scene = RecordReader.ReadScene(root, bag, map);
+        }
+
         return new(source, root, scene, map, bag.Diagnostics);
     }
 
