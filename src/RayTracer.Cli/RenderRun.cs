@@ -143,7 +143,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         FilmHeader header = Header(outcome.Scene.Render, wanted, options.Crop);
         if (request.Resumed is { } resumed)
         {
-            header = resumed.Header.Content == header.Content ? header with { Samples = resumed.Header.Samples } : throw ResumeVerb.OtherScene(request.ScenePath);
+            header = resumed.Header.Content == header.Content ? header with { Samples = resumed.Header.Samples } : throw ResumeVerb.OtherFilm(request, resumed.Header, outcome.Scene.Render);
         }
 
         Checkpoints? checkpoints = request.Checkpoint is { } path ? new(path, request.CheckpointInterval, streams) : null;
