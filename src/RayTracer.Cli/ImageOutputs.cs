@@ -7,6 +7,9 @@ namespace RayTracer.Cli;
 /// <summary>The files that an image is written to.</summary>
 internal static class ImageOutputs
 {
+    // Between two writes to one file, on disks that know no locks.
+    private static readonly TimeSpan LongestPause = TimeSpan.FromMinutes(1);
+
     /// <summary>Finds out before the work whether a file can be written after it.</summary>
     /// <exception cref="CommandException">The extension is unknown.</exception>
     /// <exception cref="ImageWriteException">The folder is missing or closed to us, or has no room for another file.</exception>
@@ -91,7 +94,7 @@ internal static class ImageOutputs
     {
         FileInfo file = new(path);
         string target = file.LinkTarget is null ? file.FullName : file.ResolveLinkTarget(returnFinalTarget: true)!.FullName;
-        AtomicFile.Sweep(target);
+        AtomicFile.Sweep(target, DateTime.UtcNow - LongestPause);
         string probe = AtomicFile.Temporary(target);
         try
         {

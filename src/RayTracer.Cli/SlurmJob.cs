@@ -101,7 +101,7 @@ internal sealed record SlurmJob
     {
         try
         {
-            using Process process = Process.Start(new ProcessStartInfo("bash", [Path.Combine(Folder, Merge)]) { RedirectStandardOutput = true, RedirectStandardError = true })!;
+            using Process process = Process.Start(new ProcessStartInfo("bash", [Path.Combine(Folder, Merge)]) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
             Task<string> errors = process.StandardError.ReadToEndAsync();
             string said = process.StandardOutput.ReadToEnd().Trim();
             process.WaitForExit();

@@ -9,7 +9,6 @@ public static class AtomicFile
     private const string Ending = ".tmp";
     private const int GuidLength = 32;
     private const int LongestStart = 50;
-    private static readonly TimeSpan LongestPause = TimeSpan.FromMinutes(1);
 
     /// <summary>Writes a file.</summary>
     /// <param name="path">Where to; the folder must exist. A symbolic link stays one: the file that it names is replaced.</param>
@@ -59,7 +58,8 @@ public static class AtomicFile
 
     /// <summary>Deletes the temporary files that processes which were killed have left beside a file: those of its name that nobody has open or wrote to lately.</summary>
     /// <param name="path">The file that they were to become.</param>
-    public static void Sweep(string path)
+    /// <param name="before">Those that were last written to before this time, UTC.</param>
+    public static void Sweep(string path, DateTime before)
     {
         try
         {
@@ -67,16 +67,15 @@ public static class AtomicFile
             string pattern = $"{Start(target)}.{new string('?', GuidLength)}{Ending}";
             foreach (string left in Directory.EnumerateFiles(Path.GetDirectoryName(target)!, pattern, new EnumerationOptions { AttributesToSkip = FileAttributes.None }))
             {
-                if (DateTime.UtcNow - File.GetLastWriteTimeUtc(left) > LongestPause)
+                if (File.GetLastWriteTimeUtc(left) < before)
                 {
-                    // Refused while somebody writes to it.
-                    using FileStream own = new(left, FileMode.Open, FileAccess.ReadWrite, FileShare.None, 1, FileOptions.DeleteOnClose);
+                    DeleteUnused(left);
                 }
             }
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
         {
-            // It stays: that harms nobody.
+            // They stay: that harms nobody.
         }
     }
 
@@ -123,6 +122,19 @@ public static class AtomicFile
 
         string message = e.Message.ReplaceLineEndings(" ").TrimEnd('.');
         return temporary is null ? message : message.Replace(temporary, "a temporary file beside it", StringComparison.Ordinal);
+    }
+
+    private static void DeleteUnused(string left)
+    {
+        try
+        {
+            // Refused while somebody writes to it.
+            using FileStream own = new(left, FileMode.Open, FileAccess.ReadWrite, FileShare.None, 1, FileOptions.DeleteOnClose);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // Its writer lives, or it is another user's.
+        }
     }
 
     private static void Delete(string? temporary)
