@@ -8,8 +8,9 @@ namespace RayTracer.Sampling;
 /// <summary>
 /// Sobol points, scrambled by Owen's method: every power of two of samples is as evenly spread as points can be, and every
 /// pixel and dimension has its own random scrambling, so the picture is unbiased. The first <see cref="TabledPairs"/> pairs
-/// of dimensions are those of one high-dimensional sequence; every further group is the first two dimensions again,
-/// in an order of its own, and every pair of it in a scrambling of its own (Burley, Practical hash-based Owen scrambling, JCGT 2020).
+/// of dimensions are those of the first two groups; every further group is one of these pairs again, in an order that
+/// two groups share (<see cref="Dimensions.SecondOfFour"/>), and every pair of it in a scrambling of its own (Burley, Practical
+/// hash-based Owen scrambling, JCGT 2020).
 /// </summary>
 public sealed unsafe class SobolSampler : Sampler
 {
@@ -39,8 +40,18 @@ public sealed unsafe class SobolSampler : Sampler
         points.Key = Hash.GroupKey(pixelKey, group);
 
         // Shuffling the index by Owen's method too keeps every power of two of samples together.
-        points.First = Scramble(sample.ReverseBits(), points.Key ^ 0x55A4A5C3u).ReverseBits();
-        points.Second = Pascal(points.First);
+        UIntW second = group & Dimensions.SecondOfFour;
+        UIntW order = Hash.GroupKey(pixelKey, group - second) ^ 0x55A4A5C3u;
+        UIntW index = Scramble(sample.ReverseBits(), order).ReverseBits();
+        if (_isLong)
+        {
+            // The first samples are those that there would be without the others.
+            index ^= Scramble(0u, order).ReverseBits() & ~(TableSize - 1u);
+        }
+
+        UIntW table = second * (4u * TableSize / Dimensions.SecondOfFour);
+        points.First = Point(index, table);
+        points.Second = Point(index, table + (2u * TableSize));
     }
 
     /// <inheritdoc/>
@@ -53,8 +64,8 @@ public sealed unsafe class SobolSampler : Sampler
         }
 
         points.Key = Hash.GroupKey(pixelKey, group);
-        points.First = Point(sample, s_points + (4 * TableSize * group));
-        points.Second = Point(sample, s_points + (4 * TableSize * group) + (2 * TableSize));
+        points.First = Point(sample, 4u * TableSize * group);
+        points.Second = Point(sample, (4u * TableSize * group) + (2u * TableSize));
     }
 
     /// <inheritdoc/>
@@ -63,21 +74,6 @@ public sealed unsafe class SobolSampler : Sampler
         Hash.PairKeys(points.Key, pair, out UIntW keyU, out UIntW keyV);
         u = Unit(Scramble(points.First, keyU));
         v = Unit(Scramble(points.Second, keyV));
-    }
-
-    /// <summary>
-    /// The second dimension of Sobol's sequence, whose matrix is Pascal's triangle modulo 2: digit j is the sum of the
-    /// index's digits at all places that have the ones of j. One step for each digit of j, instead of one for each digit of the index.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static UIntW Pascal(UIntW index)
-    {
-        UIntW x = index;
-        x ^= (x >> 1) & 0x55555555u;
-        x ^= (x >> 2) & 0x33333333u;
-        x ^= (x >> 4) & 0x0f0f0f0fu;
-        x ^= (x >> 8) & 0x00ff00ffu;
-        return x ^ (x >> 16);
     }
 
     // The scrambled point's digits are still reversed.
@@ -99,10 +95,10 @@ public sealed unsafe class SobolSampler : Sampler
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private UIntW Point(UIntW index, uint* table)
+    private UIntW Point(UIntW index, UIntW table)
     {
-        UIntW low = UIntW.Gather(table, index & (TableSize - 1u));
-        return _isLong ? low ^ UIntW.Gather(table + TableSize, (index >> LowDigits) & (TableSize - 1u)) : low;
+        UIntW low = UIntW.Gather(s_points, table + (index & (TableSize - 1u)));
+        return _isLong ? low ^ UIntW.Gather(s_points + TableSize, table + ((index >> LowDigits) & (TableSize - 1u))) : low;
     }
 
     private static uint* MakeTable()
