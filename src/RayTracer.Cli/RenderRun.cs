@@ -66,7 +66,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         report.Write(streams);
         Done?.Invoke(outcome, written);
         return signals.Status != 0 ? signals.Status
-            : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.HasFailedCheckpoint ? ExitStatus.InputOutput
+            : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.Checkpoints is { HasFailed: true } ? ExitStatus.InputOutput
             : outcome.IsNoisy(request) ? ExitStatus.Noisy : ExitStatus.Fine;
     }
 
@@ -163,7 +163,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             header = header with { Wanted = whole, Total = whole.End };
         }
 
-        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, HasFailedCheckpoint = checkpoints?.HasFailed ?? false };
+        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, Checkpoints = checkpoints };
     }
 
     private static RenderStatistics Counted(SamplePlan? plan, RenderStatistics picture) => plan?.Add(picture) ?? picture;
@@ -279,8 +279,8 @@ internal sealed record RenderOutcome(Scene Scene, Film Film, RenderStatistics St
     /// <summary>Which samples the pixels have, where all have the same and no passes were made.</summary>
     public SampleRange? Samples { get; init; }
 
-    /// <summary>Whether the last checkpoint could not be written.</summary>
-    public bool HasFailedCheckpoint { get; init; }
+    /// <summary>The checkpoints; null where there are none.</summary>
+    public Checkpoints? Checkpoints { get; init; }
 
     /// <summary>How many samples the pixels have.</summary>
     public string SamplesText => RangeText is { } range ? range.StartsWith("0..", StringComparison.Ordinal) && !range.Contains(',', StringComparison.Ordinal) ? $"{MeanSamples}" : $"{MeanSamples} ({range})"
