@@ -26,6 +26,7 @@ internal static class CommandLine
         ("sweep", "Renders a scene with several values of its settings, as one labelled sheet.", SweepVerb.Build),
         ("resume", "Goes on with a film that was stopped, or gives it more samples.", ResumeVerb.Build),
         ("merge", "Adds films of different samples of one picture up.", MergeVerb.Build),
+        ("cluster", "Writes the jobs of a cluster that render the parts of a picture, and merge them.", ClusterVerb.Build),
         ("verify", "Renders what an image or film says it is once more, and compares.", VerifyVerb.Build),
         ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
         ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
@@ -122,9 +123,12 @@ internal static class CommandLine
             _ when isRoot => $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
             _ => $"unexpected argument {Quotation.Of(stray)}",
         });
-        streams.Error.WriteLine(isRoot ? "usage: raytracer VERB …, see raytracer --help" : $"usage: raytracer {command.Name} {Synopsis(command)}, see raytracer {command.Name} --help");
+        streams.Error.WriteLine(isRoot ? "usage: raytracer VERB …, see raytracer --help" : $"usage: {Name(command)} {Synopsis(command)}, see {Name(command)} --help");
         return ExitStatus.Usage;
     }
+
+    // With the commands that it is under.
+    private static string Name(Symbol command) => command.Parents.FirstOrDefault() is { } above ? $"{Name(above)} {command.Name}" : command.Name;
 
     private static string UnknownOption(string word, Command command) =>
         $"unknown option {Quotation.Of(word)}{Spelling.DidYouMean(word, command.Options.SelectMany(o => o.Aliases.Prepend(o.Name)))}";

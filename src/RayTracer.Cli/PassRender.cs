@@ -39,7 +39,7 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
         Tile area = options.Crop ?? new(0, 0, film.Width, film.Height);
         long start = Stopwatch.GetTimestamp();
         int count = 1;
-        for (int first = missing.First; first < missing.End && !statistics.Cancelled && !(Stopwatch.GetElapsedTime(start) >= Limit);)
+        for (int first = missing.First; first < missing.End && !statistics.Cancelled && !(Header.Samples.Count > 0 && Stopwatch.GetElapsedTime(start) >= Limit);)
         {
             SampleRange range = new(first, Math.Min(missing.End, first + count));
             long passStart = Stopwatch.GetTimestamp();

@@ -114,6 +114,12 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
             json.WriteBoolean("complete", header.IsComplete);
         }
 
+        if (outcome.Checkpoints is { } checkpoints)
+        {
+            json.WriteNumber("checkpoints", checkpoints.Count);
+            json.WriteNumber("checkpointSeconds", checkpoints.Spent.TotalSeconds);
+        }
+
         json.WriteNumber("nonFiniteSamples", _statistics.NonFiniteSamples);
         json.WriteBoolean("cancelled", _statistics.Cancelled);
         json.WriteStartArray("outputs");

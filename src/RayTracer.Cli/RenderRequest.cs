@@ -29,6 +29,9 @@ internal sealed record RenderRequest
     /// <summary>x, y, width and height of the part to render; null for all.</summary>
     public int[]? Crop { get; init; }
 
+    /// <summary>The part to render; null for all.</summary>
+    public Tile? Area => Crop is [var left, var top, var width, var height] ? new(left, top, width, height) : null;
+
     /// <summary>x and y of the only pixel to render; null for all.</summary>
     public int[]? Pixel { get; init; }
 
@@ -58,6 +61,18 @@ internal sealed record RenderRequest
 
     /// <summary>Which of how many equal parts of the samples to render, from 1; null for all.</summary>
     public (int Number, int Count)? Part { get; init; }
+
+    /// <summary>The frames to render; null for the scene as it is written.</summary>
+    public FrameRange? Frames { get; init; }
+
+    /// <summary>The only frame to render; null for the scene as it is written.</summary>
+    public int? Frame => Frames is { Count: 1 } frames ? frames.First : null;
+
+    /// <summary>Whether the picture is one of several frames, which are not written before they are whole.</summary>
+    public bool IsOfSequence { get; init; }
+
+    /// <summary>How many frames of an animated PNG are shown a second; null for what the scene says.</summary>
+    public double? FramesPerSecond { get; init; }
 
     /// <summary>After which time to stop; null for never.</summary>
     public TimeSpan? Time { get; init; }

@@ -22,6 +22,12 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     private LightLayerFilm? _light;
     private Denoising? _denoising;
 
+    /// <summary>Reads pictures; null for <see cref="ImageFile.Read"/>.</summary>
+    public Func<string, bool, Picture>? ReadPicture { get; init; }
+
+    /// <summary>Takes what it came to and the files that were written, at the end; may be null.</summary>
+    public Action<RenderOutcome, IReadOnlyList<string>>? Done { get; init; }
+
     /// <summary>Loads, renders, writes and reports.</summary>
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public int Run()
@@ -50,7 +56,8 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             return signals.Status;
         }
 
-        IReadOnlyList<string> written = outcome.Film.TotalSamples > 0 ? Write(outcome, aovs) : [];
+        bool isWanted = outcome.Film.TotalSamples > 0 && !(request.IsOfSequence && outcome.Statistics.Cancelled);
+        IReadOnlyList<string> written = isWanted ? Write(outcome, aovs) : [];
         _stages.EndWrite();
         if (outcome.Film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
         {
@@ -59,8 +66,9 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         RenderReport report = new(request, outcome, written, _stages, _total.Elapsed.TotalSeconds);
         report.Write(streams);
+        Done?.Invoke(outcome, written);
         return signals.Status != 0 ? signals.Status
-            : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.HasFailedCheckpoint ? ExitStatus.InputOutput
+            : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.Checkpoints is { HasFailed: true } ? ExitStatus.InputOutput
             : outcome.IsNoisy(request) ? ExitStatus.Noisy : ExitStatus.Fine;
     }
 
@@ -70,7 +78,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     /// <returns>What it came to; null where the scene is wrong, which was said.</returns>
     public RenderOutcome? Compute(CancellationToken cancellation, AovOutputs? aovs = null)
     {
-        Scene? scene = SceneFile.Load(request.ScenePath, streams, Described, request.Settings);
+        Scene? scene = SceneFile.Load(request.ScenePath, streams, Described, request.Settings, request.Frame, ReadPicture, s => _description = s);
         if (scene is null)
         {
             return null;
@@ -153,7 +161,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         FilmHeader header = Header(outcome.Scene.Render, wanted, options.Crop);
         if (request.Resumed is { } resumed)
         {
-            header = resumed.Header.Content == header.Content ? header with { Samples = resumed.Header.Samples } : throw ResumeVerb.OtherScene(request.ScenePath);
+            header = resumed.Header.Content == header.Content ? header with { Samples = resumed.Header.Samples } : throw ResumeVerb.OtherFilm(request, resumed.Header, outcome.Scene.Render);
         }
 
         Checkpoints? checkpoints = request.Checkpoint is { } path ? new(path, request.CheckpointInterval, streams) : null;
@@ -173,7 +181,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             header = header with { Wanted = whole, Total = whole.End };
         }
 
-        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, HasFailedCheckpoint = checkpoints?.HasFailed ?? false };
+        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, Checkpoints = checkpoints };
     }
 
     private static RenderStatistics Counted(SamplePlan? plan, RenderStatistics picture) => plan?.Add(picture) ?? picture;
@@ -212,7 +220,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         return new()
         {
             Threads = request.Threads,
-            Crop = request.Pixel is [var x, var y] ? new(x, y, 1, 1) : request.Crop is [var left, var top, var width, var height] ? new(left, top, width, height) : null,
+            Crop = request.Pixel is [var x, var y] ? new(x, y, 1, 1) : request.Area,
             Samples = request.Sample is { } sample ? new((int)sample, (int)sample + 1) : SampleShares.Of(request, render),
         };
     }
@@ -254,6 +262,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new("Samples", $"{outcome.SamplesText}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
             new("FilmHash", outcome.Hash),
             .. outcome.RangeText is { } range ? [KeyValuePair.Create("SampleRange", range)] : Array.Empty<KeyValuePair<string, string>>(),
+            .. request.IsOfSequence ? [KeyValuePair.Create("Content", ContentHash.Of(_description!, request.ScenePath, request.Area))] : Array.Empty<KeyValuePair<string, string>>(),
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };
         Picture? denoised = _denoising?.Denoise(request.Threads);
@@ -288,8 +297,8 @@ internal sealed record RenderOutcome(Scene Scene, Film Film, RenderStatistics St
     /// <summary>Which samples the pixels have, where all have the same and no passes were made.</summary>
     public SampleRange? Samples { get; init; }
 
-    /// <summary>Whether the last checkpoint could not be written.</summary>
-    public bool HasFailedCheckpoint { get; init; }
+    /// <summary>The checkpoints; null where there are none.</summary>
+    public Checkpoints? Checkpoints { get; init; }
 
     /// <summary>How many samples the pixels have.</summary>
     public string SamplesText => RangeText is { } range ? range.StartsWith("0..", StringComparison.Ordinal) && !range.Contains(',', StringComparison.Ordinal) ? $"{MeanSamples}" : $"{MeanSamples} ({range})"

@@ -23,6 +23,8 @@ internal sealed class RenderVerb
     private readonly Option<bool> _adaptive = new("--adaptive") { Description = "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes." };
     private readonly ParsedOption<SampleRange?> _samples = new("--samples", "A..B", "Renders only these samples of each pixel, both included, from 0. With -o part.rtfilm, for merge.", SampleShares.Range);
     private readonly ParsedOption<(int Number, int Count)?> _part = new("--part", "I/N", "Renders only the I-th, from 1, of N equal shares of the samples. With -o part.rtfilm, for merge.", SampleShares.Part);
+    private readonly ParsedOption<FrameRange?> _frames = FrameRange.Option();
+    private readonly ParsedOption<double?> _rate = OptionValues.Number("--fps", "With --frames and -o FILE.png or FILE.apng, which make an animated PNG: frames shown a second; without it, the scene's framesPerSecond.", 0.01, 1000);
     private readonly SceneOverrides _overrides;
     private readonly LongRenderOptions _long;
     private readonly DisplayOptions _display;
@@ -33,7 +35,7 @@ internal sealed class RenderVerb
         command.Arguments.Add(_scene);
         _writing = new(command, "The image file: .png, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
         _overrides = new(command);
-        foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol]))
+        foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol, _frames.Symbol, _rate.Symbol]))
         {
             command.Options.Add(option);
         }
@@ -45,7 +47,13 @@ internal sealed class RenderVerb
     public static void Build(Command command, Streams streams)
     {
         RenderVerb verb = new(command);
-        command.SetAction(result => new RenderRun(DisplayOptions.ForTerminal(verb.Request(result), streams), s => verb._overrides.Apply(result, s), streams).Run());
+        command.SetAction(result =>
+        {
+            RenderRequest request = DisplayOptions.ForTerminal(verb.Request(result), streams);
+            return FramesRun.Is(request)
+                ? new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run()
+                : new RenderRun(request with { OverrideWords = [.. request.OverrideWords, .. request.Frame is { } frame ? ["--frames", $"{frame}"] : Array.Empty<string>()] }, s => verb._overrides.Apply(result, s), streams).Run();
+        });
     }
 
     /// <summary>What some words after <c>render</c> ask for, and how they change the scene.</summary>
@@ -78,13 +86,15 @@ internal sealed class RenderVerb
             Adaptive = result.GetValue(_adaptive),
             Samples = _samples.Value(result),
             Part = _part.Value(result),
+            Frames = _frames.Value(result),
+            FramesPerSecond = _rate.Value(result),
             HasSamples = _overrides.HasSamples(result),
             Settings = _overrides.Settings(result),
             OverrideWords = [.. _overrides.Words(result)],
             CommandText = Shell.Command(result.Tokens.Select(t => t.Value)),
         };
         request = _display.Put(result, _long.Put(result, request));
-        return Contradiction(request) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : request;
+        return (FramesRun.Contradiction(request) ?? Contradiction(request)) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : request;
     }
 
     private static string? Contradiction(RenderRequest request) => request switch
@@ -116,6 +126,9 @@ internal sealed class RenderVerb
         { Adaptive: true, Layers.Count: > 0 } => "layers of light are of equal samples, which --adaptive has not: leave one of them out",
         { Outputs.Count: > 0 } and ({ Aovs.Count: > 0 } or { Denoise: true }) when request.Outputs.All(FilmFile.IsNamed) =>
             "--aov and --denoise write images, but there are only films to write: give -o FILE.png or another image too",
+        { Part: { } part, Frames: not null } when !FramesRun.Is(request) => $"--part {part.Number}/{part.Count}: with --frames, frames are shared out: for a share of one frame's samples give --samples",
+        { FramesPerSecond: not null, Frames: null } => "--fps is for animated PNGs: give --frames",
+        { Outputs.Count: > 0, Frames: null } when request.Outputs.FirstOrDefault(o => o.EndsWith(".apng", StringComparison.OrdinalIgnoreCase)) is { } animated => $"-o {animated}: an animated PNG is made of --frames",
         { Sample: not null, Pixel: null } => "--sample needs --pixel",
         _ => null,
     };

@@ -40,6 +40,13 @@ internal sealed class ResumeVerb
     public static CommandException OtherScene(string path) =>
         new(ExitStatus.InputOutput, $"the film is not of '{path}': the scene, a file that it names, its settings or the program are others than they were");
 
+    /// <summary>The complaint about a film of other content than what it shall be gone on with.</summary>
+    public static CommandException OtherFilm(RenderRequest request, FilmHeader header, RenderDescription render) => ContentHash.HasPattern(render) && render.SamplesPerPixel != header.Total
+        ? new(
+            ExitStatus.Usage,
+            $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, so that a film of {header.Total} cannot be given more or fewer: render it anew, or with --sampler sobol")
+        : OtherScene(request.ScenePath);
+
     /// <summary>Where the scene of a film or image is: where it was, or beside the file.</summary>
     public static string ScenePath(string scene, string file)
     {
@@ -68,7 +75,7 @@ internal sealed class ResumeVerb
 
         IReadOnlyList<string> words = Words(header, total);
         string scene = result.GetValue(_scene) ?? ScenePath(header.Scene, file);
-        (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
+        (RenderRequest parsed, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
         RenderRequest request = _display.Put(result, _long.Put(result, new()
         {
             ScenePath = scene,
@@ -77,10 +84,11 @@ internal sealed class ResumeVerb
             Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
             Crop = header.Crop is { } c ? [c.X, c.Y, c.Width, c.Height] : null,
             Samples = wanted,
+            Frames = parsed.Frames,
             HasSamples = true,
             Checkpoint = file,
             Resumed = new(header, film),
-            Settings = first.Settings,
+            Settings = parsed.Settings,
             OverrideWords = words,
             CommandText = Shell.Command(["render", scene, .. words, .. MergeVerb.CropWords(header)]),
         }));

@@ -37,6 +37,9 @@ internal sealed class WritingOptions
     /// <summary>The files.</summary>
     public IReadOnlyList<string> Files(ParseResult result) => result.GetValue(_outputs) ?? [];
 
+    /// <summary>The options of how pictures look that were given, as words of a command line.</summary>
+    public IEnumerable<string> Words(ParseResult result) => Looks.Where(o => result.GetResult(o) is { Implicit: false }).SelectMany(o => new[] { o.Name, result.GetResult(o)!.Tokens[^1].Value });
+
     /// <summary>How they are written.</summary>
     public ImageWriteOptions Writing(ParseResult result) => new()
     {

@@ -11,7 +11,8 @@ public static class SceneReader
     /// <summary>Reads a file.</summary>
     /// <param name="path">The file's path, by which diagnostics call it too.</param>
     /// <param name="settings">Values to put in the place of the file's; null for none.</param>
-    public static SceneReadResult Read(string path, IReadOnlyList<SceneSetting>? settings = null)
+    /// <param name="frame">The frame whose values animated properties get; null for those that the file has in their places.</param>
+    public static SceneReadResult Read(string path, IReadOnlyList<SceneSetting>? settings = null, int? frame = null)
     {
         byte[]? bytes;
         try
@@ -34,16 +35,18 @@ public static class SceneReader
         }
 
         SourceText source = SourceText.Decode(path, bytes, out Diagnostic? error);
-        return error is null ? Read(source, settings) : new(source, null, null, new(), [error with { Rule = DiagnosticRule.Unreadable }]);
+        return error is null ? Read(source, settings, frame) : new(source, null, null, new(), [error with { Rule = DiagnosticRule.Unreadable }]);
     }
 
     /// <summary>Reads a text.</summary>
     /// <param name="text">The scene file's text.</param>
     /// <param name="fileName">How diagnostics call it.</param>
     /// <param name="settings">Values to put in the place of the text's; null for none.</param>
-    public static SceneReadResult ReadText(string text, string fileName, IReadOnlyList<SceneSetting>? settings = null) => Read(new SourceText(fileName, text), settings);
+    /// <param name="frame">As for <see cref="Read(string, IReadOnlyList{SceneSetting}?, int?)"/>.</param>
+    public static SceneReadResult ReadText(string text, string fileName, IReadOnlyList<SceneSetting>? settings = null, int? frame = null) =>
+        Read(new SourceText(fileName, text), settings, frame);
 
-    private static SceneReadResult Read(SourceText source, IReadOnlyList<SceneSetting>? settings)
+    private static SceneReadResult Read(SourceText source, IReadOnlyList<SceneSetting>? settings, int? frame)
     {
         DiagnosticBag bag = new(source);
         SourceMap map = new();
@@ -54,6 +57,13 @@ public static class SceneReader
         }
 
         SceneDescription? scene = root is null ? null : RecordReader.ReadScene(root, bag, map);
+        if (frame is { } number && scene is { Animation.Count: > 0 } && bag.Diagnostics.Count == 0)
+        {
+            root = AnimationTrack.Apply(root!, scene.Animation, map, number / (double)scene.Render.FramesPerSecond);
+            map = new();
+            scene = RecordReader.ReadScene(root, bag, map);
+        }
+
         return new(source, root, scene, map, bag.Diagnostics);
     }
 

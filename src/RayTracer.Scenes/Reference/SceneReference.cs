@@ -117,6 +117,7 @@ public static class SceneReference
         ParameterKind.Shapes => "list of [shapes](#shapes)",
         ParameterKind.Environment => "[environment](#environments)",
         ParameterKind.Records => $"list of [{RecordType.Of(parameter.RecordType!).Name}s](#{RecordType.Of(parameter.RecordType!).Name})",
+        ParameterKind.Numbers when parameter.IsNumber => "number, list of numbers, or colour",
         ParameterKind.Numbers => "list of numbers",
         ParameterKind.Integers => "list of whole numbers",
         ParameterKind.Vector2s => "list of [number, number]",

@@ -102,6 +102,17 @@ public class AdaptiveSamplingTests
     }
 
     [Fact]
+    public void Who_is_short_of_time_decides_by_the_first_look()
+    {
+        SampleGoal goal = new() { Error = 0.001, MeanSamples = 512, MostSamples = 512 };
+        SamplePlan whole = new SamplePlanner(LampsWith(3), new(), goal).Plan();
+        SamplePlan hasty = new SamplePlanner(LampsWith(3), new(), goal) { IsShortOfTime = () => true }.Plan();
+
+        Assert.True(whole.Statistics.Paths >= 2 * hasty.Statistics.Paths, $"{whole.Statistics.Paths} and {hasty.Statistics.Paths} deciding paths");
+        Assert.True(hasty.TotalSamples > 0);
+    }
+
+    [Fact]
     public void A_goal_out_of_reach_takes_all_samples_and_says_so()
     {
         SamplePlan plan = new SamplePlanner(LampsWith(3), new(), new() { Error = 0.001, MeanSamples = 32, MostSamples = 32 }).Plan();
