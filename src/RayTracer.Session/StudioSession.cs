@@ -14,6 +14,7 @@ public sealed class StudioSession : IDisposable
     public StudioSession(UserFolders? folders = null, string? scenes = null, TimeProvider? time = null)
     {
         _document = new(folders, scenes, time);
+        Edits = new(Document, Selection, Notices);
         Jobs = new(Notices);
         View = new(Document);
         Camera = new(Document, View);
@@ -42,6 +43,9 @@ public sealed class StudioSession : IDisposable
 
     /// <summary>The scene's text.</summary>
     public SceneDocument Document => _document.Document;
+
+    /// <summary>Changes its things.</summary>
+    public SceneEdits Edits { get; }
 
     /// <summary>What is selected.</summary>
     public Selection Selection => _document.Selection;

@@ -7,10 +7,9 @@ internal sealed record RenderState(
     string Status, int Width, int Height, int Samples, int SamplesTotal, double RaysPerSecond, double Seconds, double? SecondsLeft, double? Noise,
     int Threads, int Cores, ViewMap Map, int[]? Region, RenderQuality? Quality, bool IsPreview, long BadSamples)
 {
-    /// <summary>That of a view.</summary>
-    public static RenderState Of(PictureView view)
+    /// <summary>That of a view, by what is known of its picture and what the user wants.</summary>
+    public static RenderState Of(RenderStatus status, ViewSettings settings)
     {
-        (RenderStatus status, ViewSettings settings) = (view.Loop.Status, view.Settings);
         int[]? region = settings.Region is { } r ? [r.X, r.Y, r.Width, r.Height] : null;
         return new(
             status.Status, status.Width, status.Height, status.Samples, status.SamplesTotal, status.RaysPerSecond, status.Seconds, status.SecondsLeft, status.Noise,

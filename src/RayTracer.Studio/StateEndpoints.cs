@@ -23,22 +23,20 @@ internal static class StateEndpoints
         });
     }
 
-    // The version is read first: what changes meanwhile is told again.
     private static IResult State(StudioSession session)
     {
-        long version = session.Changes.Version;
-        (PictureView view, Tone tone) = (session.View, session.View.Tone);
+        SessionState state = SessionState.Of(session);
         return Answers.Json(new
         {
-            version,
-            document = session.Document.Status,
-            selection = session.Selection.Pointer,
-            render = RenderState.Of(view),
-            tone = new { tone.Exposure, tone.ToneMap, choices = ToneMaps },
-            snapshots = session.Snapshots.All,
-            recovery = session.Recovery.Entries,
-            message = session.Notices.Newest,
-            jobs = session.Jobs.Running,
+            state.Version,
+            state.Document,
+            state.Selection,
+            render = RenderState.Of(state.Render, state.Settings),
+            tone = new { state.Tone.Exposure, state.Tone.ToneMap, choices = ToneMaps },
+            state.Snapshots,
+            state.Recovery,
+            message = state.Notice,
+            state.Jobs,
         });
     }
 

@@ -65,6 +65,19 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
+    /// <summary>The newest text that is JSON at least, for whoever shows what stands in it: while somebody types, the text is none at every other key.</summary>
+    /// <exception cref="DocumentException">There was none yet.</exception>
+    public (int Revision, JsonNode Root) Readable
+    {
+        get
+        {
+            (int revision, SceneReadResult read) = (Revision, Read);
+            return read.Root is { } root ? (revision, root)
+                : Content.LastGood is { } good ? (good.Revision, good.Read.Root!)
+                : throw new DocumentException("the text cannot be read yet");
+        }
+    }
+
     /// <summary>Where the document is at home.</summary>
     public DocumentPlace Place
     {

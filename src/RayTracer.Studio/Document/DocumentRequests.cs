@@ -1,5 +1,6 @@
 using System.Numerics;
 using System.Text.Json;
+using RayTracer.Session;
 
 namespace RayTracer.Studio;
 
@@ -19,8 +20,6 @@ internal static class DocumentRequests
     public sealed record Rename(string? Pointer, string? Name);
 
     public sealed record Place(string? Pointer, Vector3? Translate, Turn? Rotate, Vector3? Scale, Vector3? Center, string? Gesture);
-
-    public sealed record Turn(Vector3 Axis, float Degrees, Vector3? Center);
 
     public sealed record Open(string? Path, string? GalleryId, string? RecoveryId, bool Discard);
 

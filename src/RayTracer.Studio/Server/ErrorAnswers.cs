@@ -40,19 +40,13 @@ internal sealed class ErrorAnswers(TextWriter errors)
         ? new(message) { Unsaved = conflict == DocumentConflict.Unsaved, Exists = conflict == DocumentConflict.Exists, ChangedOnDisk = conflict == DocumentConflict.ChangedOnDisk }
         : new(message) { Exists = e is SessionException { Fault: SessionFault.Conflict } };
 
-    private static string Sentence(string clause) => clause.Length > 0 ? $"{char.ToUpperInvariant(clause[0])}{clause[1..].TrimEnd('.')}." : clause;
-
     private static (int Status, string Message) Describe(Exception e) => e switch
     {
         SessionException { Fault: SessionFault.Missing } => (StatusCodes.Status404NotFound, e.Message),
         SessionException { Fault: SessionFault.Conflict } => (StatusCodes.Status409Conflict, e.Message),
-        DocumentException { Conflict: not DocumentConflict.None } => (StatusCodes.Status409Conflict, Sentence(e.Message)),
-        DocumentException => (StatusCodes.Status400BadRequest, Sentence(e.Message)),
-        SessionException or ImageWriteException => (StatusCodes.Status400BadRequest, e.Message),
+        DocumentException { Conflict: not DocumentConflict.None } => (StatusCodes.Status409Conflict, Complaint.Of(e)!),
         BadHttpRequestException bad => (bad.StatusCode, bad.InnerException is JsonException json ? $"The request's JSON is wrong: {json.Message}" : bad.Message),
         JsonException => (StatusCodes.Status400BadRequest, $"The request's JSON is wrong: {e.Message}"),
-        IOException or UnauthorizedAccessException => (StatusCodes.Status400BadRequest, e.Message),
-        OutOfMemoryException => (StatusCodes.Status400BadRequest, "There is not enough memory."),
-        _ => (StatusCodes.Status500InternalServerError, $"Internal error: {e.Message}"),
+        _ => Complaint.Of(e) is { } complaint ? (StatusCodes.Status400BadRequest, complaint) : (StatusCodes.Status500InternalServerError, $"Internal error: {e.Message}"),
     };
 }

@@ -21,6 +21,8 @@ export default defineConfig({
     rollupOptions: { output: names },
     chunkSizeWarningLimit: 600,
   },
+  // The texts and commands that all faces of the session share.
+  server: { fs: { allow: [".", "../../RayTracer.Session/Texts"] } },
   worker: { format: "es", rollupOptions: { output: names } },
   test: { include: ["tests/**/*.test.ts"], environment: "node" },
 });

@@ -1,5 +1,6 @@
 /** Everything that a menu, a button or a key can do, once. */
 
+import known from "../../../../RayTracer.Session/Texts/commands.json";
 import { post } from "../api/client";
 import { flushEditor } from "../editor/flush";
 import { copyCommand, copyImage, newScene, saveScene, shareBundle } from "../files/commands";
@@ -52,47 +53,52 @@ const keepPicture = () =>
     compared.value = (await post<{ id: number }>("view/snapshot")).id;
   });
 
-export const commands: Record<CommandId, Command> = {
-  new: { group: "file", run: newScene, icon: "add", keys: "Alt+n" },
-  open: { group: "file", run: () => (dialog.value = "open"), icon: "open", keys: "Mod+o" },
-  gallery: { group: "file", run: () => ((leftOpen.value = true), (leftTab.value = "gallery")), icon: "background", keys: "Alt+g" },
-  save: { group: "file", run: saveScene, icon: "save", keys: "Mod+s" },
-  saveAs: { group: "file", run: () => (dialog.value = "saveAs"), icon: "save", keys: "Mod+Shift+S" },
-  export: { group: "file", run: () => (dialog.value = "export"), icon: "export", keys: "Mod+e" },
-  copyImage: { group: "file", run: copyImage, icon: "copy", keys: "Mod+Shift+C" },
-  copyCommand: { group: "file", run: copyCommand, icon: "code" },
-  bundle: { group: "file", run: shareBundle, icon: "export" },
-  undo: { group: "edit", run: () => history("undo"), icon: "undo", keys: "Mod+z", enabled: () => documentState.value?.canUndo ?? false },
-  redo: { group: "edit", run: () => history("redo"), icon: "redo", keys: "Mod+Shift+Z", enabled: () => documentState.value?.canRedo ?? false },
-  duplicate: { group: "edit", run: () => withSelection(duplicate), icon: "copy", keys: "Mod+d" },
-  delete: { group: "edit", run: () => withSelection(remove), icon: "trash", keys: "Delete" },
-  rename: { group: "edit", run: askForName, icon: "rename", keys: "F2" },
-  deselect: { group: "edit", run: () => select(null), keys: "Escape" },
-  pause: { group: "render", run: () => rendering(isRunning() ? "pause" : "continue"), icon: "pause", keys: "p" },
-  stop: { group: "render", run: () => rendering("stop"), icon: "stop" },
-  restart: { group: "render", run: () => rendering("restart"), icon: "restart", keys: "Shift+R" },
-  home: { group: "camera", run: () => attempt(cameraHome), icon: "home", keys: "Home" },
-  fit: { group: "view", run: fit, icon: "fit", keys: "f" },
-  actualSize: { group: "view", run: actualSize, icon: "actual", keys: "Shift+F" },
-  zoomIn: { group: "view", run: () => zoomBy(Math.SQRT2), icon: "zoomIn", keys: "Mod+ArrowUp" },
-  zoomOut: { group: "view", run: () => zoomBy(Math.SQRT1_2), icon: "zoomOut", keys: "Mod+ArrowDown" },
-  snapshot: { group: "view", run: keepPicture, icon: "snapshot", keys: "k" },
-  toolSelect: { group: "tools", run: choose("select"), icon: "select", keys: "1" },
-  toolMove: { group: "tools", run: choose("move"), icon: "move", keys: "2" },
-  toolRotate: { group: "tools", run: choose("rotate"), icon: "rotate", keys: "3" },
-  toolScale: { group: "tools", run: choose("scale"), icon: "scale", keys: "4" },
-  toolFocus: { group: "tools", run: choose("focus"), icon: "focus", keys: "5" },
-  toolInspect: { group: "tools", run: choose("inspect"), icon: "inspect", keys: "6" },
-  toolRegion: { group: "tools", run: choose("region"), icon: "region", keys: "7" },
-  showScene: { group: "view", run: toggle(leftOpen), icon: "scene", keys: "Alt+1" },
-  showPanel: { group: "view", run: toggle(rightOpen), icon: "sliders", keys: "Alt+2" },
-  showDock: { group: "view", run: toggle(bottomOpen), icon: "code", keys: "Alt+3" },
-  source: { group: "view", run: () => showDock("source"), icon: "code", keys: "Alt+4" },
-  inside: { group: "view", run: () => showDock("paths"), icon: "inspect", keys: "Alt+5" },
-  theme: { group: "view", run: nextTheme, icon: "theme" },
-  shortcuts: { group: "help", run: () => (dialog.value = "shortcuts"), icon: "help", keys: "?" },
-  tour: { group: "help", run: () => (tourStep.value = 0), icon: "help" },
+const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
+  new: { run: newScene },
+  open: { run: () => (dialog.value = "open") },
+  gallery: { run: () => ((leftOpen.value = true), (leftTab.value = "gallery")) },
+  save: { run: saveScene },
+  saveAs: { run: () => (dialog.value = "saveAs") },
+  export: { run: () => (dialog.value = "export") },
+  copyImage: { run: copyImage },
+  copyCommand: { run: copyCommand },
+  bundle: { run: shareBundle },
+  undo: { run: () => history("undo"), enabled: () => documentState.value?.canUndo ?? false },
+  redo: { run: () => history("redo"), enabled: () => documentState.value?.canRedo ?? false },
+  duplicate: { run: () => withSelection(duplicate) },
+  delete: { run: () => withSelection(remove) },
+  rename: { run: askForName },
+  deselect: { run: () => select(null) },
+  pause: { run: () => rendering(isRunning() ? "pause" : "continue") },
+  stop: { run: () => rendering("stop") },
+  restart: { run: () => rendering("restart") },
+  home: { run: () => attempt(cameraHome) },
+  fit: { run: fit },
+  actualSize: { run: actualSize },
+  zoomIn: { run: () => zoomBy(Math.SQRT2) },
+  zoomOut: { run: () => zoomBy(Math.SQRT1_2) },
+  snapshot: { run: keepPicture },
+  toolSelect: { run: choose("select") },
+  toolMove: { run: choose("move") },
+  toolRotate: { run: choose("rotate") },
+  toolScale: { run: choose("scale") },
+  toolFocus: { run: choose("focus") },
+  toolInspect: { run: choose("inspect") },
+  toolRegion: { run: choose("region") },
+  showScene: { run: toggle(leftOpen) },
+  showPanel: { run: toggle(rightOpen) },
+  showDock: { run: toggle(bottomOpen) },
+  source: { run: () => showDock("source") },
+  inside: { run: () => showDock("paths") },
+  theme: { run: nextTheme },
+  shortcuts: { run: () => (dialog.value = "shortcuts") },
+  tour: { run: () => (tourStep.value = 0) },
 };
+
+/** What a command does here, with what all faces of the session know about it. */
+export const commands = Object.fromEntries(
+  Object.entries(known).map(([id, about]) => [id, { ...about, ...actions[id as CommandId] }]),
+) as Record<CommandId, Command>;
 
 /** Keys may be quicker than the news of what can be done: the server knows, and does nothing where there is nothing to do. */
 export const runCommand = (id: CommandId) => commands[id].run();

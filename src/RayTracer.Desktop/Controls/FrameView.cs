@@ -1,0 +1,76 @@
+using System.Runtime.InteropServices;
+using Avalonia;
+using Avalonia.Controls;
+using Avalonia.Media;
+using Avalonia.Media.Imaging;
+using Avalonia.Platform;
+using RayTracer.Desktop.ViewModels;
+
+namespace RayTracer.Desktop.Controls;
+
+/// <summary>Shows pixels, as large as it is itself.</summary>
+internal sealed class FrameView : Control
+{
+    /// <summary>The pixels; null for none.</summary>
+    public static readonly StyledProperty<PixelFrame?> FrameProperty = AvaloniaProperty.Register<FrameView, PixelFrame?>(nameof(Frame));
+
+    private WriteableBitmap? _bitmap;
+
+    /// <summary>The pixels; null for none.</summary>
+    public PixelFrame? Frame
+    {
+        get => GetValue(FrameProperty);
+        set => SetValue(FrameProperty, value);
+    }
+
+    /// <summary>What it draws.</summary>
+    internal WriteableBitmap? Bitmap => _bitmap;
+
+    /// <inheritdoc/>
+    public override void Render(DrawingContext context)
+    {
+        if (_bitmap is { } bitmap && Frame is not null)
+        {
+            context.DrawImage(bitmap, new Rect(bitmap.Size), new Rect(Bounds.Size));
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(AvaloniaPropertyChangedEventArgs change)
+    {
+        base.OnPropertyChanged(change);
+        if (change.Property == FrameProperty)
+        {
+            Take(Frame);
+            InvalidateVisual();
+        }
+
+        if (change.Property == FrameProperty || change.Property == BoundsProperty)
+        {
+            // Enlarged pixels are to be seen as what they are.
+            bool isEnlarged = _bitmap is { } bitmap && Bounds.Width > bitmap.PixelSize.Width;
+            RenderOptions.SetBitmapInterpolationMode(this, isEnlarged ? BitmapInterpolationMode.None : BitmapInterpolationMode.HighQuality);
+        }
+    }
+
+    private void Take(PixelFrame? frame)
+    {
+        if (frame is null)
+        {
+            return;
+        }
+
+        PixelSize size = new(frame.Width, frame.Height);
+        if (_bitmap is null || _bitmap.PixelSize != size)
+        {
+            _bitmap?.Dispose();
+            _bitmap = new(size, new(96, 96), PixelFormat.Rgba8888, AlphaFormat.Unpremul);
+        }
+
+        using ILockedFramebuffer pixels = _bitmap.Lock();
+        for (int y = 0; y < frame.Height; y++)
+        {
+            Marshal.Copy(frame.Rgba, 4 * frame.Width * y, pixels.Address + (y * pixels.RowBytes), 4 * frame.Width);
+        }
+    }
+}

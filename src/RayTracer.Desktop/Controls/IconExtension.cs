@@ -1,0 +1,12 @@
+using Avalonia.Media;
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.Controls;
+
+/// <summary>An icon of the session, in XAML: <c>{c:Icon reset}</c>.</summary>
+/// <param name="name">Its name.</param>
+public sealed class IconExtension(string name)
+{
+    /// <summary>Its lines.</summary>
+    public Geometry ProvideValue(IServiceProvider services) => Geometry.Parse(SessionCommand.IconOf(name));
+}

@@ -1,0 +1,62 @@
+using System.Windows.Input;
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>Asks how to write the picture.</summary>
+internal sealed class ExportViewModel : DialogViewModel
+{
+    private Choice _format;
+    private Choice _bits;
+
+    /// <summary>The question.</summary>
+    /// <param name="write">Told the format's extension, without its dot, and what to write; asks where to.</param>
+    public ExportViewModel(Action<string, PictureRequest> write)
+    {
+        (_format, _bits) = (Formats[0], Bits[0]);
+        Write = Button(() => write(_format.Value, PictureRequest.Of(int.Parse(_bits.Value, System.Globalization.CultureInfo.InvariantCulture), IsExr ? Layers.Where(l => l.IsOn).Select(l => l.Name) : [])));
+    }
+
+    /// <inheritdoc/>
+    public override string Title => SessionTexts.Of("dialogs.exportTitle");
+
+    /// <summary>The formats.</summary>
+    public IReadOnlyList<Choice> Formats { get; } = [.. SessionTexts.Keys("formats").Select(f => new Choice(f, SessionTexts.Of($"formats.{f}")))];
+
+    /// <summary>The format.</summary>
+    public Choice? Format
+    {
+        get => _format;
+        set
+        {
+            if (value is not null && Set(ref _format, value))
+            {
+                Tell(nameof(IsPng));
+                Tell(nameof(IsExr));
+            }
+        }
+    }
+
+    /// <summary>Bits a channel.</summary>
+    public IReadOnlyList<Choice> Bits { get; } = [new("8", "8"), new("16", "16")];
+
+    /// <summary>Bits a channel.</summary>
+    public Choice? BitDepth
+    {
+        get => _bits;
+        set => Set(ref _bits, value ?? _bits);
+    }
+
+    /// <summary>The layers.</summary>
+    public IReadOnlyList<LayerChoice> Layers { get; } =
+        [.. new[] { "depth", "normal", "albedo", "uv", "primitive", "bvhCost", "samples" }.Select(l => new LayerChoice(l, SessionTexts.Of($"maps.{l}.0")))];
+
+    /// <summary>Whether it is a PNG file.</summary>
+    public bool IsPng => _format.Value == "png";
+
+    /// <summary>Whether it is an OpenEXR file.</summary>
+    public bool IsExr => _format.Value == "exr";
+
+    /// <summary>Writes it.</summary>
+    public ICommand Write { get; }
+}

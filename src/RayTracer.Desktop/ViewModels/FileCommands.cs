@@ -1,0 +1,144 @@
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>Opens, saves and shares; asks before anything is lost.</summary>
+/// <param name="hand">Carries it to the session.</param>
+/// <param name="window">Asks for files, and has the clipboard.</param>
+/// <param name="ask">Shows a question.</param>
+internal sealed class FileCommands(Hand hand, IWindowServices window, Action<DialogViewModel> ask)
+{
+    private static readonly string[] CanBeOpened = ["json", "zip", "xml", "obj", "ply", "stl", "gltf", "glb", "off", "3ds"];
+
+    /// <summary>What the document is called, and where it is; told by the window.</summary>
+    public DocumentStatus? Document { get; set; }
+
+    /// <summary>Ends when all that was typed is with the session.</summary>
+    public Func<Task> Flush { get; set; } = () => Task.CompletedTask;
+
+    private string Name => Document?.Name ?? "scene.json";
+
+    private string? Folder => Document?.Path is { } path ? Path.GetDirectoryName(path) : null;
+
+    /// <summary>Asks for a file and opens it.</summary>
+    public Task Open() => hand.Attempt(async () =>
+    {
+        if (await window.ChooseFile(SessionTexts.Of("dialogs.openTitle"), Folder, CanBeOpened) is { } path)
+        {
+            await OpenFile(path);
+        }
+    });
+
+    /// <summary>Opens a file.</summary>
+    public Task OpenFile(string path) => Leaving((s, discard) => s.Files.Open(path, discard));
+
+    /// <summary>Opens a shipped scene.</summary>
+    public Task OpenGallery(string id) => Leaving((s, discard) => s.Files.OpenGallery(id, discard));
+
+    /// <summary>Opens a text that was not saved.</summary>
+    public Task OpenRecovered(string id) => Leaving((s, discard) => s.Files.OpenRecovered(id, discard));
+
+    /// <summary>Begins a new scene.</summary>
+    public Task New() => Leaving((s, discard) => s.Files.New(discard));
+
+    /// <summary>Closes the window.</summary>
+    /// <returns>Whether it may close at once; else the user is asked.</returns>
+    public bool Close()
+    {
+        if (Document?.IsDirty != true)
+        {
+            return true;
+        }
+
+        ask(new UnsavedViewModel(Name, Save, window.Close));
+        return false;
+    }
+
+    /// <summary>Saves the document; returns whether it is saved.</summary>
+    public async Task<bool> Save() => Document?.Path is null ? await SaveAs() : await Writing((s, overwrite) => s.Files.Save(null, overwrite));
+
+    /// <summary>Asks where to, and saves the document.</summary>
+    public async Task<bool> SaveAs() =>
+        await window.ChooseNewFile(SessionTexts.Of("dialogs.saveTitle"), Folder, Name) is { } path && await Writing((s, _) => s.Files.Save(path, overwrite: true));
+
+    /// <summary>Asks where to, and writes the picture.</summary>
+    /// <param name="format">The format's extension, without its dot.</param>
+    /// <param name="request">What to write.</param>
+    public Task Export(string format, PictureRequest request) => hand.Attempt(async () =>
+    {
+        if (await window.ChooseNewFile(SessionTexts.Of("dialogs.exportTitle"), Folder, Path.ChangeExtension(Name, format)) is { } path)
+        {
+            await hand.Aside(s => s.Pictures.Save(path, request, overwrite: true));
+        }
+    });
+
+    /// <summary>Asks where to, and writes the scene with all files that it names.</summary>
+    public Task Bundle() => hand.Attempt(async () =>
+    {
+        await Flush();
+        if (await window.ChooseNewFile(SessionTexts.Of("commands.bundle.0"), Folder, Path.ChangeExtension(Name, "zip")) is { } path)
+        {
+            await hand.Ask(s =>
+            {
+                using FileStream zip = File.Create(path);
+                SceneBundle.Write(zip, JsonText.Of(s.Document.Read), s.Document.Place);
+                return true;
+            });
+        }
+    });
+
+    /// <summary>Puts the picture on the clipboard.</summary>
+    public Task CopyPicture() => hand.Attempt(async () =>
+    {
+        await window.CopyPicture(await hand.Aside(s => s.Pictures.Encode(".png", PictureRequest.Of(8, []), CancellationToken.None)));
+        hand.Messages.Say("info", SessionTexts.Of("messages.copiedImage"));
+    });
+
+    /// <summary>Puts the command that renders exactly this on the clipboard.</summary>
+    public Task CopyCommand() => hand.Attempt(async () =>
+    {
+        string command = await hand.Ask(s => s.Pictures.Command());
+        await window.CopyText(command);
+        hand.Messages.Say("info", SessionTexts.Of("messages.copiedCommand", command));
+    });
+
+    // Does what would lose changes; asks first where there are some.
+    private Task Leaving(Action<StudioSession, bool> step) => hand.Attempt(async () =>
+    {
+        await Flush();
+        try
+        {
+            await Step(step, discard: false);
+        }
+        catch (DocumentException e) when (e.Conflict == DocumentConflict.Unsaved)
+        {
+            ask(new UnsavedViewModel(Name, Save, () => _ = hand.Attempt(() => Step(step, discard: true))));
+        }
+    });
+
+    private Task<bool> Step(Action<StudioSession, bool> step, bool discard) => hand.Ask(s =>
+    {
+        step(s, discard);
+        return true;
+    });
+
+    // Writes something; asks before a file is replaced that is not the one that was opened.
+    private async Task<bool> Writing(Func<StudioSession, bool, string> write)
+    {
+        bool isWritten = false;
+        await hand.Attempt(async () =>
+        {
+            await Flush();
+            try
+            {
+                await hand.Ask(s => write(s, false));
+                isWritten = true;
+            }
+            catch (DocumentException e) when (e.Conflict is DocumentConflict.Exists or DocumentConflict.ChangedOnDisk)
+            {
+                ask(new OverwriteViewModel(Complaint.Of(e)!, () => _ = hand.Attempt(() => hand.Ask(s => write(s, true)))));
+            }
+        });
+        return isWritten;
+    }
+}

@@ -1,0 +1,31 @@
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>The scenes that come with the program.</summary>
+internal sealed class GalleryViewModel(Hand hand, Action<string> open)
+{
+    private CancellationTokenSource? _loading;
+
+    /// <summary>The scenes in groups.</summary>
+    public IReadOnlyList<GalleryGroupViewModel> Groups { get; private set; } = [];
+
+    /// <summary>Lists the scenes.</summary>
+    public void Show(IReadOnlyList<GalleryGroup> groups) =>
+        Groups = [.. groups.Select(g => new GalleryGroupViewModel(g.Title, [.. g.Items.Select(i => new GalleryItemViewModel(i, () => open(i.Id)))]))];
+
+    /// <summary>Makes the pictures, one after another.</summary>
+    public async Task LoadPictures(CancellationToken stop)
+    {
+        _loading?.Cancel();
+        _loading = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        foreach (GalleryItemViewModel item in Groups.SelectMany(g => g.Items).Where(i => i.Picture is null))
+        {
+            CancellationToken token = _loading.Token;
+            if (!await hand.Attempt(async () => item.Picture = await hand.Aside(s => s.Gallery.Thumbnail(item.Id, token))) && token.IsCancellationRequested)
+            {
+                return;
+            }
+        }
+    }
+}

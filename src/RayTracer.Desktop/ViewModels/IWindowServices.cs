@@ -1,0 +1,27 @@
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>What only the system's window can do for the view models.</summary>
+internal interface IWindowServices
+{
+    /// <summary>Asks for a file to open; null where none was chosen.</summary>
+    /// <param name="title">What the dialog is called.</param>
+    /// <param name="folder">Where it begins; null for where the system likes.</param>
+    /// <param name="extensions">The extensions that may be chosen, without dots.</param>
+    Task<string?> ChooseFile(string title, string? folder, IReadOnlyList<string> extensions);
+
+    /// <summary>Asks where to save; null where nothing was chosen. Whoever chooses a file that there is has been asked whether it may be replaced.</summary>
+    /// <param name="title">What the dialog is called.</param>
+    /// <param name="folder">Where it begins; null for where the system likes.</param>
+    /// <param name="name">The name that is offered.</param>
+    Task<string?> ChooseNewFile(string title, string? folder, string name);
+
+    /// <summary>Puts a text on the clipboard.</summary>
+    Task CopyText(string text);
+
+    /// <summary>Puts a picture on the clipboard.</summary>
+    /// <param name="png">The picture as a PNG file.</param>
+    Task CopyPicture(byte[] png);
+
+    /// <summary>Closes the window, whatever is not saved.</summary>
+    void Close();
+}

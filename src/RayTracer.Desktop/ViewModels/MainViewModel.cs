@@ -1,0 +1,253 @@
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>The whole window: a session, and all that shows it.</summary>
+internal sealed class MainViewModel : Observable, IDisposable
+{
+    private static readonly TimeSpan ShortestPause = TimeSpan.FromMilliseconds(100);
+    private readonly StudioSession _session;
+    private readonly CancellationTokenSource _stop = new();
+    private DialogViewModel? _dialog;
+    private DocumentStatus? _document;
+    private DocumentShown? _shown;
+    private RecoveryViewModel? _recovery;
+    private int _noticeId;
+
+    /// <summary>The window of a session.</summary>
+    /// <param name="session">The session.</param>
+    /// <param name="window">What only the system's window can do.</param>
+    public MainViewModel(StudioSession session, IWindowServices window)
+    {
+        _session = session;
+        Hand = new(session, Messages);
+        Context = new(Hand, window) { ShowSource = ShowSource };
+        Files = new(Hand, window, Ask) { Flush = () => Hand.Idle };
+        Properties = new(Context, new(Hand, Context));
+        Things = new(Hand, Context, ShowTab);
+        Properties.Environment.Add = type => Things.Add("environment", type);
+        Outliner = new(Choose);
+        Gallery = new(Hand, id => _ = Files.OpenGallery(id));
+        Recent = new(() => _ = Files.Open(), path => _ = Files.OpenFile(path));
+        Source = new(Hand);
+        Viewport = new(Hand) { Inspect = Inspect, Selected = () => Properties.Open("object") };
+        Status = new(Hand);
+        Paths = new(Hand);
+        Convergence = new(Hand);
+        Times = new(Hand);
+        Commands = new(this);
+        Layout.PropertyChanged += (_, _) => Convergence.IsOpen = Layout.ShowsConvergence;
+    }
+
+    /// <summary>Carries the user's wishes to the session.</summary>
+    public Hand Hand { get; }
+
+    /// <summary>What the editors of parameters need.</summary>
+    public PanelContext Context { get; }
+
+    /// <summary>Everything that a menu, a button or a key can do.</summary>
+    public CommandTable Commands { get; }
+
+    /// <summary>Which panes and tabs are shown.</summary>
+    public Layout Layout { get; } = new();
+
+    /// <summary>Short messages.</summary>
+    public MessagesViewModel Messages { get; } = new();
+
+    /// <summary>Opens, saves and shares.</summary>
+    public FileCommands Files { get; }
+
+    /// <summary>Adds and changes things.</summary>
+    public ThingsViewModel Things { get; }
+
+    /// <summary>The tree of things.</summary>
+    public OutlinerViewModel Outliner { get; }
+
+    /// <summary>The shipped scenes.</summary>
+    public GalleryViewModel Gallery { get; }
+
+    /// <summary>What was opened lately.</summary>
+    public FilesViewModel Recent { get; }
+
+    /// <summary>The properties.</summary>
+    public PropertyPanelViewModel Properties { get; }
+
+    /// <summary>The text.</summary>
+    public SourceViewModel Source { get; }
+
+    /// <summary>The picture.</summary>
+    public ViewportViewModel Viewport { get; }
+
+    /// <summary>How far it is.</summary>
+    public StatusViewModel Status { get; }
+
+    /// <summary>Light paths of a pixel.</summary>
+    public PathsViewModel Paths { get; }
+
+    /// <summary>The error against samples.</summary>
+    public ConvergenceViewModel Convergence { get; }
+
+    /// <summary>The report's times.</summary>
+    public TimesViewModel Times { get; }
+
+    /// <summary>The question over the window; null where there is none.</summary>
+    public DialogViewModel? Dialog
+    {
+        get => _dialog;
+        private set
+        {
+            if (Set(ref _dialog, value))
+            {
+                Tell(nameof(IsAsking));
+            }
+        }
+    }
+
+    /// <summary>Whether there is a question.</summary>
+    public bool IsAsking => _dialog is not null;
+
+    /// <summary>Work of an earlier session that was not saved; null where there is none.</summary>
+    public RecoveryViewModel? Recovery
+    {
+        get => _recovery;
+        private set
+        {
+            if (Set(ref _recovery, value))
+            {
+                Tell(nameof(HasRecovery));
+            }
+        }
+    }
+
+    /// <summary>Whether there is such work.</summary>
+    public bool HasRecovery => _recovery is not null;
+
+    /// <summary>The window's title.</summary>
+    public string Title => $"{(_document?.IsDirty == true ? "• " : "")}{_document?.Name ?? SessionTexts.Of("untitled")} – {SessionTexts.Of("product")}";
+
+    /// <summary>What the document is called.</summary>
+    public string DocumentName => _document?.Name ?? SessionTexts.Of("untitled");
+
+    /// <summary>Whether there are changes that are not saved.</summary>
+    public bool IsDirty => _document?.IsDirty == true;
+
+    /// <summary>Follows the session, until the window is disposed of.</summary>
+    public async Task Run()
+    {
+        try
+        {
+            await Task.Run(() => TypeCatalogue.Instance, _stop.Token);
+            Things.Load();
+            Gallery.Show(_session.Gallery.Groups);
+            Tell(nameof(Things));
+            Tell(nameof(Gallery));
+            await Task.WhenAll(FollowState(), Viewport.FollowFrames(_session.View.Frames, _stop.Token), Convergence.Follow(_stop.Token), Gallery.LoadPictures(_stop.Token));
+        }
+        catch (OperationCanceledException)
+        {
+            // The window is closed.
+        }
+    }
+
+    /// <summary>Shows a question.</summary>
+    public void Ask(DialogViewModel dialog)
+    {
+        dialog.Close = () => Dialog = Dialog == dialog ? null : Dialog;
+        Dialog = dialog;
+    }
+
+    /// <summary>Asks for the selected thing's new name.</summary>
+    public void AskForName() => Things.With(pointer => Ask(new RenameViewModel(Properties.Thing?.Title ?? "", name => Things.Rename(pointer, name))));
+
+    /// <summary>Ends following. The session lives on.</summary>
+    public void Dispose()
+    {
+        _stop.Cancel();
+        _stop.Dispose();
+    }
+
+    private async Task FollowState()
+    {
+        long version = -1;
+        while (await _session.Changes.WaitBeyond(version, _stop.Token))
+        {
+            // Read by a thread of the pool: what is locked for a moment holds nobody up.
+            (SessionState state, DocumentShown? shown, IReadOnlyList<string> recent) = await Task.Run(Read, _stop.Token);
+            version = state.Version;
+            Show(state, shown, recent);
+            await Task.Delay(ShortestPause, _stop.Token);
+        }
+
+        _stop.Token.ThrowIfCancellationRequested();
+    }
+
+    private (SessionState State, DocumentShown? Shown, IReadOnlyList<string> Recent) Read()
+    {
+        SessionState state = SessionState.Of(_session);
+        bool isNew = _shown is null || state.Document.Revision != _shown.Revision || state.Selection != _shown.Selection;
+        return (state, isNew ? DocumentShown.Of(_session) : null, isNew ? _session.Files.Recent : []);
+    }
+
+    private void Show(SessionState state, DocumentShown? shown, IReadOnlyList<string> recent)
+    {
+        (_document, Files.Document, Context.Folder) = (state.Document, state.Document, Path.GetDirectoryName(state.Document.Path));
+        Status.Show(state);
+        Viewport.Show(state);
+        Properties.Render.Show(state);
+        Source.Show(state.Document);
+        if (shown is not null)
+        {
+            _shown = shown;
+            Source.Show(shown);
+            Outliner.Show(shown);
+            Properties.Show(shown);
+            Recent.Show(recent);
+            Things.Selected = shown.Selection is { } pointer && SceneThings.IsThing(pointer) ? pointer : null;
+        }
+
+        ShowNews(state);
+        Commands.Show(state);
+        Tell(nameof(Title));
+        Tell(nameof(DocumentName));
+        Tell(nameof(IsDirty));
+    }
+
+    private void ShowNews(SessionState state)
+    {
+        if (state.Notice is { } notice && notice.Id != _noticeId)
+        {
+            _noticeId = notice.Id;
+            Messages.Say(notice.Kind, notice.Text);
+        }
+
+        if (state.Recovery.FirstOrDefault()?.Id != Recovery?.Id)
+        {
+            Recovery = state.Recovery is [var first, ..] ? new(first, () => _ = Files.OpenRecovered(first.Id), () => Hand.Do(s => s.Recovery.Discard(first.Id))) : null;
+        }
+    }
+
+    private void Choose(OutlineRow row)
+    {
+        Hand.Do(s => s.Selection.Select(row.Tab is null ? row.Pointer : null));
+        Properties.Open(row.Tab ?? "object");
+    }
+
+    private void ShowTab(string tab)
+    {
+        Layout.IsRightOpen = true;
+        Properties.Open(tab);
+    }
+
+    private void ShowSource(TextPlace place)
+    {
+        Layout.OpenDock("source");
+        Source.Place = place;
+    }
+
+    private void Inspect(Spot pixel)
+    {
+        Viewport.Inspected = pixel;
+        Layout.OpenDock("paths");
+        Paths.Inspect((int)pixel.X, (int)pixel.Y);
+    }
+}

@@ -1,0 +1,27 @@
+using System.ComponentModel;
+using System.Runtime.CompilerServices;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>Tells whoever shows it when its properties change.</summary>
+internal abstract class Observable : INotifyPropertyChanged
+{
+    /// <inheritdoc/>
+    public event PropertyChangedEventHandler? PropertyChanged;
+
+    /// <summary>Sets a field; returns whether it has changed.</summary>
+    protected bool Set<T>(ref T field, T value, [CallerMemberName] string name = "")
+    {
+        if (EqualityComparer<T>.Default.Equals(field, value))
+        {
+            return false;
+        }
+
+        field = value;
+        Tell(name);
+        return true;
+    }
+
+    /// <summary>Tells that a property has changed; without a name, that all may have.</summary>
+    protected void Tell([CallerMemberName] string name = "") => PropertyChanged?.Invoke(this, new(name));
+}

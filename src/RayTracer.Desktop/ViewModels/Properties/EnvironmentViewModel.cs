@@ -1,0 +1,60 @@
+using System.Text.Json.Nodes;
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>What surrounds the scene: nothing but its background, or light from all around.</summary>
+internal sealed class EnvironmentViewModel(PanelContext context) : Observable
+{
+    private const string Pointer = "/environment";
+    private JsonNode? _value;
+
+    /// <summary>What there may be.</summary>
+    public IReadOnlyList<Choice> Choices { get; } =
+        [new("", SessionTexts.Of("panel.noEnvironment")), .. PanelContext.Catalogue.Types["environment"].Select(t => new Choice(t.Name, Figures.Spaced(t.Name), t.Summary))];
+
+    /// <summary>What there is.</summary>
+    public Choice? Chosen
+    {
+        get => Choices.FirstOrDefault(c => c.Value == (Record?.Type.Name ?? ""));
+        set
+        {
+            if (value is not null && value.Value != (Record?.Type.Name ?? ""))
+            {
+                Choose(value.Value);
+            }
+        }
+    }
+
+    /// <summary>Its parameters; null where there is none.</summary>
+    public RecordViewModel? Record { get; private set; }
+
+    /// <summary>Adds an environment; set by the window, which asks for a file where one is needed.</summary>
+    public Action<CatalogueType> Add { get; set; } = _ => { };
+
+    /// <summary>Shows what is written.</summary>
+    public void Show(PropertyValues? values)
+    {
+        _value = values?.Value;
+        CatalogueType? type = ParameterValues.TypeOf(_value, "environment");
+        Record = type is null ? null : Record is { } same && same.Type == type ? same : new(context, type, Pointer, []);
+        Record?.Show(_value);
+        Tell("");
+    }
+
+    private void Choose(string name)
+    {
+        if (PanelContext.Catalogue.Types["environment"].FirstOrDefault(t => t.Name == name) is not { } type)
+        {
+            context.Reset(Pointer);
+        }
+        else if (Record is { } record && !type.Parameters.Any(p => p.Required))
+        {
+            context.Set(Pointer, ParameterValues.Retyped(_value, type, record.Type));
+        }
+        else
+        {
+            Add(type);
+        }
+    }
+}

@@ -1,0 +1,146 @@
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>The scene file's text, and what is wrong with it.</summary>
+internal sealed class SourceViewModel : Observable
+{
+    private readonly Hand _hand;
+    private readonly Gesture _typing = new();
+    private readonly Latest<string> _sending;
+    private string _text = "";
+    private string _base = "";
+    private int _revision = -1;
+    private bool _isSending;
+    private DocumentShown? _unseen;
+    private TextPlace _place = new(0, 0);
+    private ProblemViewModel? _chosen;
+
+    /// <summary>The text of a session's document.</summary>
+    public SourceViewModel(Hand hand)
+    {
+        _hand = hand;
+        _sending = new(Send);
+    }
+
+    /// <summary>The text. What is typed goes to the session at once.</summary>
+    public string Text
+    {
+        get => _text;
+        set
+        {
+            if (Set(ref _text, value ?? ""))
+            {
+                _sending.Push(_text);
+            }
+        }
+    }
+
+    /// <summary>What is wrong with the text.</summary>
+    public IReadOnlyList<ProblemViewModel> Problems { get; private set; } = [];
+
+    /// <summary>How many problems there are, in words.</summary>
+    public string Summary => Problems.Count switch
+    {
+        0 => SessionTexts.Of("editor.fine"),
+        1 => SessionTexts.Of("editor.one"),
+        _ => SessionTexts.Of("editor.count", Problems.Count),
+    };
+
+    /// <summary>Whether there are problems.</summary>
+    public bool HasProblems => Problems.Count > 0;
+
+    /// <summary>The chosen problem: the editor goes to its place.</summary>
+    public ProblemViewModel? Chosen
+    {
+        get => _chosen;
+        set
+        {
+            if (Set(ref _chosen, value) && value is not null)
+            {
+                Place = new(value.From, value.To);
+            }
+        }
+    }
+
+    /// <summary>The part of the text that the editor shall show, selected.</summary>
+    public TextPlace Place
+    {
+        get => _place;
+        set => Set(ref _place, value);
+    }
+
+    /// <summary>Shows a document's text.</summary>
+    public void Show(DocumentShown shown)
+    {
+        // While something is on its way, nobody can tell whether the session has it already.
+        if (_isSending)
+        {
+            _unseen = shown;
+            return;
+        }
+
+        if (shown.Revision <= _revision)
+        {
+            return;
+        }
+
+        // What was typed and is not with the session yet is put into the session's text.
+        TextStretch? typed = TextStretch.Between(_base, _text);
+        TextStretch? theirs = TextStretch.Between(_base, shown.Text);
+        (_base, _revision) = (shown.Text, shown.Revision);
+        string merged = typed?.After(theirs)?.Apply(_base) ?? _base;
+        if (merged != _text)
+        {
+            _text = merged;
+            Tell(nameof(Text));
+        }
+    }
+
+    /// <summary>Shows what is wrong.</summary>
+    public void Show(DocumentStatus status)
+    {
+        ProblemViewModel[] problems = [.. status.Diagnostics.Select(d => new ProblemViewModel(d.Line, d.Column, d.From, d.To, d.Severity == "error", d.Message))];
+        if (!problems.SequenceEqual(Problems))
+        {
+            Problems = problems;
+            Tell(nameof(Problems));
+            Tell(nameof(Summary));
+            Tell(nameof(HasProblems));
+        }
+    }
+
+    private async Task Send(string text)
+    {
+        if (TextStretch.Between(_base, _text) is not { } change)
+        {
+            return;
+        }
+
+        (int revision, string sent, string gesture) = (_revision, _text, _typing.Burst());
+        _isSending = true;
+        await _hand.Attempt(async () =>
+        {
+            if (await _hand.Ask(s => s.Document.TryReplace(revision, change.From, change.To, change.Insert, gesture)))
+            {
+                (_base, _revision) = (sent, revision + 1);
+            }
+            else
+            {
+                // Somebody else was quicker.
+                _unseen = await _hand.Ask(DocumentShown.Of);
+            }
+        });
+        _isSending = false;
+        if (_unseen is { } unseen)
+        {
+            _unseen = null;
+            Show(unseen);
+        }
+
+        if (_text != _base && _revision != revision)
+        {
+            _sending.Push(_text);
+        }
+    }
+}

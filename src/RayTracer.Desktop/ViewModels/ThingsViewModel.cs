@@ -1,0 +1,79 @@
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>Adds, copies, renames and deletes things of the scene.</summary>
+/// <param name="hand">Carries it to the session.</param>
+/// <param name="context">Asks for files.</param>
+/// <param name="showTab">Shows a tab of the properties.</param>
+internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<string> showTab)
+{
+    // Shapes that shine as they are; others can be given a luminaire.
+    private static readonly HashSet<string> Lamps = ["sphere", "disk", "rectangle", "plane", "triangle", "box", "cylinder", "cone", "torus"];
+
+    // What consists of long lists is written as text.
+    private static readonly HashSet<string> InSource = ["mesh", "group"];
+
+    /// <summary>What can be added.</summary>
+    public IReadOnlyList<AddGroup> Families { get; private set; } = [];
+
+    /// <summary>The selected thing, if it is one that can be copied, renamed and deleted.</summary>
+    public string? Selected { get; set; }
+
+    /// <summary>Lists what can be added.</summary>
+    public void Load()
+    {
+        IReadOnlyList<CatalogueType> shapes = PanelContext.Catalogue.Types["shape"];
+        (string Family, IEnumerable<CatalogueType> Types)[] families =
+        [
+            ("shape", shapes.Where(t => !t.IsLight && !InSource.Contains(t.Name))),
+            ("light", [.. shapes.Where(t => t.IsLight), .. shapes.Where(t => Lamps.Contains(t.Name))]),
+            ("environment", PanelContext.Catalogue.Types["environment"]),
+            ("material", PanelContext.Catalogue.Types["material"]),
+            ("texture", PanelContext.Catalogue.Types["texture"]),
+        ];
+        Families = [.. families.Select(f => new AddGroup(
+            SessionTexts.Of($"families.{f.Family}"), [.. f.Types.Select(t => new AddItem(Figures.Spaced(t.Name), t.Summary, new ActionCommand(() => Add(f.Family, t))))]))];
+    }
+
+    /// <summary>Adds a thing; one that cannot be without a file asks for it first.</summary>
+    public void Add(string family, CatalogueType type)
+    {
+        if (type.Parameters.Any(p => p.Required && p.Kind == "file"))
+        {
+            context.ChooseFile(file => Put(family, type, file));
+        }
+        else
+        {
+            Put(family, type, null);
+        }
+    }
+
+    /// <summary>Makes a copy of the selected thing.</summary>
+    public void Duplicate() => With(pointer => hand.Do(s => s.Selection.Select(s.Edits.Duplicate(pointer).Pointer)));
+
+    /// <summary>Deletes the selected thing.</summary>
+    public void Delete() => With(pointer => hand.Do(s => s.Edits.Delete(pointer)));
+
+    /// <summary>Does something with the selected thing, if there is one.</summary>
+    public void With(Action<string> work)
+    {
+        if (Selected is { } pointer)
+        {
+            work(pointer);
+        }
+    }
+
+    /// <summary>Gives a thing another name.</summary>
+    public void Rename(string pointer, string name) => hand.Do(s => s.Edits.Rename(pointer, name));
+
+    private void Put(string family, CatalogueType type, string? file)
+    {
+        showTab(family == "environment" ? "world" : "object");
+        hand.Do(s =>
+        {
+            string pointer = s.Edits.Add(family, type.Name, file: file).Pointer;
+            s.Selection.Select(SceneThings.IsThing(pointer) ? pointer : null);
+        });
+    }
+}

@@ -1,0 +1,192 @@
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>Pointer, wheel and keys in the picture.</summary>
+internal sealed partial class ViewportViewModel
+{
+    private const double ClickDistance = 4;
+    private const double KeyStep = 0.04;
+    private const double FlyStep = 0.03;
+    private const double WheelStep = 0.1;
+    private Action<Spot>? _drag;
+    private Action? _release;
+    private Spot _start;
+    private Spot _last;
+    private bool _isMoved;
+    private bool _isClick;
+
+    /// <summary>Told the pixel that is to be looked into.</summary>
+    public Action<Spot> Inspect { get; set; } = _ => { };
+
+    /// <summary>Told that a thing was selected in the picture.</summary>
+    public Action Selected { get; set; } = () => { };
+
+    /// <summary>A button is pressed.</summary>
+    /// <param name="at">Where, on the stage.</param>
+    /// <param name="button">Which.</param>
+    /// <param name="keys">The keys that are held.</param>
+    public void Press(Spot at, PointerButton button, HeldKeys keys)
+    {
+        (_start, _last, _isMoved, _isClick, _drag, _release) = (at, at, false, button == PointerButton.Main, null, null);
+        if (button == PointerButton.Main && keys.HasFlag(HeldKeys.Space))
+        {
+            _drag = to => Stage = _stage.ShiftedBy(to.X - _last.X, to.Y - _last.Y);
+        }
+        else if (button == PointerButton.Main && keys == HeldKeys.None && Gizmo.Take(at, _stage.ToPicture(at)))
+        {
+            _isClick = false;
+            _drag = to => Gizmo.Drag(_stage.ToPicture(to));
+            _release = Gizmo.Drop;
+        }
+        else if (button == PointerButton.Main && keys == HeldKeys.None && Tool == Tool.Region)
+        {
+            DrawRegion(_stage.ToPicture(at));
+        }
+        else
+        {
+            DragCamera(button == PointerButton.Second ? CameraMoveKind.Look
+                : button == PointerButton.Middle || keys.HasFlag(HeldKeys.Shift) ? CameraMoveKind.Pan : CameraMoveKind.Orbit);
+        }
+    }
+
+    /// <summary>The pointer moves while a button is pressed.</summary>
+    public void Move(Spot to)
+    {
+        _isMoved |= to.DistanceTo(_start) > ClickDistance;
+        if (_isMoved && _drag is not null)
+        {
+            _drag(to);
+            _last = to;
+        }
+    }
+
+    /// <summary>The button is let go.</summary>
+    public void Release(Spot at)
+    {
+        bool isClick = _isClick && !_isMoved && _drag is not null;
+        _drag = null;
+        _release?.Invoke();
+        _release = null;
+        if (isClick && _stage.PixelAt(at) is { } pixel)
+        {
+            Click(pixel);
+        }
+    }
+
+    /// <summary>The wheel is turned.</summary>
+    /// <param name="at">Where, on the stage.</param>
+    /// <param name="steps">Steps away from the user.</param>
+    /// <param name="keys">The keys that are held.</param>
+    public void Turn(Spot at, double steps, HeldKeys keys)
+    {
+        if (keys.HasFlag(HeldKeys.Mod))
+        {
+            // Two steps double it.
+            Stage = _stage.ZoomedBy(steps >= 0 ? 1 + (0.41421356 * steps) : 1 / (1 - (0.41421356 * steps)), at);
+        }
+        else
+        {
+            Camera.Burst(keys.HasFlag(HeldKeys.Alt) ? CameraMoveKind.Zoom : CameraMoveKind.Dolly, 0, -steps * WheelStep);
+        }
+    }
+
+    /// <summary>A key is pressed while the picture has the focus; false where it moves nothing.</summary>
+    /// <param name="key">The key, as browsers call it.</param>
+    /// <param name="keys">The keys that are held.</param>
+    public bool Key(string key, HeldKeys keys)
+    {
+        if ((keys & (HeldKeys.Mod | HeldKeys.Alt)) != 0)
+        {
+            return false;
+        }
+
+        CameraMoveKind around = keys.HasFlag(HeldKeys.Shift) ? CameraMoveKind.Pan : CameraMoveKind.Orbit;
+        (CameraMoveKind Kind, double X, double Y, double Z)? move = key switch
+        {
+            "ArrowLeft" => (around, -KeyStep, 0, 0),
+            "ArrowRight" => (around, KeyStep, 0, 0),
+            "ArrowUp" => (around, 0, -KeyStep, 0),
+            "ArrowDown" => (around, 0, KeyStep, 0),
+            "+" or "=" => (CameraMoveKind.Dolly, 0, -KeyStep, 0),
+            "-" => (CameraMoveKind.Dolly, 0, KeyStep, 0),
+            "w" => (CameraMoveKind.Fly, 0, 0, FlyStep),
+            "s" => (CameraMoveKind.Fly, 0, 0, -FlyStep),
+            "a" => (CameraMoveKind.Fly, -FlyStep, 0, 0),
+            "d" => (CameraMoveKind.Fly, FlyStep, 0, 0),
+            "e" => (CameraMoveKind.Fly, 0, -FlyStep, 0),
+            "q" => (CameraMoveKind.Fly, 0, FlyStep, 0),
+            _ => null,
+        };
+        if (move is { } m)
+        {
+            Camera.Burst(m.Kind, m.X, m.Y, m.Z);
+        }
+
+        return move is not null;
+    }
+
+    private void DragCamera(CameraMoveKind kind)
+    {
+        string gesture = Gesture.New();
+        double height = Math.Max(1, Place.Height);
+        _drag = to => Camera.Move(kind, gesture, (to.X - _last.X) / height, (to.Y - _last.Y) / height);
+        _release = () =>
+        {
+            if (_isMoved)
+            {
+                Camera.End(kind, gesture);
+            }
+        };
+    }
+
+    private void DrawRegion(Spot start)
+    {
+        _isClick = false;
+        _drag = to =>
+        {
+            (_regionStart, _regionEnd) = (start, _stage.ToPicture(to));
+            Tell(nameof(Region));
+        };
+        _release = () =>
+        {
+            if (_regionStart is not null && _stage.Between(start, _regionEnd) is { } region)
+            {
+                Tool = Tool.Select;
+                _hand.Do(s => s.View.Change(v => v with { Region = region }));
+            }
+
+            _regionStart = null;
+            Tell(nameof(Region));
+        };
+    }
+
+    private void Click(Spot pixel)
+    {
+        (float x, float y) = ((float)pixel.X, (float)pixel.Y);
+        if (Tool == Tool.Focus)
+        {
+            _hand.Do(s => s.Camera.Focus(x, y));
+        }
+        else if (Tool == Tool.Inspect)
+        {
+            Inspect(pixel);
+        }
+        else
+        {
+            _ = _hand.Attempt(async () =>
+            {
+                string? pointer = await _hand.Ask(s =>
+                {
+                    string? found = Picking.At(s.View.RequireShown(), x, y).Pointer;
+                    s.Selection.Select(found);
+                    return found;
+                });
+                if (pointer is not null)
+                {
+                    Selected();
+                }
+            });
+        }
+    }
+}

@@ -1,0 +1,249 @@
+using System.Globalization;
+using System.Windows.Input;
+using RayTracer.Imaging;
+using RayTracer.Session;
+
+namespace RayTracer.Desktop.ViewModels;
+
+/// <summary>The picture, always its newest frame, and what is done with it.</summary>
+internal sealed partial class ViewportViewModel : Observable
+{
+    private static readonly double[] Percents = [12.5, 25, 50, 100, 200, 400, 800, 1600];
+    private readonly Hand _hand;
+    private readonly Latest<Tone> _toning;
+    private readonly byte[][] _buffers = [[], []];
+    private SessionState? _state;
+    private Tone _tone = Tone.Plain;
+    private PixelFrame? _frame;
+    private Stage _stage = Stage.Empty;
+    private Tool _tool;
+    private bool _isPreview;
+    private double _wipe = 0.5;
+    private IReadOnlyList<Choice> _zooms = [];
+
+    /// <summary>The picture of a session.</summary>
+    public ViewportViewModel(Hand hand)
+    {
+        _hand = hand;
+        Camera = new(hand);
+        Gizmo = new(hand);
+        _toning = new(tone => hand.Attempt(() => hand.Ask(s => s.View.Tone = tone)));
+        Comparisons = [NoComparison];
+        _compared = NoComparison;
+        ClearRegion = new ActionCommand(() => hand.Do(s => s.View.Change(v => v with { Region = null })));
+    }
+
+    /// <summary>Moves the camera.</summary>
+    public CameraDrive Camera { get; }
+
+    /// <summary>The handles of the selected shape.</summary>
+    public GizmoViewModel Gizmo { get; }
+
+    /// <summary>The newest frame; null before there was one.</summary>
+    public PixelFrame? Frame
+    {
+        get => _frame;
+        private set => Set(ref _frame, value);
+    }
+
+    /// <summary>Whether the frame is coarser than the picture.</summary>
+    public bool IsPreview
+    {
+        get => _isPreview;
+        private set => Set(ref _isPreview, value);
+    }
+
+    /// <summary>Where the picture lies.</summary>
+    public Stage Stage
+    {
+        get => _stage;
+        private set
+        {
+            if (Set(ref _stage, value))
+            {
+                Gizmo.Place(value);
+                Tell("");
+            }
+        }
+    }
+
+    /// <summary>The picture's place on the screen.</summary>
+    public Box Place => _stage.Place;
+
+    /// <summary>How many of the screen's pixels one of the window's has.</summary>
+    public double ScreenScale { get; set; } = 1;
+
+    /// <summary>What the pointer does.</summary>
+    public Tool Tool
+    {
+        get => _tool;
+        set
+        {
+            if (Set(ref _tool, value))
+            {
+                _ = FollowHandles();
+                Tell(nameof(Mark));
+            }
+        }
+    }
+
+    /// <summary>Exposure in stops.</summary>
+    public double Exposure
+    {
+        get => _tone.Exposure;
+        set => SetTone(_tone with { Exposure = (float)Math.Round(Math.Clamp(value, -20, 20), 3) });
+    }
+
+    /// <summary>Exposure as it is typed.</summary>
+    public string ExposureText
+    {
+        get => Figures.Short(Exposure);
+        set
+        {
+            Exposure = Figures.Parse(value) ?? Exposure;
+            Tell();
+        }
+    }
+
+    /// <summary>The tone maps.</summary>
+    public IReadOnlyList<Choice> ToneMaps { get; } = [.. Enum.GetValues<ToneMap>().Select(t => new Choice(t.ToString(), Figures.Spaced(char.ToLowerInvariant(t.ToString()[0]) + t.ToString()[1..])))];
+
+    /// <summary>The tone map.</summary>
+    public Choice? ToneMap
+    {
+        get => ToneMaps.First(t => t.Value == _tone.ToneMap.ToString());
+        set
+        {
+            if (value is not null)
+            {
+                SetTone(_tone with { ToneMap = Enum.Parse<ToneMap>(value.Value) });
+            }
+        }
+    }
+
+    /// <summary>What can be shown: the light, or what the renderer knows about each pixel.</summary>
+    public IReadOnlyList<Choice> Maps { get; } = [.. SessionTexts.Keys("maps").Select(m => new Choice(m, SessionTexts.Of($"maps.{m}.0"), SessionTexts.Of($"maps.{m}.1")))];
+
+    /// <summary>What is shown.</summary>
+    public Choice? Map
+    {
+        get => Maps.First(m => m.Value.Equals((_state?.Settings.Map ?? ViewMap.Light).ToString(), StringComparison.OrdinalIgnoreCase));
+        set
+        {
+            if (value is not null && value != Map)
+            {
+                ViewMap map = Enum.Parse<ViewMap>(value.Value, ignoreCase: true);
+                _hand.Do(s => s.View.Change(v => v with { Map = map }));
+            }
+        }
+    }
+
+    /// <summary>How large a pixel of the picture may be on the screen.</summary>
+    public IReadOnlyList<Choice> Zooms
+    {
+        get
+        {
+            string now = Percent(_stage.Scale * ScreenScale * 100);
+            string[] known = [.. Percents.Select(Percent)];
+            Choice[] zooms = [.. known.Contains(now) ? [] : new[] { new Choice(now, $"{now} %") }, .. known.Select(p => new Choice(p, $"{p} %"))];
+
+            // A list that is the same one stays, so that whoever shows it does not begin anew.
+            return _zooms = zooms.SequenceEqual(_zooms) ? _zooms : zooms;
+        }
+    }
+
+    /// <summary>How large a pixel of the picture is on the screen.</summary>
+    public Choice? Zoom
+    {
+        get => Zooms.First(z => z.Value == Percent(_stage.Scale * ScreenScale * 100));
+        set
+        {
+            if (value is not null && value != Zoom)
+            {
+                ZoomTo(double.Parse(value.Value, CultureInfo.InvariantCulture) / 100 / ScreenScale);
+            }
+        }
+    }
+
+    /// <summary>Whether only a part of the picture is rendered.</summary>
+    public bool HasRegion => _state?.Settings.Region is not null;
+
+    /// <summary>Renders the whole picture again.</summary>
+    public ICommand ClearRegion { get; }
+
+    /// <summary>Whether the text has an error, and the last good picture is shown.</summary>
+    public bool IsLastGood => _state is { Document.IsGood: false } && _frame is not null;
+
+    /// <summary>Shows the whole picture.</summary>
+    public void Fit() => Stage = _stage with { Zoom = null, Shift = default };
+
+    /// <summary>One pixel of the picture on one of the screen.</summary>
+    public void ActualSize() => ZoomTo(1 / ScreenScale);
+
+    /// <summary>Enlarges the picture.</summary>
+    public void ZoomBy(double factor) => Stage = _stage.ZoomedBy(factor);
+
+    /// <summary>The part of the window has another size.</summary>
+    public void Resize(double width, double height) => Stage = _stage with { Width = Math.Max(1, width), Height = Math.Max(1, height) };
+
+    /// <summary>Shows a state.</summary>
+    public void Show(SessionState state)
+    {
+        _state = state;
+        _tone = state.Tone;
+        ShowSnapshots(state.Snapshots);
+        _ = FollowSelection(state);
+        Tell("");
+    }
+
+    /// <summary>Takes frames as they come, until it is stopped. The renderer waits for nobody who looks.</summary>
+    public async Task FollowFrames(FrameBoard frames, CancellationToken stop)
+    {
+        long version = 0;
+        for (int i = 0; await frames.Wait(version, stop); i = 1 - i)
+        {
+            int buffer = i;
+            (PixelFrame Frame, FrameInfo Info, long Version)? taken = await Task.Run(() => Take(frames, buffer), stop);
+            if (taken is { } newest)
+            {
+                version = newest.Version;
+                Frame = newest.Frame;
+                IsPreview = newest.Info.IsPreview;
+                Stage = _stage with { PictureWidth = newest.Info.PictureWidth, PictureHeight = newest.Info.PictureHeight };
+            }
+        }
+    }
+
+    // The window shows one buffer while the other one is filled.
+    private (PixelFrame Frame, FrameInfo Info, long Version)? Take(FrameBoard frames, int buffer)
+    {
+        using FrameLease? lease = frames.Borrow();
+        if (lease is null)
+        {
+            return null;
+        }
+
+        Stage stage = _stage;
+        int reduction = stage.Zoom is null ? FramePixels.Reduction(lease.Picture, (int)(stage.Width * ScreenScale), (int)(stage.Height * ScreenScale)) : 1;
+        (int width, int height) = (lease.Picture.Width / reduction, lease.Picture.Height / reduction);
+        Array.Resize(ref _buffers[buffer], 4 * width * height);
+        FramePixels.Write(lease.Picture, lease.Info.IsLight ? _tone : Tone.Plain, reduction, _buffers[buffer]);
+        return (new(width, height, _buffers[buffer]), lease.Info, lease.Version);
+    }
+
+    private static string Percent(double percent) => (Math.Abs(percent - 12.5) < 0.01 ? percent : Math.Round(percent)).ToString(CultureInfo.InvariantCulture);
+
+    private void ZoomTo(double scale) => Stage = _stage.ZoomedBy(scale / _stage.Scale);
+
+    private void SetTone(Tone tone)
+    {
+        if (tone != _tone)
+        {
+            _tone = tone;
+            _toning.Push(tone);
+            Tell(nameof(Exposure));
+            Tell(nameof(ExposureText));
+            Tell(nameof(ToneMap));
+        }
+    }
+}

@@ -1,0 +1,10 @@
+using Avalonia.Controls;
+
+namespace RayTracer.Desktop.Views;
+
+/// <summary>The scenes that come with the program.</summary>
+internal sealed partial class GalleryView : UserControl
+{
+    /// <summary>Makes it.</summary>
+    public GalleryView() => InitializeComponent();
+}

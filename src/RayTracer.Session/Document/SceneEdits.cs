@@ -1,0 +1,92 @@
+using Json = System.Text.Json.Nodes.JsonNode;
+
+namespace RayTracer.Session;
+
+/// <summary>What a user does to the things of a scene: each is one edit of its text, and one step to undo (edits of one gesture are one step together).</summary>
+/// <param name="document">The document.</param>
+/// <param name="selection">What is selected: it follows things that are renamed.</param>
+/// <param name="notices">Told what else an edit has changed.</param>
+public sealed class SceneEdits(SceneDocument document, Selection selection, NoticeBoard notices)
+{
+    /// <summary>Writes a value.</summary>
+    /// <param name="pointer">Where.</param>
+    /// <param name="value">What; null is written as null.</param>
+    /// <param name="gesture">Of which gesture it is a part.</param>
+    /// <returns>The text's revision then, as with all edits.</returns>
+    /// <exception cref="DocumentException">It cannot be written there; so with all edits.</exception>
+    public int Set(string pointer, Json? value, string? gesture = null) => document.Change(JsonPointer.Last(pointer), gesture, text => text.Set(pointer, value));
+
+    /// <summary>Writes a value as its text stands.</summary>
+    public int SetText(string pointer, string json, string? gesture = null) => document.Change(JsonPointer.Last(pointer), gesture, text => text.SetText(pointer, json));
+
+    /// <summary>Takes a value out of the text, so that its default counts again.</summary>
+    public int Reset(string pointer, string? gesture = null) =>
+        document.Change(JsonPointer.Last(pointer), gesture, text => JsonPointer.Find(text.Root, pointer) is null ? text : text.Remove(pointer));
+
+    /// <summary>Adds a new thing.</summary>
+    /// <param name="family">shape, light, material, texture or environment.</param>
+    /// <param name="type">Its type.</param>
+    /// <param name="near">The pointer of a thing that it is put beside; null for the middle of the picture.</param>
+    /// <param name="file">The file that it names; null where it names none.</param>
+    /// <returns>The revision, and the new thing's pointer.</returns>
+    public (int Revision, string Pointer) Add(string family, string type, string? near = null, string? file = null) =>
+        Pointed($"add {type}", text => SceneThings.Add(text, family, type, near, file));
+
+    /// <summary>Makes a copy of a thing.</summary>
+    /// <returns>The revision, and the copy's pointer.</returns>
+    public (int Revision, string Pointer) Duplicate(string pointer) => Pointed("duplicate", text => SceneThings.Duplicate(text, pointer));
+
+    /// <summary>Gives a thing another name; what refers to it follows.</summary>
+    /// <returns>The revision, and the thing's pointer now.</returns>
+    public (int Revision, string Pointer) Rename(string pointer, string name)
+    {
+        bool isSelected = selection.Pointer == pointer;
+        (int Revision, string Pointer) renamed = Pointed("rename", text => SceneThings.Rename(text, pointer, name));
+        if (isSelected)
+        {
+            selection.Select(renamed.Pointer);
+        }
+
+        return renamed;
+    }
+
+    /// <summary>Takes things out of the scene.</summary>
+    /// <returns>The revision, and what else has changed by that.</returns>
+    public (int Revision, IReadOnlyList<string> Notes) Delete(params string[] pointers)
+    {
+        IReadOnlyList<string> notes = [];
+        int revision = document.Change("delete", null, text =>
+        {
+            (text, notes) = SceneThings.Delete(text, pointers);
+            return text;
+        });
+
+        // The pointers of what follows have changed.
+        selection.Select(null);
+        if (notes.Count > 0)
+        {
+            notices.Tell("info", string.Join("; ", notes));
+        }
+
+        return (revision, notes);
+    }
+
+    /// <summary>Scales, then turns, then moves a thing.</summary>
+    public int Place(string pointer, Placement change, string? gesture = null) => document.Change("place", gesture, text =>
+    {
+        text = change.Scale is { } factors ? ShapePlacement.Scale(text, pointer, factors, change.Center) : text;
+        text = change.Rotate is { } turn ? ShapePlacement.Rotate(text, pointer, turn.Axis, turn.Degrees, turn.Center ?? change.Center) : text;
+        return change.Translate is { } by ? ShapePlacement.Translate(text, pointer, by) : text;
+    });
+
+    private (int Revision, string Pointer) Pointed(string label, Func<JsonText, (JsonText, string)> change)
+    {
+        string pointer = "";
+        int revision = document.Change(label, null, text =>
+        {
+            (text, pointer) = change(text);
+            return text;
+        });
+        return (revision, pointer);
+    }
+}

@@ -1,0 +1,28 @@
+namespace RayTracer.Session;
+
+/// <summary>All that a user sees of a session but the picture, the text and the outline.</summary>
+/// <param name="Version">The number of changes that it has; what happens while it is read is told again by the next one.</param>
+/// <param name="Document">The document.</param>
+/// <param name="Selection">The pointer of the selected thing; null where there is none.</param>
+/// <param name="Render">How far the picture is.</param>
+/// <param name="Settings">What the user wants of the picture.</param>
+/// <param name="Tone">How light is brought onto the screen.</param>
+/// <param name="Snapshots">Earlier pictures, the oldest first.</param>
+/// <param name="Recovery">Texts that were not saved.</param>
+/// <param name="Notice">The newest thing to tell; null before there was one.</param>
+/// <param name="Jobs">What is being done beside the user's work.</param>
+public sealed record SessionState(
+    long Version, DocumentStatus Document, string? Selection, RenderStatus Render, ViewSettings Settings, Tone Tone, IReadOnlyList<Snapshot> Snapshots,
+    IReadOnlyList<RecoveryEntry> Recovery, Notice? Notice, IReadOnlyList<Job> Jobs)
+{
+    /// <summary>The state of a session.</summary>
+    public static SessionState Of(StudioSession session)
+    {
+        // The version first: what changes meanwhile is told again.
+        long version = session.Changes.Version;
+        PictureView view = session.View;
+        return new(
+            version, session.Document.Status, session.Selection.Pointer, view.Loop.Status, view.Settings, view.Tone, session.Snapshots.All,
+            session.Recovery.Entries, session.Notices.Newest, session.Jobs.Running);
+    }
+}
