@@ -18,13 +18,15 @@ internal static class CommandLine
     private static readonly (string Name, string Summary, Action<Command, Streams> Build)[] Verbs =
     [
         ("render", "Renders a scene into image files.", RenderVerb.Build),
+        ("sweep", "Renders a scene with several values of its settings, as one labelled sheet.", SweepVerb.Build),
         ("resume", "Goes on with a film that was stopped, or gives it more samples.", ResumeVerb.Build),
         ("merge", "Adds films of different samples of one picture up.", MergeVerb.Build),
         ("cluster", "Writes the jobs of a cluster that render the parts of a picture, and merge them.", ClusterVerb.Build),
         ("verify", "Renders what an image or film says it is once more, and compares.", VerifyVerb.Build),
         ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
         ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
-        ("convert", "Writes a scene of another format in the native one.", ConvertVerb.Build),
+        ("explain", "Says what a part of scene files means: its unit, range and default.", ExplainVerb.Build),
+        ("convert", "Writes a scene of another format in the native one, and images and films as other images.", ConvertVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),
         ("compose", "Balances the lights of a rendered picture anew.", ComposeVerb.Build),
         ("view", "Shows an image in the terminal.", ViewVerb.Build),

@@ -88,16 +88,7 @@ internal sealed class MergeVerb
     {
         string hash = film.ComputeHash();
         int samples = header.Samples.Sum(r => r.Count);
-        KeyValuePair<string, string>[] texts =
-        [
-            new("Software", CommandLine.Version),
-            new("Command", Session.Shell.Command(["render", header.Scene, .. ResumeVerb.Words(header, header.Total), .. CropWords(header)])),
-            new("Scene", Path.GetFileName(header.Scene)),
-            new("Samples", $"{samples}"),
-            new("FilmHash", hash),
-            new("SampleRange", header.SamplesText),
-        ];
-        IReadOnlyList<string> written = ImageOutputs.Write(outputs, film, header, _writing.Writing(result) with { Metadata = texts }, streams);
+        IReadOnlyList<string> written = ImageOutputs.Write(outputs, film, header, _writing.Writing(result) with { Metadata = Texts(header, hash) }, streams);
         if (result.GetValue(_json))
         {
             WriteJson(header, samples, hash, written, streams);
@@ -114,6 +105,20 @@ internal sealed class MergeVerb
 
         return written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
+
+    /// <summary>What images say of themselves.</summary>
+    public static IReadOnlyList<string> TextKeys { get; } = ["Software", "Command", "Scene", "Samples", "FilmHash", "SampleRange"];
+
+    /// <summary>What an image of a film says of itself.</summary>
+    public static IReadOnlyList<KeyValuePair<string, string>> Texts(FilmHeader header, string hash) =>
+    [
+        new("Software", CommandLine.Version),
+        new("Command", Session.Shell.Command(["render", header.Scene, .. ResumeVerb.Words(header, header.Total), .. CropWords(header)])),
+        new("Scene", Path.GetFileName(header.Scene)),
+        new("Samples", $"{header.Samples.Sum(r => r.Count)}"),
+        new("FilmHash", hash),
+        new("SampleRange", header.SamplesText),
+    ];
 
     /// <summary>The options that say which part of the picture a film is of.</summary>
     public static string[] CropWords(FilmHeader header) => header.Crop is { } c ? ["--crop", $"{c.X},{c.Y},{c.Width},{c.Height}"] : [];

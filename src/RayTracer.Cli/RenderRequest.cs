@@ -1,6 +1,7 @@
 using System.CommandLine;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
+using RayTracer.Scenes;
 using RayTracer.Session;
 
 namespace RayTracer.Cli;
@@ -86,13 +87,22 @@ internal sealed record RenderRequest
     public ResumedFilm? Resumed { get; init; }
 
     /// <summary>Whether the film must hold whole ranges of samples whenever the rendering stops.</summary>
-    public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Outputs.Any(FilmFile.IsNamed);
+    public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Preview || Outputs.Any(FilmFile.IsNamed);
 
     /// <summary>Whether nothing but errors and warnings is printed.</summary>
     public bool Quiet { get; init; }
 
+    /// <summary>Whether the stages are told.</summary>
+    public bool Verbose { get; init; }
+
+    /// <summary>Whether the picture is shown in the terminal meanwhile.</summary>
+    public bool Preview { get; init; }
+
     /// <summary>Whether a JSON object is printed.</summary>
     public bool Json { get; init; }
+
+    /// <summary>The values that replace those of the scene file before it is read.</summary>
+    public IReadOnlyList<SceneSetting> Settings { get; init; } = [];
 
     /// <summary>The words of the overrides that were given.</summary>
     public required IReadOnlyList<string> OverrideWords { get; init; }

@@ -15,6 +15,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 {
     private readonly Stopwatch _total = Stopwatch.StartNew();
     private readonly NoiseRequest _noise = new(request);
+    private readonly StageTimes _stages = new(request.Verbose ? streams : null);
     private SceneDescription? _description;
     private long _begun;
     private AovFilm? _auxiliary;
@@ -57,12 +58,13 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         bool isWanted = outcome.Film.TotalSamples > 0 && !(request.IsOfSequence && outcome.Statistics.Cancelled);
         IReadOnlyList<string> written = isWanted ? Write(outcome, aovs) : [];
+        _stages.EndWrite();
         if (outcome.Film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
         {
             streams.Fail("no sample came to a finite number, so there is no picture to write");
         }
 
-        RenderReport report = new(request, outcome, written, _total.Elapsed.TotalSeconds);
+        RenderReport report = new(request, outcome, written, _stages, _total.Elapsed.TotalSeconds);
         report.Write(streams);
         Done?.Invoke(outcome, written);
         return signals.Status != 0 ? signals.Status
@@ -76,12 +78,13 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     /// <returns>What it came to; null where the scene is wrong, which was said.</returns>
     public RenderOutcome? Compute(CancellationToken cancellation, AovOutputs? aovs = null)
     {
-        Scene? scene = SceneFile.Load(request.ScenePath, streams, s => _noise.Widen(overrides(s)), request.Frame, ReadPicture, s => _description = s);
+        Scene? scene = SceneFile.Load(request.ScenePath, streams, Described, request.Settings, request.Frame, ReadPicture, s => _description = s);
         if (scene is null)
         {
             return null;
         }
 
+        _stages.EndBuild();
         RenderOptions options = Options(scene.Render);
         Film film = request.Resumed?.Film ?? FilmFor(scene);
         if ((film.Width, film.Height) != (scene.Render.Width, scene.Render.Height))
@@ -97,11 +100,26 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         _auxiliary = new(film, request.Aovs);
         _denoising = request.Denoise ? Denoising.Create(scene) : null;
-        using ProgressDisplay? display = request.Quiet || request.Pixel is not null ? null : ProgressDisplay.Start(streams);
+        using ProgressDisplay? display = Display();
         long start = Stopwatch.GetTimestamp();
         RenderOutcome outcome = Render(scene, film, options, display, cancellation);
-        return outcome with { Seconds = Stopwatch.GetElapsedTime(start).TotalSeconds };
+        outcome = outcome with { Seconds = Stopwatch.GetElapsedTime(start).TotalSeconds };
+        display?.Dispose();
+        _stages.EndRender();
+        return outcome;
     }
+
+    // Called when the scene file has been read, before the scene is built.
+    private SceneDescription Described(SceneDescription scene)
+    {
+        _stages.EndLoad();
+        return _noise.Widen(overrides(scene));
+    }
+
+    private ProgressDisplay? Display() =>
+        request.Preview ? ProgressDisplay.Start(new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, request.Writing))
+        : request.Quiet || request.Pixel is not null ? null
+        : ProgressDisplay.Start(streams);
 
     private RenderOutcome Render(Scene scene, Film film, RenderOptions options, ProgressDisplay? display, CancellationToken cancellation)
     {
@@ -148,7 +166,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         Checkpoints? checkpoints = request.Checkpoint is { } path ? new(path, request.CheckpointInterval, streams) : null;
         TimeSpan? left = request.Time is { } limit ? limit - Stopwatch.GetElapsedTime(_begun) : null;
-        PassRender passes = new(outcome.Scene, options, header) { Limit = left, Checkpoints = checkpoints };
+        PassRender passes = new(outcome.Scene, options, header) { Limit = left, Checkpoints = checkpoints, Preview = display as PreviewDisplay };
         SampleRange missing = new(header.Samples is [.., var last] ? last.End : wanted.First, wanted.End);
         RenderStatistics statistics = passes.Render(outcome.Film, missing, display, cancellation);
         if (passes.Header.Samples is [var done] && !cancellation.IsCancellationRequested)

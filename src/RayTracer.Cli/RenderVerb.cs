@@ -25,10 +25,9 @@ internal sealed class RenderVerb
     private readonly ParsedOption<(int Number, int Count)?> _part = new("--part", "I/N", "Renders only the I-th, from 1, of N equal shares of the samples. With -o part.rtfilm, for merge.", SampleShares.Part);
     private readonly ParsedOption<FrameRange?> _frames = FrameRange.Option();
     private readonly ParsedOption<double?> _rate = OptionValues.Number("--fps", "With --frames and -o FILE.png or FILE.apng, which make an animated PNG: frames shown a second; without it, the scene's framesPerSecond.", 0.01, 1000);
-    private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
-    private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
     private readonly SceneOverrides _overrides;
     private readonly LongRenderOptions _long;
+    private readonly DisplayOptions _display;
 
     private RenderVerb(Command command)
     {
@@ -42,8 +41,7 @@ internal sealed class RenderVerb
         }
 
         _long = new(command, "Writes the film to this file (.rtfilm) now and then, from which resume goes on.");
-        command.Options.Add(_quiet);
-        command.Options.Add(_json);
+        _display = new(command);
     }
 
     public static void Build(Command command, Streams streams)
@@ -52,9 +50,13 @@ internal sealed class RenderVerb
         command.SetAction(result =>
         {
             RenderRequest request = verb.Request(result);
-            return FramesRun.Is(request)
-                ? new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run()
-                : new RenderRun(request with { OverrideWords = [.. request.OverrideWords, .. request.Frame is { } frame ? ["--frames", $"{frame}"] : Array.Empty<string>()] }, s => verb._overrides.Apply(result, s), streams).Run();
+            if (FramesRun.Is(request))
+            {
+                return new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run();
+            }
+
+            string[] frame = request.Frame is { } number ? ["--frames", $"{number}"] : [];
+            return new RenderRun(DisplayOptions.ForTerminal(request with { OverrideWords = [.. request.OverrideWords, .. frame] }, streams), s => verb._overrides.Apply(result, s), streams).Run();
         });
     }
 
@@ -91,12 +93,11 @@ internal sealed class RenderVerb
             Frames = _frames.Value(result),
             FramesPerSecond = _rate.Value(result),
             HasSamples = _overrides.HasSamples(result),
-            Quiet = result.GetValue(_quiet),
-            Json = result.GetValue(_json),
+            Settings = _overrides.Settings(result),
             OverrideWords = [.. _overrides.Words(result)],
             CommandText = Shell.Command(result.Tokens.Select(t => t.Value)),
         };
-        request = _long.Put(result, request);
+        request = _display.Put(result, _long.Put(result, request));
         return (FramesRun.Contradiction(request) ?? Contradiction(request)) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : request;
     }
 
@@ -111,6 +112,10 @@ internal sealed class RenderVerb
         { Aovs.Count: > 0, Outputs.Count: 0 } or { Layers.Count: > 0, Outputs.Count: 0 } => "--aov writes images: where to? Give -o FILE",
         { Pixel: not null } and ({ Noise: not null } or { Adaptive: true }) => "--pixel renders the samples that it is told to: leave --noise and --adaptive out",
         { Adaptive: true } and ({ Samples: not null } or { Part: not null }) => "--adaptive decides how many samples there are: leave --samples and --part out",
+        { Preview: true, Pixel: not null } => "--pixel prints numbers: leave --preview out",
+        { Preview: true, Adaptive: true } or { Preview: true, Denoise: true } or { Preview: true, Layers.Count: > 0 } =>
+            "--preview shows passes over the whole picture, which --adaptive, --denoise and layers of light have not: leave it out",
+        { Quiet: true, Verbose: true } => "--quiet and --verbose cannot go together",
         { Adaptive: true, NeedsPasses: true } => "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot go on from: leave it out",
         { Noise: not null } and ({ Samples: not null } or { Part: not null }) => "--noise decides how many samples there are: leave --samples and --part out",
         { Samples: not null, Part: not null } => "--samples and --part cannot go together",

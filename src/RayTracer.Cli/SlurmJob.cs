@@ -58,7 +58,7 @@ internal sealed record SlurmJob
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public int Run(bool submit, bool quiet, Streams streams)
     {
-        SceneLoadResult scene = SceneFile.Load(Request.ScenePath, Overrides, frame: Request.Frames?.First);
+        SceneLoadResult scene = SceneFile.Load(Request.ScenePath, Overrides, settings: Request.Settings, frame: Request.Frames?.First);
         SceneFile.Show(scene, streams);
         if (scene.Scene is null)
         {

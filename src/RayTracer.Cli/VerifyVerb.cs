@@ -34,7 +34,7 @@ internal static class VerifyVerb
         Film? whole = null;
         foreach (SampleRange? range in claim.Samples)
         {
-            RenderRequest request = claim.Request with { Outputs = [], Aovs = [], Denoise = false, Checkpoint = null, Threads = threads, Quiet = true };
+            RenderRequest request = claim.Request with { Outputs = [], Aovs = [], Denoise = false, Checkpoint = null, Threads = threads, Quiet = true, Verbose = false, Preview = false };
             if (range is not null)
             {
                 // Whatever decided on the number of samples: these they are.

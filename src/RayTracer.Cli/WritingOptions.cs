@@ -11,14 +11,20 @@ internal sealed class WritingOptions
     private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG: how bright light is brought into what a screen can show; clamp cuts it off.");
     private readonly ParsedOption<int?> _bitDepth = OptionValues.Choice<int?>("--bit-depth", "PNG: bits a channel; 8 without it.", ["8", "16"], [8, 16]);
 
+    /// <summary>Makes the options, for a command that takes the file otherwise: those of <see cref="Looks"/> only.</summary>
+    public WritingOptions()
+    {
+        Output = _outputs;
+        Looks = [_exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol];
+    }
+
     /// <summary>Gives a command the options.</summary>
     /// <param name="command">The command.</param>
     /// <param name="outputs">What the files are.</param>
     public WritingOptions(Command command, string outputs = "The file to write: .png, .pfm, .exr or .hdr, or .rtfilm for the film itself. May be given several times.")
+        : this()
     {
         _outputs.Description = outputs;
-        Output = _outputs;
-        Looks = [_exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol];
         command.Options.Add(_outputs);
     }
 

@@ -70,6 +70,24 @@ public static class ImageFile
         return new(film.Width, film.Height, pixels);
     }
 
+    /// <summary>Whether a file is there and its first bytes are those of a picture or film.</summary>
+    /// <param name="path">The file.</param>
+    public static bool IsImage(string path)
+    {
+        try
+        {
+            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
+            Span<byte> bytes = stackalloc byte[16];
+            ReadOnlySpan<byte> head = bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
+            return head.StartsWith(PngReader.Signature) || head.StartsWith(JpegReader.Signature) || head.StartsWith(ExrReader.Signature) || head.StartsWith(HdrReader.Signature)
+                || head.StartsWith(FilmFile.Signature) || PfmReader.IsPfm(head);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            return false;
+        }
+    }
+
     /// <summary>Reads the texts that a picture file carries, in their order; of a PFM, JPEG or Radiance HDR, none.</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>

@@ -114,7 +114,7 @@ internal sealed class RecordReader
 
         foreach (RecordParameter missing in type.Parameters.Where(p => p.Required && node.Find(p.Key) is null))
         {
-            _bag.Error(node, $"{NameOf(type)} needs {Quotation.Of(missing.Key)}");
+            _bag.Error(node, $"{NameOf(type)} needs {Quotation.Of(missing.Key)}", DiagnosticRule.Missing);
             _map.MarkIncomplete(record);
         }
 
@@ -301,7 +301,7 @@ internal sealed class RecordReader
 
         if (node.Find("type") is not { } name)
         {
-            _bag.Error(node, $"{WithArticle(family.Noun)} needs \"type\": one of {things}");
+            _bag.Error(node, $"{WithArticle(family.Noun)} needs \"type\": one of {things}", DiagnosticRule.Missing);
             return null;
         }
 
@@ -333,7 +333,7 @@ internal sealed class RecordReader
         TypeFamily? other = SceneTypes.Families.FirstOrDefault(f => f.Find(name.Text) is not null);
         if (other is not null)
         {
-            _bag.Error(name, $"{Quotation.Of(name.Text)} is {WithArticle(other.Noun)}, but {WithArticle(family.Noun)} is expected here");
+            _bag.Error(name, $"{Quotation.Of(name.Text)} is {WithArticle(other.Noun)}, but {WithArticle(family.Noun)} is expected here", DiagnosticRule.WrongKind);
             return;
         }
 
@@ -382,7 +382,7 @@ internal sealed class RecordReader
         TextureDescription? texture = Texture(parameter.Key, node, parameter);
         if (texture is not null && parameter.RangeComplaint(texture) is { } complaint)
         {
-            _bag.Error(node, $"{Quotation.Of(parameter.Key)} {complaint}");
+            _bag.Error(node, $"{Quotation.Of(parameter.Key)} {complaint}", DiagnosticRule.OutOfRange);
             return null;
         }
 

@@ -98,7 +98,7 @@ public static class SceneReference
         page.Append('\n');
     }
 
-    private static string Form(RecordParameter parameter) => parameter.Kind switch
+    internal static string Form(RecordParameter parameter) => parameter.Kind switch
     {
         ParameterKind.Number => "number",
         ParameterKind.Integer => "whole number",
@@ -129,7 +129,7 @@ public static class SceneReference
         _ => $"[{RecordType.Of(parameter.ValueType).Name}](#{RecordType.Of(parameter.ValueType).Name})",
     };
 
-    private static string Default(RecordParameter parameter)
+    internal static string Default(RecordParameter parameter)
     {
         if (parameter.Required)
         {
