@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Help;
 using System.CommandLine.Parsing;
 using System.Numerics;
+using System.Reflection;
 using RayTracer.Imaging;
 using RayTracer.Scenes;
 using RayTracer.Textures;
@@ -13,6 +14,10 @@ internal static class CommandLine
 {
     /// <summary>The program's name and version.</summary>
     public static string Version { get; } = $"raytracer {typeof(CommandLine).Assembly.GetName().Version!.ToString(3)}";
+
+    // Which commit of the sources it was made from; null where they were in no repository.
+    private static string? Commit { get; } =
+        typeof(CommandLine).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion.Split('+') is [_, { Length: >= 12 } commit] ? commit[..12] : null;
 
     // Each verb's options are made only where they are needed: making all of them takes longer than a small picture.
     private static readonly (string Name, string Summary, Action<Command, Streams> Build)[] Verbs =
@@ -34,6 +39,8 @@ internal static class CommandLine
         ("reproduce", "Renders the pictures and tables of the report that the project follows.", ReproduceVerb.Build),
         ("studio", "Opens the Studio, in which scenes are edited and seen, in a window of the browser.", StudioVerb.Build),
         ("schema", "Prints the JSON Schema of scene files.", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
+        ("completion", "Prints the script with which a shell completes this command.", CompletionVerb.Build),
+        ("man", "Prints the manual page of this command, in the language of man(7).", ManVerb.Build),
         ("reference", "Prints the reference page of the scene format, in Markdown.", (c, s) => c.SetAction(_ => s.Output.Write(SceneReference.Generate()))),
     ];
 
@@ -60,10 +67,18 @@ internal static class CommandLine
         }
     }
 
+    /// <summary>All verbs with all of their options.</summary>
+    public static IReadOnlyList<VerbHelp> Help(Streams streams) => [.. Verbs.Select(v =>
+    {
+        Command command = new(v.Name, v.Summary);
+        v.Build(command, streams);
+        return VerbHelp.Of(command, Synopsis(command));
+    })];
+
     private static Command Root(string? verb, Streams streams)
     {
         Command root = new("raytracer", $"A Monte Carlo ray tracer.\n\n{ExitStatus.Help}");
-        Option<bool> version = new("--version") { Description = "Shows the version and the number of vector lanes." };
+        Option<bool> version = new("--version") { Description = "Shows the version, the commit and the number of vector lanes." };
         root.Options.Add(new HelpOption());
         root.Options.Add(version);
         root.SetAction(result =>
@@ -73,7 +88,7 @@ internal static class CommandLine
                 throw new CommandException(ExitStatus.Usage, $"a verb is expected: {string.Join(", ", Verbs.Select(v => v.Name))} (see raytracer --help)");
             }
 
-            streams.Output.WriteLine($"{Version} ({Vector<float>.Count} lanes)");
+            streams.Output.WriteLine($"{Version} ({(Commit is { } commit ? $"commit {commit}, " : "")}{Vector<float>.Count} lanes)");
         });
         foreach ((string name, string summary, Action<Command, Streams> build) in Verbs)
         {

@@ -14,7 +14,7 @@ namespace RayTracer.Tests.Acceleration;
 public unsafe class ShapeTreeTests
 {
     private const int Nothing = 1_000_000;
-    private const int Kinds = 13;
+    private const int Kinds = 14;
     private readonly Random _random = new(TestSettings.Seed);
 
     [Theory]
