@@ -49,10 +49,14 @@ internal sealed class RenderVerb
         RenderVerb verb = new(command);
         command.SetAction(result =>
         {
-            RenderRequest request = DisplayOptions.ForTerminal(verb.Request(result), streams);
-            return FramesRun.Is(request)
-                ? new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run()
-                : new RenderRun(request with { OverrideWords = [.. request.OverrideWords, .. request.Frame is { } frame ? ["--frames", $"{frame}"] : Array.Empty<string>()] }, s => verb._overrides.Apply(result, s), streams).Run();
+            RenderRequest request = verb.Request(result);
+            if (FramesRun.Is(request))
+            {
+                return new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run();
+            }
+
+            string[] frame = request.Frame is { } number ? ["--frames", $"{number}"] : [];
+            return new RenderRun(DisplayOptions.ForTerminal(request with { OverrideWords = [.. request.OverrideWords, .. frame] }, streams), s => verb._overrides.Apply(result, s), streams).Run();
         });
     }
 
