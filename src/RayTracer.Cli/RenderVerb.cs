@@ -33,7 +33,7 @@ internal sealed class RenderVerb
     {
         _scene = new("SCENE") { Description = "The scene file: native (.json), of Mitsuba (.xml), or a model." };
         command.Arguments.Add(_scene);
-        _writing = new(command, "The image file: .png, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
+        _writing = new(command, "The image file: .png, .jpg, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
         _overrides = new(command);
         foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol, _frames.Symbol, _rate.Symbol]))
         {
