@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Diagnostics;
 using System.Numerics;
 using RayTracer.Rendering;
+using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
 
@@ -23,10 +24,11 @@ internal static class BenchVerb
         command.Options.Add(samples.Symbol);
         command.Options.Add(repeat.Symbol);
         command.Options.Add(json);
-        command.SetAction(result => Run(result.GetValue(scenes)!, (int?)samples.Value(result), (int)(repeat.Value(result) ?? 3), result.GetValue(json), streams));
+        SettingOption settings = new(command);
+        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Values(result), (int?)samples.Value(result), (int)(repeat.Value(result) ?? 3), result.GetValue(json), streams));
     }
 
-    private static int Run(string[] scenes, int? samples, int repeat, bool json, Streams streams)
+    private static int Run(string[] scenes, IReadOnlyList<SceneSetting> settings, int? samples, int repeat, bool json, Streams streams)
     {
         IReadOnlyList<string> paths = scenes.Length > 0 ? scenes : ReportScenes.FindMeasured();
         List<Measurement> all = [];
@@ -37,7 +39,7 @@ internal static class BenchVerb
 
         foreach (string path in paths)
         {
-            Scene? scene = SceneFile.Load(path, streams, s => samples is { } n ? s with { Render = s.Render with { SamplesPerPixel = n } } : s);
+            Scene? scene = SceneFile.Load(path, streams, s => samples is { } n ? s with { Render = s.Render with { SamplesPerPixel = n } } : s, settings);
             if (scene is null)
             {
                 return SceneFile.FailureStatus(path);

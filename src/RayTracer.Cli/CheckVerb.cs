@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Text.Json;
 using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
@@ -9,24 +10,66 @@ internal static class CheckVerb
     public static void Build(Command command, Streams streams)
     {
         Argument<string[]> scenes = new("SCENE") { Description = "Scene files.", Arity = ArgumentArity.OneOrMore };
+        ParsedOption<CheckFormat?> format = OptionValues.Choice<CheckFormat>("--format", "How it is said: a line each (at most 20 a file), or all as one JSON object or SARIF 2.1.0; text without it.");
         command.Arguments.Add(scenes);
-        command.SetAction(result => result.GetValue(scenes)!.Max(path => Check(path, streams)));
+        command.Options.Add(format.Symbol);
+        SettingOption settings = new(command);
+        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Values(result), format.Value(result) ?? CheckFormat.Text, streams));
     }
 
-    private static int Check(string path, Streams streams)
+    private static int Run(string[] paths, IReadOnlyList<SceneSetting> settings, CheckFormat format, Streams streams)
     {
-        SceneLoadResult result = SceneFile.Load(path);
-        SceneFile.Show(result, streams);
-        if (result.Scene is null)
+        List<CheckedScene> all = [];
+        foreach (string path in paths)
         {
-            return SceneFile.FailureStatus(path);
+            SceneLoadResult result = SceneFile.Load(path, settings: settings);
+            CheckedScene scene = new(path, result.Diagnostics, result.Scene is null ? SceneFile.FailureStatus(path) : ExitStatus.Fine);
+            all.Add(scene);
+            if (format == CheckFormat.Text)
+            {
+                streams.Output.WriteLine(scene.Diagnostics.Count == 0 ? $"{path}: fine" : Diagnostic.Format(scene.Diagnostics));
+            }
         }
 
-        if (result.Diagnostics.Count == 0)
+        if (format == CheckFormat.Json)
         {
-            streams.Output.WriteLine($"{path}: fine");
+            JsonText.Write(streams, json => WriteJson(json, all));
+        }
+        else if (format == CheckFormat.Sarif)
+        {
+            JsonText.Write(streams, json => SarifLog.Write(json, all));
         }
 
-        return ExitStatus.Fine;
+        return all.Max(s => s.Status);
+    }
+
+    private static void WriteJson(Utf8JsonWriter json, List<CheckedScene> scenes)
+    {
+        json.WriteNumber("errors", scenes.Sum(s => s.Diagnostics.Count(d => d.Severity == Severity.Error)));
+        json.WriteNumber("warnings", scenes.Sum(s => s.Diagnostics.Count(d => d.Severity == Severity.Warning)));
+        json.WriteStartArray("files");
+        foreach (CheckedScene scene in scenes)
+        {
+            json.WriteStartObject();
+            json.WriteString("path", scene.Path);
+            json.WriteBoolean("fine", scene.Diagnostics.Count == 0);
+            json.WriteStartArray("diagnostics");
+            foreach (Diagnostic diagnostic in scene.Diagnostics)
+            {
+                json.WriteStartObject();
+                json.WriteString("severity", diagnostic.Severity == Severity.Error ? "error" : "warning");
+                json.WriteString("rule", diagnostic.Rule.Id);
+                json.WriteString("file", diagnostic.File);
+                json.WriteNumber("line", diagnostic.Line);
+                json.WriteNumber("column", diagnostic.Column);
+                json.WriteString("message", diagnostic.Message);
+                json.WriteEndObject();
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
     }
 }

@@ -20,6 +20,12 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
     /// <summary>Whether the latest could not be written.</summary>
     public bool HasFailed { get; private set; }
 
+    /// <summary>How many were written.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>How long that took in all.</summary>
+    public TimeSpan Spent { get; private set; }
+
     /// <summary>Writes one if it is time for it.</summary>
     public void Offer(Film film, FilmHeader header)
     {
@@ -47,6 +53,9 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
         }
 
         _last = Stopwatch.GetTimestamp();
-        _stretched = Stopwatch.GetElapsedTime(start) * LargestShare;
+        TimeSpan spent = Stopwatch.GetElapsedTime(start);
+        Count++;
+        Spent += spent;
+        _stretched = spent * LargestShare;
     }
 }

@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Help;
 using System.CommandLine.Parsing;
 using System.Numerics;
+using System.Reflection;
 using RayTracer.Imaging;
 using RayTracer.Scenes;
 using RayTracer.Textures;
@@ -14,16 +15,23 @@ internal static class CommandLine
     /// <summary>The program's name and version.</summary>
     public static string Version { get; } = $"raytracer {typeof(CommandLine).Assembly.GetName().Version!.ToString(3)}";
 
+    // Which commit of the sources it was made from; null where they were in no repository.
+    private static string? Commit { get; } =
+        typeof(CommandLine).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion.Split('+') is [_, { Length: >= 12 } commit] ? commit[..12] : null;
+
     // Each verb's options are made only where they are needed: making all of them takes longer than a small picture.
     private static readonly (string Name, string Summary, Action<Command, Streams> Build)[] Verbs =
     [
         ("render", "Renders a scene into image files.", RenderVerb.Build),
+        ("sweep", "Renders a scene with several values of its settings, as one labelled sheet.", SweepVerb.Build),
         ("resume", "Goes on with a film that was stopped, or gives it more samples.", ResumeVerb.Build),
         ("merge", "Adds films of different samples of one picture up.", MergeVerb.Build),
+        ("cluster", "Writes the jobs of a cluster that render the parts of a picture, and merge them.", ClusterVerb.Build),
         ("verify", "Renders what an image or film says it is once more, and compares.", VerifyVerb.Build),
         ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
         ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
-        ("convert", "Writes a scene of another format in the native one.", ConvertVerb.Build),
+        ("explain", "Says what a part of scene files means: its unit, range and default.", ExplainVerb.Build),
+        ("convert", "Writes a scene of another format in the native one, and images and films as other images.", ConvertVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),
         ("compose", "Balances the lights of a rendered picture anew.", ComposeVerb.Build),
         ("view", "Shows an image in the terminal.", ViewVerb.Build),
@@ -31,6 +39,8 @@ internal static class CommandLine
         ("reproduce", "Renders the pictures and tables of the report that the project follows.", ReproduceVerb.Build),
         ("studio", "Opens the Studio, in which scenes are edited and seen, in a window of the browser.", StudioVerb.Build),
         ("schema", "Prints the JSON Schema of scene files.", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
+        ("completion", "Prints the script with which a shell completes this command.", CompletionVerb.Build),
+        ("man", "Prints the manual page of this command, in the language of man(7).", ManVerb.Build),
         ("reference", "Prints the reference page of the scene format, in Markdown.", (c, s) => c.SetAction(_ => s.Output.Write(SceneReference.Generate()))),
     ];
 
@@ -57,10 +67,18 @@ internal static class CommandLine
         }
     }
 
+    /// <summary>All verbs with all of their options.</summary>
+    public static IReadOnlyList<VerbHelp> Help(Streams streams) => [.. Verbs.Select(v =>
+    {
+        Command command = new(v.Name, v.Summary);
+        v.Build(command, streams);
+        return VerbHelp.Of(command, Synopsis(command));
+    })];
+
     private static Command Root(string? verb, Streams streams)
     {
         Command root = new("raytracer", $"A Monte Carlo ray tracer.\n\n{ExitStatus.Help}");
-        Option<bool> version = new("--version") { Description = "Shows the version and the number of vector lanes." };
+        Option<bool> version = new("--version") { Description = "Shows the version, the commit and the number of vector lanes." };
         root.Options.Add(new HelpOption());
         root.Options.Add(version);
         root.SetAction(result =>
@@ -70,7 +88,7 @@ internal static class CommandLine
                 throw new CommandException(ExitStatus.Usage, $"a verb is expected: {string.Join(", ", Verbs.Select(v => v.Name))} (see raytracer --help)");
             }
 
-            streams.Output.WriteLine($"{Version} ({Vector<float>.Count} lanes)");
+            streams.Output.WriteLine($"{Version} ({(Commit is { } commit ? $"commit {commit}, " : "")}{Vector<float>.Count} lanes)");
         });
         foreach ((string name, string summary, Action<Command, Streams> build) in Verbs)
         {
@@ -105,9 +123,12 @@ internal static class CommandLine
             _ when isRoot => $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
             _ => $"unexpected argument {Quotation.Of(stray)}",
         });
-        streams.Error.WriteLine(isRoot ? "usage: raytracer VERB …, see raytracer --help" : $"usage: raytracer {command.Name} {Synopsis(command)}, see raytracer {command.Name} --help");
+        streams.Error.WriteLine(isRoot ? "usage: raytracer VERB …, see raytracer --help" : $"usage: {Name(command)} {Synopsis(command)}, see {Name(command)} --help");
         return ExitStatus.Usage;
     }
+
+    // With the commands that it is under.
+    private static string Name(Symbol command) => command.Parents.FirstOrDefault() is { } above ? $"{Name(above)} {command.Name}" : command.Name;
 
     private static string UnknownOption(string word, Command command) =>
         $"unknown option {Quotation.Of(word)}{Spelling.DidYouMean(word, command.Options.SelectMany(o => o.Aliases.Prepend(o.Name)))}";

@@ -33,7 +33,7 @@ internal sealed class ContentHash : IDisposable
         using ContentHash hash = new(Path.GetDirectoryName(path) ?? "");
         hash.Text(CommandLine.Version);
         hash.Text($"{crop}");
-        hash.Add(scene with { Render = scene.Render with { SamplesPerPixel = HasPattern(scene.Render) ? scene.Render.SamplesPerPixel : 1 } });
+        hash.Add(scene with { Animation = [], Render = scene.Render with { SamplesPerPixel = HasPattern(scene.Render) ? scene.Render.SamplesPerPixel : 1 } });
         return Convert.ToHexStringLower(hash._hash.GetHashAndReset());
     }
 

@@ -3,29 +3,57 @@ using System.Text;
 using RayTracer.Imaging;
 using RayTracer.Scenes;
 using RayTracer.Session;
+using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer convert SCENE FILE</c>: writes a scene, of Mitsuba or a model, in the native format.</summary>
-internal static class ConvertVerb
+/// <summary><c>raytracer convert FROM TO</c>: writes a scene, of Mitsuba or a model, in the native format; and images and films as images.</summary>
+internal sealed class ConvertVerb
 {
-    public static void Build(Command command, Streams streams)
-    {
-        Argument<string> scene = new("SCENE") { Description = "The scene file to read: of Mitsuba (.xml), native (.json), or a model." };
-        Argument<string> file = new("FILE") { Description = "The native scene file to write, .json." };
-        command.Arguments.Add(scene);
-        command.Arguments.Add(file);
-        command.SetAction(result => Convert(result.GetValue(scene)!, result.GetValue(file)!, streams));
-    }
+    private readonly Argument<string> _from = new("FROM") { Description = "The file to read: a scene of Mitsuba (.xml), a native one (.json) or a model; or an image or a film." };
+    private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene, .json; or an image." };
+    private readonly ParsedOption<long?> _width = OptionValues.Integer("--width", "Images: makes them smaller, to this many columns; by itself, the shape stays.", 1, int.MaxValue);
+    private readonly ParsedOption<long?> _height = OptionValues.Integer("--height", "Images: the same, rows.", 1, int.MaxValue);
+    private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>("--exr-type", "OpenEXR: what its numbers are; float without it, which loses nothing.", ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
+    private readonly SettingOption _settings;
+    private readonly WritingOptions _writing;
 
-    private static int Convert(string path, string target, Streams streams)
+    private ConvertVerb(Command command)
     {
-        if (!Path.GetExtension(target).Equals(".json", StringComparison.OrdinalIgnoreCase))
+        command.Arguments.Add(_from);
+        command.Arguments.Add(_to);
+        _writing = new();
+        foreach (Option option in _writing.Looks.Concat([_exrType.Symbol, _width.Symbol, _height.Symbol]))
         {
-            throw new CommandException(ExitStatus.Usage, $"scenes are written as .json files, but not as {Quotation.Of(target)}");
+            command.Options.Add(option);
         }
 
-        SceneLoadResult result = SceneFile.Load(path);
+        _settings = new(command);
+    }
+
+    public static void Build(Command command, Streams streams)
+    {
+        ConvertVerb verb = new(command);
+        command.SetAction(result => verb.Run(result, streams));
+    }
+
+    private int Run(ParseResult result, Streams streams)
+    {
+        (string from, string to) = (result.GetValue(_from)!, result.GetValue(_to)!);
+        bool isScene = Path.GetExtension(to).Equals(".json", StringComparison.OrdinalIgnoreCase);
+        if (isScene ? ImageFile.IsImage(from) : IsSceneName(from))
+        {
+            throw new CommandException(ExitStatus.Usage, isScene
+                ? $"{Quotation.Of(from)} is an image, of which no scene can be made"
+                : $"scenes are written as .json files, but not as {Quotation.Of(to)} (\"raytracer render\" makes images of them)");
+        }
+
+        return isScene ? ConvertScene(from, to, _settings.Values(result), streams) : ConvertImage(from, to, result);
+    }
+
+    private static int ConvertScene(string path, string target, IReadOnlyList<SceneSetting> settings, Streams streams)
+    {
+        SceneLoadResult result = SceneFile.Load(path, settings: settings);
         SceneFile.Show(result, streams);
         if (result.Scene is null)
         {
@@ -37,6 +65,49 @@ internal static class ConvertVerb
         AtomicFile.Write(target, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
         return ExitStatus.Fine;
     }
+
+    private int ConvertImage(string path, string target, ParseResult result)
+    {
+        if (_settings.Values(result) is [var setting, ..])
+        {
+            throw new CommandException(ExitStatus.Usage, $"{SettingOption.Name} {setting.Text}: images have no settings");
+        }
+
+        ImageOutputs.Check(target);
+        (IImageRows image, IEnumerable<KeyValuePair<string, string>> texts) = Read(path);
+        (int width, int height) = Size(image, (int?)_width.Value(result), (int?)_height.Value(result));
+        bool isWhole = (width, height) == (image.Width, image.Height);
+        ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), _writing.Writing(result) with
+        {
+            ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float,
+            Metadata = isWhole ? [.. texts] : [],
+        });
+        return ExitStatus.Fine;
+    }
+
+    private static (IImageRows Image, IEnumerable<KeyValuePair<string, string>> Texts) Read(string path)
+    {
+        if (FilmFile.IsNamed(path))
+        {
+            (FilmHeader header, Rendering.Film film) = FilmFile.Read(path);
+            return header.Samples.Count > 0 ? (film, MergeVerb.Texts(header, film.ComputeHash())) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
+        }
+
+        // What other programs wrote into a file stays there: it may be long, and no text of ours.
+        return (ImageFile.Read(path), ImageFile.ReadText(path).Where(t => MergeVerb.TextKeys.Contains(t.Key)));
+    }
+
+    private static (int Width, int Height) Size(IImageRows image, int? width, int? height)
+    {
+        int w = width ?? (height is { } h ? Scaled(image.Width, h, image.Height) : image.Width);
+        int rows = height ?? (width is { } columns ? Scaled(image.Height, columns, image.Width) : image.Height);
+        return w <= image.Width && rows <= image.Height ? (w, rows)
+            : throw new CommandException(ExitStatus.Usage, $"the image of {image.Width}×{image.Height} pixels can be made smaller only, not {w}×{rows}");
+    }
+
+    private static int Scaled(int length, int part, int whole) => (int)Math.Clamp(Math.Round((double)length * part / whole), 1, int.MaxValue);
+
+    private static bool IsSceneName(string path) => Path.GetExtension(path).ToLowerInvariant() is ".json" or ".xml" || ModelFile.IsModel(path);
 
     private static string Folder(string path) => Path.GetDirectoryName(Path.GetFullPath(path)) ?? "";
 }

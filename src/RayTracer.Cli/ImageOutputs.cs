@@ -7,6 +7,9 @@ namespace RayTracer.Cli;
 /// <summary>The files that an image is written to.</summary>
 internal static class ImageOutputs
 {
+    // Between two writes to one file, on disks that know no locks.
+    private static readonly TimeSpan LongestPause = TimeSpan.FromMinutes(1);
+
     /// <summary>Finds out before the work whether a file can be written after it.</summary>
     /// <exception cref="CommandException">The extension is unknown.</exception>
     /// <exception cref="ImageWriteException">The folder is missing or closed to us, or has no room for another file.</exception>
@@ -15,6 +18,10 @@ internal static class ImageOutputs
     /// <summary>As <see cref="Check(string)"/>, of a file that the film itself may be written to.</summary>
     /// <inheritdoc cref="Check(string)"/>
     public static void CheckFilm(string path) => Check(path, FilmFile.IsNamed(path));
+
+    /// <summary>As <see cref="Check(string)"/>, whatever the extension.</summary>
+    /// <inheritdoc cref="Check(string)"/>
+    public static void CheckFolder(string path) => Check(path, isFilm: true);
 
     private static void Check(string path, bool isFilm)
     {
@@ -87,7 +94,8 @@ internal static class ImageOutputs
     {
         FileInfo file = new(path);
         string target = file.LinkTarget is null ? file.FullName : file.ResolveLinkTarget(returnFinalTarget: true)!.FullName;
-        string probe = Path.Combine(Path.GetDirectoryName(target)!, $".{Guid.NewGuid():N}.tmp");
+        AtomicFile.Sweep(target, DateTime.UtcNow - LongestPause);
+        string probe = AtomicFile.Temporary(target);
         try
         {
             using FileStream stream = new(probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);

@@ -22,10 +22,11 @@ internal static class InfoVerb
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(scene);
         command.Options.Add(json);
-        command.SetAction(result => Show(result.GetValue(scene)!, result.GetValue(json), streams));
+        SettingOption settings = new(command);
+        command.SetAction(result => Show(result.GetValue(scene)!, settings.Values(result), result.GetValue(json), streams));
     }
 
-    private static int Show(string path, bool json, Streams streams)
+    private static int Show(string path, IReadOnlyList<SceneSetting> settings, bool json, Streams streams)
     {
         Dictionary<string, long> pictures = [];
         SceneLoadResult result = SceneFile.Load(path, readPicture: (file, raw) =>
@@ -33,7 +34,7 @@ internal static class InfoVerb
             Picture picture = ImageFile.Read(file, raw);
             pictures[file] = sizeof(float) * picture.Pixels.LongLength;
             return picture;
-        });
+        }, settings: settings);
         SceneFile.Show(result, streams);
         if (result.Scene is not { } scene)
         {

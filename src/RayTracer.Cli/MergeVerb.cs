@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Runtime.ExceptionServices;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Textures;
@@ -8,6 +9,7 @@ namespace RayTracer.Cli;
 /// <summary><c>raytracer merge PART… -o FILE</c>: adds films of different samples of one picture up. In any order, the bits are those of one render.</summary>
 internal sealed class MergeVerb
 {
+    private const int MostAtOnce = 4;
     private readonly Argument<string[]> _parts = new("PART") { Description = "The films (.rtfilm).", Arity = new ArgumentArity(1, 100_000) };
     private readonly Option<bool> _partial = new("--partial") { Description = "Allows samples to be missing." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
@@ -57,31 +59,36 @@ internal sealed class MergeVerb
         }
 
         Film film = new(header.Width, header.Height);
-        foreach ((string path, FilmHeader expected) in parts)
-        {
-            if (FilmFile.AddTo(path, film).Content != expected.Content)
-            {
-                throw new PictureException($"Cannot read the film '{path}': it was changed meanwhile.");
-            }
-        }
-
+        Add(parts, film);
         return Write(result, film, header, outputs, streams);
+    }
+
+    // Several at once: checksums take longer than a disk to read what they are of. More than a few only make the disk's way longer.
+    private static void Add((string Path, FilmHeader Header)[] parts, Film film)
+    {
+        Lock adding = new();
+        try
+        {
+            Parallel.ForEach(parts, new() { MaxDegreeOfParallelism = Math.Min(MostAtOnce, Environment.ProcessorCount) }, part =>
+            {
+                FilmHeader header = FilmFile.AddTo(part.Path, film, adding);
+                if (header.Content != part.Header.Content || !header.Samples.SequenceEqual(part.Header.Samples))
+                {
+                    throw new PictureException($"Cannot read the film '{part.Path}': it was changed meanwhile.");
+                }
+            });
+        }
+        catch (AggregateException e)
+        {
+            ExceptionDispatchInfo.Throw(e.InnerExceptions[0]);
+        }
     }
 
     private int Write(ParseResult result, Film film, FilmHeader header, IReadOnlyList<string> outputs, Streams streams)
     {
         string hash = film.ComputeHash();
         int samples = header.Samples.Sum(r => r.Count);
-        KeyValuePair<string, string>[] texts =
-        [
-            new("Software", CommandLine.Version),
-            new("Command", Session.Shell.Command(["render", header.Scene, .. ResumeVerb.Words(header, header.Total), .. CropWords(header)])),
-            new("Scene", Path.GetFileName(header.Scene)),
-            new("Samples", $"{samples}"),
-            new("FilmHash", hash),
-            new("SampleRange", header.SamplesText),
-        ];
-        IReadOnlyList<string> written = ImageOutputs.Write(outputs, film, header, _writing.Writing(result) with { Metadata = texts }, streams);
+        IReadOnlyList<string> written = ImageOutputs.Write(outputs, film, header, _writing.Writing(result) with { Metadata = Texts(header, hash) }, streams);
         if (result.GetValue(_json))
         {
             WriteJson(header, samples, hash, written, streams);
@@ -98,6 +105,20 @@ internal sealed class MergeVerb
 
         return written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
+
+    /// <summary>What images say of themselves.</summary>
+    public static IReadOnlyList<string> TextKeys { get; } = ["Software", "Command", "Scene", "Samples", "FilmHash", "SampleRange"];
+
+    /// <summary>What an image of a film says of itself.</summary>
+    public static IReadOnlyList<KeyValuePair<string, string>> Texts(FilmHeader header, string hash) =>
+    [
+        new("Software", CommandLine.Version),
+        new("Command", Session.Shell.Command(["render", header.Scene, .. ResumeVerb.Words(header, header.Total), .. CropWords(header)])),
+        new("Scene", Path.GetFileName(header.Scene)),
+        new("Samples", $"{header.Samples.Sum(r => r.Count)}"),
+        new("FilmHash", hash),
+        new("SampleRange", header.SamplesText),
+    ];
 
     /// <summary>The options that say which part of the picture a film is of.</summary>
     public static string[] CropWords(FilmHeader header) => header.Crop is { } c ? ["--crop", $"{c.X},{c.Y},{c.Width},{c.Height}"] : [];

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using RayTracer.Description;
 using RayTracer.Rendering;
 
@@ -10,6 +11,7 @@ internal sealed class NoiseRequest(RenderRequest request)
     private const int Limit = 65536;
     private const int MostSamples = 1 << 24;
     private const int MostOverMean = 16;
+    private const int ShareOfTime = 4;
     private int _mean;
     private int _most;
 
@@ -43,6 +45,10 @@ internal sealed class NoiseRequest(RenderRequest request)
     public SamplePlan? Plan(Scene scene, RenderOptions options, IProgress<RenderProgress>? progress, CancellationToken cancellation)
     {
         SampleGoal goal = new() { Error = request.Noise, IsAdaptive = request.Adaptive, MeanSamples = _mean, MostSamples = _most };
-        return IsAny ? new SamplePlanner(scene, options, goal).Plan(progress, cancellation) : null;
+        long start = Stopwatch.GetTimestamp();
+
+        // Twice the samples take twice the time: no more than half of it all then.
+        bool IsShort() => Stopwatch.GetElapsedTime(start) > request.Time / ShareOfTime;
+        return IsAny ? new SamplePlanner(scene, options, goal) { IsShortOfTime = request.Time is null ? null : IsShort }.Plan(progress, cancellation) : null;
     }
 }

@@ -13,7 +13,6 @@ namespace RayTracer.Cli;
 /// <param name="header">What the film file says of the film before the first pass.</param>
 internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader header)
 {
-    private const double LongestPass = 5;
     private const int MostSamples = 64;
 
     /// <summary>What a file says of the film as it is.</summary>
@@ -25,6 +24,12 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
     /// <summary>Takes the film now and then; may be null.</summary>
     public Checkpoints? Checkpoints { get; init; }
 
+    /// <summary>Shows the film now and then; may be null.</summary>
+    public PreviewDisplay? Preview { get; init; }
+
+    // What is shown shall change.
+    private double LongestPass => Preview is null ? 5 : 0.5;
+
     /// <summary>Renders what is missing.</summary>
     /// <returns>What was done; a pass that was cancelled does not count.</returns>
     public RenderStatistics Render(Film film, SampleRange missing, IProgress<RenderProgress>? progress, CancellationToken cancellation)
@@ -34,7 +39,7 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
         Tile area = options.Crop ?? new(0, 0, film.Width, film.Height);
         long start = Stopwatch.GetTimestamp();
         int count = 1;
-        for (int first = missing.First; first < missing.End && !statistics.Cancelled && !(Stopwatch.GetElapsedTime(start) >= Limit);)
+        for (int first = missing.First; first < missing.End && !statistics.Cancelled && !(Header.Samples.Count > 0 && Stopwatch.GetElapsedTime(start) >= Limit);)
         {
             SampleRange range = new(first, Math.Min(missing.End, first + count));
             long passStart = Stopwatch.GetTimestamp();
@@ -52,6 +57,7 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
             first = range.End;
             Header = Header with { Samples = Join(Header.Samples, range) };
             Checkpoints?.Offer(film, Header);
+            Preview?.Offer(film, isLast: first >= missing.End);
             count = NextCount(Stopwatch.GetElapsedTime(passStart).TotalSeconds / range.Count, Limit - Stopwatch.GetElapsedTime(start));
         }
 
@@ -82,7 +88,7 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
         return joined;
     }
 
-    private static int NextCount(double secondsPerSample, TimeSpan? left)
+    private int NextCount(double secondsPerSample, TimeSpan? left)
     {
         double seconds = left is { } rest ? Math.Min(LongestPass, rest.TotalSeconds) : LongestPass;
         return (int)double.Clamp(seconds / Math.Max(1e-9, secondsPerSample), 1, MostSamples);

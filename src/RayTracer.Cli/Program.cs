@@ -7,7 +7,7 @@ internal static class Program
 {
     private static int Main(string[] args)
     {
-        if (args is ["render" or "resume" or "verify" or "bench" or "reproduce", ..])
+        if (args is ["render" or "sweep" or "resume" or "verify" or "bench" or "reproduce", ..])
         {
             WideVectors.Enable(args);
         }

@@ -17,7 +17,7 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
     private protected ProgressDisplay() => _thread = new(Show) { IsBackground = true };
 
     /// <summary>How far the rendering is, 0 to 1.</summary>
-    private protected double Fraction => Latest.Fraction;
+    private protected double Fraction => Latest is { PathsTotal: > 0 } latest ? latest.Fraction : 0;
 
     /// <summary>How fast the rendering is, and how long it will take.</summary>
     private protected string Pace
@@ -43,9 +43,11 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
     }
 
     /// <summary>Begins to show progress: as a bar on a terminal, else in lines.</summary>
-    public static ProgressDisplay Start(Streams streams)
+    public static ProgressDisplay Start(Streams streams) => Start(streams.HasTerminal ? new ProgressBar(streams.Error) : new ProgressLines(streams.Error));
+
+    /// <summary>Begins to show progress in a way of its own.</summary>
+    public static ProgressDisplay Start(ProgressDisplay display)
     {
-        ProgressDisplay display = streams.HasTerminal ? new ProgressBar(streams.Error) : new ProgressLines(streams.Error);
         display._thread.Start();
         return display;
     }
@@ -65,9 +67,12 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
     /// <inheritdoc/>
     public void Dispose()
     {
-        _ended.Set();
-        _thread.Join();
-        _ended.Dispose();
+        if (_thread.IsAlive)
+        {
+            _ended.Set();
+            _thread.Join();
+            _ended.Dispose();
+        }
     }
 
     /// <summary>Shows progress until <see cref="Wait"/> says that the rendering has ended.</summary>

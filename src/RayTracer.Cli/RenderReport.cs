@@ -8,8 +8,9 @@ namespace RayTracer.Cli;
 /// <param name="request">What was asked for.</param>
 /// <param name="outcome">What it came to.</param>
 /// <param name="written">The files that were written.</param>
+/// <param name="stages">How long its stages took.</param>
 /// <param name="totalSeconds">How long everything took.</param>
-internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome, IReadOnlyList<string> written, double totalSeconds)
+internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome, IReadOnlyList<string> written, StageTimes stages, double totalSeconds)
 {
     private readonly RenderStatistics _statistics = outcome.Statistics;
     private readonly RenderDescription _render = outcome.Scene.Render;
@@ -92,8 +93,16 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         json.WriteNumber("samplesPerPixel", outcome.MeanSamples);
         WriteNoise(json);
         json.WriteNumber("threads", outcome.Threads);
+        json.WriteNumber("loadSeconds", stages.Load);
+        json.WriteNumber("buildSeconds", stages.Build);
         json.WriteNumber("renderSeconds", outcome.Seconds);
+        json.WriteNumber("writeSeconds", stages.Write);
         json.WriteNumber("totalSeconds", totalSeconds);
+        if (StageTimes.PeakMemory is { } bytes)
+        {
+            json.WriteNumber("peakMemoryBytes", bytes);
+        }
+
         json.WriteNumber("paths", _statistics.Paths);
         json.WriteNumber("closestHitRays", _statistics.ClosestHitRays);
         json.WriteNumber("shadowRays", _statistics.ShadowRays);
@@ -103,6 +112,12 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         {
             json.WriteString("samples", header.SamplesText);
             json.WriteBoolean("complete", header.IsComplete);
+        }
+
+        if (outcome.Checkpoints is { } checkpoints)
+        {
+            json.WriteNumber("checkpoints", checkpoints.Count);
+            json.WriteNumber("checkpointSeconds", checkpoints.Spent.TotalSeconds);
         }
 
         json.WriteNumber("nonFiniteSamples", _statistics.NonFiniteSamples);

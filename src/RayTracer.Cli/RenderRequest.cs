@@ -1,6 +1,7 @@
 using System.CommandLine;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
+using RayTracer.Scenes;
 using RayTracer.Session;
 
 namespace RayTracer.Cli;
@@ -27,6 +28,9 @@ internal sealed record RenderRequest
 
     /// <summary>x, y, width and height of the part to render; null for all.</summary>
     public int[]? Crop { get; init; }
+
+    /// <summary>The part to render; null for all.</summary>
+    public Tile? Area => Crop is [var left, var top, var width, var height] ? new(left, top, width, height) : null;
 
     /// <summary>x and y of the only pixel to render; null for all.</summary>
     public int[]? Pixel { get; init; }
@@ -58,6 +62,18 @@ internal sealed record RenderRequest
     /// <summary>Which of how many equal parts of the samples to render, from 1; null for all.</summary>
     public (int Number, int Count)? Part { get; init; }
 
+    /// <summary>The frames to render; null for the scene as it is written.</summary>
+    public FrameRange? Frames { get; init; }
+
+    /// <summary>The only frame to render; null for the scene as it is written.</summary>
+    public int? Frame => Frames is { Count: 1 } frames ? frames.First : null;
+
+    /// <summary>Whether the picture is one of several frames, which are not written before they are whole.</summary>
+    public bool IsOfSequence { get; init; }
+
+    /// <summary>How many frames of an animated PNG are shown a second; null for what the scene says.</summary>
+    public double? FramesPerSecond { get; init; }
+
     /// <summary>After which time to stop; null for never.</summary>
     public TimeSpan? Time { get; init; }
 
@@ -71,13 +87,22 @@ internal sealed record RenderRequest
     public ResumedFilm? Resumed { get; init; }
 
     /// <summary>Whether the film must hold whole ranges of samples whenever the rendering stops.</summary>
-    public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Outputs.Any(FilmFile.IsNamed);
+    public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Preview || Outputs.Any(FilmFile.IsNamed);
 
     /// <summary>Whether nothing but errors and warnings is printed.</summary>
     public bool Quiet { get; init; }
 
+    /// <summary>Whether the stages are told.</summary>
+    public bool Verbose { get; init; }
+
+    /// <summary>Whether the picture is shown in the terminal meanwhile.</summary>
+    public bool Preview { get; init; }
+
     /// <summary>Whether a JSON object is printed.</summary>
     public bool Json { get; init; }
+
+    /// <summary>The values that replace those of the scene file before it is read.</summary>
+    public IReadOnlyList<SceneSetting> Settings { get; init; } = [];
 
     /// <summary>The words of the overrides that were given.</summary>
     public required IReadOnlyList<string> OverrideWords { get; init; }

@@ -15,11 +15,18 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 {
     private readonly Stopwatch _total = Stopwatch.StartNew();
     private readonly NoiseRequest _noise = new(request);
+    private readonly StageTimes _stages = new(request.Verbose ? streams : null);
     private SceneDescription? _description;
     private long _begun;
     private AovFilm? _auxiliary;
     private LightLayerFilm? _light;
     private Denoising? _denoising;
+
+    /// <summary>Reads pictures; null for <see cref="ImageFile.Read"/>.</summary>
+    public Func<string, bool, Picture>? ReadPicture { get; init; }
+
+    /// <summary>Takes what it came to and the files that were written, at the end; may be null.</summary>
+    public Action<RenderOutcome, IReadOnlyList<string>>? Done { get; init; }
 
     /// <summary>Loads, renders, writes and reports.</summary>
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
@@ -49,16 +56,19 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             return signals.Status;
         }
 
-        IReadOnlyList<string> written = outcome.Film.TotalSamples > 0 ? Write(outcome, aovs) : [];
+        bool isWanted = outcome.Film.TotalSamples > 0 && !(request.IsOfSequence && outcome.Statistics.Cancelled);
+        IReadOnlyList<string> written = isWanted ? Write(outcome, aovs) : [];
+        _stages.EndWrite();
         if (outcome.Film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
         {
             streams.Fail("no sample came to a finite number, so there is no picture to write");
         }
 
-        RenderReport report = new(request, outcome, written, _total.Elapsed.TotalSeconds);
+        RenderReport report = new(request, outcome, written, _stages, _total.Elapsed.TotalSeconds);
         report.Write(streams);
+        Done?.Invoke(outcome, written);
         return signals.Status != 0 ? signals.Status
-            : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.HasFailedCheckpoint ? ExitStatus.InputOutput
+            : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.Checkpoints is { HasFailed: true } ? ExitStatus.InputOutput
             : outcome.IsNoisy(request) ? ExitStatus.Noisy : ExitStatus.Fine;
     }
 
@@ -68,12 +78,13 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     /// <returns>What it came to; null where the scene is wrong, which was said.</returns>
     public RenderOutcome? Compute(CancellationToken cancellation, AovOutputs? aovs = null)
     {
-        Scene? scene = SceneFile.Load(request.ScenePath, streams, s => _description = _noise.Widen(overrides(s)));
+        Scene? scene = SceneFile.Load(request.ScenePath, streams, Described, request.Settings, request.Frame, ReadPicture, s => _description = s);
         if (scene is null)
         {
             return null;
         }
 
+        _stages.EndBuild();
         RenderOptions options = Options(scene.Render);
         Film film = request.Resumed?.Film ?? FilmFor(scene);
         if ((film.Width, film.Height) != (scene.Render.Width, scene.Render.Height))
@@ -89,11 +100,26 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         _auxiliary = new(film, request.Aovs);
         _denoising = request.Denoise ? Denoising.Create(scene) : null;
-        using ProgressDisplay? display = request.Quiet || request.Pixel is not null ? null : ProgressDisplay.Start(streams);
+        using ProgressDisplay? display = Display();
         long start = Stopwatch.GetTimestamp();
         RenderOutcome outcome = Render(scene, film, options, display, cancellation);
-        return outcome with { Seconds = Stopwatch.GetElapsedTime(start).TotalSeconds };
+        outcome = outcome with { Seconds = Stopwatch.GetElapsedTime(start).TotalSeconds };
+        display?.Dispose();
+        _stages.EndRender();
+        return outcome;
     }
+
+    // Called when the scene file has been read, before the scene is built.
+    private SceneDescription Described(SceneDescription scene)
+    {
+        _stages.EndLoad();
+        return _noise.Widen(overrides(scene));
+    }
+
+    private ProgressDisplay? Display() =>
+        request.Preview ? ProgressDisplay.Start(new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, request.Writing))
+        : request.Quiet || request.Pixel is not null ? null
+        : ProgressDisplay.Start(streams);
 
     private RenderOutcome Render(Scene scene, Film film, RenderOptions options, ProgressDisplay? display, CancellationToken cancellation)
     {
@@ -135,12 +161,12 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         FilmHeader header = Header(outcome.Scene.Render, wanted, options.Crop);
         if (request.Resumed is { } resumed)
         {
-            header = resumed.Header.Content == header.Content ? header with { Samples = resumed.Header.Samples } : throw ResumeVerb.OtherScene(request.ScenePath);
+            header = resumed.Header.Content == header.Content ? header with { Samples = resumed.Header.Samples } : throw ResumeVerb.OtherFilm(request, resumed.Header, outcome.Scene.Render);
         }
 
         Checkpoints? checkpoints = request.Checkpoint is { } path ? new(path, request.CheckpointInterval, streams) : null;
         TimeSpan? left = request.Time is { } limit ? limit - Stopwatch.GetElapsedTime(_begun) : null;
-        PassRender passes = new(outcome.Scene, options, header) { Limit = left, Checkpoints = checkpoints };
+        PassRender passes = new(outcome.Scene, options, header) { Limit = left, Checkpoints = checkpoints, Preview = display as PreviewDisplay };
         SampleRange missing = new(header.Samples is [.., var last] ? last.End : wanted.First, wanted.End);
         RenderStatistics statistics = passes.Render(outcome.Film, missing, display, cancellation);
         if (passes.Header.Samples is [var done] && !cancellation.IsCancellationRequested)
@@ -155,7 +181,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             header = header with { Wanted = whole, Total = whole.End };
         }
 
-        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, HasFailedCheckpoint = checkpoints?.HasFailed ?? false };
+        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, Checkpoints = checkpoints };
     }
 
     private static RenderStatistics Counted(SamplePlan? plan, RenderStatistics picture) => plan?.Add(picture) ?? picture;
@@ -194,7 +220,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         return new()
         {
             Threads = request.Threads,
-            Crop = request.Pixel is [var x, var y] ? new(x, y, 1, 1) : request.Crop is [var left, var top, var width, var height] ? new(left, top, width, height) : null,
+            Crop = request.Pixel is [var x, var y] ? new(x, y, 1, 1) : request.Area,
             Samples = request.Sample is { } sample ? new((int)sample, (int)sample + 1) : SampleShares.Of(request, render),
         };
     }
@@ -236,6 +262,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new("Samples", $"{outcome.SamplesText}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
             new("FilmHash", outcome.Hash),
             .. outcome.RangeText is { } range ? [KeyValuePair.Create("SampleRange", range)] : Array.Empty<KeyValuePair<string, string>>(),
+            .. request.IsOfSequence ? [KeyValuePair.Create("Content", ContentHash.Of(_description!, request.ScenePath, request.Area))] : Array.Empty<KeyValuePair<string, string>>(),
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };
         Picture? denoised = _denoising?.Denoise(request.Threads);
@@ -270,8 +297,8 @@ internal sealed record RenderOutcome(Scene Scene, Film Film, RenderStatistics St
     /// <summary>Which samples the pixels have, where all have the same and no passes were made.</summary>
     public SampleRange? Samples { get; init; }
 
-    /// <summary>Whether the last checkpoint could not be written.</summary>
-    public bool HasFailedCheckpoint { get; init; }
+    /// <summary>The checkpoints; null where there are none.</summary>
+    public Checkpoints? Checkpoints { get; init; }
 
     /// <summary>How many samples the pixels have.</summary>
     public string SamplesText => RangeText is { } range ? range.StartsWith("0..", StringComparison.Ordinal) && !range.Contains(',', StringComparison.Ordinal) ? $"{MeanSamples}" : $"{MeanSamples} ({range})"

@@ -23,31 +23,41 @@ internal sealed class RenderVerb
     private readonly Option<bool> _adaptive = new("--adaptive") { Description = "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes." };
     private readonly ParsedOption<SampleRange?> _samples = new("--samples", "A..B", "Renders only these samples of each pixel, both included, from 0. With -o part.rtfilm, for merge.", SampleShares.Range);
     private readonly ParsedOption<(int Number, int Count)?> _part = new("--part", "I/N", "Renders only the I-th, from 1, of N equal shares of the samples. With -o part.rtfilm, for merge.", SampleShares.Part);
-    private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
-    private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
+    private readonly ParsedOption<FrameRange?> _frames = FrameRange.Option();
+    private readonly ParsedOption<double?> _rate = OptionValues.Number("--fps", "With --frames and -o FILE.png or FILE.apng, which make an animated PNG: frames shown a second; without it, the scene's framesPerSecond.", 0.01, 1000);
     private readonly SceneOverrides _overrides;
     private readonly LongRenderOptions _long;
+    private readonly DisplayOptions _display;
 
     private RenderVerb(Command command)
     {
         _scene = new("SCENE") { Description = "The scene file: native (.json), of Mitsuba (.xml), or a model." };
         command.Arguments.Add(_scene);
-        _writing = new(command, "The image file: .png, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
+        _writing = new(command, "The image file: .png, .jpg, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
         _overrides = new(command);
-        foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol]))
+        foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol, _frames.Symbol, _rate.Symbol]))
         {
             command.Options.Add(option);
         }
 
         _long = new(command, "Writes the film to this file (.rtfilm) now and then, from which resume goes on.");
-        command.Options.Add(_quiet);
-        command.Options.Add(_json);
+        _display = new(command);
     }
 
     public static void Build(Command command, Streams streams)
     {
         RenderVerb verb = new(command);
-        command.SetAction(result => new RenderRun(verb.Request(result), s => verb._overrides.Apply(result, s), streams).Run());
+        command.SetAction(result =>
+        {
+            RenderRequest request = verb.Request(result);
+            if (FramesRun.Is(request))
+            {
+                return new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run();
+            }
+
+            string[] frame = request.Frame is { } number ? ["--frames", $"{number}"] : [];
+            return new RenderRun(DisplayOptions.ForTerminal(request with { OverrideWords = [.. request.OverrideWords, .. frame] }, streams), s => verb._overrides.Apply(result, s), streams).Run();
+        });
     }
 
     /// <summary>What some words after <c>render</c> ask for, and how they change the scene.</summary>
@@ -80,14 +90,15 @@ internal sealed class RenderVerb
             Adaptive = result.GetValue(_adaptive),
             Samples = _samples.Value(result),
             Part = _part.Value(result),
+            Frames = _frames.Value(result),
+            FramesPerSecond = _rate.Value(result),
             HasSamples = _overrides.HasSamples(result),
-            Quiet = result.GetValue(_quiet),
-            Json = result.GetValue(_json),
+            Settings = _overrides.Settings(result),
             OverrideWords = [.. _overrides.Words(result)],
             CommandText = Shell.Command(result.Tokens.Select(t => t.Value)),
         };
-        request = _long.Put(result, request);
-        return Contradiction(request) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : request;
+        request = _display.Put(result, _long.Put(result, request));
+        return (FramesRun.Contradiction(request) ?? Contradiction(request)) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : request;
     }
 
     private static string? Contradiction(RenderRequest request) => request switch
@@ -101,6 +112,10 @@ internal sealed class RenderVerb
         { Aovs.Count: > 0, Outputs.Count: 0 } or { Layers.Count: > 0, Outputs.Count: 0 } => "--aov writes images: where to? Give -o FILE",
         { Pixel: not null } and ({ Noise: not null } or { Adaptive: true }) => "--pixel renders the samples that it is told to: leave --noise and --adaptive out",
         { Adaptive: true } and ({ Samples: not null } or { Part: not null }) => "--adaptive decides how many samples there are: leave --samples and --part out",
+        { Preview: true, Pixel: not null } => "--pixel prints numbers: leave --preview out",
+        { Preview: true, Adaptive: true } or { Preview: true, Denoise: true } or { Preview: true, Layers.Count: > 0 } =>
+            "--preview shows passes over the whole picture, which --adaptive, --denoise and layers of light have not: leave it out",
+        { Quiet: true, Verbose: true } => "--quiet and --verbose cannot go together",
         { Adaptive: true, NeedsPasses: true } => "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot go on from: leave it out",
         { Noise: not null } and ({ Samples: not null } or { Part: not null }) => "--noise decides how many samples there are: leave --samples and --part out",
         { Samples: not null, Part: not null } => "--samples and --part cannot go together",
@@ -115,6 +130,9 @@ internal sealed class RenderVerb
         { Adaptive: true, Layers.Count: > 0 } => "layers of light are of equal samples, which --adaptive has not: leave one of them out",
         { Outputs.Count: > 0 } and ({ Aovs.Count: > 0 } or { Denoise: true }) when request.Outputs.All(FilmFile.IsNamed) =>
             "--aov and --denoise write images, but there are only films to write: give -o FILE.png or another image too",
+        { Part: { } part, Frames: not null } when !FramesRun.Is(request) => $"--part {part.Number}/{part.Count}: with --frames, frames are shared out: for a share of one frame's samples give --samples",
+        { FramesPerSecond: not null, Frames: null } => "--fps is for animated PNGs: give --frames",
+        { Outputs.Count: > 0, Frames: null } when request.Outputs.FirstOrDefault(o => o.EndsWith(".apng", StringComparison.OrdinalIgnoreCase)) is { } animated => $"-o {animated}: an animated PNG is made of --frames",
         { Sample: not null, Pixel: null } => "--sample needs --pixel",
         _ => null,
     };

@@ -13,10 +13,9 @@ internal sealed class ResumeVerb
     private readonly ParsedOption<long?> _samples = OptionValues.Parameter("--spp", nameof(RenderDescription.SamplesPerPixel));
     private readonly Option<string?> _scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
     private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
-    private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
-    private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
     private readonly WritingOptions _writing;
     private readonly LongRenderOptions _long;
+    private readonly DisplayOptions _display;
 
     private ResumeVerb(Command command)
     {
@@ -28,8 +27,7 @@ internal sealed class ResumeVerb
         }
 
         _long = new(command, "Writes the film to this file now and then; without it, to FILE.");
-        command.Options.Add(_quiet);
-        command.Options.Add(_json);
+        _display = new(command);
     }
 
     public static void Build(Command command, Streams streams)
@@ -41,6 +39,13 @@ internal sealed class ResumeVerb
     /// <summary>The complaint about a scene that a film is not of.</summary>
     public static CommandException OtherScene(string path) =>
         new(ExitStatus.InputOutput, $"the film is not of '{path}': the scene, a file that it names, its settings or the program are others than they were");
+
+    /// <summary>The complaint about a film of other content than what it shall be gone on with.</summary>
+    public static CommandException OtherFilm(RenderRequest request, FilmHeader header, RenderDescription render) => ContentHash.HasPattern(render) && render.SamplesPerPixel != header.Total
+        ? new(
+            ExitStatus.Usage,
+            $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, so that a film of {header.Total} cannot be given more or fewer: render it anew, or with --sampler sobol")
+        : OtherScene(request.ScenePath);
 
     /// <summary>Where the scene of a film or image is: where it was, or beside the file.</summary>
     public static string ScenePath(string scene, string file)
@@ -70,7 +75,8 @@ internal sealed class ResumeVerb
 
         IReadOnlyList<string> words = Words(header, total);
         string scene = result.GetValue(_scene) ?? ScenePath(header.Scene, file);
-        RenderRequest request = _long.Put(result, new()
+        (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
+        RenderRequest request = _display.Put(result, _long.Put(result, new()
         {
             ScenePath = scene,
             Outputs = _writing.Files(result),
@@ -78,20 +84,25 @@ internal sealed class ResumeVerb
             Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
             Crop = header.Crop is { } c ? [c.X, c.Y, c.Width, c.Height] : null,
             Samples = wanted,
+            Frames = first.Frames,
             HasSamples = true,
             Checkpoint = file,
             Resumed = new(header, film),
-            Quiet = result.GetValue(_quiet),
-            Json = result.GetValue(_json),
+            Settings = first.Settings,
             OverrideWords = words,
             CommandText = Shell.Command(["render", scene, .. words, .. MergeVerb.CropWords(header)]),
-        });
+        }));
+        if (request is { Quiet: true, Verbose: true })
+        {
+            throw new CommandException(ExitStatus.Usage, "--quiet and --verbose cannot go together");
+        }
+
         if (!FilmFile.IsNamed(request.Checkpoint!))
         {
             throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");
         }
 
-        return new RenderRun(request, RenderVerb.Parse([scene, "--json", .. words]).Overrides, streams).Run();
+        return new RenderRun(DisplayOptions.ForTerminal(request, streams), overrides, streams).Run();
     }
 
     // The samples that the film shall come to hold.

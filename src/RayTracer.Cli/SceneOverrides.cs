@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using RayTracer.Description;
 using RayTracer.Sampling;
+using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
 
@@ -17,6 +18,7 @@ internal sealed class SceneOverrides
     private readonly ParsedOption<long?> _maxDepth = OptionValues.Parameter("--max-depth", nameof(RenderDescription.MaxDepth));
     private readonly ParsedOption<Integrator?> _integrator = OptionValues.Choice<Integrator>("--integrator", "How the light is computed. Replaces the scene's.");
     private readonly ParsedOption<SamplerKind?> _sampler = OptionValues.Choice<SamplerKind>("--sampler", "How the samples of a pixel are placed. Replaces the scene's.");
+    private readonly SettingOption _settings;
     private readonly Option[] _all;
 
     /// <summary>Gives a command the options.</summary>
@@ -24,12 +26,17 @@ internal sealed class SceneOverrides
     {
         _all = [_width.Symbol, _height.Symbol, _samples.Symbol, _seed.Symbol, _sampler.Symbol, _integrator.Symbol, _maxDepth.Symbol, _diffuseDepth.Symbol, _specularDepth.Symbol];
         Array.ForEach(_all, command.Options.Add);
+        _settings = new(command);
     }
 
     /// <summary>The options that were given, as words of a command line.</summary>
     public IEnumerable<string> Words(ParseResult result) => _all
         .Where(o => result.GetResult(o) is { Implicit: false })
-        .SelectMany(o => new[] { o.Name, result.GetResult(o)!.Tokens[^1].Value });
+        .SelectMany(o => new[] { o.Name, result.GetResult(o)!.Tokens[^1].Value })
+        .Concat(_settings.Words(result));
+
+    /// <summary>The values to put in the place of the file's before it is read.</summary>
+    public IReadOnlyList<SceneSetting> Settings(ParseResult result) => _settings.Values(result);
 
     /// <summary>Whether the number of samples was given.</summary>
     public bool HasSamples(ParseResult result) => _samples.Value(result) is not null;

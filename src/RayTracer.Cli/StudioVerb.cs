@@ -43,13 +43,15 @@ internal static class StudioVerb
     private static int Run(IEnumerable<string> words, Streams streams)
     {
         string program = Path.Combine(AppContext.BaseDirectory, Program);
-        if (!File.Exists(program))
+        string single = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "RayTracer.Studio.exe" : "RayTracer.Studio");
+        bool isHosted = File.Exists(program);
+        if (!isHosted && !File.Exists(single))
         {
             throw new CommandException(ExitStatus.InputOutput, $"the Studio is not beside the command: there is no '{program}'");
         }
 
         using StopSignals signals = new(streams);
-        using Process studio = Process.Start(new ProcessStartInfo(Host(), [program, .. words]) { UseShellExecute = false })!;
+        using Process studio = Process.Start(new ProcessStartInfo(isHosted ? Host() : single, isHosted ? [program, .. words] : words) { UseShellExecute = false })!;
         using CancellationTokenRegistration registration = signals.Token.Register(() => Stop(studio));
         studio.WaitForExit();
         return signals.Status != 0 ? signals.Status : studio.ExitCode;

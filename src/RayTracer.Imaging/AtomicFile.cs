@@ -6,6 +6,10 @@ namespace RayTracer.Imaging;
 /// </summary>
 public static class AtomicFile
 {
+    private const string Ending = ".tmp";
+    private const int GuidLength = 32;
+    private const int LongestStart = 50;
+
     /// <summary>Writes a file.</summary>
     /// <param name="path">Where to; the folder must exist. A symbolic link stays one: the file that it names is replaced.</param>
     /// <param name="write">Writes the content to a stream that can seek. What it throws, other than input/output errors, passes through unchanged.</param>
@@ -16,15 +20,16 @@ public static class AtomicFile
         try
         {
             string target = Target(path);
-            temporary = Path.Combine(Path.GetDirectoryName(target)!, $".{Guid.NewGuid():N}.tmp");
-            using (var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.ReadWrite, FileShare.None, 1 << 16))
+            temporary = Temporary(target);
+            using (var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Delete, 1 << 16))
             {
                 write(stream);
                 stream.Flush(flushToDisk: true);
-            }
 
-            File.Move(temporary, target, overwrite: true);
-            temporary = null;
+                // While it is open, so that nobody takes it for one that was left behind.
+                File.Move(temporary, target, overwrite: true);
+                temporary = null;
+            }
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
         {
@@ -49,6 +54,39 @@ public static class AtomicFile
         {
             throw new ImageWriteException($"Cannot write '{path}': {Reason(e, null)}.", e);
         }
+    }
+
+    /// <summary>Deletes the temporary files that processes which were killed have left beside a file: those of its name that nobody has open or wrote to lately.</summary>
+    /// <param name="path">The file that they were to become.</param>
+    /// <param name="before">Those that were last written to before this time, UTC.</param>
+    public static void Sweep(string path, DateTime before)
+    {
+        try
+        {
+            string target = Target(path);
+            string pattern = $"{Start(target)}.{new string('?', GuidLength)}{Ending}";
+            foreach (string left in Directory.EnumerateFiles(Path.GetDirectoryName(target)!, pattern, new EnumerationOptions { AttributesToSkip = FileAttributes.None }))
+            {
+                if (File.GetLastWriteTimeUtc(left) < before)
+                {
+                    DeleteUnused(left);
+                }
+            }
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            // They stay: that harms nobody.
+        }
+    }
+
+    /// <summary>A name for a temporary file in the folder of the file that it becomes: one of its own for every writer.</summary>
+    public static string Temporary(string target) => Path.Combine(Path.GetDirectoryName(target)!, $"{Start(target)}.{Guid.NewGuid():N}{Ending}");
+
+    // Names of files may have no more than 255 bytes.
+    private static string Start(string target)
+    {
+        string name = Path.GetFileName(target);
+        return $".{(name.Length <= LongestStart ? name : name[..LongestStart])}";
     }
 
     private static string Target(string path)
@@ -84,6 +122,19 @@ public static class AtomicFile
 
         string message = e.Message.ReplaceLineEndings(" ").TrimEnd('.');
         return temporary is null ? message : message.Replace(temporary, "a temporary file beside it", StringComparison.Ordinal);
+    }
+
+    private static void DeleteUnused(string left)
+    {
+        try
+        {
+            // Refused while somebody writes to it.
+            using FileStream own = new(left, FileMode.Open, FileAccess.ReadWrite, FileShare.None, 1, FileOptions.DeleteOnClose);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // Its writer lives, or it is another user's.
+        }
     }
 
     private static void Delete(string? temporary)

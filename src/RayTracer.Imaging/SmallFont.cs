@@ -9,7 +9,7 @@ internal static class SmallFont
     /// <summary>Rows of a letter.</summary>
     public const int Height = 7;
 
-    private const string Signs = " 0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ.,:-+/%=_()";
+    private const string Signs = " 0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ.,:-+/%=_()[]{}#\"'<>*";
 
     // Seven rows of a letter, each of five bits as two digits of base 16: the leftmost dot is 10.
     private static readonly string[] s_rows =
@@ -19,7 +19,8 @@ internal static class SmallFont
         "1111111F111111", "0E04040404040E", "0702020202120C", "11121418141211", "1010101010101F", "111B1515111111", "11111915131111", "0E11111111110E", "1E11111E101010",
         "0E11111115120D", "1E11111E141211", "0F10100E01011E", "1F040404040404", "1111111111110E", "11111111110A04", "1111111515150A", "11110A040A1111", "1111110A040404",
         "1F01020408101F", "00000000000C0C", "000000000C0408", "000C0C000C0C00", "0000001F000000", "0004041F040400", "00010204081000", "18190204081303", "00001F001F0000",
-        "0000000000001F", "02040808080402", "08040202020408",
+        "0000000000001F", "02040808080402", "08040202020408", "0E08080808080E", "0E02020202020E", "02040408040402", "08040402040408", "0A0A1F0A1F0A0A",
+        "0A0A0000000000", "04040000000000", "02040810080402", "08040201020408", "00150E1F0E1500",
     ];
 
     /// <summary>Whether a letter has a dot.</summary>

@@ -11,13 +11,16 @@ public enum Severity
 }
 
 /// <summary>Something to say about a file, as compilers say it.</summary>
-/// <param name="File">The file, as its user named it.</param>
-/// <param name="Line">The line, from 1; 0 where the message is about no place in the file.</param>
-/// <param name="Column">The column, from 1, in UTF-16 units; 0 where there is no line.</param>
+/// <param name="File">The file, as its user named it; or the option of the command that gave what is wrong.</param>
+/// <param name="Line">The line, from 1; 0 where the message is about no place in the file, or about an option.</param>
+/// <param name="Column">The column, from 1, in UTF-16 units; 0 where there is no place.</param>
 /// <param name="Severity">How bad it is.</param>
 /// <param name="Message">What is wrong and what was expected: one sentence without a final stop.</param>
 public sealed record Diagnostic(string File, int Line, int Column, Severity Severity, string Message)
 {
+    /// <summary>What kind of thing it is.</summary>
+    public DiagnosticRule Rule { get; init; } = DiagnosticRule.Content;
+
     /// <summary>Sorts by position, those without one first; equal ones are given once.</summary>
     public static IReadOnlyList<Diagnostic> Sort(IEnumerable<Diagnostic> diagnostics) =>
         [.. diagnostics.Distinct().OrderBy(d => d.Line).ThenBy(d => d.Column)];
@@ -34,7 +37,7 @@ public sealed record Diagnostic(string File, int Line, int Column, Severity Seve
     /// <summary>As compilers write it: <c>scene.json:12:17: error: …</c></summary>
     public override string ToString()
     {
-        string place = Line > 0 ? $"{File}:{Line}:{Column}" : File;
+        string place = Line > 0 ? $"{File}:{Line}:{Column}" : Column > 0 ? $"{File}, column {Column}" : File;
         return $"{place}: {(Severity == Severity.Error ? "error" : "warning")}: {Message}";
     }
 }

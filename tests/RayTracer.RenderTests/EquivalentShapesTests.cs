@@ -28,6 +28,21 @@ public class EquivalentShapesTests
     [Theory]
     [InlineData("matt", Matt)]
     [InlineData("lamp", Lamp)]
+    [InlineData("glass", Glass)]
+    public void A_box_that_is_turned_and_stretched_looks_like_one_whose_rays_are(string name, string material)
+    {
+        const string turned = """{ "type": "box", "a": [0.4, 0, -0.3], "b": [-0.4, 1, 0.3], MATERIAL, TRANSFORM },""";
+        const string transform = "\"transform\": [{ \"scale\": [0.7, 1.2, -0.9] }, { \"rotate\": 33, \"axis\": [0.3, 1, 0.2], \"translate\": [0.1, 0.05, -0.1] }]";
+        AssertSame(
+            $"{name} turned box",
+            turned.Replace("TRANSFORM", transform, StringComparison.Ordinal),
+            $$"""{ "type": "instance", "of": {{turned.Replace(", TRANSFORM },", " }", StringComparison.Ordinal)}}, {{transform}} },""",
+            material);
+    }
+
+    [Theory]
+    [InlineData("matt", Matt)]
+    [InlineData("lamp", Lamp)]
     public void A_capped_cylinder_looks_like_a_pipe_between_two_disks(string name, string material) => AssertSame(
         $"{name} cylinder",
         """{ "type": "cylinder", "bottom": [0, 0.1, 0], "top": [0, 1, 0], "radius": 0.4, MATERIAL },""",

@@ -77,9 +77,12 @@ public static class FilmFile
     }
 
     /// <summary>Adds the samples of a file to a film of its size.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="film">The film.</param>
+    /// <param name="adding">Held while a row is added: with the same one, several files may be added at once. (The sums are exact: their order does not matter.)</param>
     /// <exception cref="PictureException">It cannot be read, or is damaged: the film then holds a part of the samples.</exception>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
-    public static FilmHeader AddTo(string path, Film film) => OfFile(path, stream =>
+    public static FilmHeader AddTo(string path, Film film, Lock? adding = null) => OfFile(path, stream =>
     {
         FilmHeader header = Open(stream, out IncrementalHash hash);
         if ((header.Width, header.Height) != (film.Width, film.Height))
@@ -87,7 +90,7 @@ public static class FilmFile
             throw new ArgumentException($"it has {header.Width}×{header.Height} pixels, not {film.Width}×{film.Height}", nameof(film));
         }
 
-        AddRows(stream, hash, film);
+        AddRows(stream, hash, film, adding);
         return header;
     });
 
@@ -166,38 +169,40 @@ public static class FilmFile
             : throw new PictureException($"it is too short for {header.Width}×{header.Height} pixels");
     }
 
-    private static void AddRows(Stream stream, IncrementalHash hash, Film film)
+    private static void AddRows(Stream stream, IncrementalHash hash, Film film, Lock? adding = null)
     {
-        Int128[] sums = new Int128[(long)film.Width * SumsPerPixel];
+        byte[] bytes = new byte[(long)film.Width * SumsPerPixel * 8];
         uint[] counts = new uint[film.Width];
+        adding ??= new();
         for (int y = 0; y < film.Height; y++)
         {
-            byte flags = Take(stream, 1, hash)[0];
-            ReadOnlySpan<uint> read = MemoryMarshal.Cast<byte, uint>(Take(stream, sizeof(uint) * ((flags & EqualCounts) != 0 ? 1 : film.Width), hash));
-            if (read.Length == 1)
+            Fill(stream, bytes.AsSpan(0, 1), hash);
+            bool equal = (bytes[0] & EqualCounts) != 0;
+            bool wide = (bytes[0] & WideSums) != 0;
+            Fill(stream, MemoryMarshal.AsBytes(counts.AsSpan(0, equal ? 1 : counts.Length)), hash);
+            if (equal)
             {
-                counts.AsSpan().Fill(read[0]);
-            }
-            else
-            {
-                read.CopyTo(counts);
+                counts.AsSpan().Fill(counts[0]);
             }
 
-            bool wide = (flags & WideSums) != 0;
-            byte[] bytes = Take(stream, sums.Length * (wide ? 16 : 8), hash);
-            if (wide)
+            if (wide && bytes.Length < film.Width * SumsPerPixel * 16L)
             {
-                MemoryMarshal.Cast<byte, Int128>(bytes).CopyTo(sums);
+                bytes = new byte[film.Width * SumsPerPixel * 16L];
             }
-            else
+
+            Span<byte> sums = bytes.AsSpan(0, film.Width * SumsPerPixel * (wide ? 16 : 8));
+            Fill(stream, sums, hash);
+            lock (adding)
             {
-                for (int i = 0; i < sums.Length; i++)
+                if (wide)
                 {
-                    sums[i] = BinaryPrimitives.ReadInt64LittleEndian(bytes.AsSpan(8 * i));
+                    film.AddSums(y, MemoryMarshal.Cast<byte, Int128>(sums), counts);
+                }
+                else
+                {
+                    film.AddSums(y, MemoryMarshal.Cast<byte, long>(sums), counts);
                 }
             }
-
-            film.AddSums(y, sums, counts);
         }
 
         if (!hash.GetHashAndReset().AsSpan().SequenceEqual(Take(stream, SHA256.HashSizeInBytes, hash)))
@@ -211,15 +216,20 @@ public static class FilmFile
         }
     }
 
-    private static byte[] Take(Stream stream, int length, IncrementalHash hash)
+    private static void Fill(Stream stream, Span<byte> bytes, IncrementalHash hash)
     {
-        byte[] bytes = new byte[length];
-        if (stream.ReadAtLeast(bytes, length, throwOnEndOfStream: false) < length)
+        if (stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false) < bytes.Length)
         {
             throw new PictureException("it ends too early");
         }
 
         hash.AppendData(bytes);
+    }
+
+    private static byte[] Take(Stream stream, int length, IncrementalHash hash)
+    {
+        byte[] bytes = new byte[length];
+        Fill(stream, bytes, hash);
         return bytes;
     }
 
@@ -227,7 +237,7 @@ public static class FilmFile
     {
         try
         {
-            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 20);
+            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read | FileShare.Delete, 1 << 18, FileOptions.SequentialScan);
             return stream.CanSeek ? read(stream) : throw new PictureException("it is a pipe, but films are read from files");
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)

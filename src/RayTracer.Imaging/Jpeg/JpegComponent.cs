@@ -23,6 +23,9 @@ internal sealed class JpegComponent(byte id, int horizontal, int vertical, int q
     /// <summary>Blocks of a unit one above the other.</summary>
     public int Vertical => vertical;
 
+    /// <summary>The number of its quantization table.</summary>
+    public int Quantization => quantization;
+
     /// <summary>Samples in a row.</summary>
     public int Width { get; private set; }
 

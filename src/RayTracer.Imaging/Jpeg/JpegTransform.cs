@@ -2,7 +2,7 @@ using System.Runtime.Intrinsics;
 
 namespace RayTracer.Imaging;
 
-/// <summary>The inverse discrete cosine transform of 8 × 8 blocks (ITU-T T.81, section A.3.3).</summary>
+/// <summary>The discrete cosine transform of 8 × 8 blocks and its inverse (ITU-T T.81, section A.3.3).</summary>
 internal static class JpegTransform
 {
     private const int Side = JpegComponent.Side;
@@ -31,11 +31,7 @@ internal static class JpegTransform
         }
 
         Columns(values);
-        for (int i = 0; i < values.Length; i++)
-        {
-            turned[((i % Side) * Side) + (i / Side)] = values[i];
-        }
-
+        Turn(values, turned);
         Columns(turned);
         for (int y = 0; y < Side; y++)
         {
@@ -47,6 +43,55 @@ internal static class JpegTransform
             }
         }
     }
+
+    /// <summary>Makes 64 quantized coefficients from 64 samples.</summary>
+    /// <param name="samples">The samples around zero, row by row; they are lost.</param>
+    /// <param name="factors">A quarter (which belongs to the definition) of one over each coefficient's step, row by row.</param>
+    /// <param name="coefficients">Receives the coefficients in the order of scans.</param>
+    public static void Forward(Span<float> samples, ReadOnlySpan<float> factors, Span<short> coefficients)
+    {
+        Span<float> turned = stackalloc float[JpegComponent.BlockSize];
+        ForwardColumns(samples);
+        Turn(samples, turned);
+        ForwardColumns(turned);
+        for (int k = 0; k < coefficients.Length; k++)
+        {
+            int place = JpegScan.PlaceOf(k);
+            int turnedPlace = ((place % Side) * Side) + (place / Side);
+            coefficients[k] = (short)MathF.Round(turned[turnedPlace] * factors[place]);
+        }
+    }
+
+    private static void Turn(ReadOnlySpan<float> values, Span<float> turned)
+    {
+        for (int i = 0; i < values.Length; i++)
+        {
+            turned[((i % Side) * Side) + (i / Side)] = values[i];
+        }
+    }
+
+    // The transpose of the inverse's columns.
+    private static void ForwardColumns(Span<float> values)
+    {
+        Vector256<float> s0 = Row(values, 0) + Row(values, 7);
+        Vector256<float> s1 = Row(values, 1) + Row(values, 6);
+        Vector256<float> s2 = Row(values, 2) + Row(values, 5);
+        Vector256<float> s3 = Row(values, 3) + Row(values, 4);
+        Vector256<float> d0 = Row(values, 0) - Row(values, 7);
+        Vector256<float> d1 = Row(values, 1) - Row(values, 6);
+        Vector256<float> d2 = Row(values, 2) - Row(values, 5);
+        Vector256<float> d3 = Row(values, 3) - Row(values, 4);
+        Set(values, 0, (s0 + s1 + s2 + s3) * C4);
+        Set(values, 1, (d0 * C1) + (d1 * C3) + (d2 * C5) + (d3 * C7));
+        Set(values, 2, ((s0 - s3) * C2) + ((s1 - s2) * C6));
+        Set(values, 3, (d0 * C3) - (d1 * C7) - (d2 * C1) - (d3 * C5));
+        Set(values, 4, (s0 - s1 - s2 + s3) * C4);
+        Set(values, 5, (d0 * C5) - (d1 * C1) + (d2 * C7) + (d3 * C3));
+        Set(values, 6, ((s0 - s3) * C6) - ((s1 - s2) * C2));
+        Set(values, 7, (d0 * C7) - (d1 * C5) + (d2 * C3) - (d3 * C1));
+    }
+
+    private static void Set(Span<float> values, int row, Vector256<float> value) => value.CopyTo(values.Slice(row * Side, Side));
 
     // One-dimensional transforms of all eight columns, without the factor ½; sums and differences of the even and the odd
     // terms of the definition. Products and sums are separate operations on all machines.

@@ -21,13 +21,8 @@ public static class PngWriter
             throw new ArgumentException($"A PNG is written with 8 or 16 bits a channel, not {bitDepth}.", nameof(bitDepth));
         }
 
-        output.Write(PngReader.Signature);
-        WriteHeader(output, image, bitDepth);
-        foreach ((string key, string value) in metadata ?? [])
-        {
-            WriteText(output, key, value);
-        }
-
+        WriteStart(output, image.Width, image.Height, bitDepth);
+        WriteTexts(output, metadata ?? []);
         using (var chunks = new PngChunkStream(output))
         using (var zlib = new ZLibStream(chunks, CompressionLevel.Optimal))
         {
@@ -37,13 +32,15 @@ public static class PngWriter
         PngChunkStream.WriteChunk(output, "IEND"u8, []);
     }
 
-    private static void WriteHeader(Stream output, IImageRows image, int bitDepth)
+    /// <summary>Writes what stands before texts and pixels.</summary>
+    internal static void WriteStart(Stream output, int width, int height, int bitDepth)
     {
         const byte Rgb = 2;
+        output.Write(PngReader.Signature);
         Span<byte> header = stackalloc byte[13];
         header.Clear();
-        BinaryPrimitives.WriteInt32BigEndian(header, image.Width);
-        BinaryPrimitives.WriteInt32BigEndian(header[4..], image.Height);
+        BinaryPrimitives.WriteInt32BigEndian(header, width);
+        BinaryPrimitives.WriteInt32BigEndian(header[4..], height);
         header[8] = (byte)bitDepth;
         header[9] = Rgb;
         PngChunkStream.WriteChunk(output, "IHDR"u8, header);
@@ -52,6 +49,15 @@ public static class PngWriter
         PngChunkStream.WriteChunk(output, "sRGB"u8, [0]);
         BinaryPrimitives.WriteInt32BigEndian(header, 45455);
         PngChunkStream.WriteChunk(output, "gAMA"u8, header[..4]);
+    }
+
+    /// <summary>Writes texts.</summary>
+    internal static void WriteTexts(Stream output, IEnumerable<KeyValuePair<string, string>> texts)
+    {
+        foreach ((string key, string value) in texts)
+        {
+            WriteText(output, key, value);
+        }
     }
 
     private static void WriteText(Stream output, string key, string value)
@@ -76,7 +82,8 @@ public static class PngWriter
         }
     }
 
-    private static void WriteRows(Stream output, IImageRows image, int bitDepth)
+    /// <summary>Writes the filtered rows, which are then compressed.</summary>
+    internal static void WriteRows(Stream output, IImageRows image, int bitDepth)
     {
         SrgbCodes codes = SrgbCurve.CodesOf(bitDepth);
         int channels = 3 * image.Width;

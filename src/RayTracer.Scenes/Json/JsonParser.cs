@@ -53,7 +53,7 @@ public sealed class JsonParser
     private T? Fail<T>(int offset, string message)
         where T : class
     {
-        _diagnostics.Add(_source.Error(offset, message));
+        _diagnostics.Add(_source.Error(offset, message) with { Rule = DiagnosticRule.Syntax });
         _failed = true;
         return null;
     }
@@ -148,7 +148,7 @@ public sealed class JsonParser
             if (!keys.Add(key))
             {
                 int first = _source.Position(members.First(m => m.Key == key).Start).Line;
-                _diagnostics.Add(_source.Error(keyStart, $"the key {Quotation.Of(key)} is there twice, first on line {first}"));
+                _diagnostics.Add(_source.Error(keyStart, $"the key {Quotation.Of(key)} is there twice, first on line {first}") with { Rule = DiagnosticRule.Syntax });
             }
 
             members.Add(new(key, keyStart, keyEnd, value));
@@ -295,9 +295,9 @@ public sealed class JsonParser
     }
 
     // RFC 8259, section 6: no plus sign, no leading zeros, digits on both sides of the point.
-    private static bool IsNumber(string text)
+    internal static bool IsNumber(string text)
     {
-        int at = text[0] == '-' ? 1 : 0;
+        int at = text is ['-', ..] ? 1 : 0;
         int whole = Digits(text, ref at);
         bool good = whole > 0 && (whole == 1 || text[at - whole] != '0');
         if (at < text.Length && text[at] == '.')

@@ -9,6 +9,8 @@ namespace RayTracer.Scenes;
 public sealed class SourceText
 {
     private readonly int[] _lineStarts;
+    private readonly List<(int Start, string Name)> _annexes = [];
+    private int _end;
 
     /// <summary>Takes a text; a byte order mark at its beginning is left out.</summary>
     /// <param name="fileName">How messages call the file.</param>
@@ -27,6 +29,7 @@ public sealed class SourceText
         }
 
         _lineStarts = [.. starts];
+        _end = Text.Length;
     }
 
     /// <summary>How messages call the file.</summary>
@@ -57,9 +60,26 @@ public sealed class SourceText
         return source;
     }
 
-    /// <summary>The line and column of an offset, both from 1.</summary>
+    /// <summary>Gives a text of another origin, such as an option of a command, offsets behind those of this one, so that messages can point at its columns.</summary>
+    /// <param name="name">How messages call it.</param>
+    /// <param name="length">Its length.</param>
+    /// <returns>The offset of its first character.</returns>
+    internal int Annex(string name, int length)
+    {
+        int start = _end + 1;
+        _annexes.Add((start, name));
+        _end = start + length;
+        return start;
+    }
+
+    /// <summary>The line and column of an offset, both from 1; in a text of another origin, the line is 0.</summary>
     public (int Line, int Column) Position(int offset)
     {
+        if (offset > Text.Length)
+        {
+            return (0, offset - _annexes.FindLast(a => a.Start <= offset).Start + 1);
+        }
+
         int line = Array.BinarySearch(_lineStarts, offset);
         line = line < 0 ? ~line - 1 : line;
         return (line + 1, offset - _lineStarts[line] + 1);
@@ -75,6 +95,6 @@ public sealed class SourceText
     public Diagnostic At(int offset, Severity severity, string message)
     {
         (int line, int column) = Position(offset);
-        return new(FileName, line, column, severity, message);
+        return new(line > 0 ? FileName : _annexes.FindLast(a => a.Start <= offset).Name, line, column, severity, message);
     }
 }

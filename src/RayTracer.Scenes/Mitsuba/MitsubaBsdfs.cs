@@ -11,7 +11,6 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
     private static readonly Rgb s_half = new(0.5f, 0.5f, 0.5f);
 
     private readonly Dictionary<(MitsubaObject Bsdf, bool IsTwoSided), MaterialDescription> _made = [];
-    private readonly HashSet<MitsubaObject> _open = [];
     private readonly MitsubaMetals _metals = new(textures);
     private readonly MitsubaDielectrics _dielectrics = new(textures);
     private readonly MitsubaWrappers _wrappers = new(reading, textures);
@@ -39,14 +38,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
             return made;
         }
 
-        if (!_open.Add(bsdf))
-        {
-            reading.Log.Error(bsdf.Place, $"{bsdf.Describe()} contains itself");
-            return Standard;
-        }
-
         made = reading.At(bsdf.Place, Make(bsdf, isTwoSided));
-        _open.Remove(bsdf);
         bsdf.Finish();
         _made.Add((bsdf, isTwoSided), made);
         if (bsdf.Id.Length > 0)
@@ -110,6 +102,11 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
         MitsubaObject[] inner = [.. bsdf.Children("bsdf")];
         if (inner.Length < least || inner.Length > most)
         {
+            if (bsdf.LacksSomething)
+            {
+                return [.. Enumerable.Repeat(Standard, least)];
+            }
+
             reading.Log.Error(bsdf.Place, $"{bsdf.Describe()} needs {(least == most ? $"{least}" : $"{least} or {most}")} BSDFs within it, but has {inner.Length}");
             return [.. Enumerable.Repeat(Standard, least)];
         }

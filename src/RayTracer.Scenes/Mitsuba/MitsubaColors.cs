@@ -17,14 +17,22 @@ internal static class MitsubaColors
     /// <param name="name">The property.</param>
     /// <param name="standard">What holds where it is not given, or wrong.</param>
     /// <param name="isLight">Whether it is of light, and not of what reflects it.</param>
-    public static Rgb Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false)
+    /// <param name="maximum">The most that a channel may be.</param>
+    public static Rgb Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false, float maximum = float.PositiveInfinity)
     {
         if (thing.Child("spectrum", name) is { } plugin)
         {
             return Plugin(plugin, standard, isLight);
         }
 
-        return thing.Property(name) is { } property ? Read(property, isLight, thing) ?? standard : standard;
+        if (thing.Property(name) is not { } property || Read(property, isLight, thing) is not { } color)
+        {
+            return standard;
+        }
+
+        // Colours of spectra may lie beyond those of three primaries, and then have channels below zero.
+        float worst = float.Min(color.R, float.Min(color.G, color.B)) is < 0 and var least ? least : float.Max(color.R, float.Max(color.G, color.B));
+        return property.Name == "spectrum" || thing.IsWithin(property, name, worst, 0, maximum) ? color : standard;
     }
 
     /// <summary>The colour of an element; null, after an error, where it is none.</summary>

@@ -16,6 +16,12 @@ internal sealed class MitsubaDocument
     private readonly MitsubaParameters _parameters;
     private readonly Dictionary<string, MitsubaObject> _ids = new(StringComparer.Ordinal);
 
+    // What each thing holds, in its own element or by reference; and what BreakLoops finds of that.
+    private readonly Dictionary<MitsubaObject, List<Link>> _links = [];
+    private readonly HashSet<MitsubaObject> _seen = [];
+    private readonly HashSet<MitsubaObject> _open = [];
+    private readonly HashSet<MitsubaElement> _loops = [];
+
     private MitsubaDocument(MitsubaLog log)
     {
         _log = log;
@@ -38,7 +44,45 @@ internal sealed class MitsubaDocument
         MitsubaFiles files = new(home, [home]);
         MitsubaObject scene = new(root, files, log);
         document.AddAll(scene, root, files, 0);
+        document.BreakLoops(scene);
         return scene;
+    }
+
+    // What would hold itself by way of references, or in too many steps, holds nothing there.
+    private void BreakLoops(MitsubaObject thing)
+    {
+        _seen.Add(thing);
+        _open.Add(thing);
+        foreach (Link link in LinksOf(thing))
+        {
+            MitsubaObject? held = link.Held ?? _ids.GetValueOrDefault(link.Id);
+            if (held is not null && _open.Contains(held))
+            {
+                _log.Error(link.Element.Place, $"{held.Describe()} contains itself");
+                _loops.Add(link.Element);
+            }
+            else if (held is not null && _open.Count > MitsubaXml.MaximumNesting)
+            {
+                _log.Error(link.Element.Place, $"things are nested more than {MitsubaXml.MaximumNesting} deep");
+                _loops.Add(link.Element);
+            }
+            else if (held is not null && !_seen.Contains(held))
+            {
+                BreakLoops(held);
+            }
+        }
+
+        _open.Remove(thing);
+    }
+
+    private List<Link> LinksOf(MitsubaObject thing)
+    {
+        if (!_links.TryGetValue(thing, out List<Link>? links))
+        {
+            _links.Add(thing, links = []);
+        }
+
+        return links;
     }
 
     private bool IsScene(MitsubaElement root)
@@ -112,6 +156,7 @@ internal sealed class MitsubaDocument
 
         AddAll(made, child, files, includes);
         parent.Add(new MitsubaChild(child.Attribute("name") ?? "", child.Place, () => made));
+        LinksOf(parent).Add(new(child, made, ""));
     }
 
     private void AddProperty(MitsubaObject parent, MitsubaElement property)
@@ -180,7 +225,8 @@ internal sealed class MitsubaDocument
             case "ref":
                 if (Need(child, "id") is { } id)
                 {
-                    parent.Add(new MitsubaChild(child.Attribute("name") ?? "", child.Place, () => Find(id, child)));
+                    parent.Add(new MitsubaChild(child.Attribute("name") ?? "", child.Place, () => _loops.Contains(child) ? null : Find(id, child)));
+                    LinksOf(parent).Add(new(child, null, id));
                 }
 
                 break;
@@ -293,4 +339,7 @@ internal sealed class MitsubaDocument
             }
         }
     }
+
+    // A thing that another holds: itself, or the name by which it is referred to.
+    private sealed record Link(MitsubaElement Element, MitsubaObject? Held, string Id);
 }

@@ -65,9 +65,9 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
         {
             scene = scene with { Background = MitsubaColors.Read(emitter, "radiance", Rgb.White, isLight: true) };
         }
-        else
+        else if (Picture(emitter) is { } picture)
         {
-            scene = scene with { Environment = reading.At(emitter.Place, Picture(emitter)) };
+            scene = scene with { Environment = reading.At(emitter.Place, picture) };
         }
 
         emitter.Finish();
@@ -77,7 +77,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
     /// <summary>Whether an emitter shines from all around.</summary>
     public static bool IsEnvironment(MitsubaObject emitter) => emitter.Type is "constant" or "envmap";
 
-    private ImageEnvironmentDescription Picture(MitsubaObject emitter)
+    private ImageEnvironmentDescription? Picture(MitsubaObject emitter)
     {
         Transform place = emitter.Transform();
         if (place.UniformScale() is null)
@@ -86,10 +86,11 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
             place = Transform.Identity;
         }
 
-        return new()
+        float scale = emitter.Float("scale", 1, 0);
+        return emitter.FileName() is not { } file ? null : new()
         {
-            File = emitter.FileName() ?? "",
-            Scale = emitter.Float("scale", 1, 0),
+            File = file,
+            Scale = scale,
             Transform = MitsubaSurfaces.Steps(place),
         };
     }

@@ -7,6 +7,7 @@ internal sealed class MitsubaLog
     private const int Most = 2000;
 
     private readonly List<Diagnostic> _diagnostics = [];
+    private readonly HashSet<Diagnostic> _said = [];
 
     /// <summary>What is wrong so far.</summary>
     public IReadOnlyList<Diagnostic> Diagnostics => _diagnostics;
@@ -26,7 +27,8 @@ internal sealed class MitsubaLog
 
     private void Add(Diagnostic diagnostic)
     {
-        if (_diagnostics.Count < Most)
+        // What is referred to from several places is asked about there.
+        if (_diagnostics.Count < Most && _said.Add(diagnostic))
         {
             _diagnostics.Add(diagnostic);
         }

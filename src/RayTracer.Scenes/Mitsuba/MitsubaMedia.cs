@@ -46,24 +46,8 @@ internal static class MitsubaMedia
         }
     }
 
-    // What lets light in, with a medium inside; null where nothing does.
-    private static MaterialDescription? Filled(MaterialDescription material, MediumDescription medium) => material switch
-    {
-        InvisibleMaterialDescription boundary => boundary with { Interior = medium },
-        GlassDescription glass => glass with { Interior = medium },
-        ThinDielectricMaterialDescription pane => pane with { Interior = medium },
-        PrincipledMaterialDescription principled => principled with { Interior = medium },
-        MaskMaterialDescription mask => mask with { Interior = medium },
-        NormalMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
-        BumpMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
-        MixMaterialDescription mix => FilledMix(mix, Filled(mix.First, medium), Filled(mix.Second, medium)),
-        _ => null,
-    };
-
-    private static MixMaterialDescription? FilledMix(MixMaterialDescription mix, MaterialDescription? first, MaterialDescription? second) =>
-        (first ?? second) is null ? null : mix with { First = first ?? mix.First, Second = second ?? mix.Second };
-
-    private static MediumDescription Read(MitsubaObject medium)
+    /// <summary>What a medium is.</summary>
+    public static MediumDescription Read(MitsubaObject medium)
     {
         medium.Ignore("has_spectral_extinction", "sample_emitters");
         if (medium.Type == "heterogeneous")
@@ -82,12 +66,29 @@ internal static class MitsubaMedia
         MediumDescription read = new()
         {
             Extinction = extinction,
-            Albedo = MitsubaColors.Read(medium, "albedo", s_albedo),
+            Albedo = MitsubaColors.Read(medium, "albedo", s_albedo, maximum: 1),
             Anisotropy = medium.Only("phase") is { } phase ? Anisotropy(phase) : 0,
         };
         medium.Finish();
         return read;
     }
+
+    // What lets light in, with a medium inside; null where nothing does.
+    private static MaterialDescription? Filled(MaterialDescription material, MediumDescription medium) => material switch
+    {
+        InvisibleMaterialDescription boundary => boundary with { Interior = medium },
+        GlassDescription glass => glass with { Interior = medium },
+        ThinDielectricMaterialDescription pane => pane with { Interior = medium },
+        PrincipledMaterialDescription principled => principled with { Interior = medium },
+        MaskMaterialDescription mask => mask with { Interior = medium },
+        NormalMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
+        BumpMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
+        MixMaterialDescription mix => FilledMix(mix, Filled(mix.First, medium), Filled(mix.Second, medium)),
+        _ => null,
+    };
+
+    private static MixMaterialDescription? FilledMix(MixMaterialDescription mix, MaterialDescription? first, MaterialDescription? second) =>
+        (first ?? second) is null ? null : mix with { First = first ?? mix.First, Second = second ?? mix.Second };
 
     private static float Anisotropy(MitsubaObject phase)
     {
@@ -97,7 +98,7 @@ internal static class MitsubaMedia
             case "isotropic":
                 break;
             case "hg":
-                g = phase.Float("g", 0.8f);
+                g = phase.Float("g", 0.8f, -0.99f, 0.99f);
                 break;
             default:
                 phase.Log.Unknown(phase.TypePlace, $"phase functions of the type {Quotation.Of(phase.Type)} are not read here", phase.Type, ["isotropic", "hg"]);

@@ -57,7 +57,7 @@ internal sealed class MitsubaMetals(MitsubaTextures textures)
 
     private static (Metal? Name, Rgb? Eta, Rgb? K) Index(MitsubaObject bsdf)
     {
-        bsdf.Ignore("eta", "k");
+        bsdf.Ignore("eta", "k", "material");
         if (bsdf.Has("material") && bsdf.Has("eta"))
         {
             bsdf.Log.Error(bsdf.PlaceOf("eta"), "either \"material\" or \"eta\" and \"k\" may be given, but not both");

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Numerics;
 using RayTracer.Numerics;
 
@@ -35,6 +36,9 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
 
     /// <summary>Takes what is wrong with it.</summary>
     public MitsubaLog Log => log;
+
+    /// <summary>Whether something was asked of it that is referred to and is not there, which has been said.</summary>
+    public bool LacksSomething { get; private set; }
 
     /// <summary>Adds a property.</summary>
     public void Add(string name, MitsubaElement property)
@@ -74,20 +78,28 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     /// <param name="name">The property.</param>
     /// <param name="standard">What holds where it is not given.</param>
     /// <param name="minimum">The least that is allowed.</param>
-    public float Float(string name, float standard, float minimum = float.NegativeInfinity)
+    /// <param name="maximum">The most that is allowed.</param>
+    public float Float(string name, float standard, float minimum = float.NegativeInfinity, float maximum = float.PositiveInfinity)
     {
         if (Property(name) is not { } property || !Is(property, "a number", "float", "integer") || MitsubaNumbers.Float(property, "value", log) is not { } value)
         {
             return standard;
         }
 
-        if (!(value >= minimum))
+        return IsWithin(property, name, value, minimum, maximum) ? value : standard;
+    }
+
+    /// <summary>Whether a number that a property tells is within a range; an error else.</summary>
+    public bool IsWithin(MitsubaElement property, string name, float value, float minimum, float maximum)
+    {
+        bool isWithin = value >= minimum && value <= maximum;
+        if (!isWithin)
         {
-            log.Error(property.PlaceOf("value"), $"{Quotation.Of(name)} must be at least {minimum}, but it is {Quotation.Short(property.Attribute("value")!)}");
-            return standard;
+            string range = float.IsInfinity(maximum) ? $"at least {minimum}" : $"from {minimum} to {maximum}";
+            log.Error(property.PlaceOf("value"), string.Create(CultureInfo.InvariantCulture, $"{Quotation.Of(name)} must be {range}, but it is {value}"));
         }
 
-        return value;
+        return isWithin;
     }
 
     /// <summary>A whole number.</summary>
@@ -187,13 +199,13 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     /// <summary>The only thing of a kind; null where there is none. More are errors.</summary>
     public MitsubaObject? Only(string kind, string? what = null)
     {
-        MitsubaObject[] all = [.. Children(kind)];
-        foreach (MitsubaObject second in all.Skip(1))
+        (MitsubaChild Child, MitsubaObject Found)[] all = [.. Held(kind, _ => true)];
+        foreach ((MitsubaChild second, _) in all.Skip(1))
         {
             log.Error(second.Place, $"{Describe()} may have only one {what ?? kind}");
         }
 
-        return all.FirstOrDefault();
+        return all.FirstOrDefault().Found;
     }
 
     /// <summary>The things of a kind within it, in their order.</summary>
@@ -229,14 +241,18 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     /// <summary>How messages call it.</summary>
     public string Describe() => Type.Length > 0 ? $"{Kind} {Quotation.Of(Type)}" : Kind;
 
-    private IEnumerable<MitsubaObject> Children(string kind, Func<MitsubaChild, bool> isMeant)
+    private IEnumerable<MitsubaObject> Children(string kind, Func<MitsubaChild, bool> isMeant) => Held(kind, isMeant).Select(h => h.Found);
+
+    private IEnumerable<(MitsubaChild Child, MitsubaObject Found)> Held(string kind, Func<MitsubaChild, bool> isMeant)
     {
         foreach (MitsubaChild child in _children.Where(isMeant))
         {
-            if (child.Resolve() is { } found && found.Kind == kind)
+            MitsubaObject? found = child.Resolve();
+            LacksSomething |= found is null;
+            if (found?.Kind == kind)
             {
                 _taken.Add(child);
-                yield return found;
+                yield return (child, found);
             }
         }
     }

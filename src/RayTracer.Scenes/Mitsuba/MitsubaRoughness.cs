@@ -12,6 +12,7 @@ namespace RayTracer.Scenes;
 internal sealed record MitsubaRoughness(MicrofacetDistribution Distribution, TextureDescription Alpha, TextureDescription? AlphaU, TextureDescription? AlphaV)
 {
     private const float Standard = 0.1f;
+    private const float Roughest = 10;
 
     private static readonly Dictionary<string, MicrofacetDistribution> s_distributions = new()
     {
@@ -24,13 +25,13 @@ internal sealed record MitsubaRoughness(MicrofacetDistribution Distribution, Tex
     {
         bsdf.Ignore("sample_visible");
         MicrofacetDistribution distribution = bsdf.Choice("distribution", MicrofacetDistribution.Beckmann, s_distributions);
-        TextureDescription? Along(string name) => bsdf.Has(name) || bsdf.HasChild(name) ? textures.Read(bsdf, name, Standard) : null;
+        TextureDescription? Along(string name) => bsdf.Has(name) || bsdf.HasChild(name) ? textures.Read(bsdf, name, Standard, Roughest) : null;
         (TextureDescription? alphaU, TextureDescription? alphaV) = (Along("alpha_u"), Along("alpha_v"));
         if (alphaU is null != alphaV is null)
         {
             bsdf.Log.Error(bsdf.Place, $"{bsdf.Describe()} needs both \"alpha_u\" and \"alpha_v\", or neither");
         }
 
-        return new(distribution, textures.Read(bsdf, "alpha", Standard), alphaU, alphaV);
+        return new(distribution, textures.Read(bsdf, "alpha", Standard, Roughest), alphaU, alphaV);
     }
 }

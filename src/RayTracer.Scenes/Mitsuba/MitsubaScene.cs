@@ -26,6 +26,7 @@ internal sealed class MitsubaScene
         // What is referred to is read where it is; the names of all that stands by itself are kept.
         MitsubaObject[] bsdfs = [.. root.Children("bsdf")];
         MitsubaObject[] textures = [.. root.Children("texture")];
+        MitsubaObject[] media = [.. root.Children("medium")];
         SceneDescription scene = new();
         scene = scene with { Render = scene.Render with { Sampler = SamplerKind.Independent, Integrator = Integrator.Path, ShadingNormals = ShadingNormals.Literal } };
         if (root.Only("integrator") is { } integrator)
@@ -39,6 +40,7 @@ internal sealed class MitsubaScene
         ShapeDescription[] shapes = [.. root.Children("shape").Select(_shapes.Read).OfType<ShapeDescription>()];
         Array.ForEach(bsdfs, b => _ = _bsdfs.Read(b));
         Array.ForEach(textures, t => _ = _textures.Read(t));
+        Array.ForEach(media, m => _ = MitsubaMedia.Read(m));
         root.Finish();
         return scene with { Shapes = shapes, Objects = _shapes.Groups, Materials = _bsdfs.Named, Textures = _textures.Named };
     }

@@ -80,7 +80,7 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
             reading.Log.Error(sensor.Place, $"{sensor.Describe()} needs \"fov\", or \"focal_length\"");
         }
 
-        return camera with { FieldOfView = sensor.Float("fov", 40), FieldOfViewAxis = sensor.Choice("fov_axis", FieldOfViewAxis.Horizontal, s_axes) };
+        return camera with { FieldOfView = sensor.Float("fov", 40, 0.001f, 179), FieldOfViewAxis = sensor.Choice("fov_axis", FieldOfViewAxis.Horizontal, s_axes) };
     }
 
     // The axis meets the film beside its middle: the film is a part of a larger one, whose middle it meets.

@@ -22,25 +22,23 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, 
         {
             "shapegroup" => Group(shape),
             "instance" => Instance(shape),
-            "merge" => new GroupDescription { Shapes = Inner(shape) },
+            "merge" => new GroupDescription { Shapes = [.. shape.Children("shape").Select(Read).OfType<ShapeDescription>()] },
             _ => Surface(shape),
         };
         shape.Finish();
         return made is null || shape.Type == "shapegroup" ? null : reading.At(shape.Place, made with { Name = shape.Id });
     }
 
-    private ShapeDescription[] Inner(MitsubaObject parent) => [.. parent.Children("shape").Select(Read).OfType<ShapeDescription>()];
-
     private ShapeDescription? Group(MitsubaObject shape)
     {
         if (!_groups.TryGetValue(shape, out ShapeDescription? group))
         {
-            foreach (MitsubaObject nested in shape.Children("shape").Where(s => s.Type is "shapegroup" or "instance"))
+            foreach (MitsubaObject nested in shape.Children("shape").Where(IsGrouped))
             {
                 reading.Log.Error(nested.Place, $"a shapegroup cannot hold {(nested.Type == "instance" ? "an instance" : "another one")}");
             }
 
-            group = reading.At(shape.Place, new GroupDescription { Name = shape.Id, Shapes = Inner(shape) });
+            group = reading.At(shape.Place, new GroupDescription { Name = shape.Id, Shapes = [.. shape.Children("shape").Where(s => !IsGrouped(s)).Select(Read).OfType<ShapeDescription>()] });
             _groups.Add(shape, group);
             Groups[shape.Id.Length > 0 ? shape.Id : $"group {Groups.Count + 1}"] = group;
         }
@@ -48,12 +46,18 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, 
         return group;
     }
 
+    private static bool IsGrouped(MitsubaObject shape) => shape.Type is "shapegroup" or "instance";
+
     private InstanceDescription? Instance(MitsubaObject shape)
     {
         Transform place = shape.Transform();
         if (shape.Only("shape") is not { Type: "shapegroup" } group)
         {
-            reading.Log.Error(shape.Place, "an instance needs a shapegroup to show");
+            if (!shape.LacksSomething)
+            {
+                reading.Log.Error(shape.Place, "an instance needs a shapegroup to show");
+            }
+
             return null;
         }
 

@@ -64,9 +64,11 @@ internal static class MitsubaSurfaces
 
     private static ShapeDescription Cube(in Transform place, bool isTurned, bool needsUv, MaterialDescription material)
     {
-        if (!isTurned && !needsUv && IsAlongAxes(place))
+        if (!isTurned && !needsUv)
         {
-            return new BoxDescription { A = place.Point(-Vector3.One), B = place.Point(Vector3.One), Material = material };
+            return IsAlongAxes(place)
+                ? new BoxDescription { A = place.Point(-Vector3.One), B = place.Point(Vector3.One), Material = material }
+                : new BoxDescription { A = -Vector3.One, Material = material, Transform = Steps(place) };
         }
 
         return CubeMesh.Create(needsUv) with { FlipNormals = isTurned, Material = material, Transform = Steps(place) };

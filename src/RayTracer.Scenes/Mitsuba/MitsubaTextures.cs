@@ -28,10 +28,15 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <param name="standard">What it is where it is not given.</param>
     /// <param name="isLight">Whether it is of light, and not of what reflects it.</param>
     public TextureDescription Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false) =>
-        thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, standard, isLight));
+        thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, standard, isLight, isLight ? float.PositiveInfinity : 1));
 
     /// <summary>A number that may vary over a surface.</summary>
-    public TextureDescription Read(MitsubaObject thing, string name, float standard) => Read(thing, name, new Rgb(standard, standard, standard));
+    /// <param name="thing">What has it.</param>
+    /// <param name="name">Its name there.</param>
+    /// <param name="standard">What it is where it is not given.</param>
+    /// <param name="maximum">The most that is allowed.</param>
+    public TextureDescription Read(MitsubaObject thing, string name, float standard, float maximum = 1) =>
+        thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, new Rgb(standard, standard, standard), maximum: maximum));
 
     /// <summary>The texture that a thing is.</summary>
     public TextureDescription Read(MitsubaObject texture)
@@ -73,9 +78,15 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     {
         texture.Ignore("format", "accel");
         UvMap uv = UvMap.Read(texture);
+        if (texture.FileName() is not { } file)
+        {
+            texture.Ignore("filter_type", "wrap_mode", "raw");
+            return Solid(new(0.5f, 0.5f, 0.5f));
+        }
+
         ImageTextureDescription image = new()
         {
-            File = texture.FileName() ?? "",
+            File = file,
             Interpolation = texture.Choice("filter_type", Interpolation.Bilinear, s_filters),
             Wrapping = texture.Choice("wrap_mode", Wrapping.Repeat, s_wrappings),
             Raw = texture.Boolean("raw", false),

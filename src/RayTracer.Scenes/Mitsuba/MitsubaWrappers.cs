@@ -49,6 +49,7 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
         bsdf.Ignore("diffuse_reflectance_sampling_rate", "specular_sampling_rate", "main_specular_sampling_rate", "clearcoat_sampling_rate");
         if (bsdf.Has("eta") && bsdf.Has("specular"))
         {
+            bsdf.Ignore("specular");
             reading.Log.Error(bsdf.PlaceOf("eta"), "either \"eta\" or \"specular\" may be given, but not both");
         }
 
@@ -59,8 +60,8 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
             Anisotropic = textures.Read(bsdf, "anisotropic", 0f),
             Metallic = textures.Read(bsdf, "metallic", 0f),
             Transmission = textures.Read(bsdf, "spec_trans", 0f),
-            RefractiveIndex = bsdf.Has("eta") ? bsdf.Float("eta", 1.5f) : null,
-            Specular = bsdf.Has("eta") ? null : bsdf.Float("specular", 0.5f),
+            RefractiveIndex = bsdf.Has("eta") ? bsdf.Float("eta", 1.5f, 1.001f, 10) : null,
+            Specular = bsdf.Has("eta") ? null : bsdf.Float("specular", 0.5f, 0, 1),
             SpecularTint = textures.Read(bsdf, "spec_tint", 0f),
             Sheen = textures.Read(bsdf, "sheen", 0f),
             SheenTint = textures.Read(bsdf, "sheen_tint", 0f),

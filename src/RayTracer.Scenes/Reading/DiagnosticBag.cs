@@ -9,19 +9,19 @@ internal sealed class DiagnosticBag(SourceText source)
     /// <summary>What is wrong so far.</summary>
     public List<Diagnostic> Diagnostics { get; } = [];
 
-    public void Error(JsonNode at, string message) => Error(at.Start, message);
+    public void Error(JsonNode at, string message, DiagnosticRule? rule = null) => Error(at.Start, message, rule);
 
-    public void Error(int at, string message) => Diagnostics.Add(source.Error(at, message));
+    public void Error(int at, string message, DiagnosticRule? rule = null) => Diagnostics.Add(source.Error(at, message) with { Rule = rule ?? DiagnosticRule.Content });
 
     public void Expected(JsonNode at, string expected, string key) =>
-        Error(at, $"expected {expected}{(key.Length > 0 ? $" for {Quotation.Of(key)}" : "")}, but found {Describe(at)}");
+        Error(at, $"expected {expected}{(key.Length > 0 ? $" for {Quotation.Of(key)}" : "")}, but found {Describe(at)}", DiagnosticRule.WrongKind);
 
     /// <summary>Reports a word that is unknown, with the nearest of those that are allowed, or else all of them.</summary>
     public void Unknown(int at, string message, string word, IEnumerable<string> candidates, string listTitle)
     {
         string hint = Diagnostics.Count < MostSuggestions ? Spelling.DidYouMean(word, candidates) : "";
         string list = hint.Length == 0 && listTitle.Length > 0 ? $": {listTitle} {string.Join(", ", candidates)}" : "";
-        Error(at, message + hint + list);
+        Error(at, message + hint + list, DiagnosticRule.UnknownWord);
     }
 
     private static string Describe(JsonNode node) => node.Kind switch

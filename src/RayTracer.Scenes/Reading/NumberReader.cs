@@ -22,13 +22,13 @@ internal sealed class NumberReader(DiagnosticBag bag)
         bool isInt = parameter.ValueType == typeof(int);
         if (Math.Abs(value) > (isInt ? int.MaxValue : 1L << 53))
         {
-            bag.Error(node, $"{Quotation.Of(parameter.Key)} is too large: {Quotation.Short(node.Text)}");
+            bag.Error(node, $"{Quotation.Of(parameter.Key)} is too large: {Quotation.Short(node.Text)}", DiagnosticRule.OutOfRange);
             return null;
         }
 
         if (value != Math.Floor(value))
         {
-            bag.Error(node, $"expected a whole number for {Quotation.Of(parameter.Key)}, but found {Quotation.Short(node.Text)}");
+            bag.Error(node, $"expected a whole number for {Quotation.Of(parameter.Key)}, but found {Quotation.Short(node.Text)}", DiagnosticRule.WrongKind);
             return null;
         }
 
@@ -65,7 +65,7 @@ internal sealed class NumberReader(DiagnosticBag bag)
         double value = double.Parse(node.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
         if (value != Math.Floor(value) || Math.Abs(value) > int.MaxValue)
         {
-            bag.Error(node, $"expected a whole number for {Quotation.Of(key)}, but found {Quotation.Short(node.Text)}");
+            bag.Error(node, $"expected a whole number for {Quotation.Of(key)}, but found {Quotation.Short(node.Text)}", DiagnosticRule.WrongKind);
             return null;
         }
 
@@ -116,7 +116,7 @@ internal sealed class NumberReader(DiagnosticBag bag)
 
         if (node.Items.Count != count)
         {
-            bag.Error(node, $"expected {count} numbers for {Quotation.Of(key)}, but found {node.Items.Count}");
+            bag.Error(node, $"expected {count} numbers for {Quotation.Of(key)}, but found {node.Items.Count}", DiagnosticRule.WrongKind);
             return null;
         }
 
@@ -143,7 +143,7 @@ internal sealed class NumberReader(DiagnosticBag bag)
         float value = float.Parse(node.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
         if (!float.IsFinite(value))
         {
-            bag.Error(node, $"{Quotation.Of(key)} is too large: {Quotation.Short(node.Text)} is beyond 3.4e38");
+            bag.Error(node, $"{Quotation.Of(key)} is too large: {Quotation.Short(node.Text)} is beyond 3.4e38", DiagnosticRule.OutOfRange);
             return null;
         }
 
@@ -163,7 +163,7 @@ internal sealed class NumberReader(DiagnosticBag bag)
         string? complaint = bounds.RangeComplaint(value, Quotation.Short(node.Text));
         if (complaint is not null)
         {
-            bag.Error(node, $"{Quotation.Of(key)} {complaint}");
+            bag.Error(node, $"{Quotation.Of(key)} {complaint}", DiagnosticRule.OutOfRange);
         }
 
         return complaint is null;

@@ -38,7 +38,61 @@ internal sealed class RecordReader
             return null;
         }
 
-        return (SceneDescription)new RecordReader(bag, map, root).Record(root, SceneTypes.Scene);
+        RecordReader reader = new(bag, map, root);
+        var scene = (SceneDescription)reader.Record(root, SceneTypes.Scene);
+        foreach (TrackDescription track in scene.Animation.Where(t => !map.IsIncomplete(t)))
+        {
+            reader.CheckTrack(root, track);
+        }
+
+        return scene;
+    }
+
+    // Whether a track leads to numbers, and whether each of its keys could stand there itself.
+    private void CheckTrack(JsonNode root, TrackDescription track)
+    {
+        JsonNode property = _map.Find(track, nameof(TrackDescription.Property))!;
+        PropertyPath path = PropertyPath.Find(root, track.Property);
+        if (path.Complaint is not null || AnimationTrack.Complaint(path) is not null)
+        {
+            _bag.Error(property, path.Complaint ?? AnimationTrack.Complaint(path)!);
+            return;
+        }
+
+        if (track.Keys.Count == 0)
+        {
+            _bag.Error(_map.Find(track, nameof(TrackDescription.Keys))!, "a track needs a key at least");
+        }
+
+        float before = float.NegativeInfinity;
+        foreach (KeyDescription key in track.Keys.Where(k => !_map.IsIncomplete(k)))
+        {
+            if (key.Time <= before)
+            {
+                _bag.Error(_map.Find(key, nameof(KeyDescription.Time))!, $"keys must stand in the order of their times, but {key.Time} follows {before}");
+            }
+
+            before = key.Time;
+            if (key.Value.Count != track.Keys[0].Value.Count)
+            {
+                _bag.Error(_map.Find(key, nameof(KeyDescription.Value))!, $"the keys of a track have equally many numbers, but here are {key.Value.Count} and in the first key {track.Keys[0].Value.Count}");
+                continue;
+            }
+
+            Value(path, AnimationTrack.Node(path, [.. key.Value.Select(v => (double)v)], _map.Find(key, nameof(KeyDescription.Value))!));
+        }
+    }
+
+    private void Value(PropertyPath path, JsonNode node)
+    {
+        if (path.IsElement)
+        {
+            _numbers.Number(path.Parameter!, node);
+        }
+        else
+        {
+            Value(path.Parameter!, node);
+        }
     }
 
     private object Record(JsonNode node, RecordType type)
@@ -60,7 +114,7 @@ internal sealed class RecordReader
 
         foreach (RecordParameter missing in type.Parameters.Where(p => p.Required && node.Find(p.Key) is null))
         {
-            _bag.Error(node, $"{NameOf(type)} needs {Quotation.Of(missing.Key)}");
+            _bag.Error(node, $"{NameOf(type)} needs {Quotation.Of(missing.Key)}", DiagnosticRule.Missing);
             _map.MarkIncomplete(record);
         }
 
@@ -123,6 +177,10 @@ internal sealed class RecordReader
                 return Is(node, JsonKind.Object, "an object { … }", parameter.Key) ? Record(node, RecordType.Of(parameter.ValueType)) : null;
             case ParameterKind.Records:
                 return Records(parameter, node);
+            case ParameterKind.Numbers when parameter.IsNumber && node.Kind == JsonKind.Number:
+                return _numbers.Number(parameter, node) is float number ? (float[])[number] : null;
+            case ParameterKind.Numbers when parameter.IsNumber && node.Kind == JsonKind.String:
+                return _numbers.Color(parameter.Key, node) is { } color ? (float[])[color.R, color.G, color.B] : null;
             case ParameterKind.Numbers:
                 return List(parameter.Key, node, "numbers", item => (float?)_numbers.Number(parameter, item));
             case ParameterKind.Integers:
@@ -243,7 +301,7 @@ internal sealed class RecordReader
 
         if (node.Find("type") is not { } name)
         {
-            _bag.Error(node, $"{WithArticle(family.Noun)} needs \"type\": one of {things}");
+            _bag.Error(node, $"{WithArticle(family.Noun)} needs \"type\": one of {things}", DiagnosticRule.Missing);
             return null;
         }
 
@@ -275,7 +333,7 @@ internal sealed class RecordReader
         TypeFamily? other = SceneTypes.Families.FirstOrDefault(f => f.Find(name.Text) is not null);
         if (other is not null)
         {
-            _bag.Error(name, $"{Quotation.Of(name.Text)} is {WithArticle(other.Noun)}, but {WithArticle(family.Noun)} is expected here");
+            _bag.Error(name, $"{Quotation.Of(name.Text)} is {WithArticle(other.Noun)}, but {WithArticle(family.Noun)} is expected here", DiagnosticRule.WrongKind);
             return;
         }
 
@@ -324,7 +382,7 @@ internal sealed class RecordReader
         TextureDescription? texture = Texture(parameter.Key, node, parameter);
         if (texture is not null && parameter.RangeComplaint(texture) is { } complaint)
         {
-            _bag.Error(node, $"{Quotation.Of(parameter.Key)} {complaint}");
+            _bag.Error(node, $"{Quotation.Of(parameter.Key)} {complaint}", DiagnosticRule.OutOfRange);
             return null;
         }
 

@@ -15,13 +15,39 @@ public static class SceneLoader
     /// Reads the picture file of a path, decoded from sRGB unless the second argument says that its numbers are to be
     /// taken raw; may throw <see cref="PictureException"/>. By default <see cref="ImageFile.Read"/>.
     /// </param>
+    /// <param name="settings">Values to put in the place of the file's before it is checked; those of a file in another format go by what the scene is in the native one.</param>
+    /// <param name="frame">The frame of the animation; null for the scene as it is written.</param>
     public static SceneLoadResult Load(
-        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null)
+        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null,
+        int? frame = null)
     {
         string folder = Path.GetDirectoryName(path) ?? "";
         ModelFolder models = new(folder);
-        SceneReadResult read = ModelFile.IsModel(path) ? ModelScene.Read(path, models) : MitsubaReader.IsScene(path) ? MitsubaReader.Read(path) : SceneReader.Read(path);
-        return Build(read, folder, models, overrides, readPicture, keepsSources: false);
+        return Build(Read(path, models, settings, frame), folder, models, AtFrame(overrides, frame), readPicture, keepsSources: false);
+    }
+
+    /// <summary>The description of a scene, without building it.</summary>
+    /// <param name="path">As for <see cref="Load"/>.</param>
+    /// <param name="overrides">As for <see cref="Load"/>.</param>
+    /// <param name="settings">As for <see cref="Load"/>.</param>
+    /// <param name="frame">As for <see cref="Load"/>.</param>
+    /// <returns>The description; null where the file has errors.</returns>
+    public static SceneDescription? Describe(
+        string path, Func<SceneDescription, SceneDescription>? overrides = null, IReadOnlyList<SceneSetting>? settings = null, int? frame = null)
+    {
+        SceneDescription? scene = Read(path, new ModelFolder(Path.GetDirectoryName(path) ?? ""), settings, frame).Description;
+        return scene is null ? null : AtFrame(overrides, frame)?.Invoke(scene) ?? scene;
+    }
+
+    private static SceneReadResult Set(SceneReadResult read, IReadOnlyList<SceneSetting>? settings)
+    {
+        if (settings is not { Count: > 0 } || read.Description is not { } scene)
+        {
+            return read;
+        }
+
+        SceneReadResult native = SceneReader.ReadText(SceneWriter.Write(scene), $"{FileName(read)}, converted", settings);
+        return new(native.Source, native.Root, native.Partial, native.SourceMap, read.Diagnostics.Concat(native.Diagnostics));
     }
 
     /// <summary>Builds the scene of a description that has been read; it remembers the records that its parts were made from.</summary>
@@ -34,6 +60,18 @@ public static class SceneLoader
         SceneReadResult read, string folder, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null,
         Func<string, ImportedModel>? readModel = null) =>
         Build(read, folder, new ModelFolder(folder, readModel), overrides, readPicture, keepsSources: true);
+
+    private static SceneReadResult Read(string path, ModelFolder models, IReadOnlyList<SceneSetting>? settings, int? frame) =>
+        ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models), settings)
+        : MitsubaReader.IsScene(path) ? Set(MitsubaReader.Read(path), settings) : SceneReader.Read(path, settings, frame);
+
+    // What moves does so by the time of the frame: the shutter opens then.
+    private static Func<SceneDescription, SceneDescription>? AtFrame(Func<SceneDescription, SceneDescription>? overrides, int? frame) => frame is not { } number ? overrides : scene =>
+    {
+        SceneDescription changed = overrides?.Invoke(scene) ?? scene;
+        float time = number / changed.Render.FramesPerSecond;
+        return changed with { Render = changed.Render with { Shutter = changed.Render.Shutter + new System.Numerics.Vector2(time) } };
+    };
 
     private static SceneLoadResult Build(
         SceneReadResult read, string folder, ModelFolder models, Func<SceneDescription, SceneDescription>? overrides, Func<string, bool, Picture>? readPicture,
@@ -51,7 +89,7 @@ public static class SceneLoader
         }
 
         Scene? scene = null;
-        if (!diagnostics.Exists(d => d.Line == 0 && d.Severity == Severity.Error))
+        if (!diagnostics.Exists(d => d is { Line: 0, Column: 0 } && d.Severity == Severity.Error))
         {
             SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load, models.Load) { KeepsSources = keepsSources };
             scene = builder.Build(description);
@@ -76,7 +114,7 @@ public static class SceneLoader
             {
                 if (parameter.RangeComplaint(parameter.Get(to)) is { } complaint)
                 {
-                    diagnostics.Add(new(FileName(read), 0, 0, Severity.Error, $"{Quotation.Of(parameter.Key)} {complaint}"));
+                    diagnostics.Add(new(FileName(read), 0, 0, Severity.Error, $"{Quotation.Of(parameter.Key)} {complaint}") { Rule = DiagnosticRule.OutOfRange });
                 }
             }
         }

@@ -10,7 +10,9 @@ public static class SceneReader
 
     /// <summary>Reads a file.</summary>
     /// <param name="path">The file's path, by which diagnostics call it too.</param>
-    public static SceneReadResult Read(string path)
+    /// <param name="settings">Values to put in the place of the file's; null for none.</param>
+    /// <param name="frame">The frame whose values animated properties get; null for those that the file has in their places.</param>
+    public static SceneReadResult Read(string path, IReadOnlyList<SceneSetting>? settings = null, int? frame = null)
     {
         byte[]? bytes;
         try
@@ -33,25 +35,40 @@ public static class SceneReader
         }
 
         SourceText source = SourceText.Decode(path, bytes, out Diagnostic? error);
-        return error is null ? Read(source) : new(source, null, null, new(), [error]);
+        return error is null ? Read(source, settings, frame) : new(source, null, null, new(), [error with { Rule = DiagnosticRule.Unreadable }]);
     }
 
     /// <summary>Reads a text.</summary>
     /// <param name="text">The scene file's text.</param>
     /// <param name="fileName">How diagnostics call it.</param>
-    public static SceneReadResult ReadText(string text, string fileName) => Read(new SourceText(fileName, text));
+    /// <param name="settings">Values to put in the place of the text's; null for none.</param>
+    /// <param name="frame">The frame whose values animated properties get; null for those that the file has in their places.</param>
+    public static SceneReadResult ReadText(string text, string fileName, IReadOnlyList<SceneSetting>? settings = null, int? frame = null) =>
+        Read(new SourceText(fileName, text), settings, frame);
 
-    private static SceneReadResult Read(SourceText source)
+    private static SceneReadResult Read(SourceText source, IReadOnlyList<SceneSetting>? settings, int? frame)
     {
         DiagnosticBag bag = new(source);
         SourceMap map = new();
         JsonNode? root = JsonParser.Parse(source, bag.Diagnostics);
+        if (root is not null && settings is not null)
+        {
+            root = settings.Aggregate(root, (tree, setting) => SettingTree.Apply(setting, tree, source, bag));
+        }
+
         SceneDescription? scene = root is null ? null : RecordReader.ReadScene(root, bag, map);
+        if (frame is { } number && scene is { Animation.Count: > 0 } && bag.Diagnostics.Count == 0)
+        {
+            root = AnimationTrack.Apply(root!, scene.Animation, map, number / (double)scene.Render.FramesPerSecond);
+            map = new();
+            scene = RecordReader.ReadScene(root, bag, map);
+        }
+
         return new(source, root, scene, map, bag.Diagnostics);
     }
 
     private static SceneReadResult Unreadable(string path, string message) =>
-        new(null, null, null, new(), [new(path, 0, 0, Severity.Error, message)]);
+        new(null, null, null, new(), [new(path, 0, 0, Severity.Error, message) { Rule = DiagnosticRule.Unreadable }]);
 
     // Not File.ReadAllBytes: a device or a pipe has no end and no length. Null where there is too much.
     private static byte[]? Bytes(string path)

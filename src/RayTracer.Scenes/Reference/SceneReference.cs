@@ -98,7 +98,7 @@ public static class SceneReference
         page.Append('\n');
     }
 
-    private static string Form(RecordParameter parameter) => parameter.Kind switch
+    internal static string Form(RecordParameter parameter) => parameter.Kind switch
     {
         ParameterKind.Number => "number",
         ParameterKind.Integer => "whole number",
@@ -117,6 +117,7 @@ public static class SceneReference
         ParameterKind.Shapes => "list of [shapes](#shapes)",
         ParameterKind.Environment => "[environment](#environments)",
         ParameterKind.Records => $"list of [{RecordType.Of(parameter.RecordType!).Name}s](#{RecordType.Of(parameter.RecordType!).Name})",
+        ParameterKind.Numbers when parameter.IsNumber => "number, list of numbers, or colour",
         ParameterKind.Numbers => "list of numbers",
         ParameterKind.Integers => "list of whole numbers",
         ParameterKind.Vector2s => "list of [number, number]",
@@ -128,7 +129,7 @@ public static class SceneReference
         _ => $"[{RecordType.Of(parameter.ValueType).Name}](#{RecordType.Of(parameter.ValueType).Name})",
     };
 
-    private static string Default(RecordParameter parameter)
+    internal static string Default(RecordParameter parameter)
     {
         if (parameter.Required)
         {

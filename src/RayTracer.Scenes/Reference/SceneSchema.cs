@@ -137,6 +137,7 @@ public static class SceneSchema
         ParameterKind.Shapes => List(Reference("shape")),
         ParameterKind.Environment => Reference("environment"),
         ParameterKind.Records => List(Reference(RecordType.Of(parameter.RecordType!).Name)),
+        ParameterKind.Numbers when parameter.IsNumber => new() { ["anyOf"] = new JsonArray(Number("number", parameter), List(Number("number", parameter)), Reference("color")) },
         ParameterKind.Numbers => List(Number("number", parameter)),
         ParameterKind.Integers => List(new() { ["type"] = "integer" }),
         ParameterKind.Vector2s => List(Numbers(2, Number("number", parameter))),

@@ -86,6 +86,8 @@ public sealed class SceneWriter
         IEnumerable<MaterialDescription> materials => new JsonArray([.. materials.Select(Value)]),
         IEnumerable<TransformDescription> steps => new JsonArray([.. steps.Select(s => Inline(s))]),
         IEnumerable<KeyframeDescription> frames => new JsonArray([.. frames.Select(f => Inline(f))]),
+        IEnumerable<TrackDescription> tracks => new JsonArray([.. tracks.Select(t => Inline(t))]),
+        IEnumerable<KeyDescription> keys => new JsonArray([.. keys.Select(k => Inline(k))]),
         IEnumerable<ShapeDescription> shapes => new JsonArray([.. shapes.Select(s => Inline(s))]),
         _ => _names.TryGetValue(value, out string? name) ? name : Inline(value),
     };

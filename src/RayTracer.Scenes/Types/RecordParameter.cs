@@ -55,7 +55,7 @@ public sealed class RecordParameter
     /// <summary>Whether a scene file must give the parameter.</summary>
     public bool Required => _attribute.Required;
 
-    /// <summary>Whether a number may stand in place of a texture.</summary>
+    /// <summary>Whether a number may stand in place of a texture; or a number or a colour in place of a list of numbers.</summary>
     public bool IsNumber => _attribute.IsNumber;
 
     /// <summary>What may be written as its value.</summary>

@@ -29,6 +29,6 @@ public sealed class ParameterAttribute(string summary) : Attribute
     /// <summary>Whether the text is the path of a file, relative to the scene file's folder.</summary>
     public bool IsFile { get; init; }
 
-    /// <summary>Whether a texture stands for a number, so that a number may be written: the red channel counts.</summary>
+    /// <summary>Whether a texture stands for a number, so that a number may be written: the red channel counts; or a list of numbers may be a single one, or a colour.</summary>
     public bool IsNumber { get; init; }
 }

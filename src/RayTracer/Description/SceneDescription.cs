@@ -47,4 +47,8 @@ public sealed record SceneDescription
     /// <summary>Shapes that must shine: the report's list of lights. They are part of the scene like all shapes.</summary>
     [Parameter("Shapes that shine: as under shapes, but each must have a luminaire material.")]
     public IReadOnlyList<ShapeDescription> Lights { get; init; } = [];
+
+    /// <summary>What changes from frame to frame; a scene that was read at a frame has its values there already.</summary>
+    [Parameter("What changes from frame to frame where several are rendered (--frames), beside things with a motion: numbers, vectors and colours anywhere in the scene.")]
+    public IReadOnlyList<TrackDescription> Animation { get; init; } = [];
 }

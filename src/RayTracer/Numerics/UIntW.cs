@@ -89,6 +89,13 @@ public readonly unsafe struct UIntW
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public FloatW ToUnit() => (this >> 8).ToFloat() * (1f / 16777216f);
 
+    /// <summary>Where the highest binary digit is one.</summary>
+    public MaskW TopDigit
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(Vector.ShiftRightArithmetic(Vector.AsVectorInt32(V), 31));
+    }
+
     /// <summary>Bit 0 becomes bit 31 and so on: the digits of an index become those of a fraction.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public UIntW ReverseBits()

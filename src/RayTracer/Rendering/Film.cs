@@ -139,7 +139,7 @@ public sealed class Film : IImageRows
         }
     }
 
-    /// <summary>Copies the exact content of a row, to be added to a film again by <see cref="AddSums"/>.</summary>
+    /// <summary>Copies the exact content of a row, to be added to a film again by <see cref="AddSums(int, ReadOnlySpan{Int128}, ReadOnlySpan{uint})"/>.</summary>
     /// <param name="y">Row, from the top.</param>
     /// <param name="sums">Takes four sums a pixel: red, green and blue in units of 2⁻³², and squared luminance in units of 2⁻⁴⁸.</param>
     /// <param name="counts">Takes the number of samples of each pixel.</param>
@@ -156,17 +156,34 @@ public sealed class Film : IImageRows
     /// <param name="counts">The number of samples of each pixel.</param>
     public void AddSums(int y, ReadOnlySpan<Int128> sums, ReadOnlySpan<uint> counts)
     {
-        int first = (int)Index(0, y);
-        Span<Int128> target = _sums.AsSpan(first * SumsPerPixel, Width * SumsPerPixel);
+        Span<Int128> target = _sums.AsSpan((int)Index(0, y) * SumsPerPixel, Width * SumsPerPixel);
         for (int i = 0; i < target.Length; i++)
         {
             target[i] += sums[i];
         }
 
-        Span<uint> targetCounts = _counts.AsSpan(first, Width);
-        for (int i = 0; i < targetCounts.Length; i++)
+        AddCounts(y, counts);
+    }
+
+    /// <summary>As <see cref="AddSums(int, ReadOnlySpan{Int128}, ReadOnlySpan{uint})"/>, of a row whose sums all fit into 64 bits.</summary>
+    /// <inheritdoc cref="AddSums(int, ReadOnlySpan{Int128}, ReadOnlySpan{uint})"/>
+    public void AddSums(int y, ReadOnlySpan<long> sums, ReadOnlySpan<uint> counts)
+    {
+        Span<Int128> target = _sums.AsSpan((int)Index(0, y) * SumsPerPixel, Width * SumsPerPixel);
+        for (int i = 0; i < target.Length; i++)
         {
-            targetCounts[i] += counts[i];
+            target[i] += sums[i];
+        }
+
+        AddCounts(y, counts);
+    }
+
+    private void AddCounts(int y, ReadOnlySpan<uint> counts)
+    {
+        Span<uint> target = _counts.AsSpan((int)Index(0, y), Width);
+        for (int i = 0; i < target.Length; i++)
+        {
+            target[i] += counts[i];
         }
     }
 

@@ -151,8 +151,10 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
     }
 
     /// <summary>
-    /// Chooses how far each ray flies before its medium scatters it: by the extinction of a channel that is chosen at random, with the density of all
-    /// three (Wilkie et al. 2014, the balance heuristic for a single path).
+    /// Chooses how far each ray flies before its medium scatters it: by the extinction of a channel that is chosen at random, in proportion to what the path
+    /// carries of it, with the density of all three (Wilkie et al. 2014, the balance heuristic for a single path). So the sum over the channels of
+    /// what a path carries never grows (the history-aware probabilities of Kutz et al. 2017); channels that are alike would
+    /// let a few long paths carry nearly all.
     /// </summary>
     public override void Fly(PathStream stream)
     {
@@ -198,7 +200,9 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Vertex.Flight(MediumStack.Crossings(media), out FloatW u, out FloatW v);
         RgbW extinction = Scene.Media.Extinction(media);
         RgbW albedo = Scene.Media.Albedo(media);
-        FloatW chosen = (u < 1f / 3).Select(extinction.R, (u < 2f / 3).Select(extinction.G, extinction.B));
+        RgbW throughput = new(FloatW.Load(stream.ThroughputR + i), FloatW.Load(stream.ThroughputG + i), FloatW.Load(stream.ThroughputB + i));
+        RgbW share = throughput * (1f / FloatW.Max(throughput.R + throughput.G + throughput.B, float.Epsilon));
+        FloatW chosen = (u < share.R).Select(extinction.R, (u < share.R + share.G).Select(extinction.G, extinction.B));
         FloatW flight = (chosen > 0f).Select(-LaneMath.Log(1f - v) / chosen, float.PositiveInfinity);
 
         // What scatters nothing needs no chance.
@@ -208,12 +212,12 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         RgbW left = MediumTable.Transmittance(extinction, FloatW.Min(flight, distance));
         left = isByChance.Select(left, MediumTable.Transmittance(extinction, distance));
         RgbW density = scatters.Select(left * extinction, left);
-        FloatW pdf = isByChance.Select((density.R + density.G + density.B) * (1f / 3), 1f);
+        FloatW pdf = isByChance.Select(FloatW.MultiplyAdd(density.R, share.R, FloatW.MultiplyAdd(density.G, share.G, density.B * share.B)), 1f);
         RgbW weight = scatters.Select(density * albedo, left) * (pdf > 0f).Select(1f / pdf, 0f);
         weight = inside.Select(weight, Rgb.White);
-        (weight.R * FloatW.Load(stream.ThroughputR + i)).Store(stream.ThroughputR + i);
-        (weight.G * FloatW.Load(stream.ThroughputG + i)).Store(stream.ThroughputG + i);
-        (weight.B * FloatW.Load(stream.ThroughputB + i)).Store(stream.ThroughputB + i);
+        (weight.R * throughput.R).Store(stream.ThroughputR + i);
+        (weight.G * throughput.G).Store(stream.ThroughputG + i);
+        (weight.B * throughput.B).Store(stream.ThroughputB + i);
         scatters.Select(flight, distance).Store(stream.Distance + i);
         scatters.Select((uint)Scene.World.Count + 1u, UIntW.Load(stream.Primitive + i)).Store(stream.Primitive + i);
     }

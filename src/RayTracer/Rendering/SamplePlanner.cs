@@ -21,6 +21,9 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
     private const int EvenLead = 2;
     private readonly PixelRenderer _renderer = new(scene, options);
 
+    /// <summary>Says whether time is so short that what was found so far must do, asked before deciding samples are doubled; null where there is time enough.</summary>
+    public Func<bool>? IsShortOfTime { get; init; }
+
     /// <summary>Decides.</summary>
     /// <param name="progress">Told how far the picture is, of which this is the first part; may be null.</param>
     /// <param name="cancellation">Ends the work.</param>
@@ -49,7 +52,7 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
             // For one number of samples for all pixels, the budget is the picture's alone.
             int[] samples = allocation.Share(variances, deviations, goal.IsAdaptive ? budget - deciding.Total : budget);
             ILookup<int, int> wanting = all.Where(i => samples[i] > lead * deciding.Level(i)).ToLookup(deciding.Level);
-            if (wanting.Count == 0)
+            if (wanting.Count == 0 || IsShortOfTime?.Invoke() == true)
             {
                 return new(area, blocks, samples, double.Sqrt(allocation.Error(variances, samples)), _renderer.Statistics);
             }

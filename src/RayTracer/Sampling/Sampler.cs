@@ -96,8 +96,14 @@ public static class Dimensions
     /// <summary>Groups of one pair each, 256 to a vertex and more: flights through media. Beyond all others.</summary>
     public const uint FirstFlight = 1 << 24;
 
+    /// <summary>
+    /// The digit of a group's number that tells that it and the group two before, where that digit is zero, may be the halves of points in four dimensions:
+    /// the vertices of a path by twos, for instance a direction and the light where it leads.
+    /// </summary>
+    public const uint SecondOfFour = 2;
+
     /// <summary>The first group of the first vertex.</summary>
-    public const uint FirstVertex = 3;
+    public const uint FirstVertex = 4;
 
     /// <summary>Groups of a vertex: its directions, and the choice of a lobe.</summary>
     public const uint GroupsPerVertex = 2;

@@ -8,39 +8,45 @@ namespace RayTracer.Sampling;
 /// <summary>
 /// Sobol points, scrambled by Owen's method: every power of two of samples is as evenly spread as points can be, and every
 /// pixel and dimension has its own random scrambling, so the picture is unbiased. The first <see cref="TabledPairs"/> pairs
-/// of dimensions are those of one high-dimensional sequence; every further group is the first two dimensions again,
-/// in an order of its own, and every pair of it in a scrambling of its own (Burley, Practical hash-based Owen scrambling, JCGT 2020).
+/// of dimensions are those of the first two groups; every further group is one of these pairs again, in an order that
+/// two groups share (<see cref="Dimensions.SecondOfFour"/>), and every pair of it in a scrambling of its own (Burley, Practical
+/// hash-based Owen scrambling, JCGT 2020).
 /// </summary>
 public sealed unsafe class SobolSampler : Sampler
 {
     /// <summary>Pairs of dimensions that come from one sequence: pixel and lens are stratified together.</summary>
     public const int TabledPairs = 2;
 
-    // Low and high digits of the index look up separate tables, for the sequence is linear in the digits.
-    private const int LowDigits = 12;
-    private const int TableSize = 1 << LowDigits;
+    private const int MaxDigits = 24;
 
-    // Points of dimension d at [d · 2 · TableSize], digits reversed (the first binary digit lowest), low table before high table.
-    private static readonly uint* s_points = MakeTable();
-    private readonly bool _isLong;
+    // Of the first digits of an index, the point's two coordinates fit into one number.
+    private const int LowDigits = 12;
+
+    // By digits of the index: what each contributes to the points of both pairs, digits reversed (the first binary digit lowest).
+    private static readonly uint[][] s_columns = [.. Enumerable.Range(0, 2 * TabledPairs).Select(SobolMatrix.Columns)];
+    private static readonly uint* s_low = MakeLow();
+    private readonly int _digits;
 
     /// <summary>Makes a sampler.</summary>
     /// <param name="samplesPerPixel">How many samples a pixel will have, up to 2²⁴; powers of two are spread most evenly.</param>
     public SobolSampler(int samplesPerPixel)
         : base(samplesPerPixel)
     {
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(samplesPerPixel, 1 << (2 * LowDigits));
-        _isLong = samplesPerPixel > TableSize;
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(samplesPerPixel, 1 << MaxDigits);
+        _digits = 32 - BitOperations.LeadingZeroCount((uint)samplesPerPixel - 1);
     }
 
     /// <inheritdoc/>
     public override void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points)
     {
-        points.Key = Hash.GroupKey(pixelKey, group);
+        UIntW second = group & Dimensions.SecondOfFour;
+        UIntW key = Hash.GroupKey(pixelKey, group - second);
+        points.Key = key + (second * 0x85EBCA6Bu);
 
-        // Shuffling the index by Owen's method too keeps every power of two of samples together.
-        points.First = Scramble(sample.ReverseBits(), points.Key ^ 0x55A4A5C3u).ReverseBits();
-        points.Second = Pascal(points.First);
+        // Shuffling the index by Owen's method too keeps every power of two of samples together. Sample 0 stays in its place, so that
+        // digits that no sample has are zero; the scrambling of the points makes up for that.
+        UIntW order = key ^ 0x55A4A5C3u;
+        Place(Scramble(sample.ReverseBits(), order) ^ Scramble(0u, order), UIntW.Equal(second, 0u), out points.First, out points.Second);
     }
 
     /// <inheritdoc/>
@@ -53,8 +59,7 @@ public sealed unsafe class SobolSampler : Sampler
         }
 
         points.Key = Hash.GroupKey(pixelKey, group);
-        points.First = Point(sample, s_points + (4 * TableSize * group));
-        points.Second = Point(sample, s_points + (4 * TableSize * group) + (2 * TableSize));
+        Place(sample.ReverseBits(), group == 0 ? MaskW.All : MaskW.None, out points.First, out points.Second);
     }
 
     /// <inheritdoc/>
@@ -63,21 +68,6 @@ public sealed unsafe class SobolSampler : Sampler
         Hash.PairKeys(points.Key, pair, out UIntW keyU, out UIntW keyV);
         u = Unit(Scramble(points.First, keyU));
         v = Unit(Scramble(points.Second, keyV));
-    }
-
-    /// <summary>
-    /// The second dimension of Sobol's sequence, whose matrix is Pascal's triangle modulo 2: digit j is the sum of the
-    /// index's digits at all places that have the ones of j. One step for each digit of j, instead of one for each digit of the index.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static UIntW Pascal(UIntW index)
-    {
-        UIntW x = index;
-        x ^= (x >> 1) & 0x55555555u;
-        x ^= (x >> 2) & 0x33333333u;
-        x ^= (x >> 4) & 0x0f0f0f0fu;
-        x ^= (x >> 8) & 0x00ff00ffu;
-        return x ^ (x >> 16);
     }
 
     // The scrambled point's digits are still reversed.
@@ -98,33 +88,43 @@ public sealed unsafe class SobolSampler : Sampler
         return x ^ (x * 0x8d22f6e6u);
     }
 
+    // The points whose indices, digits reversed, are given: of the first pair of dimensions or of the second.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private UIntW Point(UIntW index, uint* table)
+    private void Place(UIntW reversed, MaskW isFirst, out UIntW first, out UIntW second)
     {
-        UIntW low = UIntW.Gather(table, index & (TableSize - 1u));
-        return _isLong ? low ^ UIntW.Gather(table + TableSize, (index >> LowDigits) & (TableSize - 1u)) : low;
-    }
-
-    private static uint* MakeTable()
-    {
-        const int dimensions = 2 * TabledPairs;
-        uint* table = (uint*)NativeMemory.AlignedAlloc(dimensions * 2 * TableSize * sizeof(uint), 64);
-        for (int dimension = 0; dimension < dimensions; dimension++)
+        UIntW both = 0u;
+        int low = Math.Min(_digits, LowDigits);
+        for (uint* columns = s_low; columns < s_low + (2 * low); columns += 2, reversed += reversed)
         {
-            ReadOnlySpan<uint> columns = SobolMatrix.Columns(dimension);
-            for (int half = 0; half < 2; half++)
-            {
-                uint* points = table + (((dimension * 2) + half) * TableSize);
-                points[0] = 0;
-                for (int i = 1; i < TableSize; i++)
-                {
-                    // Each point is the point without its lowest digit, plus that digit's column.
-                    int digit = BitOperations.TrailingZeroCount(i);
-                    points[i] = points[i & (i - 1)] ^ columns[digit + (half * LowDigits)];
-                }
-            }
+            both ^= reversed.TopDigit.Select(isFirst.Select((UIntW)columns[0], columns[1]), 0u);
         }
 
-        return table;
+        first = both & 0xffffu;
+        second = both >> 16;
+        if (_digits > LowDigits)
+        {
+            PlaceHigh(reversed, isFirst, ref first, ref second);
+        }
+    }
+
+    private void PlaceHigh(UIntW reversed, MaskW isFirst, ref UIntW first, ref UIntW second)
+    {
+        for (int k = LowDigits; k < _digits; k++, reversed += reversed)
+        {
+            first ^= reversed.TopDigit.Select(isFirst.Select((UIntW)s_columns[0][k], s_columns[2][k]), 0u);
+            second ^= reversed.TopDigit.Select(isFirst.Select((UIntW)s_columns[1][k], s_columns[3][k]), 0u);
+        }
+    }
+
+    private static uint* MakeLow()
+    {
+        uint* low = (uint*)NativeMemory.AlignedAlloc(2 * LowDigits * sizeof(uint), 64);
+        for (int k = 0; k < LowDigits; k++)
+        {
+            low[2 * k] = s_columns[0][k] | (s_columns[1][k] << 16);
+            low[(2 * k) + 1] = s_columns[2][k] | (s_columns[3][k] << 16);
+        }
+
+        return low;
     }
 }

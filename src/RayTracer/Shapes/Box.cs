@@ -53,6 +53,13 @@ public sealed class Box(Material material, string name, Vector3 a, Vector3 b) : 
     /// <inheritdoc/>
     public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new KernelBatch<BoxKernel>(shapes);
 
+    /// <inheritdoc/>
+    public override Shape? Transformed(Transform by)
+    {
+        bool isUpright = by is { X: { A: > 0, B: 0, C: 0 }, Y: { A: 0, B: > 0, C: 0 }, Z: { A: 0, B: 0, C: > 0 } };
+        return isUpright ? Moved(by.Point(Bounds.Minimum), by.Point(Bounds.Maximum)) : TurnedBox.Create(this, by);
+    }
+
     /// <summary>Uniformly by area over the faces, three at the most, that are seen from the point.</summary>
     public override void SamplePdf(in Vec3W from, in FloatW distance, in FloatW cosine, out FloatW pdf)
     {
@@ -94,6 +101,9 @@ public sealed class Box(Material material, string name, Vector3 a, Vector3 b) : 
 
         static FloatW Across(FloatW sign) => FloatW.MultiplyAdd(sign, 0.5f, 0.5f);
     }
+
+    // Rounding may leave nothing of a thin box far away.
+    private Box? Moved(Vector3 low, Vector3 high) => high.X > low.X && high.Y > low.Y && high.Z > low.Z ? new(Material, Name, low, high) : null;
 
     // Which of an axis's two faces is seen: the upper one, the lower one, or none.
     private FloatW Side(FloatW coordinate, int axis) =>

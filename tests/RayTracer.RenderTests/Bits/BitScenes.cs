@@ -10,11 +10,29 @@ internal static class BitScenes
     /// <summary>Meshes and instances in trees of some depth.</summary>
     public const string Hills = "hills";
 
+    /// <summary>Glass that disperses light and weakens shadows.</summary>
+    public const string DispersingShadows = "dispersing-shadows";
+
     private const string Everything = "everything-";
+
+    // Rays to the lamp meet glass from both sides, before and after paths have a wavelength.
+    private const string Prisms = """
+        {
+          "camera": { "position": [0, 1.5, 5], "lookAt": [0, 0.5, 0], "fieldOfView": 40 },
+          "render": { "width": 32, "height": 24, "samplesPerPixel": 4, "integrator": "report", "maxDiffuseDepth": 2, "maxSpecularDepth": 6, "weakenedShadows": true },
+          "background": [0.1, 0.2, 0.3],
+          "shapes": [
+            { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.7, 0.7, 0.7] } },
+            { "type": "sphere", "center": [-1, 0.8, 0], "radius": 0.6, "material": { "type": "dielectric", "glass": "diamond", "extinction": [0.2, 0.9, 2] } },
+            { "type": "cone", "bottom": [0.9, 0.1, 0], "top": [0.9, 1.4, 0], "radius": 0.6, "material": { "type": "dielectric", "glass": "sf11" } },
+            { "type": "sphere", "center": [0, 4, 0], "radius": 0.5, "material": { "type": "luminaire", "multiplier": 20 } }
+          ]
+        }
+        """;
 
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, "shapes", "cornell", Hills, .. Folders.SelectMany(In)];
+        [.. Report, .. Samplers, "shapes", "cornell", Hills, DispersingShadows, .. Folders.SelectMany(In)];
 
     /// <summary>Names of scenes whose auxiliary images are looked at.</summary>
     public static string[] Auxiliary => ["aov/everything-sobol", "aov/meshes/01-cube", "aov/meshes/02-smooth", "aov/meshes/04-motion-blur"];
@@ -41,7 +59,9 @@ internal static class BitScenes
     /// <summary>Loads a scene, at 64×64 pixels and 4 samples (the primer's at 32×24).</summary>
     public static Scene Load(string name) => name.StartsWith(Everything, StringComparison.Ordinal)
         ? TestScenes.BuildEverything(name[Everything.Length..])
-        : name == Hills ? HillScene.Build() : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));
+        : name == Hills ? HillScene.Build()
+        : name == DispersingShadows ? TestScenes.Build(Prisms)
+        : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));
 
     private static SceneDescription Small(SceneDescription d, int width, int height) =>
         d with { Render = d.Render with { Width = width, Height = height, SamplesPerPixel = 4 } };

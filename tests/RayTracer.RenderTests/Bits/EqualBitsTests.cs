@@ -5,7 +5,7 @@ namespace RayTracer.RenderTests.Bits;
 /// <summary>The same film, to the bit, and the same counts, however the work is cut and whoever does it.</summary>
 public class EqualBitsTests
 {
-    public static TheoryData<string> Scenes() => new([.. BitScenes.Report, .. BitScenes.Samplers, BitScenes.Hills, .. BitScenes.Meshes, .. BitScenes.Lights]);
+    public static TheoryData<string> Scenes() => new([.. BitScenes.Report, .. BitScenes.Samplers, BitScenes.Hills, BitScenes.DispersingShadows, .. BitScenes.Meshes, .. BitScenes.Lights]);
 
     [Theory]
     [MemberData(nameof(Scenes))]

@@ -66,11 +66,36 @@ public class PathTests
         Compare(what, scene, Path(maxDepth: 9), scene, r => r with { MaxDiffuseDepth = 8, MaxSpecularDepth = 8 });
     }
 
-    [Fact]
-    public void Ending_paths_at_random_changes_no_mean()
+    [Theory]
+    [InlineData(0)]
+    [InlineData(12)]
+    public void A_matt_ball_under_an_even_sky_is_as_bright_as_its_colour(int lamps)
+    {
+        // However the sky is found, alone or as one of many lights; the others are shut into a small black ball far away.
+        string hidden = string.Concat(Enumerable.Repeat(""", { "type": "point", "position": [0, 0, 50], "intensity": [500, 500, 500] }""", lamps))
+            + """, { "type": "sphere", "center": [0, 0, 50], "radius": 0.05, "material": { "type": "diffuse", "color": [0, 0, 0] } }""";
+        string scene = $$"""
+            { "camera": { "position": [0, 0, 4], "lookAt": [0, 0, 0], "fieldOfView": 20 },
+              "render": { "width": 8, "height": 8, "samplesPerPixel": 64, "integrator": "path" },
+              "environment": { "type": "constant", "radiance": [1, 2, 3] },
+              "shapes": [ { "type": "sphere", "center": [0, 0, 0], "material": { "type": "diffuse", "color": [0.6, 0.6, 0.2] } }{{hidden}} ] }
+            """;
+        ImageSamples images = SceneRuns.RenderText(scene, s_seeds);
+        double[] expected = [0.6, 1.2, 0.6];
+        for (int channel = 0; channel < 3; channel++)
+        {
+            BlockEstimate all = images.Estimate(new(0, 0, 8, 8), channel);
+            ErrorBudget.Analytic.Check(BlockTest.Welch(all, new(expected[channel], 0, 1)), FormattableString.Invariant($"{lamps} lamps, channel {channel}: {all.Mean} ± {Math.Sqrt(all.Variance)}"));
+        }
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(3)]
+    public void Ending_paths_at_random_changes_no_mean(int rouletteDepth)
     {
         string scene = Scene(Sphere.Replace("GLOSS", Matt, StringComparison.Ordinal) + $$""", { "type": "sphere", "center": [0.8, 0.4, 0.3], "radius": 0.4, {{Lamp}} }""");
-        Compare("roulette", scene, Path(-1, rouletteDepth: 1), scene, Path(60, rouletteDepth: 60));
+        Compare("roulette", scene, Path(-1, rouletteDepth), scene, Path(60, rouletteDepth: 60));
     }
 
     [Fact]

@@ -15,9 +15,17 @@ public class SurroundingsTests
     [InlineData("a box that is shown by an instance", """{ "type": "instance", "of": { "type": "box", "a": [-1, -1, -1], "b": [1, 1, 1], "material": { "type": "invisible", "interior": FOG } }, "transform": [{ "scale": [3, 3, 3], "translate": [0, 1, 0] }] }""", "0, 0, 0", 4)]
     [InlineData("a ring, in its hole", """{ "type": "torus", "center": [0, 0, 0], "axis": [0, 1, 0], "radius": 2, "tubeRadius": 0.5, "material": { "type": "invisible", "interior": FOG } }""", "0, 0, 0", 0)]
     [InlineData("a ring, in its tube", """{ "type": "torus", "center": [0, 0, 0], "axis": [0, 1, 0], "radius": 2, "tubeRadius": 0.5, "material": { "type": "invisible", "interior": FOG } }""", "2, 0, 0", 0.5)]
+    [InlineData("two balls of one fog that overlap", """{ "type": "sphere", "center": [0, 0, 0], "radius": 2, "material": { "type": "invisible", "interior": FOG } }, { "type": "sphere", "center": [0, 1, 0], "radius": 2, "material": { "type": "invisible", "interior": FOG } }""", "0, 0.5, 0", 2.5)]
+    [InlineData("three of them, in all", """{ "type": "sphere", "center": [0, 0, 0], "radius": 2, "material": { "type": "invisible", "interior": FOG } }, { "type": "sphere", "center": [0, 1, 0], "radius": 2, "material": { "type": "invisible", "interior": FOG } }, { "type": "sphere", "center": [0, -1, 0], "radius": 2, "material": { "type": "invisible", "interior": FOG } }""", "0, 0.5, 0", 2.5)]
+    [InlineData("three of them, in the last", """{ "type": "sphere", "center": [0, 0, 0], "radius": 2, "material": { "type": "invisible", "interior": FOG } }, { "type": "sphere", "center": [0, 1, 0], "radius": 2, "material": { "type": "invisible", "interior": FOG } }, { "type": "sphere", "center": [0, -1, 0], "radius": 2, "material": { "type": "invisible", "interior": FOG } }""", "0, -2.5, 0", 5.5)]
+    [InlineData("two glasses of one priority", """{ "type": "sphere", "center": [0, 0, 0], "radius": 2, "material": GLASS }, { "type": "sphere", "center": [0, 1, 0], "radius": 2, "material": GLASS }""", "0, 0.5, 0", 2.5)]
+    [InlineData("two glasses and fog around", """{ "type": "sphere", "center": [0, 0, 0], "radius": 5, "material": { "type": "invisible", "interior": FOG } }, { "type": "sphere", "center": [0, 0, 0], "radius": 2, "material": GLASS }, { "type": "sphere", "center": [0, 1, 0], "radius": 2, "material": GLASS }""", "0, 0.5, 0", 4.5)]
     public void What_the_camera_stands_in_is_found(string what, string shapes, string position, double way)
     {
-        double[] left = Means(Up(shapes.Replace("FOG", """{ "extinction": [0.1, 0.2, 0.4] }""", StringComparison.Ordinal), position));
+        double[] left = Means(Up(
+            shapes.Replace("FOG", """{ "extinction": [0.1, 0.2, 0.4] }""", StringComparison.Ordinal)
+                .Replace("GLASS", """{ "type": "dielectric", "refractiveIndex": 1, "priority": 1, "extinction": [0.1, 0.2, 0.4] }""", StringComparison.Ordinal),
+            position));
         double[] extinction = [0.1, 0.2, 0.4];
         for (int channel = 0; channel < 3; channel++)
         {
@@ -52,6 +60,7 @@ public class SurroundingsTests
     [InlineData("""{ "type": "thinDielectric", "refractiveIndex": 1, "interior": FOG }""")]
     [InlineData("""{ "type": "mask", "opacity": 0, "material": { "type": "diffuse" }, "interior": FOG }""")]
     [InlineData("""{ "type": "mask", "opacity": 0, "material": { "type": "invisible", "interior": FOG } }""")]
+    [InlineData("""{ "type": "mask", "opacity": 0, "material": { "type": "invisible", "interior": FOG }, "interior": { "extinction": [9, 9, 9] } }""")]
     [InlineData("""{ "type": "dielectric", "refractiveIndex": 1, "interior": FOG }""")]
     [InlineData("""{ "type": "mix", "first": { "type": "dielectric", "refractiveIndex": 1, "interior": FOG }, "second": { "type": "thinDielectric", "refractiveIndex": 1 } }""")]
     public void Whatever_lets_light_straight_in_shows_what_is_inside(string material)
@@ -76,6 +85,26 @@ public class SurroundingsTests
         Assert.InRange(tinted[2] / clear[2], 0, 0.6);
 
         string Ball(string interior) => $$"""{ "type": "sphere", "center": [0, 5, 0], "radius": 1, "material": {{material.Replace("INTERIOR", interior, StringComparison.Ordinal)}} }""";
+    }
+
+    [Theory]
+    [InlineData(255)]
+    [InlineData(256)]
+    public void As_many_insides_as_have_numbers_are_told_apart(int count)
+    {
+        // The camera stands in the last one.
+        string balls = string.Join(",\n", Enumerable.Range(1, count).Select(i => string.Create(
+            CultureInfo.InvariantCulture,
+            $$"""{ "type": "sphere", "center": [{{10 * (count - i)}}, 0, 0], "radius": 2, "material": { "type": "invisible", "interior": { "extinction": [0.1, 0.2, {{i * 0.01}}] } } }""")));
+        if (count <= 255)
+        {
+            Assert.Equal(Math.Exp(-2 * count * 0.01), Means(Up(balls, "0, 0, 0"))[2], 1e-5);
+            return;
+        }
+
+        string message = Assert.Throws<InvalidOperationException>(() => Means(Up(balls, "0, 0, 0"))).Message;
+        Assert.Contains("256 different insides", message, StringComparison.Ordinal);
+        Assert.Contains("there can be 255", message, StringComparison.Ordinal);
     }
 
     private static string Up(string shapes, string position) => string.Create(CultureInfo.InvariantCulture, $$"""

@@ -38,6 +38,19 @@ public class WeakenedShadowTests
         Assert.All(Means(slab, "false"), m => Assert.Equal(0, m));
     }
 
+    [Theory]
+    [InlineData("sf11", 1.78472)]
+    [InlineData("diamond", 2.4175)]
+    public void Glass_that_disperses_weakens_light_by_its_index_of_yellow_light(string glass, double index)
+    {
+        // No path has a wavelength where it asks for light: the index of the yellow line of helium holds (SCHOTT 2017; Peter 1923).
+        string slab = $$"""{ "type": "box", "a": [-1, 5, -1], "b": [1, 7, 1], "material": { "type": "dielectric", "glass": "{{glass}}" } },""";
+        double[] lit = Means("");
+        double[] weakened = Means(slab);
+        double faces = Math.Pow(1 - Math.Pow((index - 1) / (index + 1), 2), 2);
+        Assert.All(weakened.Zip(lit), m => Assert.Equal(faces, m.First / m.Second, 2e-4));
+    }
+
     [Fact]
     public void Where_nothing_bends_light_weakened_shadows_are_the_true_ones()
     {

@@ -20,11 +20,16 @@ internal sealed record CliRun(int Status, string Output, string Error)
         """;
 
     /// <summary>Runs the command within this process.</summary>
-    public static CliRun Of(params string[] args)
+    public static CliRun Of(params string[] args) => Of(args, hasTerminal: false);
+
+    /// <summary>Runs the command within this process, as if standard error were a terminal.</summary>
+    public static CliRun OnTerminal(params string[] args) => Of(args, hasTerminal: true);
+
+    private static CliRun Of(string[] args, bool hasTerminal)
     {
         using StringWriter output = new();
         using StringWriter error = new();
-        int status = CommandLine.Run(args, new(output, error));
+        int status = CommandLine.Run(args, new(output, error, hasTerminal));
         return new(status, output.ToString(), error.ToString());
     }
 }

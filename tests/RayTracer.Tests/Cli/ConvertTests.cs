@@ -39,6 +39,83 @@ public class ConvertTests
         Assert.False(File.Exists(folder["scene.json"]));
     }
 
+    [Fact]
+    public void A_scene_is_converted_with_other_values()
+    {
+        using TemporaryFolder folder = new();
+        Write(folder);
+        Assert.Equal(new CliRun(0, "", ""), CliRun.Of("convert", folder["scene.xml"], folder["scene.json"], "--set", "camera.fieldOfView=12"));
+        Assert.Contains("\"fieldOfView\": 12", File.ReadAllText(folder["scene.json"]), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Every_image_is_converted_into_every_kind_of_image()
+    {
+        using TemporaryFolder folder = new();
+        Picture picture = new(3, 2, [.. Enumerable.Range(0, 18).Select(i => i / 16f)]);
+        string[] kinds = ["png", "pfm", "exr", "hdr"];
+        foreach (string kind in kinds)
+        {
+            ImageFile.Write(folder[$"a.{kind}"], picture, new() { BitDepth = 16 });
+        }
+
+        foreach (string from in kinds)
+        {
+            foreach (string to in kinds)
+            {
+                Assert.Equal(new CliRun(0, "", ""), CliRun.Of("convert", folder[$"a.{from}"], folder[$"b.{to}"], "--bit-depth", "16"));
+                Picture clamped = ImageFile.Read(folder[$"a.{from}"]);
+                double worst = ImageComparison.Compare(ImageFile.Read(folder[$"b.{to}"]), clamped).LargestDifference;
+                Assert.True(worst <= (to == "png" ? (from == "png" ? 1e-5 : 0.0626) : to == "hdr" ? 0.005 : 0), $"{from} to {to}: {worst}");
+            }
+        }
+    }
+
+    [Fact]
+    public void Images_are_converted_with_the_looks_and_size_that_are_asked_for()
+    {
+        using TemporaryFolder folder = new();
+        ImageFile.Write(folder["a.pfm"], new Picture(4, 2, [.. Enumerable.Repeat(0.25f, 24)]));
+        Assert.Equal(0, CliRun.Of("convert", folder["a.pfm"], folder["a.png"], "--exposure", "1", "--width", "2").Status);
+        Picture small = ImageFile.Read(folder["a.png"]);
+        Assert.Equal((2, 1), (small.Width, small.Height));
+        Assert.Equal(0.5, small.Pixels[0], 0.01);
+        Assert.Equal(0, CliRun.Of("convert", folder["a.pfm"], folder["a.exr"], "--exr-type", "half").Status);
+        Assert.Equal(0, CliRun.Of("convert", folder["a.pfm"], folder["b.exr"]).Status);
+        Assert.NotEqual(File.ReadAllBytes(folder["a.exr"]), File.ReadAllBytes(folder["b.exr"]));
+    }
+
+    [Fact]
+    public void A_film_becomes_an_image_that_still_says_what_it_is_of()
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder["scene.json"], CliRun.Scene);
+        Assert.Equal(0, CliRun.Of("render", folder["scene.json"], "-o", folder["a.rtfilm"], "-o", folder["a.pfm"], "--quiet").Status);
+        Assert.Equal(new CliRun(0, "", ""), CliRun.Of("convert", folder["a.rtfilm"], folder["b.pfm"]));
+        Assert.Equal(File.ReadAllBytes(folder["a.pfm"]), File.ReadAllBytes(folder["b.pfm"]));
+        Assert.Equal(0, CliRun.Of("convert", folder["a.rtfilm"], folder["b.png"]).Status);
+        Assert.Equal(0, CliRun.Of("convert", folder["b.png"], folder["b.exr"]).Status);
+        Assert.Equal(0, CliRun.Of("verify", folder["b.exr"]).Status);
+    }
+
+    [Theory]
+    [InlineData(2, "can be made smaller only, not 9×4", "a.pfm", "b.png", "--width", "9")]
+    [InlineData(2, "is an image, of which no scene can be made", "a.pfm", "b.json")]
+    [InlineData(2, "images have no settings", "a.pfm", "b.png", "--set", "a=1")]
+    [InlineData(2, "(did you mean '.png'?)", "a.pfm", "b.pgn")]
+    [InlineData(4, "there is no such file", "c.pfm", "b.png")]
+    [InlineData(4, "its first bytes are those of no picture format", "text", "b.png")]
+    public void What_cannot_be_converted_is_refused(int status, string message, string from, string to, params string[] more)
+    {
+        using TemporaryFolder folder = new();
+        ImageFile.Write(folder["a.pfm"], new Picture(4, 2));
+        File.WriteAllText(folder["text"], "Nothing to see");
+        CliRun run = CliRun.Of(["convert", folder[from], folder[to], .. more]);
+        Assert.Equal(status, run.Status);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.False(File.Exists(folder[to]));
+    }
+
     private static void Write(TemporaryFolder folder)
     {
         File.WriteAllText(folder["scene.xml"], Xml);

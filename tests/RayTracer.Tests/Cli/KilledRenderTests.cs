@@ -64,7 +64,12 @@ public sealed class KilledRenderTests : IDisposable
             string film = Path.Combine(disk, "film.rtfilm");
             Assert.Equal(0, CliRun.Of("render", _scene, "-o", film, "--quiet").Status);
             byte[] before = File.ReadAllBytes(film);
-            foreach (string[] words in new string[][] { ["resume", film, "--spp", "9", "--quiet"], ["merge", film, "-o", Path.Combine(disk, "other.rtfilm"), "--quiet"] })
+            string other = Path.Combine(disk, "other.rtfilm");
+            foreach (string[] words in new string[][]
+            {
+                ["resume", film, "--spp", "9", "--quiet"], ["merge", film, "-o", other, "--quiet"], ["render", _scene, "--checkpoint", other, "--quiet"],
+                ["render", _scene, "--width", "60", "--height", "40", "-o", Path.Combine(disk, "image.pfm"), "--quiet"],
+            })
             {
                 CliRun run = CliRun.Of(words);
                 Assert.Equal(4, run.Status);

@@ -25,14 +25,14 @@ public sealed class LongRenderTests : IDisposable
     public void Parts_merged_in_any_order_are_the_single_render_to_the_bit(string sampler)
     {
         string whole = Hash("render", _scene, "--spp", "16", "--sampler", sampler, "--json", "--quiet");
-        string[] parts = [.. Enumerable.Range(1, 5).Select(i => _folder[$"part{i}.rtfilm"])];
+        string[] parts = [.. Enumerable.Range(1, TestSettings.Scale(5, 16)).Select(i => _folder[$"part{i}.rtfilm"])];
         for (int i = 0; i < parts.Length; i++)
         {
-            Assert.Equal(0, CliRun.Of("render", _scene, "--spp", "16", "--sampler", sampler, "--part", $"{i + 1}/5", "-o", parts[i], "--quiet").Status);
+            Assert.Equal(0, CliRun.Of("render", _scene, "--spp", "16", "--sampler", sampler, "--part", $"{i + 1}/{parts.Length}", "-o", parts[i], "--quiet").Status);
         }
 
         Random random = new(TestSettings.Seed);
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < TestSettings.Scale(3, 20); i++)
         {
             random.Shuffle(parts);
             Assert.Equal(whole, Hash(["merge", .. parts, "--json"]));
@@ -185,6 +185,25 @@ public sealed class LongRenderTests : IDisposable
         Refused(4, $"the film is not of '{_scene}'", "resume", film, "--spp", "8", "--quiet");
         File.WriteAllText(_scene, CliRun.Scene.Replace("\"width\": 24", "\"width\": 25", StringComparison.Ordinal));
         Refused(4, $"the film is not of '{_scene}'", "resume", film, "--spp", "8", "--quiet");
+    }
+
+    [Fact]
+    public void A_film_of_a_pattern_of_so_many_samples_is_not_given_more()
+    {
+        string film = _folder["a.rtfilm"];
+        Fine("render", _scene, "--spp", "9", "--sampler", "jittered", "-o", film, "--quiet");
+        Refused(2, "--spp 16: the places of the jittered sampler's samples depend on how many there are", "resume", film, "--spp", "16", "--quiet");
+        File.WriteAllText(_scene, CliRun.Scene.Replace("skyblue", "tomato", StringComparison.Ordinal));
+        Refused(4, $"the film is not of '{_scene}'", "resume", film, "--quiet");
+    }
+
+    [Fact]
+    public void Time_that_is_up_while_the_noise_is_decided_on_still_gives_a_picture()
+    {
+        CliRun run = CliRun.Of("render", _scene, "--noise", "0.001%", "--time", "0.001", "-o", _folder["a.png"], "--json", "--quiet");
+        Assert.Equal(5, run.Status);
+        Assert.InRange(JsonDocument.Parse(run.Output).RootElement.GetProperty("samplesPerPixel").GetInt32(), 1, 65535);
+        Assert.True(File.Exists(_folder["a.png"]));
     }
 
     [Fact]

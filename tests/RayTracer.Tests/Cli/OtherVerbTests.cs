@@ -25,7 +25,7 @@ public sealed class OtherVerbTests : IDisposable
         File.WriteAllText(_folder["bad.json"], "{ \"shape\": [] }");
         CliRun run = CliRun.Of("check", _folder["bad.json"], _scene);
         Assert.Equal(3, run.Status);
-        Assert.Contains("(did you mean \"shapes\"?)", run.Error, StringComparison.Ordinal);
+        Assert.Contains("(did you mean \"shapes\"?)", run.Output, StringComparison.Ordinal);
         Assert.Contains("scene.json: fine", run.Output, StringComparison.Ordinal);
         Assert.Equal(4, CliRun.Of("check", _folder["missing.json"]).Status);
     }

@@ -72,6 +72,24 @@ public sealed class ProcessTests : IDisposable
         }
     }
 
+    [ProgramFact("script")]
+    public void A_terminal_gets_the_picture_and_colours_only_where_they_are_wanted()
+    {
+        string command = $"'{Program}' render '{_scene}' -o '{_folder["a.png"]}' --preview";
+        (int status, string shown) = ProgramFactAttribute.Run("/usr/bin/env", "-u", "NO_COLOR", "TERM=xterm-256color", "script", "-qec", command, "/dev/null");
+        Assert.Equal(0, status);
+        Assert.Contains("\e[38;2;", shown, StringComparison.Ordinal);
+        Assert.Contains("\e[?25h", shown, StringComparison.Ordinal);
+        (_, string plain) = ProgramFactAttribute.Run("/usr/bin/env", "NO_COLOR=1", "TERM=xterm-256color", "script", "-qec", command, "/dev/null");
+        Assert.DoesNotMatch("\e\\[[0-9;]*m", plain);
+        Assert.Matches("[-=+*#%@]{8}", plain);
+        (_, string redirected) = ProgramFactAttribute.Run("/usr/bin/env", "TERM=xterm-256color", "script", "-qec", $"{command} --verbose 2> '{_folder["error.txt"]}'", "/dev/null");
+        Assert.DoesNotContain("▀", redirected, StringComparison.Ordinal);
+        string error = File.ReadAllText(_folder["error.txt"]);
+        Assert.DoesNotContain("\e[", error, StringComparison.Ordinal);
+        Assert.Contains("--preview: standard error is no terminal", error, StringComparison.Ordinal);
+    }
+
     [LinuxFact]
     public void Ctrl_C_writes_the_image_so_far() => SignalWritesTheImage("INT", 130);
 

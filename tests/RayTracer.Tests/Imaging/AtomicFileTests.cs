@@ -32,6 +32,48 @@ public sealed class AtomicFileTests : IDisposable
     }
 
     [Fact]
+    public void Many_writers_of_one_file_leave_one_of_their_contents_whole()
+    {
+        Parallel.For(0, 32, i => AtomicFile.Write(_folder["a"], stream => stream.Write(Enumerable.Repeat((byte)i, 10_000).ToArray())));
+        byte[] content = File.ReadAllBytes(_folder["a"]);
+        Assert.Equal(10_000, content.Length);
+        Assert.Single(content.Distinct());
+        Assert.Single(Directory.GetFileSystemEntries(_folder.Path));
+    }
+
+    [LinuxFact]
+    public void What_killed_writers_of_a_file_have_left_is_deleted_and_nothing_else()
+    {
+        string[] left = [.. Enumerable.Range(0, 4).Select(_ => AtomicFile.Temporary(_folder["a"]))];
+        string other = AtomicFile.Temporary(_folder["b"]);
+        DateTime now = DateTime.UtcNow;
+        foreach (string path in left.Append(other))
+        {
+            File.WriteAllText(path, "half");
+            File.SetLastWriteTimeUtc(path, now.AddMinutes(-2));
+        }
+
+        // One was written to lately, and one is open, as while a slow disk is waited for.
+        File.SetLastWriteTimeUtc(left[2], now);
+        using (new FileStream(left[3], FileMode.Open, FileAccess.ReadWrite, FileShare.Delete))
+        {
+            AtomicFile.Sweep(_folder["a"], now.AddMinutes(-1));
+            Assert.Equal(new[] { left[2], left[3], other }.Order(), Directory.GetFileSystemEntries(_folder.Path).Order());
+        }
+
+        AtomicFile.Sweep(_folder["a"], now.AddMinutes(-1));
+        Assert.Equal(new[] { left[2], other }.Order(), Directory.GetFileSystemEntries(_folder.Path).Order());
+    }
+
+    [Fact]
+    public void Long_names_have_temporary_ones_that_are_no_longer_than_names_may_be()
+    {
+        string name = new string('ö', 120) + ".png";
+        AtomicFile.Write(_folder[name], stream => stream.Write("new"u8));
+        Assert.Equal([_folder[name]], Directory.GetFileSystemEntries(_folder.Path));
+    }
+
+    [Fact]
     public void Other_exceptions_pass_through_and_nothing_is_left()
     {
         Assert.Throws<OperationCanceledException>(() => AtomicFile.Write(_folder["a"], _ => throw new OperationCanceledException()));

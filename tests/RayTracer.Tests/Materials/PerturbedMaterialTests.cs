@@ -60,6 +60,24 @@ public class PerturbedMaterialTests
         Assert.Equal(expected, bsdf.G[0] * cosine * Math.PI / 4, 6e-5);
     }
 
+    [Theory]
+    [InlineData(TurnedNormal.Mirror)]
+    [InlineData(TurnedNormal.Flip)]
+    [InlineData(TurnedNormal.Back)]
+    public void The_cosine_is_that_of_the_normal_which_is_seen(TurnedNormal turned)
+    {
+        // Steep maps, seen at all angles from both sides: many are turned away, and some of them cannot be flipped into view either.
+        Random random = new(TestSettings.Seed);
+        for (int i = 0; i < 500; i++)
+        {
+            NormalMapMaterial map = new(new DiffuseMaterial(new SolidTexture(Rgb.White)), new SolidTexture(new((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble())), 1) { Turned = turned };
+            SurfaceW surface = Surface(new Vector3D(random.NextDouble() - 0.5, random.NextDouble() - 0.5, (random.NextDouble() - 0.5) / 2).Unit);
+            map.Prepare(ref surface);
+            Assert.Equal(-Vector3D.Of(surface.Incoming, 0).Dot(Vector3D.Of(surface.Facing, 0)), surface.Cosine[0], 2e-6);
+            Assert.Equal(1, Vector3D.Of(surface.Facing, 0).Length, 1e-5);
+        }
+    }
+
     [Fact]
     public void Hills_of_a_picture_have_its_exact_slopes()
     {

@@ -102,6 +102,17 @@ public class AdaptiveSamplingTests
     }
 
     [Fact]
+    public void Who_is_short_of_time_decides_by_the_first_look()
+    {
+        SampleGoal goal = new() { Error = 0.001, MeanSamples = 512, MostSamples = 512 };
+        SamplePlan whole = new SamplePlanner(LampsWith(3), new(), goal).Plan();
+        SamplePlan hasty = new SamplePlanner(LampsWith(3), new(), goal) { IsShortOfTime = () => true }.Plan();
+
+        Assert.True(whole.Statistics.Paths >= 2 * hasty.Statistics.Paths, $"{whole.Statistics.Paths} and {hasty.Statistics.Paths} deciding paths");
+        Assert.True(hasty.TotalSamples > 0);
+    }
+
+    [Fact]
     public void A_goal_out_of_reach_takes_all_samples_and_says_so()
     {
         SamplePlan plan = new SamplePlanner(LampsWith(3), new(), new() { Error = 0.001, MeanSamples = 32, MostSamples = 32 }).Plan();
@@ -114,7 +125,7 @@ public class AdaptiveSamplingTests
     {
         // Pictures of one pixel, an eighth of which shines. Samples that decided on their own number would make it darker: where none of the first
         // meets a lamp, no more would be taken.
-        int seeds = TestSettings.Scale(512, 8192);
+        int seeds = TestSettings.Scale(512, 4096);
         ImageSamples adaptive = new(1, 1);
         ImageSamples plain = new(1, 1);
         SampleGoal goal = new() { IsAdaptive = true, Error = 0.3, MeanSamples = 256, MostSamples = 1024 };

@@ -47,6 +47,72 @@ public class ShadingNormalTests
         Assert.True(Brightness(Load(upright, 4, made, "[0, 16, 0]")) > 0);
     }
 
+    [Theory]
+    [InlineData(4, true)]
+    [InlineData(-4, false)]
+    public void What_shines_is_told_by_the_surface_itself_even_where_normals_are_taken_literally(int height, bool isSeen)
+    {
+        // The normals lean over to the other side, from where the surface then seems to be seen; its light still leaves it above.
+        const string over = "[0.9, -0.3, 0], [0.9, -0.3, 0], [0.9, -0.3, 0], [0.9, -0.3, 0]";
+        const string upright = "[0, 1, 0], [0, 1, 0], [0, 1, 0], [0, 1, 0]";
+        const string lamp = """{ "type": "luminaire", "multiplier": 3 }""";
+        const string render = """ "integrator": "path", "maxDepth": 1, "shadingNormals": "literal" """;
+        double seen = Brightness(Load(over, height, lamp, "[0, 100, 0]", render));
+        Assert.Equal(isSeen, seen > 0);
+        Assert.Equal(Brightness(Load(upright, height, lamp, "[0, 100, 0]", render)), seen);
+    }
+
+    [Theory]
+    [InlineData("""{ "type": "dielectric", "refractiveIndex": 1.5 }""")]
+    [InlineData("""{ "type": "conductor", "eta": [0.2, 0.9, 1.5], "k": [3, 2.5, 2] }""")]
+    [InlineData("""{ "type": "roughDielectric", "refractiveIndex": 1.5, "alpha": 0.2 }""")]
+    public void A_normal_that_is_flipped_into_view_looks_as_one_that_was_drawn_so(string material)
+    {
+        // The map leans away from the camera, which sees it at a shallow angle; the other one leans as far towards it.
+        double flipped = Plate("[0.9, 0.5, 0.8]");
+        Assert.Equal(Plate("[0.1, 0.5, 0.8]"), flipped, flipped * 1e-3);
+
+        double Plate(string map) => Brightness(TestScenes.Build(
+            $$"""
+            {
+              "camera": { "position": [-5, 0.7, 0], "lookAt": [0, 0, 0], "fieldOfView": 4 },
+              "render": { "width": 16, "height": 16, "samplesPerPixel": 16, "integrator": "path", "maxDepth": 3 },
+              "shapes": [
+                { "type": "rectangle", "corner": [-2, 0, 1], "edgeU": [4, 0, 0], "edgeV": [0, 0, -2],
+                  "material": { "type": "normalMap", "turned": "flip", "map": { "type": "solid", "color": {{map}} }, "material": {{material}} } },
+                { "type": "plane", "point": [0, 9, 0], "normal": [0, -1, 0], "size": [30, 30], "material": { "type": "luminaire" } },
+                { "type": "plane", "point": [0, -9, 0], "normal": [0, 1, 0], "size": [30, 30], "material": { "type": "luminaire", "multiplier": 0.3 } }
+              ]
+            }
+            """));
+    }
+
+    [Theory]
+    [InlineData("MAP", true)]
+    [InlineData("""{ "type": "twoSided", "front": MAP, "back": MAP }""", true)]
+    [InlineData("""{ "type": "luminaire", "multiplier": 0.1, "material": MAP }""", true)]
+    [InlineData("""{ "type": "mask", "opacity": 0.8, "material": MAP }""", true)]
+    [InlineData("""{ "type": "normalMap", "turned": "back", "map": { "type": "solid", "color": [1, 0.5, 0.6] }, "material": { "type": "phongMetal" } }""", false)]
+    public void Normals_that_are_mirrored_into_view_leave_nothing_to_take_literally(string material, bool isSame)
+    {
+        // What metal that leans aside reflects goes on below the surface: taken literally, that is where the floor is.
+        string made = material.Replace("MAP", """{ "type": "normalMap", "map": COLOR, "material": { "type": "phongMetal" } }""", StringComparison.Ordinal)
+            .Replace("COLOR", """{ "type": "solid", "color": [0.5, 1, 0.6] }""", StringComparison.Ordinal);
+        string[] hashes = [.. new[] { "literal", "mended" }.Select(n => new RTracer(TestScenes.Build(
+            $$"""
+            {
+              "camera": { "position": [-3, 1, 0], "lookAt": [0, 0, 0], "fieldOfView": 12 },
+              "render": { "width": 16, "height": 16, "samplesPerPixel": 4, "integrator": "path", "maxDepth": 3, "shadingNormals": "{{n}}" },
+              "background": [0.5, 0.5, 0.5],
+              "shapes": [
+                { "type": "rectangle", "corner": [-1, 0, 1], "edgeU": [2, 0, 0], "edgeV": [0, 0, -2], "material": {{made}} },
+                { "type": "plane", "point": [0, -1, 0], "normal": [0, 1, 0] }
+              ]
+            }
+            """)).Render().Film.ComputeHash())];
+        Assert.Equal(isSame, hashes[0] == hashes[1]);
+    }
+
     private static double Brightness(Scene scene)
     {
         Film film = new RTracer(scene).Render().Film;
@@ -54,14 +120,14 @@ public class ShadingNormalTests
     }
 
     // A square around the origin with normals at its corners, seen from above or below, and a lamp.
-    private static Scene Load(string normals, int height, string material, string lamp)
+    private static Scene Load(string normals, int height, string material, string lamp, string render = """ "maxDiffuseDepth": 3, "maxSpecularDepth": 3 """)
     {
         SceneLoadResult result = SceneLoader.Build(
             SceneReader.ReadText(
                 $$"""
                 {
                   "camera": { "position": [0, {{height}}, 0], "lookAt": [0, 0, 0], "up": [0, 0, 1], "fieldOfView": 12 },
-                  "render": { "width": 16, "height": 16, "samplesPerPixel": 16, "maxDiffuseDepth": 3, "maxSpecularDepth": 3 },
+                  "render": { "width": 16, "height": 16, "samplesPerPixel": 16, {{render}} },
                   "shapes": [
                     { "type": "mesh", "positions": [[-1, 0, -1], [-1, 0, 1], [1, 0, 1], [1, 0, -1]], "normals": [{{normals}}],
                       "uv": [[0, 0], [0, 1], [1, 1], [1, 0]], "triangles": [[0, 1, 2], [0, 2, 3]], "material": {{material}} },

@@ -53,7 +53,7 @@ public class SamplerTests
     [Theory]
     [InlineData(Dimensions.Pixel)]
     [InlineData(FirstGroup)]
-    [InlineData(FirstGroup + 4)]
+    [InlineData(FirstGroup + 5)]
     public void Sobol_pairs_are_nets_in_base_two_for_every_power_of_two_of_samples(uint group)
     {
         foreach (int log in new[] { 0, 1, 2, 3, 4, 5, 6, 7, 8, 14 })
@@ -77,15 +77,17 @@ public class SamplerTests
     }
 
     [Theory]
-    [InlineData(6)]
-    [InlineData(8)]
-    [InlineData(11)]
-    public void Pixel_and_lens_together_are_a_net_in_four_dimensions(int log)
+    [InlineData(Dimensions.Pixel, Dimensions.Lens, 6)]
+    [InlineData(Dimensions.Pixel, Dimensions.Lens, 8)]
+    [InlineData(Dimensions.Pixel, Dimensions.Lens, 11)]
+    [InlineData(FirstGroup, FirstGroup + Dimensions.SecondOfFour, 8)]
+    [InlineData(FirstGroup + 5, FirstGroup + 5 + Dimensions.SecondOfFour, 8)]
+    public void Two_groups_together_are_a_net_in_four_dimensions(uint first, uint second, int log)
     {
         // The polynomials of the first four dimensions have degrees 0, 1, 2 and 3: the quality parameter is the sum of degree − 1, t = 3
         // (Sobol 1967). Each box of volume 2^t/N has then 2^t of N points, however it is cut.
-        var pixel = Points(SamplerKind.Sobol, 1 << log, 5, Dimensions.Pixel);
-        var lens = Points(SamplerKind.Sobol, 1 << log, 5, Dimensions.Lens);
+        var halves = Points(SamplerKind.Sobol, 1 << log, 5, first, pair: 0);
+        var others = Points(SamplerKind.Sobol, 1 << log, 5, second, pair: 0);
         int free = log - 3;
         for (int cut = 0; cut < 1 << (2 * 4); cut++)
         {
@@ -93,12 +95,20 @@ public class SamplerTests
             digits[3] = free - digits.Sum();
             if (digits[3] >= 0)
             {
-                var boxes = pixel.Zip(lens, (p, l) => (
+                var boxes = halves.Zip(others, (p, l) => (
                     (int)(p.U * (1 << digits[0])), (int)(p.V * (1 << digits[1])), (int)(l.U * (1 << digits[2])), (int)(l.V * (1 << digits[3]))));
                 Assert.All(boxes.CountBy(b => b), box => Assert.Equal(8, box.Value));
             }
         }
     }
+
+    [Theory]
+    [InlineData(Dimensions.Pixel)]
+    [InlineData(Dimensions.Lens)]
+    [InlineData(FirstGroup)]
+    [InlineData(FirstGroup + 3)]
+    public void First_Sobol_samples_are_the_same_however_many_follow(uint group) =>
+        Assert.Equal(Points(SamplerKind.Sobol, 64, 9, group, pair: 1), Points(SamplerKind.Sobol, 1 << 14, 9, group, pair: 1)[..64]);
 
     [Theory]
     [InlineData(2435)]

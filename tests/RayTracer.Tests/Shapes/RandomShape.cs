@@ -18,7 +18,7 @@ internal sealed class RandomShape
     /// <summary>All kinds of shapes.</summary>
     public static string[] Kinds { get; } =
     [
-        "sphere", "rectangle", "plane", "triangle", "disk", "parallelogram", "box", "cylinder", "cone", "frustum", "pipe", "funnel", "torus",
+        "sphere", "rectangle", "plane", "triangle", "disk", "parallelogram", "box", "turned box", "cylinder", "cone", "frustum", "pipe", "funnel", "torus",
     ];
 
     /// <summary>Makes a shape.</summary>
@@ -38,6 +38,7 @@ internal sealed class RandomShape
             "disk" => new Disk(s_material, "", place, Direction(), Size(scale)),
             "parallelogram" => Parallelogram(place, scale),
             "box" => new Box(s_material, "", place + (new Vector3(Size(scale), Size(scale), Size(scale)) * 0.7f), place - new Vector3(Size(scale), Size(scale), Size(scale))),
+            "turned box" => TurnedBoxes.Make(s_material, place, Direction(), 360 * _random.NextSingle(), new Vector3(Size(scale), Size(scale), Size(scale))),
             "cylinder" => new Cylinder(s_material, "", place, place + (Direction() * Size(scale)), Size(scale), caps: true),
             "pipe" => new Cylinder(s_material, "", place, place + (Direction() * Size(scale)), Size(scale), caps: false),
             "cone" => new Cone(s_material, "", place, place + (Direction() * Size(scale)), Size(scale), 0, caps: true),
@@ -47,7 +48,7 @@ internal sealed class RandomShape
             _ => new Triangle(s_material, "", place + (Vector() * scale), place + (Vector() * scale), place + (Vector() * scale), new(0, 0), new(1, 0), new(0, 1)),
         };
         Batch = Shape.CreateBatch([Shape]);
-        _solid = Shape is Box or ConicalShape or Torus ? new(Shape) : null;
+        _solid = Shape is Box or TurnedBox or ConicalShape or Torus ? new(Shape) : null;
         Reach = scale;
         Center = place;
         Largest = scale * (1 + away);
@@ -78,6 +79,7 @@ internal sealed class RandomShape
         ConicalShape s => Vector3.Abs((s.Bottom + s.Top) / 2).Largest() + new Vector2(s.Height / 2, Math.Max(s.Radius, s.TopRadius)).Length(),
         Torus t => Vector3.Abs(t.Center).Largest() + t.Radius + t.TubeRadius,
         Box b => Vector3.Max(Vector3.Abs(b.Bounds.Minimum), Vector3.Abs(b.Bounds.Maximum)).Largest(),
+        TurnedBox b => Vector3.Max(Vector3.Abs(b.Bounds.Minimum), Vector3.Abs(b.Bounds.Maximum)).Largest(),
         _ => Vector3.Abs(point).Largest(),
     };
 

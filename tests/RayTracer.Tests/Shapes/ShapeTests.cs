@@ -14,7 +14,7 @@ public class ShapeTests
     private static readonly Material s_material = new DiffuseMaterial(new SolidTexture(Rgb.White));
 
     public static TheoryData<string> Kinds() =>
-        ["sphere", "surface sphere", "rectangle", "triangle", "disk", "parallelogram", "box", "cylinder", "cone", "frustum", "torus"];
+        ["sphere", "surface sphere", "rectangle", "triangle", "disk", "parallelogram", "box", "turned box", "cylinder", "cone", "frustum", "torus"];
 
     [Theory]
     [MemberData(nameof(Kinds))]
@@ -347,6 +347,7 @@ public class ShapeTests
         "disk" => new Disk(s_material, "", new(0.1f, 0.2f, -0.3f), Vector3.Normalize(new(0.2f, 1, 0.3f)), 1.3f),
         "parallelogram" => new Rectangle(s_material, "", new(-1, 0.1f, 1), new(2, 0.3f, 0.5f), new(0.4f, 0.2f, -1.7f)),
         "box" => new Box(s_material, "", new(-0.8f, 0.6f, 0.8f), new(0.9f, -0.5f, -0.7f)),
+        "turned box" => TurnedBoxes.Make(s_material, new(0.1f, 0.1f, -0.1f), new(0.3f, 1, 0.2f), 25, new(0.8f, 0.5f, 0.7f)),
         "cylinder" => new Cylinder(s_material, "", new(-0.2f, -0.6f, 0.1f), new(0.3f, 0.7f, -0.2f), 0.8f, caps: true),
         "cone" => new Cone(s_material, "", new(-0.2f, -0.6f, 0.1f), new(0.3f, 0.7f, -0.2f), 0.8f, 0, caps: true),
         "frustum" => new Cone(s_material, "", new(-0.2f, -0.6f, 0.1f), new(0.3f, 0.7f, -0.2f), 0.5f, 0.9f, caps: true),

@@ -4,7 +4,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Tests.Shapes;
 
 /// <summary>
-/// Boxes, cylinders, cones and tori in double precision, known only by how far a point is from them: rays meet them by walking as far as that is
+/// Boxes (askew, too), cylinders, cones and tori in double precision, known only by how far a point is from them: rays meet them by walking as far as that is
 /// safe (Hart 1996), which shares nothing with the program's roots.
 /// </summary>
 /// <param name="shape">The shape.</param>
@@ -18,9 +18,9 @@ internal sealed class SolidReference(Shape shape)
     /// <summary>Distance from the solid (with its caps, if it has none), negative inside.</summary>
     public double Signed(Double3 p)
     {
-        if (shape is Box box)
+        if (shape is Box or TurnedBox)
         {
-            (double x, double y, double z) = Beyond(box, p);
+            (double x, double y, double z) = Beyond(p);
             double outside = new Double3(Math.Max(x, 0), Math.Max(y, 0), Math.Max(z, 0)).Length;
             return outside > 0 ? outside : Math.Max(x, Math.Max(y, z));
         }
@@ -56,9 +56,9 @@ internal sealed class SolidReference(Shape shape)
     /// <summary>Whether a point of the surface lies next to an edge, or where the surface is too narrow to tell its uv.</summary>
     public bool IsNearEdge(Double3 p, double margin)
     {
-        if (shape is Box box)
+        if (shape is Box or TurnedBox)
         {
-            (double x, double y, double z) = Beyond(box, p);
+            (double x, double y, double z) = Beyond(p);
             return new[] { x, y, z }.Count(d => Math.Abs(d) < margin) > 1;
         }
 
@@ -143,9 +143,17 @@ internal sealed class SolidReference(Shape shape)
         return ((v - (_axis.Axis * height)).Length, height);
     }
 
-    private static (double X, double Y, double Z) Beyond(Box box, Double3 p)
+    private (double X, double Y, double Z) Beyond(Double3 p)
     {
-        Bounds b = box.Bounds;
+        if (shape is TurnedBox box)
+        {
+            Double3 v = p - new Double3(box.Center);
+            return (Along(box.Axes.X) - box.Half.X, Along(box.Axes.Y) - box.Half.Y, Along(box.Axes.Z) - box.Half.Z);
+
+            double Along(Vector3 axis) => Math.Abs(Double3.Dot(v, new Double3(axis).Unit));
+        }
+
+        Bounds b = shape.Bounds;
         return (Math.Max(b.Minimum.X - p.X, p.X - b.Maximum.X), Math.Max(b.Minimum.Y - p.Y, p.Y - b.Maximum.Y), Math.Max(b.Minimum.Z - p.Z, p.Z - b.Maximum.Z));
     }
 

@@ -13,7 +13,7 @@ public class SolidShapeTests
     private const double Roundoff = 1.0 / (1 << 24);
     private static readonly Material s_material = new DiffuseMaterial(new SolidTexture(Rgb.White));
 
-    public static TheoryData<string> Solids() => ["box", "cylinder", "cone", "needle", "plate", "frustum", "torus"];
+    public static TheoryData<string> Solids() => ["box", "turned box", "cylinder", "cone", "needle", "plate", "frustum", "torus"];
 
     [Theory]
     [MemberData(nameof(Solids))]
@@ -21,7 +21,7 @@ public class SolidShapeTests
     {
         Random random = new(TestSettings.Seed);
         int leaks = 0, rays = 0;
-        for (int turn = 0; turn < TestSettings.Scale(300, 20_000); turn++)
+        for (int turn = 0; turn < TestSettings.Scale(300, 10_000); turn++)
         {
             Shape shape = Make(kind, random, new[] { 0f, 3f, 100f }[turn % 3]);
             ShapeBatch batch = shape.CreateBatch([shape]);
@@ -67,7 +67,7 @@ public class SolidShapeTests
     {
         Random random = new(TestSettings.Seed);
         int met = 0;
-        for (int turn = 0; turn < TestSettings.Scale(4000, 200_000); turn++)
+        for (int turn = 0; turn < TestSettings.Scale(4000, 80_000); turn++)
         {
             Vector3 center = (Cube(random) - new Vector3(0.5f)) * new[] { 0f, 4f, 100f }[turn % 3];
             Torus torus = new(s_material, "", center, Cube(random) - new Vector3(0.5f), 1, ratio);
@@ -127,6 +127,7 @@ public class SolidShapeTests
         return kind switch
         {
             "box" => new Box(s_material, "", place, place + new Vector3(0.2f) + Cube(random)),
+            "turned box" => TurnedBoxes.Make(s_material, place, axis, 360 * random.NextSingle(), new Vector3(0.1f) + (0.5f * Cube(random))),
             "cylinder" => new Cylinder(s_material, "", place, place + axis, size, caps: true),
             "cone" => new Cone(s_material, "", place, place + axis, size, 0, caps: true),
             "needle" => new Cone(s_material, "", place, place + axis, 0.03f * size, 0, caps: true),
@@ -147,6 +148,11 @@ public class SolidShapeTests
                 Vector3 p = new(random.Next(2), random.Next(2), random.Next(2));
                 p[random.Next(3)] = part;
                 return box.Bounds.Minimum + ((box.Bounds.Maximum - box.Bounds.Minimum) * p);
+            case TurnedBox turned:
+                Vector3 corner = new(random.Next(2), random.Next(2), random.Next(2));
+                corner[random.Next(3)] = part;
+                Vector3 within = turned.Half * ((2 * corner) - Vector3.One);
+                return turned.Center + (turned.Axes.X * within.X) + (turned.Axes.Y * within.Y) + (turned.Axes.Z * within.Z);
             case ConicalShape s:
                 Vector3 axis = s.Top - s.Bottom;
                 Vector3 first = Vector3.Normalize(Vector3.Cross(axis, Math.Abs(axis.X) < Math.Abs(axis.Y) ? Vector3.UnitX : Vector3.UnitY));

@@ -2,6 +2,7 @@ using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Shapes;
+using RayTracer.Tests.Shapes;
 using Plane = RayTracer.Shapes.Plane;
 
 namespace RayTracer.Tests.Statistics;
@@ -46,6 +47,7 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
         new("triangle, from behind", s_triangle, new(0.5f, -3, 1)),
         .. Around("disk", new Disk(s_material, "", new(0.1f, 0.2f, -0.3f), Vector3.Normalize(new(0.2f, 1, 0.3f)), 1.3f)),
         .. Around("parallelogram", new Rectangle(s_material, "", new(-1, 0.1f, 1), new(2, 0.3f, 0.5f), new(0.4f, 0.2f, -1.7f))),
+        .. Around("turned box", TurnedBoxes.Make(s_material, new(0.1f, 0.1f, -0.1f), new(0.3f, 1, 0.2f), 25, new(0.8f, 0.5f, 0.7f))),
         .. Around("box", new Box(s_material, "", new(-0.8f, 0.6f, 0.8f), new(0.9f, -0.5f, -0.7f))),
         .. Around("cylinder", new Cylinder(s_material, "", s_bottom, s_top, 0.8f, caps: true)),
         .. Around("pipe", new Cylinder(s_material, "", s_bottom, s_top, 0.8f, caps: false)),
@@ -60,7 +62,7 @@ internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
     [
         new(name, shape, new(0.5f, 3, 1)), new(name + ", from the side", shape, new(2.6f, 0.3f, -0.7f)),
         new(name + ", from below", shape, new(-0.4f, -2.5f, 0.3f)), new(name + ", far", shape, new(40, 25, -20)),
-        .. shape is Box ? Array.Empty<LightCase>() : [new(name + ", from inside", shape, new(0.1f, 0.1f, 0))],
+        .. shape is Box or TurnedBox ? Array.Empty<LightCase>() : [new(name + ", from inside", shape, new(0.1f, 0.1f, 0))],
     ];
 
     /// <summary>Unit direction to a sphere's centre.</summary>

@@ -80,7 +80,11 @@ internal sealed class LightSurface
             case Rectangle r:
                 return [Face(r.Corner, r.EdgeU, r.EdgeV)];
             case Box b:
-                return BoxFaces(b.Bounds).Where(f => f.Off(from) > 0);
+                Vector3D size = (Vector3D)b.Bounds.Maximum - b.Bounds.Minimum;
+                return BoxFaces(b.Bounds.Minimum, new(size.X, 0, 0), new(0, size.Y, 0), new(0, 0, size.Z)).Where(f => f.Off(from) > 0);
+            case TurnedBox t:
+                (Vector3D x, Vector3D y, Vector3D z) = ((Vector3D)t.Axes.X * (2 * t.Half.X), (Vector3D)t.Axes.Y * (2 * t.Half.Y), (Vector3D)t.Axes.Z * (2 * t.Half.Z));
+                return BoxFaces((Vector3D)t.Center - ((x + y + z) * 0.5), x, y, z).Where(f => f.Off(from) > 0);
             case ConicalShape s:
                 return Conical(s).Where((part, i) => i == 0 || part.Off(from) > 0);
             default:
@@ -96,11 +100,9 @@ internal sealed class LightSurface
     }
 
     // x, y, z in this order; each face's first edge is the one that u is chosen along.
-    private static IEnumerable<Part> BoxFaces(Bounds b)
+    private static IEnumerable<Part> BoxFaces(Vector3D low, Vector3D x, Vector3D y, Vector3D z)
     {
-        Vector3D size = (Vector3D)b.Maximum - b.Minimum;
-        (Vector3D x, Vector3D y, Vector3D z) = (new(size.X, 0, 0), new(0, size.Y, 0), new(0, 0, size.Z));
-        (Vector3D low, Vector3D high) = (b.Minimum, b.Maximum);
+        Vector3D high = low + x + y + z;
         (Part Face, Vector3D Across, Vector3D Along)[] faces =
         [
             (Face(high - y, -z, y), y, z), (Face(low, z, y), y, z), (Face(low + y + z, x, -z), x, z),

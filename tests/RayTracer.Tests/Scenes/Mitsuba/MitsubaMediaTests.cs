@@ -38,6 +38,14 @@ public class MitsubaMediaTests
         Assert.Equal("what the camera stands in is told here by the shapes around it: this has no effect", TestScene.Complaint("", sensor));
     }
 
+    [Fact]
+    public void A_medium_may_stand_by_itself_and_fill_several_shapes()
+    {
+        string medium = Fog.Replace(" name=\"interior\"", " id=\"fog\"", StringComparison.Ordinal);
+        const string ball = """<shape type="sphere"><bsdf type="null"/><ref id="fog" name="interior"/></shape>""";
+        Assert.All(TestScene.Of(medium + ball + ball).Shapes, s => Assert.Equal(new(2, 4, 6), Of(s).Extinction));
+    }
+
     private static MediumDescription Of(ShapeDescription shape) => Of(shape.Material);
 
     private static MediumDescription Of(MaterialDescription material) => material switch

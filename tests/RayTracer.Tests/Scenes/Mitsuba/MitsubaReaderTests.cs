@@ -92,6 +92,17 @@ public class MitsubaReaderTests
     }
 
     [Fact]
+    public void What_refers_to_what_refers_on_ends_somewhere()
+    {
+        string Chain(int length) => string.Concat(Enumerable.Range(0, length).Select(i => $"""<bsdf type="mask" id="m{i}"><ref id="m{i + 1}"/></bsdf>""")) + $"""<bsdf type="diffuse" id="m{length}"/>""";
+        Assert.Equal(51, TestScene.Of(Chain(50)).Materials.Count);
+        using TestScene scene = new();
+        IReadOnlyList<Diagnostic> diagnostics = [.. MitsubaReader.Read(scene.Write("scene.xml", Chain(20_000))).Diagnostics];
+        Assert.NotEmpty(diagnostics);
+        Assert.All(diagnostics, d => Assert.Equal("things are nested more than 64 deep", d.Message));
+    }
+
+    [Fact]
     public void Anything_in_the_middle_of_a_file_gives_diagnostics_and_no_exception()
     {
         string[] pieces =

@@ -1,0 +1,90 @@
+using System.CommandLine;
+
+namespace RayTracer.Cli;
+
+/// <summary><c>raytracer cluster slurm SCENE</c>: the options. The work is in <see cref="SlurmJob"/>.</summary>
+internal sealed class ClusterVerb
+{
+    private readonly Argument<string> _scene = new("SCENE") { Description = "The scene file, in a folder that all nodes see." };
+    private readonly ParsedOption<long?> _tasks = OptionValues.Integer("--tasks", "How many tasks share the samples, or with --frames the frames.", 1, 100_000);
+    private readonly ParsedOption<FrameRange?> _frames = FrameRange.Option();
+    private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
+    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Processor cores for each task; 1 without it.", 1, 1024);
+    private readonly Option<string?> _partition = new("--partition") { Description = "The partition of the cluster.", HelpName = "NAME" };
+    private readonly Option<string?> _time = new("--time-limit") { Description = "The longest time of a task, as Slurm writes it: 30 (minutes), 2:00:00, 1-12:00:00.", HelpName = "TIME" };
+    private readonly Option<string?> _memory = new("--memory") { Description = "Memory of a task, as Slurm writes it: 4G.", HelpName = "SIZE" };
+    private readonly Option<string[]> _lines = new("--sbatch") { Description = "A further option of sbatch, such as --account=lab. May be given several times.", HelpName = "OPTION" };
+    private readonly ParsedOption<long?> _retries = OptionValues.Integer("--retries", "How often parts that failed are rendered again; 2 without it.", 0, 100);
+    private readonly Option<string?> _folder = new("--folder") { Description = "Where scripts, parts and logs go; without it, a folder .slurm beside the output.", HelpName = "FOLDER" };
+    private readonly Option<string?> _program = new("--program") { Description = "The command raytracer as nodes know it; without it, the one that runs here.", HelpName = "COMMAND" };
+    private readonly Option<bool> _submit = new("--submit") { Description = "Hands the jobs in with sbatch; without it, they are only written." };
+    private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
+    private readonly SceneOverrides _overrides;
+    private readonly WritingOptions _writing;
+
+    private ClusterVerb(Command command)
+    {
+        command.Arguments.Add(_scene);
+        _writing = new(command);
+        _overrides = new(command);
+        foreach (Option option in _writing.Looks.Concat([_tasks.Symbol, _frames.Symbol, _crop.Symbol, _threads.Symbol, _partition, _time, _memory, _lines, _retries.Symbol, _folder, _program, _submit, _quiet]))
+        {
+            command.Options.Add(option);
+        }
+    }
+
+    public static void Build(Command command, Streams streams)
+    {
+        Command slurm = new("slurm", "Writes the jobs of a Slurm cluster that render the parts of a picture, or frames, and merge them.");
+        ClusterVerb verb = new(slurm);
+        slurm.SetAction(result => verb.Job(result).Run(result.GetValue(verb._submit), result.GetValue(verb._quiet), streams));
+        command.Subcommands.Add(slurm);
+        command.SetAction(int (_) => throw new CommandException(ExitStatus.Usage, "which cluster? There is: raytracer cluster slurm SCENE --tasks 16 -o out.exr"));
+    }
+
+    private SlurmJob Job(ParseResult result)
+    {
+        IReadOnlyList<string> outputs = _writing.Files(result);
+        if (outputs.Count == 0)
+        {
+            throw new CommandException(ExitStatus.Usage, "where to? Give -o FILE");
+        }
+
+        if (_tasks.Value(result) is not { } tasks)
+        {
+            throw new CommandException(ExitStatus.Usage, "how many tasks? Give --tasks N");
+        }
+
+        string[] crop = _crop.Value(result) is { } c ? ["--crop", string.Join(',', c)] : [];
+        FrameRange? frames = _frames.Value(result);
+        string[] render = [Path.GetFullPath(result.GetValue(_scene)!), .. _overrides.Words(result), .. crop];
+        string[] looks = [.. _writing.Words(result)];
+        string[] files = [.. outputs.SelectMany(o => new[] { "-o", Path.GetFullPath(o) })];
+
+        // Wrong words are told here, not by every task.
+        (RenderRequest request, Func<Description.SceneDescription, Description.SceneDescription> changes) =
+            RenderVerb.Parse(frames is null ? [.. render, .. looks, .. files] : [.. render, .. looks, .. files, "--frames", $"{frames}", "--part", $"1/{tasks}"]);
+        return new()
+        {
+            Request = request,
+            Overrides = changes,
+            Tasks = (int)tasks,
+            Render = render,
+            Looks = looks,
+            Files = files,
+            Folder = Path.GetFullPath(result.GetValue(_folder) ?? Path.ChangeExtension(FrameRange.Name(outputs[0], 0), ".slurm")),
+            Program = result.GetValue(_program),
+            Threads = (int)(_threads.Value(result) ?? 1),
+            Retries = (int)(_retries.Value(result) ?? 2),
+            Lines =
+            [
+                .. Line("--partition", result.GetValue(_partition)),
+                .. Line("--time", result.GetValue(_time)),
+                .. Line("--mem", result.GetValue(_memory)),
+                .. result.GetValue(_lines) ?? [],
+            ],
+        };
+    }
+
+    private static string[] Line(string name, string? value) => value is null ? [] : [$"{name}={value}"];
+}

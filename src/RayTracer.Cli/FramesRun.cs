@@ -1,0 +1,265 @@
+using System.Diagnostics;
+using RayTracer.Description;
+using RayTracer.Imaging;
+using RayTracer.Scenes;
+using RayTracer.Textures;
+
+namespace RayTracer.Cli;
+
+/// <summary>
+/// Renders frames of an animation one after the other, each to its own file, or all into an animated PNG. What was rendered before, of the same scene with the same
+/// options, is left as it is: so a run that was stopped goes on where it was.
+/// </summary>
+/// <param name="request">What was asked for.</param>
+/// <param name="overrides">Puts the options of the command line into the scene.</param>
+/// <param name="streams">Where to write.</param>
+internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, SceneDescription> overrides, Streams streams)
+{
+    private static readonly string[] OnlyHere = ["--quiet", "--json", "--verbose"];
+    private static readonly string[] OnlyHereWithValue = ["--frames", "--fps", "--part", "--threads", "-o", "--output"];
+    private readonly FrameRange _frames = request.Frames!;
+    private readonly Dictionary<(string Path, bool Raw), Picture> _pictures = [];
+    private readonly List<RenderedFrame> _done = [];
+    private readonly string[] _animated = [.. request.Outputs.Where(o => IsAnimated(o, request.Frames!))];
+    private AnimatedPng? _animation;
+
+    /// <summary>Whether a request is for more than one picture.</summary>
+    public static bool Is(RenderRequest request) =>
+        request.Frames is { } frames && (frames.Count > 1 || request.Outputs.Any(o => o.Contains('#', StringComparison.Ordinal) || IsAnimated(o, frames)));
+
+    /// <summary>What cannot go together with several frames; null where all is well.</summary>
+    public static string? Contradiction(RenderRequest request) => !Is(request) ? null : request switch
+    {
+        { Pixel: not null } => "--pixel prints one picture's numbers: give one frame",
+        { Checkpoint: not null } => "--checkpoint is for one picture: of several frames, those that are whole are kept anyway, and the same command goes on with the others",
+        { Preview: true } => "--preview shows one picture: give one frame",
+        { Outputs.Count: 0, Json: false } => "where to? Give -o frame-####.png",
+        _ when request.Outputs.FirstOrDefault(o => !o.Contains('#', StringComparison.Ordinal) && !IsAnimated(o, request.Frames!)) is { } single =>
+            $"-o {single}: {request.Frames!.Count} frames need as many files: put #### where their numbers shall stand",
+        { Part: { } part } when part.Count > request.Frames!.Count => $"--part {part.Number}/{part.Count}: with --frames, frames are shared out, and {request.Frames.Count} make {request.Frames.Count} parts at most",
+        { Part: not null } when request.Outputs.Any(o => IsAnimated(o, request.Frames!)) => "an animated PNG has all frames: leave --part out",
+        _ => null,
+    };
+
+    /// <summary>Renders all that is missing.</summary>
+    /// <returns>One of <see cref="ExitStatus"/>.</returns>
+    public int Run()
+    {
+        Stopwatch total = Stopwatch.StartNew();
+        foreach (string path in _animated)
+        {
+            ImageOutputs.CheckFolder(path);
+        }
+
+        int status = ExitStatus.Fine;
+        int[] frames = [.. Share()];
+        foreach (int frame in frames)
+        {
+            status = Math.Max(status, Frame(frame, $"{_done.Count + 1} of {frames.Length}"));
+            if (status is not (ExitStatus.Fine or ExitStatus.Noisy))
+            {
+                break;
+            }
+        }
+
+        status = WriteAnimation() ? status : ExitStatus.InputOutput;
+        if (request.Json)
+        {
+            WriteJson(total.Elapsed.TotalSeconds);
+        }
+
+        return status;
+    }
+
+    private static bool IsAnimated(string path, FrameRange frames) => path.EndsWith(".apng", StringComparison.OrdinalIgnoreCase)
+        || (frames.Count > 1 && path.EndsWith(".png", StringComparison.OrdinalIgnoreCase) && !path.Contains('#', StringComparison.Ordinal));
+
+    // Every N-th frame: neighbours take equally long, so that the parts do too.
+    private IEnumerable<int> Share() => request.Part is { } part ? _frames.Numbers.Where((_, i) => i % part.Count == part.Number - 1) : _frames.Numbers;
+
+    private int Frame(int frame, string which)
+    {
+        RenderRequest one = One(frame);
+        string? content = _animated.Length == 0 ? Content(one) : null;
+        if (content is not null && one.Outputs.Count > 0 && one.Outputs.Concat(new AovOutputs(one).Files).All(o => IsThere(o, content, one)))
+        {
+            _done.Add(new(frame, null, one.Outputs));
+            Say($"frame {frame} ({which}): there already");
+            return ExitStatus.Fine;
+        }
+
+        int status = new RenderRun(one, overrides, streams)
+        {
+            ReadPicture = ReadPicture,
+            Done = (outcome, written) =>
+            {
+                if (!outcome.Statistics.Cancelled)
+                {
+                    Add(outcome);
+                    _done.Add(new(frame, outcome, written));
+                    Say($"frame {frame} ({which}): {outcome.Seconds:F2} s{string.Concat(written.Select(w => $", {w}"))}");
+                }
+            },
+        }.Run();
+        if (status == ExitStatus.Scene)
+        {
+            streams.Fail($"this is wrong at frame {frame}");
+        }
+
+        return status;
+    }
+
+    private RenderRequest One(int frame)
+    {
+        string[] files = [.. request.Outputs.Except(_animated).Select(o => FrameRange.Name(o, frame))];
+        return request with
+        {
+            Frames = new(frame, frame, 1),
+            Part = null,
+            Outputs = files,
+            Quiet = true,
+            Json = false,
+            IsOfSequence = true,
+            OverrideWords = [.. request.OverrideWords, "--frames", $"{frame}"],
+            CommandText = Session.Shell.Command([.. Words(), "--frames", $"{frame}", .. files.SelectMany(f => new[] { "-o", f })]),
+        };
+    }
+
+    // The command without what does not change a frame's picture.
+    private IEnumerable<string> Words()
+    {
+        string[] words = Session.Shell.Words(request.CommandText)[1..];
+        for (int i = 0; i < words.Length; i++)
+        {
+            if (OnlyHereWithValue.Contains(words[i]))
+            {
+                i++;
+            }
+            else if (!OnlyHere.Contains(words[i]))
+            {
+                yield return words[i];
+            }
+        }
+    }
+
+    private string? Content(RenderRequest one) =>
+        SceneLoader.Describe(one.ScenePath, s => new NoiseRequest(one).Widen(overrides(s)), one.Settings, one.Frame) is { } scene ? ContentHash.Of(scene, one.ScenePath, one.Area) : null;
+
+    private static bool IsThere(string path, string content, RenderRequest one)
+    {
+        try
+        {
+            if (!File.Exists(path))
+            {
+                return false;
+            }
+
+            if (FilmFile.IsNamed(path))
+            {
+                FilmHeader header = FilmFile.ReadHeader(path);
+                return header.Content == content && header.IsComplete;
+            }
+
+            IReadOnlyList<KeyValuePair<string, string>> texts = ImageFile.ReadText(path);
+            return texts.Contains(new("Content", content)) && texts.Contains(new("Command", one.CommandText));
+        }
+        catch (PictureException)
+        {
+            // Something else, or damaged.
+            return false;
+        }
+    }
+
+    private void Add(RenderOutcome outcome)
+    {
+        if (_animated.Length == 0)
+        {
+            return;
+        }
+
+        double rate = request.FramesPerSecond ?? outcome.Scene.Render.FramesPerSecond / _frames.Step;
+        KeyValuePair<string, string>[] texts = [new("Software", CommandLine.Version), new("Command", request.CommandText)];
+        _animation ??= new(request.Writing with { Metadata = texts }, 1 / rate);
+        try
+        {
+            _animation.Add(outcome.Film);
+        }
+        catch (ArgumentException e)
+        {
+            throw new CommandException(ExitStatus.Scene, e.Message.Split(" (Parameter '")[0].TrimEnd('.'));
+        }
+    }
+
+    private bool WriteAnimation()
+    {
+        bool good = true;
+        foreach (string path in _animation is null ? [] : _animated)
+        {
+            try
+            {
+                _animation!.Write(path);
+                Say($"wrote {path}, {_animation.Count} frames");
+            }
+            catch (ImageWriteException e)
+            {
+                streams.Fail(e.Message.TrimEnd('.'));
+                good = false;
+            }
+        }
+
+        return good;
+    }
+
+    // Once for all frames.
+    private Picture ReadPicture(string path, bool raw)
+    {
+        if (!_pictures.TryGetValue((path, raw), out Picture? picture))
+        {
+            _pictures.Add((path, raw), picture = ImageFile.Read(path, raw));
+        }
+
+        return picture;
+    }
+
+    private void Say(string line)
+    {
+        if (!request.Quiet && !request.Json)
+        {
+            streams.Output.WriteLine(line);
+        }
+    }
+
+    private void WriteJson(double seconds) => JsonText.Write(streams, json =>
+    {
+        json.WriteStartArray("frames");
+        foreach (RenderedFrame frame in _done)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("frame", frame.Number);
+            json.WriteBoolean("rendered", frame.Outcome is not null);
+            if (frame.Outcome is { } outcome)
+            {
+                json.WriteNumber("renderSeconds", outcome.Seconds);
+                json.WriteString("filmHash", outcome.Hash);
+            }
+
+            json.WriteStartArray("outputs");
+            foreach (string path in frame.Files)
+            {
+                json.WriteStringValue(path);
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        json.WriteNumber("totalSeconds", seconds);
+    });
+
+    /// <summary>What became of a frame.</summary>
+    /// <param name="Number">Its number.</param>
+    /// <param name="Outcome">What its rendering came to; null where it was there already.</param>
+    /// <param name="Files">Its files.</param>
+    private sealed record RenderedFrame(int Number, RenderOutcome? Outcome, IReadOnlyList<string> Files);
+}

@@ -1,0 +1,56 @@
+using System.Diagnostics;
+
+namespace RayTracer.Cli;
+
+/// <summary>How long the stages of a rendering take.</summary>
+/// <param name="spoken">Where each stage is told when it ends; null for nowhere.</param>
+internal sealed class StageTimes(Streams? spoken)
+{
+    private long _last = Stopwatch.GetTimestamp();
+
+    /// <summary>Seconds for reading the scene file.</summary>
+    public double Load { get; private set; }
+
+    /// <summary>Seconds for reading pictures and models, and building what rays meet.</summary>
+    public double Build { get; private set; }
+
+    /// <summary>Seconds for writing files.</summary>
+    public double Write { get; private set; }
+
+    /// <summary>The most bytes of memory that the process has had; null where the system does not tell.</summary>
+    public static long? PeakMemory
+    {
+        get
+        {
+            using var process = Process.GetCurrentProcess();
+            return process.PeakWorkingSet64 is > 0 and long bytes ? bytes : null;
+        }
+    }
+
+    /// <summary>The scene file has been read.</summary>
+    public void EndLoad() => Load = End("load");
+
+    /// <summary>The scene has been built.</summary>
+    public void EndBuild() => Build = End("build");
+
+    /// <summary>The picture has been rendered.</summary>
+    public void EndRender() => End("render");
+
+    /// <summary>The files have been written.</summary>
+    public void EndWrite()
+    {
+        Write = End("write");
+        if (PeakMemory is { } bytes)
+        {
+            spoken?.Error.WriteLine($"{"memory",-6} {FilmMemory.Text(bytes)} at most");
+        }
+    }
+
+    private double End(string stage)
+    {
+        double seconds = Stopwatch.GetElapsedTime(_last).TotalSeconds;
+        _last = Stopwatch.GetTimestamp();
+        spoken?.Error.WriteLine($"{stage,-6} {seconds:F3} s");
+        return seconds;
+    }
+}

@@ -1,0 +1,173 @@
+using System.CommandLine;
+using System.Text.Json;
+using RayTracer.Description;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+using RayTracer.Session;
+using RayTracer.Textures;
+
+namespace RayTracer.Cli;
+
+/// <summary><c>raytracer sweep SCENE --set PATH=VALUE,VALUE -o FILE</c>: renders a scene with all values of some settings, as one labelled sheet.</summary>
+internal sealed class SweepVerb
+{
+    private const int StandardCell = 240;
+
+    private readonly Argument<string> _scene = new("SCENE") { Description = "The scene file." };
+    private readonly WritingOptions _writing;
+    private readonly SceneOverrides _overrides;
+    private readonly ParsedOption<long?> _cell = OptionValues.Integer("--cell", $"Columns of each picture, its rows by the scene's shape; without it (and --width and --height), at most {StandardCell}.", 8, 1 << 16);
+    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
+    private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
+    private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of the axes and films." };
+
+    private SweepVerb(Command command)
+    {
+        command.Arguments.Add(_scene);
+        _writing = new(command, "The sheet's file: .png, .pfm, .exr or .hdr. May be given several times.");
+        _overrides = new(command);
+        foreach (Option option in new Option[] { _cell.Symbol, _threads.Symbol }.Concat(_writing.Looks).Concat([_quiet, _json]))
+        {
+            command.Options.Add(option);
+        }
+    }
+
+    public static void Build(Command command, Streams streams)
+    {
+        SweepVerb verb = new(command);
+        command.SetAction(result => verb.Run(result, streams));
+    }
+
+    private int Run(ParseResult result, Streams streams)
+    {
+        IReadOnlyList<string> outputs = _writing.Files(result);
+        if (outputs.Count == 0 && !result.GetValue(_json))
+        {
+            throw new CommandException(ExitStatus.Usage, "where to? Give -o FILE (or --json alone for the films' hashes)");
+        }
+
+        foreach (string output in outputs)
+        {
+            ImageOutputs.Check(output);
+        }
+
+        string path = result.GetValue(_scene)!;
+        SweepAxes axes = new(_overrides.Settings(result));
+        SceneDescription Changed(SceneDescription scene) => Fit(_overrides.Apply(result, scene), result);
+        foreach (SweepCell cell in axes.Samples)
+        {
+            // Before hours of rendering: is there a scene for each value?
+            if (SceneFile.Load(path, streams, Changed, axes.Settings(cell)) is null)
+            {
+                return SceneFile.FailureStatus(path);
+            }
+        }
+
+        using StopSignals signals = new(streams);
+        ImageWriteOptions writing = _writing.Writing(result);
+        ContactSheet? sheet = null;
+        List<(SweepCell Cell, string Hash)> films = [];
+        foreach (SweepCell cell in axes.Cells.TakeWhile(_ => !signals.Token.IsCancellationRequested))
+        {
+            RenderRequest request = new()
+            {
+                ScenePath = path, Outputs = [], Writing = writing, Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount), Settings = axes.Settings(cell), OverrideWords = [], CommandText = "", Quiet = true,
+            };
+            if (new RenderRun(request, Changed, streams).Compute(signals.Token) is not { } outcome)
+            {
+                return SceneFile.FailureStatus(path);
+            }
+
+            sheet ??= Sheet(axes, outcome.Film);
+            if ((outcome.Film.Width, outcome.Film.Height) != (sheet.CellWidth, sheet.CellHeight))
+            {
+                throw new CommandException(ExitStatus.Usage, $"pictures of {sheet.CellWidth}×{sheet.CellHeight} and of {outcome.Film.Width}×{outcome.Film.Height} pixels have no place in one grid: give --width and --height");
+            }
+
+            // As it is to be seen, whatever the file: labels have no exposure.
+            sheet.Place(new ToneMappedRows(outcome.Film, writing.ToneMap, writing.Exposure), cell.Column, cell.Row, cell.Block);
+            films.Add((cell, outcome.Hash));
+            RenderReport.WarnOfClamped(outcome.Statistics, streams);
+            if (!result.GetValue(_quiet))
+            {
+                streams.Error.WriteLine($"{films.Count} of {axes.Cells.Count()}: {string.Join(' ', axes.Changes(cell).Select(s => s.Text))}, {outcome.Seconds:F2} s");
+            }
+        }
+
+        IReadOnlyList<string> written = sheet is null ? [] : ImageOutputs.Write(outputs, sheet.Picture, writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = Texts(path, result) }, streams);
+        Report(result, axes, films, written, streams);
+        return signals.Status != 0 ? signals.Status : written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+    }
+
+    private static ContactSheet Sheet(SweepAxes axes, Film film)
+    {
+        try
+        {
+            return new(axes.Columns, axes.Rows, axes.Blocks, film.Width, film.Height);
+        }
+        catch (ArgumentException e)
+        {
+            throw new CommandException(ExitStatus.Usage, $"{e.Message}: give a smaller --cell, or fewer values");
+        }
+    }
+
+    private SceneDescription Fit(SceneDescription scene, ParseResult result)
+    {
+        int width = (int)(_cell.Value(result) ?? Math.Min(StandardCell, scene.Render.Width));
+        bool isGiven = _cell.Value(result) is null && _overrides.Words(result).Any(w => w is "--width" or "--height");
+        return isGiven ? scene : scene with
+        {
+            Render = scene.Render with { Width = width, Height = Math.Max(1, (int)Math.Round((double)scene.Render.Height * width / scene.Render.Width)) },
+        };
+    }
+
+    private static KeyValuePair<string, string>[] Texts(string path, ParseResult result) =>
+    [
+        new("Software", CommandLine.Version),
+        new("Command", Shell.Command(result.Tokens.Select(t => t.Value))),
+        new("Scene", Path.GetFileName(path)),
+    ];
+
+    private void Report(ParseResult result, SweepAxes axes, List<(SweepCell Cell, string Hash)> films, IReadOnlyList<string> written, Streams streams)
+    {
+        if (result.GetValue(_json))
+        {
+            JsonText.Write(streams, json => WriteJson(json, axes, films, written));
+        }
+        else if (!result.GetValue(_quiet))
+        {
+            foreach (string file in written)
+            {
+                streams.Output.WriteLine($"wrote {file}");
+            }
+        }
+    }
+
+    private static void WriteJson(Utf8JsonWriter json, SweepAxes axes, List<(SweepCell Cell, string Hash)> films, IReadOnlyList<string> written)
+    {
+        json.WriteStartArray("films");
+        foreach ((SweepCell cell, string hash) in films)
+        {
+            json.WriteStartObject();
+            json.WriteStartObject("settings");
+            foreach (SceneSetting setting in axes.Changes(cell))
+            {
+                json.WriteString(setting.Path, setting.Value);
+            }
+
+            json.WriteEndObject();
+            json.WriteString("filmHash", hash);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        json.WriteStartArray("outputs");
+        foreach (string file in written)
+        {
+            json.WriteStringValue(file);
+        }
+
+        json.WriteEndArray();
+    }
+}

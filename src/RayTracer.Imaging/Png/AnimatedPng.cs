@@ -1,0 +1,105 @@
+using System.Buffers.Binary;
+using System.IO.Compression;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>
+/// An animated PNG (W3C PNG specification, third edition, sections 11.3.4.1 to 11.3.4.3): pictures of one size, shown one after the other without end.
+/// Programs that know no animation show the first. The compressed pictures are in memory until they are written.
+/// </summary>
+/// <param name="options">How each picture is written.</param>
+/// <param name="secondsPerFrame">How long each picture is shown.</param>
+public sealed class AnimatedPng(ImageWriteOptions options, double secondsPerFrame)
+{
+    private readonly List<byte[]> _frames = [];
+    private int _width;
+    private int _height;
+
+    /// <summary>How many pictures it has.</summary>
+    public int Count => _frames.Count;
+
+    /// <summary>Adds a picture.</summary>
+    /// <param name="image">Linear RGB.</param>
+    /// <exception cref="ArgumentException">It has another size than the first.</exception>
+    public void Add(IImageRows image)
+    {
+        if (_frames.Count > 0 && (image.Width, image.Height) != (_width, _height))
+        {
+            throw new ArgumentException($"The pictures of an animated PNG have one size: {image.Width}×{image.Height} follows {_width}×{_height}.", nameof(image));
+        }
+
+        (_width, _height) = (image.Width, image.Height);
+        using MemoryStream data = new();
+        using (ZLibStream zlib = new(data, CompressionLevel.Optimal, leaveOpen: true))
+        {
+            PngWriter.WriteRows(zlib, new ToneMappedRows(image, options.ToneMap, options.Exposure), options.BitDepth);
+        }
+
+        _frames.Add(data.ToArray());
+    }
+
+    /// <summary>Writes the file, whole or not at all (<see cref="AtomicFile"/>).</summary>
+    /// <param name="path">Where to.</param>
+    /// <exception cref="ImageWriteException">It cannot be written.</exception>
+    /// <exception cref="InvalidOperationException">There is no picture.</exception>
+    public void Write(string path)
+    {
+        if (_frames.Count == 0)
+        {
+            throw new InvalidOperationException("An animation needs a picture.");
+        }
+
+        AtomicFile.Write(path, Write);
+    }
+
+    private void Write(Stream output)
+    {
+        PngWriter.WriteStart(output, _width, _height, options.BitDepth);
+        Span<byte> control = stackalloc byte[8];
+        control.Clear();
+        BinaryPrimitives.WriteInt32BigEndian(control, _frames.Count);
+        PngChunkStream.WriteChunk(output, "acTL"u8, control);
+        PngWriter.WriteTexts(output, options.Metadata);
+        int sequence = 0;
+        for (int i = 0; i < _frames.Count; i++)
+        {
+            WriteControl(output, sequence++);
+            if (i == 0)
+            {
+                PngChunkStream.WriteChunk(output, "IDAT"u8, _frames[i]);
+                continue;
+            }
+
+            byte[] data = new byte[4 + _frames[i].Length];
+            BinaryPrimitives.WriteInt32BigEndian(data, sequence++);
+            _frames[i].CopyTo(data, 4);
+            PngChunkStream.WriteChunk(output, "fdAT"u8, data);
+        }
+
+        PngChunkStream.WriteChunk(output, "IEND"u8, []);
+    }
+
+    // The whole picture, in place of the one before.
+    private void WriteControl(Stream output, int sequence)
+    {
+        (ushort numerator, ushort denominator) = Delay(secondsPerFrame);
+        Span<byte> control = stackalloc byte[26];
+        control.Clear();
+        BinaryPrimitives.WriteInt32BigEndian(control, sequence);
+        BinaryPrimitives.WriteInt32BigEndian(control[4..], _width);
+        BinaryPrimitives.WriteInt32BigEndian(control[8..], _height);
+        BinaryPrimitives.WriteUInt16BigEndian(control[20..], numerator);
+        BinaryPrimitives.WriteUInt16BigEndian(control[22..], denominator);
+        PngChunkStream.WriteChunk(output, "fcTL"u8, control);
+    }
+
+    // Exactly where it is one over a whole number, else in milliseconds.
+    private static (ushort Numerator, ushort Denominator) Delay(double seconds)
+    {
+        double rate = 1 / seconds;
+        return rate == double.Round(rate) && rate is >= 1 and <= ushort.MaxValue
+            ? ((ushort)1, (ushort)rate)
+            : ((ushort)double.Clamp(double.Round(1000 * seconds), 1, ushort.MaxValue), (ushort)1000);
+    }
+}

@@ -1,0 +1,66 @@
+using System.Globalization;
+using RayTracer.Description;
+
+namespace RayTracer.Scenes;
+
+/// <summary>Puts the values that tracks of an animation have at a time into a scene's text.</summary>
+internal static class AnimationTrack
+{
+    /// <summary>Why a property cannot be animated; null where it can.</summary>
+    public static string? Complaint(PropertyPath path) => path.Parameter!.Kind switch
+    {
+        ParameterKind.Number or ParameterKind.Integer or ParameterKind.Vector2 or ParameterKind.Vector3 or ParameterKind.Color or ParameterKind.Numbers => null,
+        ParameterKind.Texture when path.Node is null or { Kind: JsonKind.Number or JsonKind.Array } => null,
+        ParameterKind.Texture when path.Node is { Kind: JsonKind.String } node && (node.Text.StartsWith('#') || CssColors.Find(node.Text) is not null) => null,
+        _ => $"{Quotation.Of(path.Parameter.Key)} cannot be animated here: only numbers, vectors and colours can",
+    };
+
+    /// <summary>A scene as it is at a time.</summary>
+    /// <param name="root">The scene, whose tracks were found to be without fault.</param>
+    /// <param name="tracks">Its tracks.</param>
+    /// <param name="map">Where they stand.</param>
+    /// <param name="time">The time in seconds.</param>
+    public static JsonNode Apply(JsonNode root, IEnumerable<TrackDescription> tracks, SourceMap map, double time)
+    {
+        foreach (TrackDescription track in tracks)
+        {
+            PropertyPath path = PropertyPath.Find(root, track.Property);
+            (double[] numbers, KeyDescription key) = At(track.Keys, time);
+            root = path.Replace(root, Node(path, numbers, map.Find(key, nameof(KeyDescription.Value))!));
+        }
+
+        return root;
+    }
+
+    /// <summary>Numbers as they would be written for a property. What is wrong with them is said of a place in the file.</summary>
+    public static JsonNode Node(PropertyPath path, double[] numbers, JsonNode place)
+    {
+        bool isWhole = path.Parameter!.Kind == ParameterKind.Integer;
+        JsonNode[] items = [.. numbers.Select(n =>
+            new JsonNode(JsonKind.Number, place.Start, place.End, (isWhole ? double.Round(n) : n).ToString("R", CultureInfo.InvariantCulture)))];
+        bool isSingle = path.IsElement || path.Parameter.Kind is ParameterKind.Number or ParameterKind.Integer || (path.Parameter is { Kind: ParameterKind.Texture, IsNumber: true } && numbers.Length == 1);
+        return isSingle && items.Length == 1 ? items[0] : new(JsonKind.Array, place.Start, place.End) { Items = items };
+    }
+
+    // The numbers at a time, and the key at or before it.
+    private static (double[] Numbers, KeyDescription Key) At(IReadOnlyList<KeyDescription> keys, double time)
+    {
+        int next = 0;
+        while (next < keys.Count && keys[next].Time <= time)
+        {
+            next++;
+        }
+
+        KeyDescription from = keys[Math.Max(0, next - 1)];
+        KeyDescription to = keys[Math.Min(next, keys.Count - 1)];
+        double t = from == to ? 0 : Eased(from.Ease, (time - from.Time) / ((double)to.Time - from.Time));
+        return ([.. from.Value.Zip(to.Value, (a, b) => a + (t * ((double)b - a)))], from);
+    }
+
+    private static double Eased(Ease ease, double t) => ease switch
+    {
+        Ease.Linear => t,
+        Ease.Smooth => t * t * (3 - (2 * t)),
+        _ => 0,
+    };
+}

@@ -1,0 +1,30 @@
+namespace RayTracer.Description;
+
+/// <summary>How a property goes from one key to the next.</summary>
+public enum Ease
+{
+    /// <summary>In proportion to time.</summary>
+    Linear,
+
+    /// <summary>Slowly at first and at last: by 3t² − 2t³.</summary>
+    Smooth,
+
+    /// <summary>Not at all until the next key, and then at once.</summary>
+    Step,
+}
+
+/// <summary>What a property is at one time.</summary>
+public sealed record KeyDescription
+{
+    /// <summary>The time.</summary>
+    [Parameter("The time. Frame n shows the time n / framesPerSecond.", Unit = "seconds", Required = true)]
+    public float Time { get; init; }
+
+    /// <summary>The numbers; a single one, or a colour's three, where the property is one.</summary>
+    [Parameter("The value at that time: a number, a list of numbers, or a colour; within the property's own range.", IsNumber = true, Required = true)]
+    public IReadOnlyList<float> Value { get; init; } = [];
+
+    /// <summary>How the property goes on to the next key.</summary>
+    [Parameter("How the value goes on to the next key: evenly, slowly at first and at last, or all at once when that key comes.")]
+    public Ease Ease { get; init; } = Ease.Linear;
+}

@@ -1,0 +1,154 @@
+using System.Buffers.Binary;
+using System.Text;
+using System.Text.Json;
+using RayTracer.Imaging;
+using RayTracer.Tests.Imaging;
+using RayTracer.Textures;
+
+namespace RayTracer.Tests.Cli;
+
+/// <summary><c>render --frames</c>.</summary>
+public sealed class FramesTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+    private readonly string _scene;
+
+    public FramesTests()
+    {
+        _scene = _folder["scene.json"];
+        File.WriteAllText(_scene, Animated("[0, 1, 5]"));
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Frames_get_files_of_their_own_and_those_that_are_there_stay()
+    {
+        string[] command = ["render", _scene, "--spp", "1", "--frames", "0..4:2", "-o", _folder["f-###.png"]];
+        Assert.Equal(0, CliRun.Of(command).Status);
+        Assert.Equal(["f-000.png", "f-002.png", "f-004.png"], Directory.GetFiles(Path.GetDirectoryName(_scene)!, "*.png").Select(Path.GetFileName).Order());
+
+        byte[] kept = File.ReadAllBytes(_folder["f-000.png"]);
+        File.Delete(_folder["f-002.png"]);
+        File.WriteAllText(_folder["f-004.png"], "something else");
+        CliRun again = CliRun.Of([.. command, "--threads", "1"]);
+        Assert.Equal(0, again.Status);
+        Assert.Equal(["there already", "f-002.png", "f-004.png"], again.Output.TrimEnd().Split('\n').Select(l => l.Contains("there", StringComparison.Ordinal) ? "there already" : l[^9..]));
+        Assert.Equal(kept, File.ReadAllBytes(_folder["f-000.png"]));
+        Assert.Equal(0, CliRun.Of("verify", _folder["f-002.png"]).Status);
+
+        // Frame 0 is the same as before in this scene, frame 2 is not; and another option is another picture.
+        File.WriteAllText(_scene, Animated("[0, 1, 6]"));
+        Assert.Equal([false, true, true], Rendered(CliRun.Of([.. command, "--json"])));
+        Assert.Equal([true, true, true], Rendered(CliRun.Of([.. command, "--json", "--exposure", "1"])));
+    }
+
+    [Fact]
+    public void Frame_is_the_scene_with_its_values_written_in_and_the_shutter_at_its_time()
+    {
+        File.WriteAllText(_folder["plain.json"], CliRun.Scene.Replace("[0, 1, 5]", "[0, 1, 5.5]", StringComparison.Ordinal)
+            .Replace("\"samplesPerPixel\": 4", "\"samplesPerPixel\": 4, \"shutter\": [0.5, 0.75]", StringComparison.Ordinal).Replace(CliMotion.Still, CliMotion.Moving, StringComparison.Ordinal));
+
+        Assert.Equal(Hash("render", _folder["plain.json"]), Hash("render", _scene, "--frames", "2"));
+        Assert.NotEqual(Hash("render", _scene), Hash("render", _scene, "--frames", "2"));
+    }
+
+    [Fact]
+    public void Film_of_a_frame_is_gone_on_with_at_that_frame()
+    {
+        Assert.Equal(0, CliRun.Of("render", _scene, "--frames", "3", "--spp", "2", "-o", _folder["f.rtfilm"], "--quiet").Status);
+
+        Assert.Equal(Hash("render", _scene, "--frames", "3", "--spp", "5"), Hash("resume", _folder["f.rtfilm"], "--spp", "5"));
+        Assert.Equal(0, CliRun.Of("verify", _folder["f.rtfilm"]).Status);
+    }
+
+    [Fact]
+    public void Parts_share_the_frames_out()
+    {
+        for (int i = 1; i <= 2; i++)
+        {
+            bool[] rendered = Rendered(CliRun.Of("render", _scene, "--spp", "1", "--frames", "0..4", "--part", $"{i}/2", "-o", _folder["p#.png"], "--json"));
+            Assert.Equal(4 - i, rendered.Length);
+        }
+
+        // Together they are what one run makes.
+        Assert.DoesNotContain(true, Rendered(CliRun.Of("render", _scene, "--spp", "1", "--frames", "0..4", "-o", _folder["p#.png"], "--json")));
+    }
+
+    [Fact]
+    public void Animated_png_holds_the_pictures_of_the_frames()
+    {
+        Assert.Equal(0, CliRun.Of("render", _scene, "--spp", "1", "--frames", "0..2", "-o", _folder["f#.png"], "-o", _folder["all.png"], "--fps", "25").Status);
+
+        byte[][] frames = Frames(File.ReadAllBytes(_folder["all.png"]), out (int Numerator, int Denominator) delay);
+        Assert.Equal((1, 25), delay);
+        for (int i = 0; i < 3; i++)
+        {
+            Assert.Equal(ImageFile.Read(_folder[$"f{i}.png"]).Pixels, PngReader.Read(frames[i]).Pixels);
+        }
+
+        // Who knows no animation sees the first.
+        Assert.Equal(ImageFile.Read(_folder["f0.png"]).Pixels, ImageFile.Read(_folder["all.png"]).Pixels);
+    }
+
+    [Theory]
+    [InlineData("--frames 0..4 -o out.exr", "5 frames need as many files: put #### where their numbers shall stand")]
+    [InlineData("--frames 4..0 -o f#.png", "expected frames, from 0, as in 7, 0..239 or 0..239:2")]
+    [InlineData("--frames 0..4 --part 1/6 -o f#.png", "5 make 5 parts at most")]
+    [InlineData("--frames 3 --part 1/2 -o f.png", "give --samples")]
+    [InlineData("--frames 0..4 --checkpoint c.rtfilm -o f#.png", "--checkpoint is for one picture")]
+    [InlineData("-o f.apng", "an animated PNG is made of --frames")]
+    [InlineData("--fps 12 -o f.png", "give --frames")]
+    public void Wrong_words_are_told(string words, string message)
+    {
+        CliRun run = CliRun.Of(["render", _scene, .. words.Split(' ')]);
+
+        Assert.Equal(2, run.Status);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+    }
+
+    private static string Animated(string last) => CliRun.Scene.Replace("\"samplesPerPixel\": 4", "\"samplesPerPixel\": 4, \"framesPerSecond\": 4, \"shutter\": [0, 0.25]", StringComparison.Ordinal)
+        .Replace(CliMotion.Still, CliMotion.Moving, StringComparison.Ordinal)
+        .TrimEnd()[..^1] + $$""", "animation": [{ "property": "camera.position", "keys": [{ "time": 0, "value": [0, 1, 5] }, { "time": 0.5, "value": {{last.Replace("5]", "5.5]", StringComparison.Ordinal)}} }] }] }""";
+
+    private static string Hash(params string[] words)
+    {
+        CliRun run = CliRun.Of([.. words, "--json", "--quiet"]);
+        Assert.Equal("", run.Error);
+        return JsonDocument.Parse(run.Output).RootElement.GetProperty("filmHash").GetString()!;
+    }
+
+    private static bool[] Rendered(CliRun run)
+    {
+        Assert.Equal(0, run.Status);
+        return [.. JsonDocument.Parse(run.Output).RootElement.GetProperty("frames").EnumerateArray().Select(f => f.GetProperty("rendered").GetBoolean())];
+    }
+
+    // Makes PNG files of the frames of an animated one, by the PNG specification, third edition.
+    private static byte[][] Frames(byte[] file, out (int Numerator, int Denominator) delay)
+    {
+        List<(string Type, byte[] Data)> chunks = [];
+        for (int at = 8; at < file.Length;)
+        {
+            int length = BinaryPrimitives.ReadInt32BigEndian(file.AsSpan(at));
+            chunks.Add((Encoding.ASCII.GetString(file, at + 4, 4), file[(at + 8)..(at + 8 + length)]));
+            at += length + 12;
+        }
+
+        (string Type, byte[] Data)[] numbered = [.. chunks.Where(c => c.Type is "fcTL" or "fdAT")];
+        Assert.Equal(Enumerable.Range(0, numbered.Length), numbered.Select(c => BinaryPrimitives.ReadInt32BigEndian(c.Data)));
+        Assert.Equal(numbered.Count(c => c.Type == "fcTL"), BinaryPrimitives.ReadInt32BigEndian(Assert.Single(chunks, c => c.Type == "acTL").Data));
+        byte[] control = numbered[0].Data;
+        delay = (BinaryPrimitives.ReadUInt16BigEndian(control.AsSpan(20)), BinaryPrimitives.ReadUInt16BigEndian(control.AsSpan(22)));
+        byte[] header = Assert.Single(chunks, c => c.Type == "IHDR").Data;
+        return [.. chunks.Where(c => c.Type is "IDAT" or "fdAT").Select(c => File(header, c.Type == "IDAT" ? c.Data : c.Data[4..]))];
+
+        static byte[] File(byte[] header, byte[] data) => [.. PngReader.Signature, .. TestPng.Chunk("IHDR", header), .. TestPng.Chunk("IDAT", data), .. TestPng.Chunk("IEND")];
+    }
+
+    private static class CliMotion
+    {
+        public const string Still = "\"center\": [0, 0.5, 0], \"radius\": 0.5 ";
+        public const string Moving = "\"center\": [0, 0.5, 0], \"radius\": 0.5, \"motion\": [{ \"time\": 0 }, { \"time\": 1, \"transform\": [{ \"translate\": [1, 0, 0] }] }] ";
+    }
+}
