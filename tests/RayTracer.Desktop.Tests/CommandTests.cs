@@ -40,7 +40,7 @@ public sealed class CommandTests
         (MainViewModel main, SceneDocument document) = (test.Main, test.Session.Document);
         return new()
         {
-            ["duplicate"] = () => test.Until(() => main.Properties.Thing?.Pointer == "/shapes/9" && document.IsDirty),
+            ["duplicate"] = () => test.Until(() => main.Properties.Thing is { Pointer: not "/shapes/0" } && document.IsDirty),
             ["rename"] = async () =>
             {
                 RenameViewModel dialog = Assert.IsType<RenameViewModel>(main.Dialog);
@@ -70,7 +70,7 @@ public sealed class CommandTests
             ["stop"] = () => test.Until(() => view.Settings.Mode == RenderMode.Stopped),
             ["home"] = () => test.Until(() => main.Hand.Idle.IsCompleted),
             ["fit"] = () => Holds(main.Viewport.Stage.Zoom is null),
-            ["actualSize"] = () => Holds(main.Viewport.Stage.Zoom == 1),
+            ["actualSize"] = () => Holds(Math.Abs(main.Viewport.Stage.Zoom!.Value - 1) < 1e-9),
             ["zoomIn"] = () => Holds(main.Viewport.Stage.Zoom > 1.4),
             ["zoomOut"] = () => Holds(Math.Abs(main.Viewport.Stage.Zoom!.Value - 1) < 1e-6),
             ["snapshot"] = () => test.Until(() => main.Viewport.IsWiping && main.Viewport.HasComparisons),
@@ -103,7 +103,6 @@ public sealed class CommandTests
     private static Dictionary<string, Func<Task>> FileChecks(TestWindow test)
     {
         (MainViewModel main, SceneDocument document) = (test.Main, test.Session.Document);
-        string shipped = ProjectFolder.PathOf("scenes", "report/scene2.json");
         test.Services.Chosen = test["saved.json"];
         return new()
         {
@@ -125,11 +124,11 @@ public sealed class CommandTests
             ["new"] = async () =>
             {
                 await test.Until(() => document.Place.Name == "new scene.json");
-                test.Services.Chosen = shipped;
+                test.Services.Chosen = test["saved.json"];
             },
             ["open"] = async () =>
             {
-                await test.Until(() => document.Place.Path == shipped && main.DocumentName == "scene2.json");
+                await test.Until(() => document.Place.Path == test["saved.json"] && main.DocumentName == "saved.json");
                 test.Session.Selection.Select("/shapes/0");
                 await test.Until(() => main.Properties.Thing?.Pointer == "/shapes/0" && main.Things.Selected is not null);
             },
