@@ -2,6 +2,7 @@ using System.Diagnostics;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Scenes;
+using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;

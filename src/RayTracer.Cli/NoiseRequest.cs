@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using RayTracer.Description;
 using RayTracer.Rendering;
+using RayTracer.Session;
 
 namespace RayTracer.Cli;
 

@@ -3,6 +3,7 @@ using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
+using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;

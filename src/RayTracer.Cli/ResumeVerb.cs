@@ -47,13 +47,6 @@ internal sealed class ResumeVerb
             $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, so that a film of {header.Total} cannot be given more or fewer: render it anew, or with --sampler sobol")
         : OtherScene(request.ScenePath);
 
-    /// <summary>Where the scene of a film or image is: where it was, or beside the file.</summary>
-    public static string ScenePath(string scene, string file)
-    {
-        string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, Path.GetFileName(scene));
-        return File.Exists(scene) || !File.Exists(beside) ? scene : beside;
-    }
-
     /// <summary>The options that replaced what the scene's file said, with as many samples a pixel as the whole picture has.</summary>
     public static IReadOnlyList<string> Words(FilmHeader header, int total)
     {
@@ -74,7 +67,7 @@ internal sealed class ResumeVerb
         }
 
         IReadOnlyList<string> words = Words(header, total);
-        string scene = result.GetValue(_scene) ?? ScenePath(header.Scene, file);
+        string scene = result.GetValue(_scene) ?? PictureOrigin.ScenePath(header.Scene, file);
         (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
         RenderRequest request = _display.Put(result, _long.Put(result, new()
         {

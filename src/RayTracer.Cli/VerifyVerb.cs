@@ -92,7 +92,7 @@ internal static class VerifyVerb
             }
 
             (RenderRequest asked, Func<SceneDescription, SceneDescription> changes) =
-                RenderVerb.Parse([scene ?? ResumeVerb.ScenePath(header.Scene, file), "--json", .. ResumeVerb.Words(header, header.Total), .. MergeVerb.CropWords(header)]);
+                RenderVerb.Parse([scene ?? PictureOrigin.ScenePath(header.Scene, file), "--json", .. ResumeVerb.Words(header, header.Total), .. MergeVerb.CropWords(header)]);
             return new(asked, changes, [.. header.Samples.Select(r => (SampleRange?)r)], film.ComputeHash());
         }
 
@@ -109,7 +109,7 @@ internal static class VerifyVerb
 
         (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([.. words, "--json"]);
         SampleRange?[] ranges = texts.TryGetValue("SampleRange", out string? samples) ? [.. samples.Split(", ").Select(SampleShares.Range)] : [null];
-        return new(request with { ScenePath = scene ?? ResumeVerb.ScenePath(request.ScenePath, file) }, overrides, ranges, hash);
+        return new(request with { ScenePath = scene ?? PictureOrigin.ScenePath(request.ScenePath, file) }, overrides, ranges, hash);
     }
 
     /// <summary>What a file says of itself.</summary>

@@ -167,6 +167,9 @@ public static class ImageFile
         }
     }
 
+    /// <summary>The endings of names of files that are written, with their dots.</summary>
+    public static IReadOnlyList<string> Written => Extensions;
+
     private const int LongestExtension = 16;
 
     private static string KnownExtension(string path)

@@ -29,6 +29,8 @@ public sealed class StudioSession : IDisposable
         Recovery.Changed += Changes.Advance;
         View.Changed += Changes.Advance;
         Snapshots.Changed += Changes.Advance;
+        View.Refused += message => Notices.Tell("error", message.TrimEnd('.'));
+        Files.Opened += Begin;
         View.Loop.Failed += message => Notices.Tell("error", message.TrimEnd('.'));
     }
 
@@ -76,6 +78,18 @@ public sealed class StudioSession : IDisposable
 
     /// <summary>The report's times.</summary>
     public ReportTimes ReportTimes { get; }
+
+    // A film or image is shown as it was rendered.
+    private void Begin(PictureOrigin? origin, FilmStart? start)
+    {
+        if (origin is null)
+        {
+            View.Begin();
+            return;
+        }
+
+        View.Begin(start, start?.Header.Total ?? origin.Samples, start is null ? origin.Crop : start.Header.Crop);
+    }
 
     /// <summary>Ends all work, and keeps what is not saved.</summary>
     public void Dispose()

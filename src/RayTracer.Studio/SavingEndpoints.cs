@@ -21,6 +21,7 @@ internal static class SavingEndpoints
             byte[] bytes = await session.Pictures.Encode(extension, picture, context.RequestAborted);
             return Results.Bytes(bytes, extension == ".png" ? "image/png" : "application/octet-stream", Path.ChangeExtension(session.Document.Place.Name, extension));
         });
+        api.MapGet("/picture/formats", () => Answers.Json(new { formats = PictureSaver.Formats }));
         api.MapGet("/command", () => Answers.Json(new { text = session.Pictures.Command() }));
     }
 

@@ -1,3 +1,4 @@
+using RayTracer.Imaging;
 using RayTracer.Scenes;
 
 namespace RayTracer.Session;
@@ -34,9 +35,17 @@ public sealed class SceneFiles
     /// <summary>The whole paths of what was opened or saved lately and is still there, newest first.</summary>
     public IReadOnlyList<string> Recent => _recent.All;
 
+    /// <summary>Raised after a document was opened: with what a film or image says about its rendering, and the film that is gone on with; null for other files.</summary>
+    internal event Action<PictureOrigin?, FilmStart?>? Opened;
+
     /// <summary>Whether a file can be opened, by its name.</summary>
-    public static bool CanOpen(string name) =>
-        Path.GetExtension(name).ToLowerInvariant() is ".json" or ".zip" || ModelFile.IsModel(name) || MitsubaReader.IsScene(name);
+    public static bool CanOpen(string name) => IsScene(name) || IsImage(name);
+
+    private static bool IsScene(string name) =>
+        Path.GetExtension(name).ToLowerInvariant() is ".json" or ".zip" || FilmFile.IsNamed(name) || ModelFile.IsModel(name) || MitsubaReader.IsScene(name);
+
+    // Those that say which scene they show.
+    private static bool IsImage(string name) => Path.GetExtension(name).ToLowerInvariant() is ".png" or ".exr";
 
     /// <summary>Begins a new scene.</summary>
     /// <param name="discard">Whether changes that were not saved may go.</param>
@@ -47,7 +56,10 @@ public sealed class SceneFiles
         Show(SceneTextFile.NewScene, new("new scene.json", null, _folders.Home), isSaved: true);
     }
 
-    /// <summary>Opens a scene file, a scene of Mitsuba or a model file as a new scene that shows it, or a bundle.</summary>
+    /// <summary>
+    /// Opens a scene file, a scene of Mitsuba or a model file as a new scene that shows it, or a bundle; of a film or an image of the program the scene
+    /// that it was rendered from, as it was rendered. A film is gone on with.
+    /// </summary>
     /// <param name="path">The file's whole path.</param>
     /// <param name="discard">Whether changes that were not saved may go.</param>
     /// <exception cref="DocumentException">It cannot be opened, or there are such changes; the document is as it was.</exception>
@@ -84,6 +96,7 @@ public sealed class SceneFiles
         }
 
         _document.Open(text.Text, new(text.Name, text.Path, text.Folder) { LineEnd = text.LineEnd }, isSaved: false);
+        Opened?.Invoke(null, null);
         _recovery.Flush();
         _recovery.Discard(id);
     }
@@ -97,7 +110,7 @@ public sealed class SceneFiles
     /// <exception cref="DocumentException">It is too large, or cannot be opened, or there are such changes.</exception>
     public async Task<(string Path, bool IsOpened)> Upload(string name, Stream content, bool discard = false, CancellationToken cancellation = default)
     {
-        bool opens = CanOpen(name);
+        bool opens = IsScene(name);
         if (opens)
         {
             Guard(discard);
@@ -158,6 +171,12 @@ public sealed class SceneFiles
             return;
         }
 
+        if (FilmFile.IsNamed(path) || IsImage(path))
+        {
+            OpenPicture(path);
+            return;
+        }
+
         string folder = Path.GetDirectoryName(path)!;
         if (ModelFile.IsModel(path))
         {
@@ -180,9 +199,33 @@ public sealed class SceneFiles
         }
     }
 
-    private void Show(string text, DocumentPlace place, bool isSaved)
+    private void OpenPicture(string path)
+    {
+        FilmStart? start = FilmFile.IsNamed(path) ? FilmStart.Read(path) : null;
+        PictureOrigin origin = start is null ? PictureOrigin.OfImage(path) : PictureOrigin.Of(start.Header, path);
+        if (!File.Exists(origin.Scene))
+        {
+            throw new DocumentException($"the scene of {Path.GetFileName(path)} is neither at {origin.Scene} nor beside it");
+        }
+
+        bool isChanged = OriginText.IsChanged(origin);
+        FileStamp stamp = isChanged ? default : FileStamp.Of(origin.Scene);
+        string lineEnd = isChanged ? "\n" : SceneTextFile.Read(origin.Scene).LineEnd;
+        string text = OriginText.Of(origin);
+        string name = Path.ChangeExtension(Path.GetFileName(origin.Scene), ".json");
+        DocumentPlace place = new(name, isChanged ? null : origin.Scene, Path.GetDirectoryName(origin.Scene)!) { LineEnd = lineEnd };
+        lock (_lock)
+        {
+            _stamp = stamp;
+        }
+
+        Show(text, place, isSaved: true, origin, start);
+    }
+
+    private void Show(string text, DocumentPlace place, bool isSaved, PictureOrigin? origin = null, FilmStart? start = null)
     {
         _document.Open(text, place, isSaved);
+        Opened?.Invoke(origin, start);
         _recovery.Flush();
     }
 

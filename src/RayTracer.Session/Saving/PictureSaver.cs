@@ -10,9 +10,10 @@ namespace RayTracer.Session;
 /// <param name="jobs">Where the writing goes on.</param>
 public sealed class PictureSaver(SceneDocument document, PictureView view, JobList jobs)
 {
-    private static readonly string Software = $"raytracer {typeof(Film).Assembly.GetName().Version!.ToString(3)}";
+    /// <summary>The formats of the files that are written: pictures, and the film itself.</summary>
+    public static IReadOnlyList<PictureFormat> Formats { get; } = [.. ImageFile.Written.Where(e => e != ".jpeg").Append(FilmFile.Extension).Select(PictureFormat.Of)];
 
-    /// <summary>Writes the picture to a file, as a job.</summary>
+    /// <summary>Writes the picture, or the film itself (.rtfilm), to a file, as a job.</summary>
     /// <param name="path">The file; relative to the document's folder.</param>
     /// <param name="request">How.</param>
     /// <param name="overwrite">Whether a file that is there already may be replaced.</param>
@@ -27,15 +28,17 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         }
 
         string full = Path.GetFullPath(path, Path.GetFullPath(document.Place.Folder is "" ? "." : document.Place.Folder));
+        if (FilmFile.IsNamed(full))
+        {
+            return await SaveFilm(full, overwrite).ConfigureAwait(false);
+        }
+
         bool hasLayers = Path.GetExtension(full).Equals(".exr", StringComparison.OrdinalIgnoreCase);
         string[] beside = hasLayers ? [] : [.. request.Layers.Select(kind => AovFiles.Beside(full, kind))];
         foreach (string file in beside.Prepend(full))
         {
             ImageFile.Check(file);
-            if (!overwrite && File.Exists(file))
-            {
-                throw new SessionException($"There is a file '{file}' already.", SessionFault.Conflict);
-            }
+            CheckFree(file, overwrite);
         }
 
         Taken taken = await Take(full).ConfigureAwait(false);
@@ -57,7 +60,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     }
 
     /// <summary>The picture as the bytes of a file.</summary>
-    /// <param name="extension">.png, .pfm or .exr.</param>
+    /// <param name="extension">The ending, with its dot, of one of the pictures' <see cref="Formats"/>.</param>
     /// <param name="request">How; layers go into OpenEXR only.</param>
     /// <param name="cancellation">Ends the work.</param>
     /// <exception cref="SessionException">There is no picture.</exception>
@@ -71,6 +74,38 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
             ReportedRows rows = new(taken.Film, new Progress<double>(), cancellation);
             return ImageFile.Encode(extension, rows, hasLayers ? options with { ExrLayers = AovFiles.Layers(TraceLayers(taken, request, cancellation)) } : options);
         }, cancellation).ConfigureAwait(false);
+    }
+
+    private static void CheckFree(string file, bool overwrite)
+    {
+        if (!overwrite && File.Exists(file))
+        {
+            throw new SessionException($"There is a file '{file}' already.", SessionFault.Conflict);
+        }
+    }
+
+    private async Task<int> SaveFilm(string full, bool overwrite)
+    {
+        CheckFree(full, overwrite);
+        TakenFilm taken = await view.Loop.Look((film, order, samples) => TakenFilm.Of(film, order, samples, view.Loop.Rest)).ConfigureAwait(false);
+        (FilmHeader header, string? scene) = FilmHeaders.Of(taken.Order, view.RequireShown(), document.Place, full);
+        string sceneFile = header.Scene;
+        if (scene is not null)
+        {
+            CheckFree(sceneFile, overwrite);
+        }
+
+        return jobs.Start($"writing {Path.GetFileName(full)}", (_, cancellation) =>
+        {
+            SampleRange held = taken.Complete(cancellation);
+            if (scene is not null)
+            {
+                SceneTextFile.Write(sceneFile, scene, "\n");
+            }
+
+            FilmFile.Write(full, taken.Film, header with { Samples = [held] });
+            return $"wrote {full}{(scene is null ? "" : $", and its scene beside it, {Path.GetFileName(sceneFile)}")}";
+        });
     }
 
     /// <summary>The command that would render the picture.</summary>
@@ -106,7 +141,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
             ToneMap = taken.Tone.ToneMap,
             Metadata =
             [
-                new("Software", Software),
+                new("Software", ProgramName.Text),
                 new("Command", taken.Command),
                 new("Scene", document.Place.Name),
                 new("Samples", $"{taken.Order.Samples}{(isWhole ? "" : $", unfinished: {taken.Film.TotalSamples} paths")}"),

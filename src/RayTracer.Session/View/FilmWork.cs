@@ -26,6 +26,8 @@ internal sealed class FilmWork(FrameBoard frames)
     private long _noiseAt;
     private ViewMap? _shown;
     private bool _isStale;
+    private int _samplesBefore;
+    private bool _isFromFile;
 
     /// <summary>The picture, between steps.</summary>
     public Film? Film { get; private set; }
@@ -36,8 +38,11 @@ internal sealed class FilmWork(FrameBoard frames)
     /// <summary>What it has looked like.</summary>
     public ConvergenceLog Log { get; } = new();
 
-    /// <summary>Samples in each pixel.</summary>
+    /// <summary>One more than the last sample of each pixel.</summary>
     public int Samples => _plan.Samples;
+
+    /// <summary>What some pixels have and others lack; null where all have the same samples.</summary>
+    public Slice? Rest => _plan.Rest;
 
     /// <summary>Whether there is something to do for an order.</summary>
     public bool HasWork(RenderOrder order) =>
@@ -63,7 +68,12 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         Order = order;
-        if (_previews.Scale > 1)
+        if (_isFromFile)
+        {
+            _isFromFile = false;
+            Show(order, isMilestone: true, CancellationToken.None);
+        }
+        else if (_previews.Scale > 1)
         {
             Preview(order, _previews.IsFirst ? CancellationToken.None : cancellation);
         }
@@ -101,7 +111,7 @@ internal sealed class FilmWork(FrameBoard frames)
             SamplesTotal = order.Samples,
             RaysPerSecond = _seconds > 0 ? _rays / _seconds : 0,
             Seconds = _seconds,
-            SecondsLeft = perSample > 0 ? Math.Max(0, order.Samples - _rendered) * perSample : null,
+            SecondsLeft = perSample > 0 ? Math.Max(0, order.Samples - _samplesBefore - _rendered) * perSample : null,
             Noise = _noise,
             Threads = order.Threads,
             Map = order.Map,
@@ -114,6 +124,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private void Begin(RenderOrder order)
     {
         (int width, int height) = (order.Scene.Render.Width, order.Scene.Render.Height);
+        Film? begun = order.Start?.Take();
         if (Film?.Width == width && Film.Height == height)
         {
             Film.Clear();
@@ -124,12 +135,15 @@ internal sealed class FilmWork(FrameBoard frames)
             _maps.Clear();
             _denoised.Clear();
             _previewFilms.Clear();
-            Film = FilmBudget.Create(width, height);
+            Film = begun ?? FilmBudget.Create(width, height);
         }
 
+        Film = begun ?? Film;
         Order = order;
-        _plan = new(order.Area, order.Samples);
-        if (IsLight(order.Map))
+        _samplesBefore = begun is null ? order.First : order.Start!.Held.End;
+        _plan = new SlicePlan(order.Area, order.Samples).From(_samplesBefore);
+        _isFromFile = _samplesBefore > order.First;
+        if (IsLight(order.Map) && !_isFromFile)
         {
             _previews.Begin((long)width * height);
         }
@@ -139,7 +153,7 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         Log.Clear();
-        (_rays, _seconds, _rendered, _badSamples, _noise) = (0, 0, 0, 0, null);
+        (_rays, _seconds, _rendered, _badSamples, _noise) = (0, 0, 0, 0, _isFromFile ? NoiseEstimate.Of(Film, order.Area) : null);
     }
 
     private void Preview(RenderOrder order, CancellationToken cancellation)

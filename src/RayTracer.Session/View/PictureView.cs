@@ -19,6 +19,11 @@ public sealed class PictureView : IDisposable
     private int _handUntil;
     private long _pictures;
 
+    // The film that the picture goes on with, of which place it is, and which picture that is: 0 before the scene is built.
+    private FilmStart? _start;
+    private DocumentPlace? _startPlace;
+    private long _startPicture;
+
     /// <summary>Shows a document.</summary>
     public PictureView(SceneDocument document)
     {
@@ -31,6 +36,9 @@ public sealed class PictureView : IDisposable
 
     /// <summary>What is known about the picture has changed; the picture itself tells its changes by <see cref="Frames"/>.</summary>
     public event Action? Changed;
+
+    /// <summary>Raised when the document's scene is not what a film is of, with a sentence that says so.</summary>
+    public event Action<string>? Refused;
 
     /// <summary>Where the picture is to be seen.</summary>
     public FrameBoard Frames { get; } = new();
@@ -115,6 +123,42 @@ public sealed class PictureView : IDisposable
 
         Changed?.Invoke();
     }
+
+    /// <summary>Shows the document, which was just opened, as a film or image of it was rendered, and goes on with the film.</summary>
+    /// <param name="start">The film; null for none.</param>
+    /// <param name="samples">Samples that each pixel gets; null for as many as the scene says.</param>
+    /// <param name="region">The part of the picture; null for all.</param>
+    internal void Begin(FilmStart? start, int? samples, Tile? region)
+    {
+        lock (_lock)
+        {
+            (_start, _startPlace, _startPicture) = (start, _document.Place, 0);
+            _settings = _settings with { Samples = samples, Region = region, Mode = RenderMode.Running, Map = ViewMap.Light };
+            if (_place == _startPlace)
+            {
+                Show(anew: true);
+            }
+        }
+
+        Changed?.Invoke();
+    }
+
+    /// <summary>A document was opened that is no film or image: what was wanted of one is not wanted of it.</summary>
+    internal void Begin()
+    {
+        lock (_lock)
+        {
+            if (_startPlace is not null)
+            {
+                (_start, _startPlace) = (null, null);
+                _settings = _settings with { Samples = null, Region = null };
+            }
+        }
+    }
+
+    /// <summary>What decides what a sample of the picture comes to, as a hash.</summary>
+    internal static string ContentOf(GoodScene good, RenderOrder order, string folder) => ContentHash.Of(
+        good.Read.Description! with { Camera = order.Camera, Render = order.Scene.Render }, Path.Combine(folder, "scene.json"), order.Region);
 
     /// <summary>Shows another camera, which the text does not have yet.</summary>
     /// <returns>Whether the scene can be seen from there; if not, nothing has changed.</returns>
@@ -230,8 +274,7 @@ public sealed class PictureView : IDisposable
             _pictures++;
         }
 
-        _shown = shown with { Picture = _pictures };
-        Loop.Show(new()
+        RenderOrder order = new()
         {
             Scene = shown.Scene,
             Camera = shown.Camera,
@@ -240,8 +283,29 @@ public sealed class PictureView : IDisposable
             Threads = _settings.Threads,
             Map = _settings.Map,
             Mode = _settings.Mode,
-        });
+        };
+        order = WithStart(order, good);
+        _shown = shown with { Picture = order.Picture };
+        Loop.Show(order);
         return true;
+    }
+
+    // The order with the film that the picture goes on with, if it is of this picture.
+    private RenderOrder WithStart(RenderOrder order, GoodScene good)
+    {
+        if (_start is { } start && _startPicture == 0 && _startPlace is { } place && _place == place)
+        {
+            bool isSame = (start.Header.Width, start.Header.Height) == (order.Scene.Render.Width, order.Scene.Render.Height)
+                && ContentOf(good, order, place.Folder) == start.Header.Content;
+            _startPicture = ++_pictures;
+            _start = isSame ? start : null;
+            if (!isSame)
+            {
+                Refused?.Invoke($"The film is not of {place.Name}: the scene, a file that it names, its settings or the program are others than they were. The picture begins anew.");
+            }
+        }
+
+        return order with { Picture = _pictures, Start = _startPicture == _pictures ? _start : null };
     }
 
     private ShownScene? Seen(GoodScene good)

@@ -75,6 +75,9 @@ public sealed class RenderLoop : IDisposable
         return done.Task;
     }
 
+    /// <summary>What some pixels of the film have and others lack, to be asked for within a look; null where all have the same samples.</summary>
+    internal Slice? Rest => _work.Rest;
+
     /// <summary>How the error of the picture has shrunk.</summary>
     public Task<Convergence> Convergence() => Look((film, order, samples) => _work.Log.Errors(film, order.Area, samples));
 

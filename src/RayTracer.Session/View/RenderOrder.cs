@@ -27,8 +27,14 @@ public sealed record RenderOrder
     /// <summary>Whether rendering goes on.</summary>
     public RenderMode Mode { get; init; }
 
-    /// <summary>Samples that each pixel gets.</summary>
-    public int Samples => Scene.Render.SamplesPerPixel;
+    /// <summary>The film whose samples the picture begins with; null for none.</summary>
+    public FilmStart? Start { get; init; }
+
+    /// <summary>The first sample that pixels get: more than 0 where the picture goes on with a part of one.</summary>
+    public int First => Start?.Held.First ?? 0;
+
+    /// <summary>One more than the last sample that each pixel gets.</summary>
+    public int Samples => First > 0 ? Start!.Header.Wanted.End : Scene.Render.SamplesPerPixel;
 
     /// <summary>The part to render.</summary>
     public Tile Area => Region ?? new(0, 0, Scene.Render.Width, Scene.Render.Height);

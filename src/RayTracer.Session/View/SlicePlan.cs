@@ -20,6 +20,9 @@ public sealed class SlicePlan(Tile area, int samples)
     /// <summary>Samples in every pixel.</summary>
     public int Samples { get; private set; }
 
+    /// <summary>What some pixels have and others lack; null where all have the same samples.</summary>
+    public Slice? Rest => IsUneven ? new(new(area.X, area.Y + _rows, area.Width, area.Height - _rows), new(Samples, Samples + _samplesOfRows)) : null;
+
     /// <summary>Whether some pixels have more samples than others.</summary>
     public bool IsUneven => _rows > 0;
 
@@ -57,6 +60,9 @@ public sealed class SlicePlan(Tile area, int samples)
             Samples = slice.Samples.End;
         }
     }
+
+    /// <summary>The same work where pixels have samples already.</summary>
+    public SlicePlan From(int done) => new(area, samples) { Samples = done };
 
     /// <summary>The same work with another number of samples in the end.</summary>
     public SlicePlan WithSamples(int total) => new(area, total) { Samples = Samples, _rows = _rows, _samplesOfRows = _samplesOfRows };

@@ -21,7 +21,7 @@ internal sealed class ExportViewModel : DialogViewModel
     public override string Title => SessionTexts.Of("dialogs.exportTitle");
 
     /// <summary>The formats.</summary>
-    public IReadOnlyList<Choice> Formats { get; } = [.. SessionTexts.Keys("formats").Select(f => new Choice(f, SessionTexts.Of($"formats.{f}")))];
+    public IReadOnlyList<Choice> Formats { get; } = [.. PictureSaver.Formats.Select(f => new Choice(f.Value, f.Label))];
 
     /// <summary>The format.</summary>
     public Choice? Format

@@ -18,7 +18,6 @@ function textsOf(t: typeof english) {
     commands: t.commands as unknown as Record<keyof typeof t.commands, readonly [string, string]>,
     maps: t.maps as unknown as Record<string, readonly [string, string]>,
     families: t.families as Words,
-    formats: t.formats as Words,
     theme: t.theme as Words,
     gallery: {
       ...t.gallery,

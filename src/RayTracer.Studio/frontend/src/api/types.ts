@@ -229,3 +229,14 @@ export interface ReportTime {
   reportSeconds: number;
   seconds: number;
 }
+
+/** A format of files that pictures are written to. */
+export interface PictureFormat {
+  /** The ending of names, without its dot. */
+  value: string;
+  label: string;
+  hasDepth: boolean;
+  hasLayers: boolean;
+  /** The film itself, which is only written to files. */
+  isFilm: boolean;
+}

@@ -1,4 +1,7 @@
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
+import { get } from "../api/client";
+import type { PictureFormat } from "../api/types";
+import { attempt } from "../state/messages";
 import { dialog } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
@@ -13,12 +16,15 @@ const layerNames = ["depth", "normal", "albedo", "uv", "primitive", "bvhCost", "
 
 /** How to write the picture, then where. */
 export function ExportDialog() {
+  const [formats, setFormats] = useState<PictureFormat[]>([]);
   const [format, setFormat] = useState("png");
   const [bits, setBits] = useState("8");
   const [layers, setLayers] = useState<string[]>([]);
   const [isNaming, setNaming] = useState(false);
   const close = () => (dialog.value = null);
-  const options = { format, bitDepth: Number(bits), layers: format === "exr" ? layers : [] };
+  const about = formats.find((f) => f.value === format);
+  const options = { format, bitDepth: Number(bits), layers: about?.hasLayers ? layers : [] };
+  useEffect(() => void attempt(async () => setFormats((await get<{ formats: PictureFormat[] }>("picture/formats")).formats)), []);
 
   if (isNaming) {
     const fileName = nameOf(withExtension(sceneName(), format));
@@ -29,7 +35,7 @@ export function ExportDialog() {
   const buttons = (
     <>
       <Button label={t.cancel} showLabel kind="plain" onClick={close} />
-      <Button label={t.download} showLabel kind="plain" onClick={() => (close(), downloadPicture(options))} />
+      <Button label={t.download} showLabel kind="plain" disabled={about?.isFilm ?? false} onClick={() => (close(), downloadPicture(options))} />
       <Button label={t.exportTo} showLabel kind="primary" onClick={() => setNaming(true)} />
     </>
   );
@@ -38,15 +44,15 @@ export function ExportDialog() {
       <p class="quiet">{t.formatWhy}</p>
       <label class="line">
         <span>{t.format}</span>
-        <Select label={t.format} value={format} choices={Object.entries(texts.formats).map(([value, label]) => ({ value, label }))} onChange={setFormat} />
+        <Select label={t.format} value={format} choices={formats} onChange={setFormat} />
       </label>
-      {format === "png" && (
+      {about?.hasDepth && (
         <label class="line">
           <span>{t.bits}</span>
           <Select label={t.bits} value={bits} choices={["8", "16"].map((b) => ({ value: b, label: b }))} onChange={setBits} />
         </label>
       )}
-      {format === "exr" && (
+      {about?.hasLayers && (
         <fieldset>
           <legend>{t.layers}</legend>
           {layerNames.map((layer) => (

@@ -7,16 +7,15 @@ using System.Text;
 using RayTracer.Description;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Session;
 using RayTracer.Shapes;
 
-namespace RayTracer.Cli;
+namespace RayTracer.Session;
 
 /// <summary>
 /// The hash of all that decides what a sample comes to: the description with every value, the content of every file that it names, and the part that
 /// is rendered. Where files lie, what they are called and how scenes are written does not count.
 /// </summary>
-internal sealed class ContentHash : IDisposable
+public sealed class ContentHash : IDisposable
 {
     private readonly IncrementalHash _hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
     private readonly Dictionary<object, int> _seen = new(ReferenceEqualityComparer.Instance);
@@ -31,7 +30,7 @@ internal sealed class ContentHash : IDisposable
     public static string Of(SceneDescription scene, string path, Tile? crop)
     {
         using ContentHash hash = new(Path.GetDirectoryName(path) ?? "");
-        hash.Text(CommandLine.Version);
+        hash.Text(ProgramName.Text);
         hash.Text($"{crop}");
         hash.Add(scene with { Animation = [], Render = scene.Render with { SamplesPerPixel = HasPattern(scene.Render) ? scene.Render.SamplesPerPixel : 1 } });
         return Convert.ToHexStringLower(hash._hash.GetHashAndReset());

@@ -1,0 +1,39 @@
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Session;
+
+/// <summary>A film from a file, with whose samples a picture begins.</summary>
+/// <param name="header">What the file says of it.</param>
+/// <param name="film">The film.</param>
+public sealed class FilmStart(FilmHeader header, Film film)
+{
+    private Film? _film = film;
+
+    /// <summary>What the file says of the film.</summary>
+    public FilmHeader Header => header;
+
+    /// <summary>The samples that each pixel has.</summary>
+    public SampleRange Held => header.Samples is [var held] ? held : new(header.Wanted.First, header.Wanted.First);
+
+    /// <summary>Reads a film that can be gone on with.</summary>
+    /// <exception cref="DocumentException">It cannot.</exception>
+    public static FilmStart Read(string path)
+    {
+        try
+        {
+            (FilmHeader header, Film film) = FilmFile.Read(path);
+            bool isWhole = header.Samples is [] || (header.Samples is [var held] && held.First == header.Wanted.First);
+            return isWhole ? new(header with { Scene = Path.GetFullPath(PictureOrigin.ScenePath(header.Scene, path)) }, film)
+                : throw new DocumentException($"samples are missing within {Path.GetFileName(path)}, which has {header.SamplesText}: render them and merge");
+        }
+        catch (PictureException e)
+        {
+            throw new DocumentException(e.Message.TrimEnd('.'), e);
+        }
+    }
+
+    /// <summary>The film, for whoever adds samples to it; null where somebody has taken it already.</summary>
+    public Film? Take() => Interlocked.Exchange(ref _film, null);
+}

@@ -1,0 +1,74 @@
+using System.Globalization;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Session;
+
+/// <summary>What a film or an image of the program says about how it was rendered.</summary>
+/// <param name="Scene">The scene's file, where there is one.</param>
+/// <param name="Options">The options that replace what it says, and the part: names and values.</param>
+public sealed record PictureOrigin(string Scene, IReadOnlyList<KeyValuePair<string, string>> Options)
+{
+    private static readonly string[] WithoutValue = ["--denoise", "--adaptive", "--quiet", "--verbose", "--json", "--preview"];
+
+    /// <summary>The number of samples; null for the scene's.</summary>
+    public int? Samples => Last("--spp") is { } word && int.TryParse(word, CultureInfo.InvariantCulture, out int samples) && samples > 0 ? samples : null;
+
+    /// <summary>The part; null for all of the picture.</summary>
+    public Tile? Crop => Last("--crop")?.Split(',').Select(n => int.TryParse(n, CultureInfo.InvariantCulture, out int number) ? number : -1).ToArray() is [var x, var y, > 0 and var w, > 0 and var h]
+        ? new(x, y, w, h) : null;
+
+    /// <summary>Where the scene of a film or image is: where it was, or beside the file.</summary>
+    public static string ScenePath(string scene, string file)
+    {
+        string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, Path.GetFileName(scene));
+        return File.Exists(scene) || !File.Exists(beside) ? scene : beside;
+    }
+
+    /// <summary>What a film says.</summary>
+    public static PictureOrigin Of(FilmHeader header, string file) => Of([header.Scene, .. header.Overrides, "--spp", $"{header.Total}"], file);
+
+    /// <summary>What an image says.</summary>
+    /// <exception cref="DocumentException">It says nothing.</exception>
+    public static PictureOrigin OfImage(string path)
+    {
+        try
+        {
+            string? command = ImageFile.ReadText(path).FirstOrDefault(t => t.Key == "Command").Value;
+            return command is not null && Shell.Words(command) is [_, "render", .. var words] ? Of(words, path)
+                : throw new DocumentException($"{Path.GetFileName(path)} does not say which scene it shows: only images and films of this program do");
+        }
+        catch (PictureException e)
+        {
+            throw new DocumentException(e.Message.TrimEnd('.'), e);
+        }
+    }
+
+    private static PictureOrigin Of(IReadOnlyList<string> words, string file)
+    {
+        List<KeyValuePair<string, string>> options = [];
+        string? scene = null;
+        for (int i = 0; i < words.Count; i++)
+        {
+            string word = words[i];
+            int equals = word.IndexOf('=', StringComparison.Ordinal);
+            if (!word.StartsWith('-'))
+            {
+                scene ??= word;
+            }
+            else if (word.StartsWith("--", StringComparison.Ordinal) && equals > 0)
+            {
+                options.Add(new(word[..equals], word[(equals + 1)..]));
+            }
+            else if (!WithoutValue.Contains(word) && i + 1 < words.Count)
+            {
+                options.Add(new(word, words[++i]));
+            }
+        }
+
+        return scene is null ? throw new DocumentException($"{Path.GetFileName(file)} does not say which scene it shows") : new(Path.GetFullPath(ScenePath(scene, file)), options);
+    }
+
+    private string? Last(string option) => Options.LastOrDefault(o => o.Key == option).Value;
+}

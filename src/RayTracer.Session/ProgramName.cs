@@ -1,0 +1,10 @@
+using RayTracer.Rendering;
+
+namespace RayTracer.Session;
+
+/// <summary>What the program calls itself in files.</summary>
+public static class ProgramName
+{
+    /// <summary>Its name and version.</summary>
+    public static string Text { get; } = $"raytracer {typeof(Film).Assembly.GetName().Version!.ToString(3)}";
+}

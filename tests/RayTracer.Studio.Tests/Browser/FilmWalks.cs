@@ -1,0 +1,78 @@
+using Microsoft.Playwright;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Session;
+using static Microsoft.Playwright.Assertions;
+
+namespace RayTracer.Studio.Tests.Browser;
+
+/// <summary>How films come into the window and leave it.</summary>
+[Collection(BrowserCollection.Name)]
+[Trait("Category", "Browser")]
+[Trait("Category", "Slow")]
+public class FilmWalks(ChromiumBrowser browser)
+{
+    [SkippableFact]
+    public async Task A_film_is_opened_gone_on_with_and_saved_again()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser);
+        (string whole, string name) = WriteFilm(w.Folder);
+        await w.Page.Keyboard.PressAsync("Control+o");
+        ILocator dialog = await InFolder(w);
+        await w.Shot("open-film");
+        await dialog.GetByRole(AriaRole.Button, new() { NameRegex = new(name) }).ClickAsync();
+        await dialog.GetByRole(AriaRole.Button, new() { Name = "Open", Exact = true }).ClickAsync();
+        await w.Painted(12);
+        Assert.Equal(whole, await w.Session.View.Loop.Look((film, _, _) => film.ComputeHash()));
+        await w.Button("Export picture").ClickAsync();
+        ILocator format = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Format" });
+        await Expect(format.GetByRole(AriaRole.Option)).ToHaveCountAsync(PictureSaver.Formats.Count);
+        await Write(w, format, "Film, to go on with later", "again.rtfilm");
+        Assert.Equal(whole, FilmFile.Read(Path.Combine(w.Folder, "again.rtfilm")).Film.ComputeHash());
+        await w.Button("Export picture").ClickAsync();
+        await Write(w, format, "Radiance HDR", "again.hdr");
+        Assert.Equal(30, ImageFile.Read(Path.Combine(w.Folder, "again.hdr")).Width);
+    }
+
+    private static async Task<ILocator> InFolder(StudioWindow w)
+    {
+        ILocator dialog = w.Page.GetByRole(AriaRole.Dialog);
+        ILocator path = dialog.GetByRole(AriaRole.Textbox, new() { Name = "Path" });
+        await path.FillAsync(w.Folder);
+        await path.PressAsync("Enter");
+        await Expect(dialog.GetByRole(AriaRole.List, new() { Name = w.Folder })).ToBeVisibleAsync();
+        return dialog;
+    }
+
+    private static async Task Write(StudioWindow w, ILocator format, string label, string name)
+    {
+        await format.SelectOptionAsync(new SelectOptionValue { Label = label });
+        await w.Button("Write to file").ClickAsync();
+        ILocator dialog = await InFolder(w);
+        await dialog.GetByRole(AriaRole.Textbox, new() { Name = "File name" }).FillAsync(name);
+        await dialog.GetByRole(AriaRole.Button, new() { Name = "Save", Exact = true }).ClickAsync();
+        await StudioWindow.Until($"{name} is there", () => Task.FromResult(File.Exists(Path.Combine(w.Folder, name))));
+    }
+
+    // A scene with a film of the first 5 of its 12 samples.
+    private static (string Whole, string Name) WriteFilm(string folder)
+    {
+        string scene = Path.Combine(folder, "small.json");
+        JsonText text = JsonText.Of(File.ReadAllText(ProjectFolder.PathOf("scenes", "primer", "02-light.json")));
+        File.WriteAllText(scene, text.Set("/render/width", 30).Set("/render/height", 20).Set("/render/samplesPerPixel", 12).Text);
+        Scenes.SceneLoadResult load = Scenes.SceneLoader.Load(scene);
+        Film film = new(30, 20);
+        new RTracer(load.Scene!, new() { Samples = new(0, 5) }).Render(film, null, default);
+        FilmFile.Write(Path.Combine(folder, "begun.rtfilm"), film, new()
+        {
+            Width = 30,
+            Height = 20,
+            Content = ContentHash.Of(load.Description!, scene, null),
+            Samples = [new(0, 5)],
+            Wanted = new(0, 12),
+            Total = 12,
+            Scene = scene,
+        });
+        return (new RTracer(load.Scene!).Render().Film.ComputeHash(), "begun.rtfilm");
+    }
+}
