@@ -277,7 +277,7 @@ public class ExrTests
 
     private static byte[] Patched(byte[] file, byte[] from, byte[] to)
     {
-        int at = file.AsSpan().LastIndexOf(from);
+        int at = file.AsSpan().IndexOf(from);
         to.CopyTo(file, at);
         return file;
     }
