@@ -47,7 +47,7 @@ internal static class ImageBenchmark
     // Bash tells the processor time of a process that has ended, which the runtime does not.
     private static double PeerTime(string program, string path)
     {
-        ProcessStartInfo start = new("bash", ["-c", "TIMEFORMAT='%U %S'; time \"$0\" \"$1\" > /dev/null", program, path]) { RedirectStandardError = true };
+        ProcessStartInfo start = new("bash", ["-c", "TIMEFORMAT='%U %S'; time \"$0\" \"$1\" > /dev/null", program, path]) { RedirectStandardError = true, UseShellExecute = false };
         using Process process = Process.Start(start)!;
         string last = process.StandardError.ReadToEnd().TrimEnd().Split('\n')[^1];
         process.WaitForExit();

@@ -47,7 +47,7 @@ public static class JpegReader
 
         JpegFrame frame = state.Frame ?? throw new PictureException("it has no frame header: there is no picture in it");
         Require(Array.TrueForAll(frame.Components, c => c.LastBit[0] >= 0), "the file is cut off, or holds only a part of its components");
-        Picture picture = PictureLimits.Allocate(frame.Width, frame.Height);
+        Picture picture = PictureLimits.Allocate(frame.Width, frame.Height, filled: true);
         Array.ForEach(frame.Components, c => c.Reconstruct());
         new JpegColours(frame, state.ColourSpace(), state.HasAdobe, raw).Convert(picture);
         return picture;

@@ -131,7 +131,7 @@ public class ExrTests
     {
         { "no (valid) attribute 'tiles'", new TestExr { Version = 0x202 }.File() },
         { "its tiles have 0×4 pixels", Patched(new TestExr { Version = 0x202, Tile = (77, 4) }.File(), [77, 0, 0, 0, 4], [0]) },
-        { "too small for a picture of 65537×8193 pixels with 3 channels", Patched(new TestExr { Version = 0x202, Tile = (1, 1) }.File(), [0, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0], [0, 0, 0, 0, 0, 0, 1, 0, 0, 32, 0, 0]) },
+        { "too small for a picture of 65537×4095 pixels with 5 channels", Patched(new TestExr { Version = 0x202, Tile = (1, 1), Channels = [.. "ABGRZ".Select(c => ($"{c}", 2, 1, 1))] }.File(), [0, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0], [0, 0, 0, 0, 0, 0, 1, 0, 254, 15, 0, 0]) },
         { "a tile claims pixels that the picture does not have", Patched(new TestExr { Version = 0x202, Tile = (4, 3) }.File(), [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 144, 0, 0, 0], [1]) },
         { "a tile of a smaller copy", Patched(new TestExr { Version = 0x202, Tile = (4, 3) }.File(), [0, 0, 0, 0, 0, 0, 0, 0, 144, 0, 0, 0], [1]) },
         { "its first part is of the kind ''", new TestExr { Version = 0x1002 }.File() },
@@ -277,7 +277,7 @@ public class ExrTests
 
     private static byte[] Patched(byte[] file, byte[] from, byte[] to)
     {
-        int at = file.AsSpan().LastIndexOf(from);
+        int at = file.AsSpan().IndexOf(from);
         to.CopyTo(file, at);
         return file;
     }
