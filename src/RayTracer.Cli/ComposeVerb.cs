@@ -20,44 +20,44 @@ internal static class ComposeVerb
     public static void Build(Command command, Streams streams)
     {
         Argument<string> image = new("IMAGE") { Description = "An OpenEXR file with layers of lights, as render --aov lights writes it." };
-        Option<string[]> outputs = new("-o", "--output") { Description = "The image file: .png, .pfm, .exr or .hdr. May be given several times.", HelpName = "FILE" };
         Option<string[]> lights = new("--light") { Description = "What a light is multiplied by: a number, or three for red, green and blue. May be given several times.", HelpName = "NAME=X|NAME=R,G,B" };
         ParsedOption<double?> others = OptionValues.Number("--others", "What all lights are multiplied by that are not named; 1 without it.", 0, 1e6);
-        ParsedOption<double?> exposure = OptionValues.Number("--exposure", "PNG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
-        ParsedOption<ToneMap?> toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG: how bright light is brought into what a screen can show; clamp cuts it off.");
+        WritingOptions output = new(command, "The image file: .png, .jpg, .pfm, .exr or .hdr. May be given several times.");
         command.Arguments.Add(image);
-        foreach (Option option in new Option[] { outputs, lights, others.Symbol, exposure.Symbol, toneMap.Symbol })
+        foreach (Option option in new Option[] { lights, others.Symbol }.Concat(output.Looks))
         {
             command.Options.Add(option);
         }
 
         command.SetAction(result =>
         {
-            ImageWriteOptions writing = new()
+            ImageWriteOptions writing = output.Writing(result) with
             {
-                Exposure = (float)(exposure.Value(result) ?? 0),
-                ToneMap = toneMap.Value(result) ?? ToneMap.Clamp,
                 Metadata = [new("Software", CommandLine.Version), new("Command", Shell.Command(result.Tokens.Select(t => t.Value)))],
             };
-            return Compose(result.GetValue(image)!, result.GetValue(outputs) ?? [], result.GetValue(lights) ?? [], (float)(others.Value(result) ?? 1), writing, streams);
+            return Compose(result.GetValue(image)!, output.Files(result), result.GetValue(lights) ?? [], (float)(others.Value(result) ?? 1), writing, streams);
         });
     }
 
-    private static int Compose(string path, string[] outputs, string[] words, float others, ImageWriteOptions writing, Streams streams)
+    private static int Compose(string path, IReadOnlyList<string> outputs, string[] words, float others, ImageWriteOptions writing, Streams streams)
     {
         (string Word, string Light, Rgb Factor)[] factors = [.. words.Select(Parse)];
-        Array.ForEach(outputs, ImageOutputs.Check);
+        foreach (string file in outputs)
+        {
+            ImageOutputs.Check(file);
+        }
+
         Picture? composed = OfFile<Picture?>(path, file =>
         {
             LightMix mix = LightMix.Open(file);
             Dictionary<string, Rgb> byLight = ByLight(factors, mix.Lights, path);
-            if (outputs.Length == 0 && words.Length == 0)
+            if (outputs.Count == 0 && words.Length == 0)
             {
                 streams.Output.WriteLine(string.Join(Environment.NewLine, mix.Lights));
                 return null;
             }
 
-            if (outputs.Length == 0)
+            if (outputs.Count == 0)
             {
                 throw new CommandException(ExitStatus.Usage, $"where to? Give -o FILE. The lights of '{path}' are {Names(mix.Lights)}");
             }
@@ -69,7 +69,7 @@ internal static class ComposeVerb
 
             return mix.Compose(light => byLight.GetValueOrDefault(light, new(others, others, others)));
         });
-        return composed is null ? ExitStatus.Fine : ImageOutputs.Write(outputs, composed, writing, streams).Count < outputs.Length ? ExitStatus.InputOutput : ExitStatus.Fine;
+        return composed is null ? ExitStatus.Fine : ImageOutputs.Write(outputs, composed, writing, streams).Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
 
     private static T OfFile<T>(string path, Func<byte[], T> read)

@@ -16,7 +16,7 @@ namespace RayTracer.Cli;
 /// <param name="streams">Where to write.</param>
 internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, SceneDescription> overrides, Streams streams)
 {
-    private static readonly string[] OnlyHere = ["--quiet", "--json"];
+    private static readonly string[] OnlyHere = ["--quiet", "--json", "--verbose"];
     private static readonly string[] OnlyHereWithValue = ["--frames", "--fps", "--part", "--threads", "-o", "--output"];
     private readonly FrameRange _frames = request.Frames!;
     private readonly Dictionary<(string Path, bool Raw), Picture> _pictures = [];
@@ -33,6 +33,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
     {
         { Pixel: not null } => "--pixel prints one picture's numbers: give one frame",
         { Checkpoint: not null } => "--checkpoint is for one picture: of several frames, those that are whole are kept anyway, and the same command goes on with the others",
+        { Preview: true } => "--preview shows one picture: give one frame",
         { Outputs.Count: 0, Json: false } => "where to? Give -o frame-####.png",
         _ when request.Outputs.FirstOrDefault(o => !o.Contains('#', StringComparison.Ordinal) && !IsAnimated(o, request.Frames!)) is { } single =>
             $"-o {single}: {request.Frames!.Count} frames need as many files: put #### where their numbers shall stand",

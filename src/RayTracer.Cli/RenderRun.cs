@@ -114,7 +114,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     private SceneDescription Described(SceneDescription scene)
     {
         _stages.EndLoad();
-        return _description = _noise.Widen(overrides(scene));
+        return _noise.Widen(overrides(scene));
     }
 
     private ProgressDisplay? Display() =>

@@ -33,7 +33,7 @@ internal sealed class RenderVerb
     {
         _scene = new("SCENE") { Description = "The scene file: native (.json), of Mitsuba (.xml), or a model." };
         command.Arguments.Add(_scene);
-        _writing = new(command, "The image file: .png, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
+        _writing = new(command, "The image file: .png, .jpg, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
         _overrides = new(command);
         foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol, _frames.Symbol, _rate.Symbol]))
         {
@@ -49,10 +49,14 @@ internal sealed class RenderVerb
         RenderVerb verb = new(command);
         command.SetAction(result =>
         {
-            RenderRequest request = DisplayOptions.ForTerminal(verb.Request(result), streams);
-            return FramesRun.Is(request)
-                ? new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run()
-                : new RenderRun(request with { OverrideWords = [.. request.OverrideWords, .. request.Frame is { } frame ? ["--frames", $"{frame}"] : Array.Empty<string>()] }, s => verb._overrides.Apply(result, s), streams).Run();
+            RenderRequest request = verb.Request(result);
+            if (FramesRun.Is(request))
+            {
+                return new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run();
+            }
+
+            string[] frame = request.Frame is { } number ? ["--frames", $"{number}"] : [];
+            return new RenderRun(DisplayOptions.ForTerminal(request with { OverrideWords = [.. request.OverrideWords, .. frame] }, streams), s => verb._overrides.Apply(result, s), streams).Run();
         });
     }
 

@@ -60,7 +60,7 @@ internal sealed class ResumeVerb
 
         IReadOnlyList<string> words = FilmTexts.Words(header, total);
         string scene = result.GetValue(_scene) ?? PictureOrigin.ScenePath(header.Scene, file);
-        (RenderRequest parsed, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
+        (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
         RenderRequest request = _display.Put(result, _long.Put(result, new()
         {
             ScenePath = scene,
@@ -69,11 +69,11 @@ internal sealed class ResumeVerb
             Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
             Crop = header.Crop is { } c ? [c.X, c.Y, c.Width, c.Height] : null,
             Samples = wanted,
-            Frames = parsed.Frames,
+            Frames = first.Frames,
             HasSamples = true,
             Checkpoint = file,
             Resumed = new(header, film),
-            Settings = parsed.Settings,
+            Settings = first.Settings,
             OverrideWords = words,
             CommandText = Shell.Command(["render", scene, .. words, .. FilmTexts.CropWords(header)]),
         }));

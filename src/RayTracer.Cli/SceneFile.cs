@@ -16,7 +16,8 @@ internal static class SceneFile
     /// <param name="settings">Values to put in the place of the file's; may be null.</param>
     /// <param name="frame">The frame of the animation; null for the scene as it is written.</param>
     public static SceneLoadResult Load(
-        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null, int? frame = null) =>
+        string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null,
+        int? frame = null) =>
         SceneLoader.Load(path, overrides, readPicture, settings, frame);
 
     /// <summary>Loads a scene and shows what is wrong with it.</summary>
@@ -29,8 +30,8 @@ internal static class SceneFile
     /// <param name="describe">Takes the description that the scene was built from; may be null.</param>
     /// <returns>The scene; null where there are errors.</returns>
     public static Scene? Load(
-        string path, Streams streams, Func<SceneDescription, SceneDescription>? overrides = null, IReadOnlyList<SceneSetting>? settings = null, int? frame = null,
-        Func<string, bool, Picture>? readPicture = null, Action<SceneDescription>? describe = null)
+        string path, Streams streams, Func<SceneDescription, SceneDescription>? overrides = null, IReadOnlyList<SceneSetting>? settings = null, int? frame = null, Func<string, bool, Picture>? readPicture = null,
+        Action<SceneDescription>? describe = null)
     {
         SceneLoadResult result = Load(path, overrides, readPicture, settings, frame);
         Show(result, streams);

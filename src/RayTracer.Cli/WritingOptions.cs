@@ -7,21 +7,23 @@ namespace RayTracer.Cli;
 internal sealed class WritingOptions
 {
     private readonly Option<string[]> _outputs = new("-o", "--output") { HelpName = "FILE" };
-    private readonly ParsedOption<double?> _exposure = OptionValues.Number("--exposure", "PNG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
-    private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG: how bright light is brought into what a screen can show; clamp cuts it off.");
+    private readonly ParsedOption<double?> _exposure = OptionValues.Number("--exposure", "PNG, JPEG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
+    private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG, JPEG: how bright light is brought into what a screen can show; clamp cuts it off.");
     private readonly ParsedOption<int?> _bitDepth = OptionValues.Choice<int?>("--bit-depth", "PNG: bits a channel; 8 without it.", ["8", "16"], [8, 16]);
+    private readonly ParsedOption<long?> _quality = OptionValues.Integer("--quality", $"JPEG: from the smallest file to the best picture; {JpegWriter.StandardQuality} without it.", 1, 100);
+    private readonly ParsedOption<JpegChroma?> _chroma = OptionValues.Choice<JpegChroma>("--chroma", "JPEG: colours of every pixel, or of every four; without it, full from quality 90 on.");
 
     /// <summary>Makes the options, for a command that takes the file otherwise: those of <see cref="Looks"/> only.</summary>
     public WritingOptions()
     {
         Output = _outputs;
-        Looks = [_exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol];
+        Looks = [_exposure.Symbol, _toneMap.Symbol, _bitDepth.Symbol, _quality.Symbol, _chroma.Symbol];
     }
 
     /// <summary>Gives a command the options.</summary>
     /// <param name="command">The command.</param>
     /// <param name="outputs">What the files are.</param>
-    public WritingOptions(Command command, string outputs = "The file to write: .png, .pfm, .exr or .hdr, or .rtfilm for the film itself. May be given several times.")
+    public WritingOptions(Command command, string outputs = "The file to write: .png, .jpg, .pfm, .exr or .hdr, or .rtfilm for the film itself. May be given several times.")
         : this()
     {
         _outputs.Description = outputs;
@@ -46,5 +48,7 @@ internal sealed class WritingOptions
         BitDepth = _bitDepth.Value(result) ?? 8,
         Exposure = (float)(_exposure.Value(result) ?? 0),
         ToneMap = _toneMap.Value(result) ?? ToneMap.Clamp,
+        JpegQuality = (int)(_quality.Value(result) ?? JpegWriter.StandardQuality),
+        JpegChroma = _chroma.Value(result),
     };
 }

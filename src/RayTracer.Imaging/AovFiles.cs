@@ -18,13 +18,13 @@ public static class AovFiles
     public static string Beside(string path, string name) => Path.ChangeExtension(path, $".{name}{Path.GetExtension(path)}");
 
     /// <summary>The image as it is written to a file of its own.</summary>
-    /// <param name="path">The file: a PNG holds colours to look at, any other the numbers.</param>
+    /// <param name="path">The file: a PNG or JPEG holds colours to look at, any other the numbers.</param>
     /// <param name="film">The images.</param>
     /// <param name="kind">Which of them.</param>
     /// <returns>The image, and what its colours mean.</returns>
     public static (IImageRows Image, string Range) Rows(string path, AovFilm film, Aov kind)
     {
-        if (!Path.GetExtension(path).Equals(".png", StringComparison.OrdinalIgnoreCase))
+        if (!ImageFile.IsForDisplay(path))
         {
             return (new AovRows(film, kind), "");
         }

@@ -3,11 +3,11 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Picture files of every format that is known: PNG, PFM, OpenEXR and Radiance HDR; and JPEG and films, which are read only.</summary>
+/// <summary>Picture files of every format that is known: PNG, JPEG, PFM, OpenEXR and Radiance HDR; and films, which are read only.</summary>
 public static class ImageFile
 {
     private const string Formats = "PNG, JPEG, PFM, OpenEXR and Radiance HDR";
-    private static readonly string[] Extensions = [".png", ".pfm", ".exr", ".hdr"];
+    private static readonly string[] Extensions = [".png", ".jpg", ".jpeg", ".pfm", ".exr", ".hdr"];
 
     /// <summary>Reads a picture file; its format is told by its first bytes, not by its name.</summary>
     /// <param name="path">The file, of at most 2 GiB.</param>
@@ -88,22 +88,23 @@ public static class ImageFile
         }
     }
 
-    /// <summary>Reads the texts that a picture file carries, in their order; of a PFM, JPEG or Radiance HDR, none.</summary>
+    /// <summary>Reads the texts that a picture file carries, in their order; of a PFM or Radiance HDR, none. Comments of a JPEG that name no key are called "Comment".</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, file =>
         file.StartsWith(PngReader.Signature) ? PngReader.ReadText(file)
         : file.StartsWith(ExrReader.Signature) ? ExrReader.ReadText(file)
-        : PfmReader.IsPfm(file) || file.StartsWith(FilmFile.Signature) || file.StartsWith(JpegReader.Signature) || file.StartsWith(HdrReader.Signature) ? []
+        : file.StartsWith(JpegReader.Signature) ? JpegReader.ReadText(file)
+        : PfmReader.IsPfm(file) || file.StartsWith(FilmFile.Signature) || file.StartsWith(HdrReader.Signature) ? []
         : throw Unknown());
 
     /// <summary>
-    /// Writes an image, row by row, in the format that the extension names (.png, .pfm, .exr or .hdr). The file is there whole or not at
+    /// Writes an image, row by row, in the format that the extension names (.png, .jpg, .jpeg, .pfm, .exr or .hdr). The file is there whole or not at
     /// all (<see cref="AtomicFile"/>).
     /// </summary>
     /// <param name="path">Where to; the folder must exist.</param>
     /// <param name="image">Linear RGB.</param>
-    /// <param name="options">Details; by default 8 bits, no tone map, OpenEXR of halves with ZIP, no metadata.</param>
+    /// <param name="options">Details; by default 8 bits, JPEG of quality 90, no tone map, OpenEXR of halves with ZIP, no metadata.</param>
     /// <exception cref="ImageWriteException">The extension is unknown, the options cannot be met, or the file cannot be written.</exception>
     public static void Write(string path, IImageRows image, ImageWriteOptions? options = null)
     {
@@ -121,7 +122,7 @@ public static class ImageFile
     }
 
     /// <summary>Writes an image to memory, in the format that an extension names.</summary>
-    /// <param name="extension">.png, .pfm, .exr or .hdr.</param>
+    /// <param name="extension">.png, .jpg, .jpeg, .pfm, .exr or .hdr.</param>
     /// <param name="image">Linear RGB.</param>
     /// <param name="options">As for <see cref="Write"/>.</param>
     /// <exception cref="ImageWriteException">The extension is unknown.</exception>
@@ -131,6 +132,9 @@ public static class ImageFile
         Encode(stream, KnownExtension($"picture{extension}"), image, options);
         return stream.ToArray();
     }
+
+    /// <summary>Whether a file of this name holds colours to look at, encoded with the sRGB curve, rather than numbers: PNG and JPEG.</summary>
+    public static bool IsForDisplay(string path) => Path.GetExtension(path).ToLowerInvariant() is ".png" or ".jpg" or ".jpeg";
 
     /// <summary>Tells at once, before a long computation, whether <see cref="Write"/> has a chance: the extension is known and the folder exists.</summary>
     /// <param name="path">Where an image is to be written.</param>
@@ -146,8 +150,10 @@ public static class ImageFile
         switch (extension)
         {
             case ".png":
-                var seen = new ToneMappedRows(image, options.ToneMap, options.Exposure);
-                PngWriter.Write(stream, seen, options.BitDepth, options.Metadata);
+                PngWriter.Write(stream, new ToneMappedRows(image, options.ToneMap, options.Exposure), options.BitDepth, options.Metadata);
+                break;
+            case ".jpg" or ".jpeg":
+                JpegWriter.Write(stream, new ToneMappedRows(image, options.ToneMap, options.Exposure), options.JpegQuality, options.JpegChroma, options.Metadata);
                 break;
             case ".pfm":
                 PfmWriter.Write(stream, image);

@@ -6,11 +6,17 @@ public sealed record ImageWriteOptions
     /// <summary>PNG: bits a channel, 8 (the default) or 16.</summary>
     public int BitDepth { get; init; } = 8;
 
-    /// <summary>PNG: the tone map; by default none, <see cref="ToneMap.Clamp"/>. PFM and OpenEXR hold the linear light as it is.</summary>
+    /// <summary>PNG and JPEG: the tone map; by default none, <see cref="ToneMap.Clamp"/>. PFM and OpenEXR hold the linear light as it is.</summary>
     public ToneMap ToneMap { get; init; } = ToneMap.Clamp;
 
-    /// <summary>PNG: the exposure in stops, −100 to 100; each stop doubles the light.</summary>
+    /// <summary>PNG and JPEG: the exposure in stops, −100 to 100; each stop doubles the light.</summary>
     public float Exposure { get; init; }
+
+    /// <summary>JPEG: the quality, 1 to 100; 90 by default.</summary>
+    public int JpegQuality { get; init; } = JpegWriter.StandardQuality;
+
+    /// <summary>JPEG: how many differences of colour are kept; by default all from quality 90 on, below it a quarter.</summary>
+    public JpegChroma? JpegChroma { get; init; }
 
     /// <summary>OpenEXR: half (the default) or float.</summary>
     public ExrPixelType ExrPixelType { get; init; } = ExrPixelType.Half;
@@ -18,7 +24,7 @@ public sealed record ImageWriteOptions
     /// <summary>OpenEXR: the compression; ZIP by default.</summary>
     public ExrCompression ExrCompression { get; init; } = ExrCompression.Zip;
 
-    /// <summary>PNG and OpenEXR: texts to keep in the file, such as the command that made it; see <see cref="PngWriter"/> for what a key may be. PFM has no place for them.</summary>
+    /// <summary>PNG, JPEG and OpenEXR: texts to keep in the file, such as the command that made it; see <see cref="PngWriter"/> for what a key may be. PFM has no place for them.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Metadata { get; init; } = [];
 
     /// <summary>OpenEXR: channels to write beside those of the image.</summary>

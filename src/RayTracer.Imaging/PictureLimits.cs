@@ -33,12 +33,15 @@ public static class PictureLimits
     }
 
     /// <summary>Makes the picture.</summary>
+    /// <param name="width">Width in pixels.</param>
+    /// <param name="height">Height in pixels.</param>
+    /// <param name="filled">Whether every pixel will be set, so that it need not be black before.</param>
     /// <exception cref="PictureException">There is not enough memory.</exception>
-    internal static Picture Allocate(int width, int height)
+    internal static Picture Allocate(int width, int height, bool filled = false)
     {
         try
         {
-            return new Picture(width, height);
+            return filled ? new Picture(width, height, GC.AllocateUninitializedArray<float>(3 * width * height)) : new Picture(width, height);
         }
         catch (OutOfMemoryException e)
         {

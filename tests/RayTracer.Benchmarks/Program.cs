@@ -5,7 +5,8 @@ using RayTracer.Benchmarks.Mitsuba;
 using RayTracer.Benchmarks.Studio;
 
 // "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle tree with Embree, "mitsuba SCENE.xml SAMPLES…" whole renders with
-// Mitsuba; "studio [SCENE]" measures how quickly the Studio follows a hand; anything else goes to
+// Mitsuba; "studio [SCENE]" measures how quickly the Studio follows a hand; "images FILE…" compares reading
+// PNG and JPEG files with the common libraries' own commands; anything else goes to
 // BenchmarkDotNet ("--filter *").
 if (args.Length > 0 && args[0] == "ratios")
 {
@@ -25,6 +26,11 @@ if (args.Length > 0 && args[0] == "mitsuba")
 if (args.Length > 0 && args[0] == "studio")
 {
     return await StudioBenchmark.Run(args[1..]);
+}
+
+if (args.Length > 0 && args[0] == "images")
+{
+    return ImageBenchmark.Run(args[1..]);
 }
 
 BenchmarkSwitcher.FromAssembly(typeof(Ratios).Assembly).Run(args);

@@ -38,7 +38,7 @@ public sealed class LayoutTests
         Assert.True(complaints.Length == 0, string.Join('\n', complaints));
 
         // Showing it all has changed nothing.
-        Assert.False(test.Session.Document.IsDirty);
+        Assert.True(!test.Session.Document.IsDirty, $"{test.Session.Document.Status.UndoLabel}: {test.Session.Document.Text}");
         Assert.Equal(Tone.Plain, test.Session.View.Tone);
     });
 

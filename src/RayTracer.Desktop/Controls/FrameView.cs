@@ -14,7 +14,8 @@ internal sealed class FrameView : Control
     /// <summary>The pixels; null for none.</summary>
     public static readonly StyledProperty<PixelFrame?> FrameProperty = AvaloniaProperty.Register<FrameView, PixelFrame?>(nameof(Frame));
 
-    private WriteableBitmap? _bitmap;
+    // The newest one goes with the view: controls are not disposed of.
+    private IImage? _image;
 
     /// <summary>The pixels; null for none.</summary>
     public PixelFrame? Frame
@@ -24,12 +25,12 @@ internal sealed class FrameView : Control
     }
 
     /// <summary>What it draws.</summary>
-    internal WriteableBitmap? Bitmap => _bitmap;
+    internal WriteableBitmap? Bitmap => _image as WriteableBitmap;
 
     /// <inheritdoc/>
     public override void Render(DrawingContext context)
     {
-        if (_bitmap is { } bitmap && Frame is not null)
+        if (Bitmap is { } bitmap && Frame is not null)
         {
             context.DrawImage(bitmap, new Rect(bitmap.Size), new Rect(Bounds.Size));
         }
@@ -48,7 +49,7 @@ internal sealed class FrameView : Control
         if (change.Property == FrameProperty || change.Property == BoundsProperty)
         {
             // Enlarged pixels are to be seen as what they are.
-            bool isEnlarged = _bitmap is { } bitmap && Bounds.Width > bitmap.PixelSize.Width;
+            bool isEnlarged = Bitmap is { } bitmap && Bounds.Width > bitmap.PixelSize.Width;
             RenderOptions.SetBitmapInterpolationMode(this, isEnlarged ? BitmapInterpolationMode.None : BitmapInterpolationMode.HighQuality);
         }
     }
@@ -61,13 +62,13 @@ internal sealed class FrameView : Control
         }
 
         PixelSize size = new(frame.Width, frame.Height);
-        if (_bitmap is null || _bitmap.PixelSize != size)
+        if (Bitmap is not { } bitmap || bitmap.PixelSize != size)
         {
-            _bitmap?.Dispose();
-            _bitmap = new(size, new(96, 96), PixelFormat.Rgba8888, AlphaFormat.Unpremul);
+            Bitmap?.Dispose();
+            _image = bitmap = new(size, new(96, 96), PixelFormat.Rgba8888, AlphaFormat.Unpremul);
         }
 
-        using ILockedFramebuffer pixels = _bitmap.Lock();
+        using ILockedFramebuffer pixels = bitmap.Lock();
         for (int y = 0; y < frame.Height; y++)
         {
             Marshal.Copy(frame.Rgba, 4 * frame.Width * y, pixels.Address + (y * pixels.RowBytes), 4 * frame.Width);

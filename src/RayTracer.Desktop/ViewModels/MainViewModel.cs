@@ -141,7 +141,7 @@ internal sealed class MainViewModel : Observable, IDisposable
             Gallery.Show(_session.Gallery.Groups);
             Tell(nameof(Things));
             Tell(nameof(Gallery));
-            await Task.WhenAll(FollowState(), Viewport.FollowFrames(_session.View.Frames, _stop.Token), Convergence.Follow(_stop.Token), Gallery.LoadPictures(_stop.Token));
+            await Task.WhenAll(FollowState(), Viewport.FollowFrames(_session.View, _stop.Token), Convergence.Follow(_stop.Token), Gallery.LoadPictures(_stop.Token));
         }
         catch (OperationCanceledException)
         {
@@ -220,7 +220,8 @@ internal sealed class MainViewModel : Observable, IDisposable
             Messages.Say(notice.Kind, notice.Text);
         }
 
-        if (state.Recovery.FirstOrDefault()?.Id != Recovery?.Id)
+        string? kept = state.Recovery is [var newest, ..] ? newest.Id : null;
+        if (kept != Recovery?.Id)
         {
             Recovery = state.Recovery is [var first, ..] ? new(first, () => _ = Files.OpenRecovered(first.Id), () => Hand.Do(s => s.Recovery.Discard(first.Id))) : null;
         }

@@ -9,13 +9,25 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 {
     private static readonly Dictionary<string, string> Tabs = new(StringComparer.Ordinal)
     {
-        ["camera"] = "camera", ["render"] = "render", ["background"] = "world", ["environment"] = "world", ["ambient"] = "world",
+        ["camera"] = "camera",
+        ["render"] = "render",
+        ["background"] = "world",
+        ["environment"] = "world",
+        ["ambient"] = "world",
     };
 
     private static readonly Dictionary<string, string> Icons = new(StringComparer.Ordinal)
     {
-        ["camera"] = "camera", ["render"] = "render", ["background"] = "background", ["environment"] = "background", ["ambient"] = "light",
-        ["shapes"] = "sphere", ["lights"] = "light", ["materials"] = "material", ["textures"] = "texture", ["objects"] = "scene",
+        ["camera"] = "camera",
+        ["render"] = "render",
+        ["background"] = "background",
+        ["environment"] = "background",
+        ["ambient"] = "light",
+        ["shapes"] = "sphere",
+        ["lights"] = "light",
+        ["materials"] = "material",
+        ["textures"] = "texture",
+        ["objects"] = "scene",
     };
 
     private readonly HashSet<string> _closed = new(StringComparer.Ordinal);

@@ -10,7 +10,7 @@ internal static class Keyboard
 
     /// <summary>The keys that are held besides.</summary>
     public static HeldKeys Held(KeyModifiers modifiers) =>
-        (modifiers.HasFlag(Mod) ? HeldKeys.Mod : 0) | (modifiers.HasFlag(KeyModifiers.Shift) ? HeldKeys.Shift : 0) | (modifiers.HasFlag(KeyModifiers.Alt) ? HeldKeys.Alt : 0);
+        (modifiers.HasFlag(Mod) ? HeldKeys.Mod : HeldKeys.None) | (modifiers.HasFlag(KeyModifiers.Shift) ? HeldKeys.Shift : HeldKeys.None) | (modifiers.HasFlag(KeyModifiers.Alt) ? HeldKeys.Alt : HeldKeys.None);
 
     /// <summary>A key's name.</summary>
     public static string NameOf(Key key, KeyModifiers modifiers) => key switch

@@ -21,7 +21,7 @@ internal sealed partial class MainView : UserControl
 
         // Where text is written, only keys with Ctrl or Alt are commands.
         HeldKeys held = Keyboard.Held(e.KeyModifiers);
-        bool isPlain = (held & (HeldKeys.Mod | HeldKeys.Alt)) == 0;
+        bool isPlain = !held.HasFlag(HeldKeys.Mod) && !held.HasFlag(HeldKeys.Alt);
         if (!(isPlain && e.Source is TextBox) && main.Commands.OfKeys(Keyboard.NameOf(e.Key, e.KeyModifiers), held) is { IsEnabled: true } command)
         {
             command.Execute(null);

@@ -18,7 +18,7 @@ internal sealed class WindowServices(Func<MainWindow> window) : IWindowServices
             SuggestedStartLocation = await FolderOf(folder),
             FileTypeFilter = extensions.Count == 0 ? null : [new FilePickerFileType(title) { Patterns = [.. extensions.Select(e => $"*.{e}")] }, FilePickerFileTypes.All],
         };
-        return (await Storage.OpenFilePickerAsync(options)).FirstOrDefault()?.TryGetLocalPath();
+        return await Storage.OpenFilePickerAsync(options) is [var file, ..] ? file.TryGetLocalPath() : null;
     }
 
     /// <inheritdoc/>

@@ -1,3 +1,5 @@
+using System.Buffers.Binary;
+using System.Runtime.CompilerServices;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
@@ -24,17 +26,37 @@ internal ref struct JpegBits
 
     /// <summary>Reads one symbol.</summary>
     /// <exception cref="PictureException">The bits are those of no code.</exception>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Symbol(JpegHuffmanTable table)
     {
         Fill();
         int found = table.Find((int)(_bits >> (_count - JpegHuffmanTable.LongestCode)) & 0xFFFF);
         if (found == 0)
         {
-            throw new PictureException($"its image data holds a code that its Huffman table does not (before byte {Position})");
+            ThrowNoCode();
         }
 
         _count -= found >> 8;
         return found & 0xFF;
+    }
+
+    // Apart, so that what is done for every symbol stays short enough to be inlined.
+    private readonly void ThrowNoCode() => throw new PictureException($"its image data holds a code that its Huffman table does not (before byte {Position})");
+
+    /// <summary>Reads one symbol, and the number with a sign that has as many bits as the symbol's low four bits say.</summary>
+    /// <exception cref="PictureException">The bits are those of no code.</exception>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int SymbolAndNumber(JpegHuffmanTable table, out int number)
+    {
+        int symbol = Symbol(table);
+        int length = symbol & 15;
+        _count -= length;
+        int bits = (int)(_bits >> _count) & ((1 << length) - 1);
+
+        // The lower half of the numbers, those without the highest bit, are negative.
+        int isNegative = length == 0 ? 0 : (bits >> (length - 1)) - 1;
+        number = bits + (isNegative & (1 - (1 << length)));
+        return symbol;
     }
 
     /// <summary>Reads a number of up to 16 bits without a sign.</summary>
@@ -87,7 +109,31 @@ internal ref struct JpegBits
         Position = at + 2;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Fill()
+    {
+        if (_count >= Enough)
+        {
+            return;
+        }
+
+        // Four bytes at once where none is 255, that is, no byte of the complement is zero.
+        if (Position <= _file.Length - sizeof(uint))
+        {
+            uint four = BinaryPrimitives.ReadUInt32BigEndian(_file[Position..]);
+            if (((~four - 0x01010101u) & four & 0x80808080u) == 0)
+            {
+                _bits = (_bits << 32) | four;
+                _count += 32;
+                Position += sizeof(uint);
+                return;
+            }
+        }
+
+        FillByBytes();
+    }
+
+    private void FillByBytes()
     {
         while (_count < Enough)
         {

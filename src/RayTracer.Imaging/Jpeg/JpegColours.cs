@@ -50,6 +50,7 @@ internal sealed class JpegColours
     {
         int width = _frame.Width;
         float[][] rows = [.. _frame.Components.Select(_ => new float[width])];
+        byte[][] codes = [.. Enumerable.Range(0, 3).Select(_ => new byte[width])];
         float[] mixed = new float[_frame.Components.Max(c => c.Width)];
         for (int y = 0; y < _frame.Height; y++)
         {
@@ -58,78 +59,55 @@ internal sealed class JpegColours
                 Expand(_frame.Components[i], y, mixed, rows[i]);
             }
 
-            ConvertRow(rows, picture.Pixels.AsSpan(3 * y * width, 3 * width));
+            ToRgb(rows);
+            for (int i = 0; i < codes.Length; i++)
+            {
+                JpegRows.Round(rows[_space == JpegColourSpace.Grey ? 0 : i], codes[i]);
+            }
+
+            JpegRows.Decode(codes[0], codes[1], codes[2], _values, picture.Pixels.AsSpan(3 * y * width, 3 * width));
         }
     }
 
     // One row of pixels of a component.
     private void Expand(JpegComponent c, int y, Span<float> mixed, Span<float> row)
     {
+        bool isFull = c.Horizontal == _frame.MaxHorizontal;
         bool halfAcross = 2 * c.Horizontal == _frame.MaxHorizontal;
         bool halfDown = 2 * c.Vertical == _frame.MaxVertical;
-        bool smooth = (halfAcross || c.Horizontal == _frame.MaxHorizontal) && (halfDown || c.Vertical == _frame.MaxVertical);
-        (int near, int far) = smooth && halfDown ? Neighbours(y, c.Height) : (Nearest(y, c.Vertical, _frame.MaxVertical), -1);
-        ReadOnlySpan<byte> samples = c.Samples.AsSpan(near * c.Stride, c.Width);
-        for (int x = 0; x < samples.Length; x++)
+        bool smooth = (halfAcross || isFull) && (halfDown || c.Vertical == _frame.MaxVertical);
+        int near = smooth && halfDown ? y >> 1 : Nearest(y, c.Vertical, _frame.MaxVertical);
+        int far = smooth && halfDown ? Math.Clamp(near + ((y & 1) == 0 ? -1 : 1), 0, c.Height - 1) : -1;
+        Span<float> samples = isFull ? row : mixed[..c.Width];
+        JpegRows.Mix(c.Samples.AsSpan(near * c.Stride, samples.Length), far < 0 ? [] : c.Samples.AsSpan(far * c.Stride, samples.Length), samples);
+        if (smooth && halfAcross)
         {
-            mixed[x] = far < 0 ? samples[x] : (samples[x] * 0.75f) + (c.Samples[(far * c.Stride) + x] * 0.25f);
+            JpegRows.Double(samples, row);
         }
 
-        for (int x = 0; x < row.Length; x++)
+        for (int x = 0; x < row.Length && !isFull && !(smooth && halfAcross); x++)
         {
-            if (smooth && halfAcross)
-            {
-                (near, far) = Neighbours(x, c.Width);
-                row[x] = (mixed[near] * 0.75f) + (mixed[far] * 0.25f);
-            }
-            else
-            {
-                row[x] = mixed[Nearest(x, c.Horizontal, _frame.MaxHorizontal)];
-            }
+            row[x] = samples[Nearest(x, c.Horizontal, _frame.MaxHorizontal)];
         }
     }
-
-    private static (int Near, int Far) Neighbours(int pixel, int samples) =>
-        (pixel >> 1, Math.Clamp((pixel >> 1) + ((pixel & 1) == 0 ? -1 : 1), 0, samples - 1));
 
     private static int Nearest(int pixel, int factor, int maxFactor) => ((2 * pixel) + 1) * factor / (2 * maxFactor);
 
-    private void ConvertRow(float[][] rows, Span<float> pixels)
+    private void ToRgb(float[][] rows)
     {
-        for (int x = 0; x < rows[0].Length; x++)
+        if (_space is JpegColourSpace.YCbCr or JpegColourSpace.Ycck)
         {
-            float first = rows[0][x];
-            (float r, float g, float b) = _space switch
+            JpegRows.ToRgb(rows[0], rows[1], rows[2]);
+        }
+
+        // The differences of YCCK stand for red, green and blue; the inks are their complements.
+        for (int x = 0; x < rows[0].Length && _space is (JpegColourSpace.Cmyk or JpegColourSpace.Ycck); x++)
+        {
+            for (int i = 0; i < 3; i++)
             {
-                JpegColourSpace.Grey => (first, first, first),
-                JpegColourSpace.Rgb => (first, rows[1][x], rows[2][x]),
-                JpegColourSpace.YCbCr => OfLuminance(first, rows[1][x], rows[2][x]),
-                JpegColourSpace.Cmyk => OfInk(first, rows[1][x], rows[2][x], rows[3][x]),
-                _ => OfInk(OfLuminance(first, rows[1][x], rows[2][x]), rows[3][x]),
-            };
-            pixels[3 * x] = _values[Code(r)];
-            pixels[(3 * x) + 1] = _values[Code(g)];
-            pixels[(3 * x) + 2] = _values[Code(b)];
+                float ink = _space == JpegColourSpace.Ycck ? 255 - Math.Clamp(rows[i][x], 0, 255) : rows[i][x];
+                rows[i][x] = _inverted ? ink * rows[3][x] / 255 : (255 - ink) * (255 - rows[3][x]) / 255;
+            }
         }
     }
-
-    // ITU-T T.871 (JFIF), section 7: Rec. 601 luminance, all codes used.
-    private static (float R, float G, float B) OfLuminance(float y, float cb, float cr)
-    {
-        cb -= 128;
-        cr -= 128;
-        return (y + (1.402f * cr), y - (0.344136286f * cb) - (0.714136286f * cr), y + (1.772f * cb));
-    }
-
-    // The differences stand for red, green and blue; the inks are their complements.
-    private (float R, float G, float B) OfInk((float R, float G, float B) c, float black) =>
-        OfInk(255 - Limited(c.R), 255 - Limited(c.G), 255 - Limited(c.B), black);
-
-    private (float R, float G, float B) OfInk(float cyan, float magenta, float yellow, float black) => _inverted
-        ? (cyan * black / 255, magenta * black / 255, yellow * black / 255)
-        : ((255 - cyan) * (255 - black) / 255, (255 - magenta) * (255 - black) / 255, (255 - yellow) * (255 - black) / 255);
-
-    private static float Limited(float value) => Math.Clamp(value, 0, 255);
-
-    private static byte Code(float value) => (byte)Math.Clamp(value + 0.5f, 0, 255);
 }

@@ -12,6 +12,8 @@ internal sealed class JpegComponent(byte id, int horizontal, int vertical, int q
     public const int BlockSize = Side * Side;
 
     private short[]?[] _coefficients = [];
+    private bool[] _isDone = [];
+    private short[]? _spare; // of a row that is done, all zero
     private float[]? _steps;
 
     /// <summary>The name by which scans call it.</summary>
@@ -22,6 +24,9 @@ internal sealed class JpegComponent(byte id, int horizontal, int vertical, int q
 
     /// <summary>Blocks of a unit one above the other.</summary>
     public int Vertical => vertical;
+
+    /// <summary>The number of its quantization table.</summary>
+    public int Quantization => quantization;
 
     /// <summary>Samples in a row.</summary>
     public int Width { get; private set; }
@@ -45,31 +50,52 @@ internal sealed class JpegComponent(byte id, int horizontal, int vertical, int q
         Height = height;
         Stride = unitsAcross * horizontal * Side;
         _coefficients = new short[]?[unitsDown * vertical];
+        _isDone = new bool[unitsDown * vertical];
     }
 
     /// <summary>A row of blocks, 64 coefficients each; it takes memory only from its first use on, so that a mere claim of size costs nothing.</summary>
-    public short[] BlockRow(int row) => _coefficients[row] ??= new short[Stride * Side];
+    public short[] BlockRow(int row)
+    {
+        short[] blocks = _coefficients[row] ?? _spare ?? new short[Stride * Side];
+        _spare = blocks == _spare ? null : _spare;
+        return _coefficients[row] = blocks;
+    }
 
     /// <summary>Remembers the quantization that holds at its first scan; tables may be defined anew after it (T.81, section B.2.4.1).</summary>
     /// <exception cref="PictureException">There is no such table.</exception>
     public void LatchQuantization(float[]?[] tables) => _steps ??= tables[quantization]
         ?? throw new PictureException($"its quantization table {quantization} is missing");
 
-    /// <summary>Turns the coefficients into samples and lets go of them.</summary>
+    /// <summary>Turns a row of blocks, all of whose coefficients have been read, into samples.</summary>
+    public void ReconstructRow(int row)
+    {
+        if (Samples.Length == 0)
+        {
+            Samples = new byte[_coefficients.Length * Side * Stride];
+        }
+
+        short[] blocks = BlockRow(row);
+        Span<byte> samples = Samples.AsSpan(row * Side * Stride, Side * Stride);
+        for (int block = 0; block < Stride / Side; block++)
+        {
+            JpegTransform.Inverse(blocks.AsSpan(block * BlockSize, BlockSize), _steps!, samples[(block * Side)..], Stride);
+        }
+
+        blocks.AsSpan().Clear();
+        (_spare, _coefficients[row], _isDone[row]) = (blocks, null, true);
+    }
+
+    /// <summary>Turns the coefficients into samples that are still to be, and lets go of them.</summary>
     public void Reconstruct()
     {
-        Samples = new byte[_coefficients.Length * Side * Stride];
-        float[] steps = _steps!;
         for (int row = 0; row < _coefficients.Length; row++)
         {
-            short[] blocks = BlockRow(row);
-            for (int block = 0; block < Stride / Side; block++)
+            if (!_isDone[row])
             {
-                Span<byte> samples = Samples.AsSpan((row * Side * Stride) + (block * Side));
-                JpegTransform.Inverse(blocks.AsSpan(block * BlockSize, BlockSize), steps, samples, Stride);
+                ReconstructRow(row);
             }
-
-            _coefficients[row] = null;
         }
+
+        _spare = null;
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
@@ -49,18 +50,24 @@ internal sealed class JpegHuffmanTable
     }
 
     /// <summary>The code that 16 bits begin with: its length times 256, plus its symbol; 0 where no code begins so.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int Find(int bits)
     {
         int found = _fast[bits >> (LongestCode - FastBits)];
-        for (int length = FastBits + 1; found == 0 && length <= LongestCode; length++)
+        return found != 0 ? found : FindLong(bits);
+    }
+
+    private int FindLong(int bits)
+    {
+        for (int length = FastBits + 1; length <= LongestCode; length++)
         {
             int code = bits >> (LongestCode - length);
             if (code < _codeEnd[length])
             {
-                found = (length << 8) | _symbols[code + _symbolOffset[length]];
+                return (length << 8) | _symbols[code + _symbolOffset[length]];
             }
         }
 
-        return found;
+        return 0;
     }
 }

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Text;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
@@ -16,6 +17,7 @@ public static class JpegReader
     private const int StartOfImage = 0xD8;
     private const int EndOfImage = 0xD9;
     private const int StartOfScan = 0xDA;
+    private const int Comment = 0xFE;
 
     /// <summary>The bytes that a JPEG file begins with: SOI, and the begin of another marker.</summary>
     public static ReadOnlySpan<byte> Signature => [0xFF, StartOfImage, 0xFF];
@@ -27,11 +29,7 @@ public static class JpegReader
     /// <exception cref="PictureException">The file is no JPEG, is damaged, of a kind that is not read, or beyond <see cref="PictureLimits"/>.</exception>
     public static Picture Read(ReadOnlySpan<byte> file, bool raw = false)
     {
-        if (!file.StartsWith(Signature))
-        {
-            throw new PictureException("it does not begin as a JPEG file does");
-        }
-
+        Require(file.StartsWith(Signature), "it does not begin as a JPEG file does");
         var state = new State();
         int position = 2;
         while (NextMarker(file, ref position) is int marker && marker != EndOfImage)
@@ -49,10 +47,32 @@ public static class JpegReader
 
         JpegFrame frame = state.Frame ?? throw new PictureException("it has no frame header: there is no picture in it");
         Require(Array.TrueForAll(frame.Components, c => c.LastBit[0] >= 0), "the file is cut off, or holds only a part of its components");
-        Picture picture = PictureLimits.Allocate(frame.Width, frame.Height);
+        Picture picture = PictureLimits.Allocate(frame.Width, frame.Height, filled: true);
         Array.ForEach(frame.Components, c => c.Reconstruct());
         new JpegColours(frame, state.ColourSpace(), state.HasAdobe, raw).Convert(picture);
         return picture;
+    }
+
+    /// <summary>Reads the comments (COM) that a file carries before its image data: <c>key: value</c>, or a text that is called "Comment".</summary>
+    /// <param name="file">The whole file.</param>
+    /// <exception cref="PictureException">The file is no JPEG, or is damaged.</exception>
+    public static IReadOnlyList<KeyValuePair<string, string>> ReadText(ReadOnlySpan<byte> file)
+    {
+        Require(file.StartsWith(Signature), "it does not begin as a JPEG file does");
+        List<KeyValuePair<string, string>> texts = [];
+        int position = 2;
+        while (NextMarker(file, ref position) is int marker && marker is not (EndOfImage or StartOfScan))
+        {
+            ReadOnlySpan<byte> data = Segment(file, marker, ref position);
+            if (marker == Comment)
+            {
+                string text = Encoding.UTF8.GetString(data).TrimEnd('\0');
+                int colon = text.IndexOf(": ", StringComparison.Ordinal);
+                texts.Add(colon > 0 ? new(text[..colon], text[(colon + 2)..]) : new("Comment", text));
+            }
+        }
+
+        return texts;
     }
 
     // What stands before a scan and holds for it.

@@ -6,7 +6,7 @@ namespace RayTracer.Imaging;
 internal sealed class JpegScan
 {
     // Which coefficient of a block, row by row, comes next (T.81, figure A.6).
-    private static readonly byte[] s_zigzag =
+    private static ReadOnlySpan<byte> ZigZag =>
     [
         0, 1, 8, 16, 9, 2, 3, 10, 17, 24, 32, 25, 18, 11, 4, 5, 12, 19, 26, 33, 40, 48, 41, 34, 27, 20, 13, 6, 7, 14, 21, 28,
         35, 42, 49, 56, 57, 50, 43, 36, 29, 22, 15, 23, 30, 37, 44, 51, 58, 59, 52, 45, 38, 31, 39, 46, 53, 60, 61, 54, 47, 55, 62, 63,
@@ -56,7 +56,7 @@ internal sealed class JpegScan
     }
 
     /// <summary>Where a coefficient of a given place in a scan, or in a quantization table, stands in a block.</summary>
-    public static int PlaceOf(int index) => s_zigzag[index];
+    public static int PlaceOf(int index) => ZigZag[index];
 
     /// <summary>Reads the scan's data.</summary>
     /// <param name="file">The whole file.</param>
@@ -86,9 +86,27 @@ internal sealed class JpegScan
                 ReadUnit(ref bits, x, y, interleaved);
                 bits.CheckNotEnded();
             }
+
+            if (!_frame.IsProgressive)
+            {
+                ReconstructRow(y, interleaved);
+            }
         }
 
         return bits.Position;
+    }
+
+    // No later scan may add anything to a component that has been coded as a whole (see Follow).
+    private void ReconstructRow(int y, bool interleaved)
+    {
+        foreach ((JpegComponent c, _, _) in _parts)
+        {
+            int rows = interleaved ? c.Vertical : 1;
+            for (int row = y * rows; row < (y + 1) * rows; row++)
+            {
+                c.ReconstructRow(row);
+            }
+        }
     }
 
     private void ReadUnit(ref JpegBits bits, int x, int y, bool interleaved)
@@ -143,7 +161,7 @@ internal sealed class JpegScan
 
         for (int k = Math.Max(1, _first); k <= _last; k++)
         {
-            int symbol = bits.Symbol(table);
+            int symbol = bits.SymbolAndNumber(table, out int number);
             (int run, int length) = (symbol >> 4, symbol & 15);
             if (length == 0 && run < 15)
             {
@@ -155,7 +173,7 @@ internal sealed class JpegScan
             if (length != 0)
             {
                 Require(k <= _last, "a block of it has more coefficients than there can be");
-                block[s_zigzag[k]] = (short)(bits.Signed(length) << _bit);
+                block[ZigZag[k]] = (short)(number << _bit);
             }
         }
     }
@@ -190,7 +208,7 @@ internal sealed class JpegScan
             if (value != 0)
             {
                 Require(k <= _last, "a block of it has more coefficients than there can be");
-                block[s_zigzag[k]] = (short)value;
+                block[ZigZag[k]] = (short)value;
             }
         }
     }
@@ -200,7 +218,7 @@ internal sealed class JpegScan
     {
         for (; k <= _last; k++)
         {
-            ref short coefficient = ref block[s_zigzag[k]];
+            ref short coefficient = ref block[ZigZag[k]];
             if (coefficient != 0)
             {
                 int more = bits.Number(1) << _bit;

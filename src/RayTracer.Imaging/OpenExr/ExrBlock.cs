@@ -3,15 +3,21 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Rows of an OpenEXR file that are compressed together, and where they are in it.</summary>
-internal readonly record struct ExrBlock(int FirstRow, int Rows, int Bytes, int Offset, int PackedBytes)
+/// <summary>Pixels of an OpenEXR file that are compressed together, rows or a tile, and where they are in it; rows and columns count from 0.</summary>
+internal readonly record struct ExrBlock(int FirstRow, int Rows, int FirstColumn, int Columns, int Bytes, int Offset, int PackedBytes)
 {
-    /// <summary>Finds all blocks through the table of their offsets; they may be in any order, but each must be there once.</summary>
+    /// <summary>Bytes of a channel's part of a row, before compression.</summary>
+    /// <param name="header">The file's header.</param>
+    /// <param name="channel">The channel.</param>
+    /// <param name="row">The row within the block, from 0.</param>
+    public int RowBytes(ExrHeader header, ExrChannel channel, int row) => (int)channel.Bytes(header.Top + FirstRow + row, 1, header.Left + FirstColumn, Columns);
+
+    /// <summary>Finds all blocks of full size through the table of their offsets; they may be in any order, but each must be there once.</summary>
     /// <exception cref="PictureException">A block is missing or cannot be what it claims to be.</exception>
     public static ExrBlock[] Find(ReadOnlySpan<byte> file, ExrHeader header)
     {
-        int rows = ExrFormat.RowsOfBlock(header.Compression);
-        int count = (header.Height + rows - 1) / rows;
+        // Where there are smaller copies of the picture too, their blocks come after those of the picture itself.
+        long count = (long)header.BlocksAcross * header.BlocksDown;
         if ((file.Length - header.End) / 8 < count)
         {
             throw new PictureException($"the file is cut off: its table of {count} blocks is not complete");
@@ -23,12 +29,11 @@ internal readonly record struct ExrBlock(int FirstRow, int Rows, int Bytes, int 
         for (int i = 0; i < count; i++)
         {
             long offset = BinaryPrimitives.ReadInt64LittleEndian(file[(header.End + (8 * i))..]);
-            ExrBlock block = At(file, header, offset, rows);
-            int index = block.FirstRow / rows;
+            (ExrBlock block, int index) = At(file, header, offset);
             packed += block.PackedBytes;
             if (seen[index] || packed > file.Length)
             {
-                throw new PictureException("its table of blocks leads twice to the same rows");
+                throw new PictureException("its table of blocks leads twice to the same pixels");
             }
 
             seen[index] = true;
@@ -38,34 +43,64 @@ internal readonly record struct ExrBlock(int FirstRow, int Rows, int Bytes, int 
         return blocks;
     }
 
-    private static ExrBlock At(ReadOnlySpan<byte> file, ExrHeader header, long offset, int rows)
+    private static (ExrBlock Block, int Index) At(ReadOnlySpan<byte> file, ExrHeader header, long offset)
     {
-        if (offset < header.End || offset > file.Length - 8)
+        int headBytes = 4 * ((header.IsMultiPart ? 1 : 0) + (header.IsTiled ? 4 : 1) + 1);
+        if (offset < header.End || offset > file.Length - headBytes)
         {
             throw new PictureException("the file is cut off or incomplete: a block of pixels is not where its table says");
         }
 
         ReadOnlySpan<byte> head = file[(int)offset..];
-        long firstRow = (long)BinaryPrimitives.ReadInt32LittleEndian(head) - header.Top;
-        int packedBytes = BinaryPrimitives.ReadInt32LittleEndian(head[4..]);
-        if (firstRow < 0 || firstRow >= header.Height || firstRow % rows != 0)
+        if (header.IsMultiPart)
         {
-            throw new PictureException("a block of pixels claims rows that the picture does not have");
+            Require(Word(ref head) == 0, "its table of blocks leads to a block of another part");
         }
 
-        int count = Math.Min(rows, header.Height - (int)firstRow);
+        (int column, int row) = header.IsTiled ? Tile(ref head, header) : (0, Row(ref head, header));
+        int packedBytes = Word(ref head);
+        int rows = Math.Min(header.BlockHeight, header.Height - row);
+        int columns = Math.Min(header.BlockWidth, header.Width - column);
         long bytes = 0;
-        for (int y = 0; y < count; y++)
+        foreach (ExrChannel channel in header.Channels)
         {
-            bytes += header.RowBytes((int)firstRow + y);
+            bytes += channel.Bytes(header.Top + row, rows, header.Left + column, columns);
         }
 
-        if (packedBytes < 0 || packedBytes > bytes || packedBytes > head.Length - 8
-            || bytes > packedBytes * PictureLimits.MaxDeflateRatio || bytes > int.MaxValue)
-        {
-            throw new PictureException($"a block of pixels of {bytes} bytes claims to be packed in {packedBytes}: the file is cut off or damaged");
-        }
+        Require(
+            packedBytes >= 0 && packedBytes <= bytes && packedBytes <= head.Length && bytes <= packedBytes * ExrFormat.MaxRatio(header.Compression) && bytes <= int.MaxValue,
+            $"a block of pixels of {bytes} bytes claims to be packed in {packedBytes}: the file is cut off or damaged");
+        ExrBlock block = new(row, rows, column, columns, (int)bytes, (int)offset + headBytes, packedBytes);
+        return (block, (row / header.BlockHeight * header.BlocksAcross) + (column / header.BlockWidth));
+    }
 
-        return new ExrBlock((int)firstRow, count, (int)bytes, (int)offset + 8, packedBytes);
+    private static int Row(ref ReadOnlySpan<byte> head, ExrHeader header)
+    {
+        long row = (long)Word(ref head) - header.Top;
+        Require(row >= 0 && row < header.Height && row % header.BlockHeight == 0, "a block of pixels claims rows that the picture does not have");
+        return (int)row;
+    }
+
+    private static (int Column, int Row) Tile(ref ReadOnlySpan<byte> head, ExrHeader header)
+    {
+        (int x, int y, int levelX, int levelY) = (Word(ref head), Word(ref head), Word(ref head), Word(ref head));
+        Require((uint)x < (uint)header.BlocksAcross && (uint)y < (uint)header.BlocksDown, "a tile claims pixels that the picture does not have");
+        Require(levelX == 0 && levelY == 0, "its table of tiles leads to a tile of a smaller copy of the picture");
+        return (x * header.BlockWidth, y * header.BlockHeight);
+    }
+
+    private static int Word(ref ReadOnlySpan<byte> head)
+    {
+        int word = BinaryPrimitives.ReadInt32LittleEndian(head);
+        head = head[4..];
+        return word;
+    }
+
+    private static void Require(bool condition, string otherwise)
+    {
+        if (!condition)
+        {
+            throw new PictureException(otherwise);
+        }
     }
 }

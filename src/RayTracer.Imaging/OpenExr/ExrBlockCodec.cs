@@ -86,7 +86,8 @@ internal static class ExrBlockCodec
         return packed.ToArray();
     }
 
-    private static bool Inflate(ReadOnlySpan<byte> packed, byte[] data)
+    /// <summary>Unpacks exactly as many bytes as there is room for; false where there are not so many.</summary>
+    public static bool Inflate(ReadOnlySpan<byte> packed, byte[] data)
     {
         using var zlib = new ZLibStream(new MemoryStream(packed.ToArray()), CompressionMode.Decompress);
         try

@@ -37,6 +37,13 @@ internal ref struct ExrBytes(ReadOnlySpan<byte> all)
         }
 
         Position += length + 1;
-        return Encoding.UTF8.GetString(rest[..length]);
+        return Printable(rest[..length]);
+    }
+
+    /// <summary>A text, with question marks for control characters, which have no place in messages.</summary>
+    public static string Printable(ReadOnlySpan<byte> bytes)
+    {
+        string text = Encoding.UTF8.GetString(bytes);
+        return text.Any(char.IsControl) ? string.Concat(text.Select(c => char.IsControl(c) ? '?' : c)) : text;
     }
 }

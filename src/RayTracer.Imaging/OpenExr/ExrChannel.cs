@@ -1,22 +1,15 @@
 namespace RayTracer.Imaging;
 
 /// <summary>A channel of an OpenEXR file: it has a value where x and y are multiples of the steps.</summary>
-internal readonly record struct ExrChannel(string Name, ExrPixelType Type, int StepX, int StepY)
+internal readonly record struct ExrChannel(string Name, ExrPixelType Type, bool IsPerceptual, int StepX, int StepY)
 {
     /// <summary>Bytes of one value.</summary>
     public int ValueBytes => Type == ExrPixelType.Half ? 2 : 4;
 
-    /// <summary>Bytes of the channel's part of row y, for columns first … last.</summary>
-    public long RowBytes(int y, int first, int last)
-    {
-        if (y % StepY != 0)
-        {
-            return 0;
-        }
+    /// <summary>Bytes of the channel's part of a rectangle.</summary>
+    public long Bytes(int top, int rows, int left, int columns) => Multiples(left, columns, StepX) * Multiples(top, rows, StepY) * ValueBytes;
 
-        long multiples = FloorDivide(last, StepX) - FloorDivide((long)first - 1, StepX);
-        return multiples * ValueBytes;
-    }
+    private static long Multiples(int first, int count, int step) => FloorDivide((long)first + count - 1, step) - FloorDivide((long)first - 1, step);
 
     private static long FloorDivide(long a, int b) => a >= 0 ? a / b : -((-a + b - 1) / b);
 }

@@ -14,12 +14,21 @@ internal static class ExrFormat
     /// <summary>A compression that is read, but not written.</summary>
     public const ExrCompression Piz = (ExrCompression)4;
 
+    /// <inheritdoc cref="Piz"/>
+    public const ExrCompression Pxr24 = (ExrCompression)5;
+
+    /// <inheritdoc cref="Piz"/>
+    public const ExrCompression B44 = (ExrCompression)6;
+
+    /// <inheritdoc cref="Piz"/>
+    public const ExrCompression B44A = (ExrCompression)7;
+
     /// <summary>Names to which the format itself gives a meaning: no texts of a user.</summary>
     public static readonly string[] Attributes =
     [
         "channels", "compression", "dataWindow", "displayWindow", "lineOrder", "pixelAspectRatio", "screenWindowCenter",
         "screenWindowWidth", "name", "type", "version", "chunkCount", "tiles", "view", "maxSamplesPerPixel", "chromaticities",
-        "whiteLuminance", "preview",
+        "whiteLuminance", "preview", "multiView",
     ];
 
     /// <summary>The four bytes that an OpenEXR file begins with.</summary>
@@ -28,8 +37,11 @@ internal static class ExrFormat
     /// <summary>Rows that are compressed together.</summary>
     public static int RowsOfBlock(ExrCompression compression) => compression switch
     {
-        ExrCompression.Zip => 16,
-        Piz => PizDecoder.Rows,
+        ExrCompression.Zip or Pxr24 => 16,
+        Piz or B44 or B44A => 32,
         _ => 1,
     };
+
+    /// <summary>How many times fewer bytes there can be at most; of four bytes, PXR24 packs three.</summary>
+    public static long MaxRatio(ExrCompression compression) => PictureLimits.MaxDeflateRatio * (compression == Pxr24 ? 2 : 1);
 }

@@ -4,16 +4,21 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>The header of a single-part OpenEXR file of rows.</summary>
+/// <summary>The header of an OpenEXR file, of rows or tiles; in a file of several parts, of the first one.</summary>
 internal sealed class ExrHeader
 {
     // Keeps the work on each row of a hostile file bounded.
     private const int MaxChannels = 1024;
+    private const long MostRowsOfChannels = 1L << 30;
+
+    private const string Deep = "it is an OpenEXR file of deep data, with several depths in a pixel; only flat ones are read";
 
     private readonly List<KeyValuePair<string, string>> _texts = [];
     private List<ExrChannel>? _channels;
     private int? _compression;
     private int[]? _dataWindow;
+    private string? _type;
+    private (uint Width, uint Height)? _tile;
 
     private ExrHeader()
     {
@@ -35,28 +40,50 @@ internal sealed class ExrHeader
     /// <summary>The string attributes that are not the format's own, in their order.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Texts => _texts;
 
+    /// <summary>Whether the file is one of several parts, even if there is only one.</summary>
+    public bool IsMultiPart { get; private set; }
+
+    /// <summary>Whether blocks are tiles rather than rows.</summary>
+    public bool IsTiled { get; private set; }
+
+    /// <summary>Columns of a block; fewer at the right edge.</summary>
+    public int BlockWidth { get; private set; }
+
+    /// <summary>Rows of a block; fewer at the lower edge.</summary>
+    public int BlockHeight { get; private set; }
+
+    /// <summary>Blocks side by side.</summary>
+    public int BlocksAcross => (int)(((long)Width + BlockWidth - 1) / BlockWidth);
+
+    /// <summary>Blocks one above the other.</summary>
+    public int BlocksDown => (int)(((long)Height + BlockHeight - 1) / BlockHeight);
+
     /// <summary>Where the table of blocks begins.</summary>
     public int End { get; private set; }
-
-    /// <summary>Bytes of row y of the picture (0 is the top), before compression.</summary>
-    public long RowBytes(int y)
-    {
-        long bytes = 0;
-        foreach (ExrChannel channel in Channels)
-        {
-            bytes += channel.RowBytes(Top + y, Left, Left + Width - 1);
-        }
-
-        return bytes;
-    }
 
     public static ExrHeader Parse(ReadOnlySpan<byte> file)
     {
         var header = new ExrHeader();
         var reader = new ExrBytes(file);
         header.CheckVersion(ref reader);
+        header.ReadPart(ref reader, isFirst: true);
+        while (header.IsMultiPart && header.ReadPart(ref reader, isFirst: false))
+        {
+        }
+
+        header.End = reader.Position;
+        header.CheckComplete();
+        header.SetBlocks();
+        return header;
+    }
+
+    // Attributes up to an empty name. Those of later parts are gone over; an empty part is the end of all.
+    private bool ReadPart(ref ExrBytes reader, bool isFirst)
+    {
+        bool any = false;
         for (string name = reader.Name(); name.Length > 0; name = reader.Name())
         {
+            any = true;
             string type = reader.Name();
             int size = reader.Int();
             if (size < 0 || size > reader.Left)
@@ -64,12 +91,14 @@ internal sealed class ExrHeader
                 throw new PictureException($"its attribute '{name}' claims {size} bytes, and {reader.Left} are left");
             }
 
-            header.Take(name, type, reader.Bytes(size));
+            ReadOnlySpan<byte> value = reader.Bytes(size);
+            if (isFirst)
+            {
+                Take(name, type, value);
+            }
         }
 
-        header.End = reader.Position;
-        header.CheckComplete();
-        return header;
+        return any;
     }
 
     private void CheckVersion(ref ExrBytes reader)
@@ -80,16 +109,15 @@ internal sealed class ExrHeader
         }
 
         int version = reader.Int();
-        string? kind = (version & ExrFormat.MultiPartFlag) != 0 ? "of several parts"
-            : (version & ExrFormat.DeepFlag) != 0 ? "of deep data"
-            : (version & ExrFormat.TiledFlag) != 0 ? "of tiles"
-            : null;
-        if (kind is not null)
+        if ((version & ExrFormat.DeepFlag) != 0)
         {
-            throw new PictureException($"it is an OpenEXR file {kind}; only single-part files of rows (scanlines) are read");
+            throw new PictureException(Deep);
         }
 
-        if ((version & ~ExrFormat.LongNamesFlag) != ExrFormat.Version)
+        IsMultiPart = (version & ExrFormat.MultiPartFlag) != 0;
+        IsTiled = (version & ExrFormat.TiledFlag) != 0;
+        const int Known = ExrFormat.LongNamesFlag | ExrFormat.MultiPartFlag | ExrFormat.TiledFlag;
+        if ((version & ~Known) != ExrFormat.Version)
         {
             throw new PictureException($"its version word is {version}, and only version {ExrFormat.Version} of OpenEXR is read");
         }
@@ -113,6 +141,12 @@ internal sealed class ExrHeader
                 }
 
                 break;
+            case ("tiles", "tiledesc") when value.Length == 9:
+                _tile = (BinaryPrimitives.ReadUInt32LittleEndian(value), BinaryPrimitives.ReadUInt32LittleEndian(value[4..]));
+                break;
+            case ("type", "string"):
+                _type = ExrBytes.Printable(value);
+                break;
             case (_, "string") when value.Length <= PictureLimits.MaxTextBytes && !ExrFormat.Attributes.Contains(name):
                 _texts.Add(new(name, Encoding.UTF8.GetString(value)));
                 break;
@@ -126,7 +160,7 @@ internal sealed class ExrHeader
         for (string name = reader.Name(); name.Length > 0; name = reader.Name())
         {
             int type = reader.Int();
-            reader.Bytes(4);
+            bool isPerceptual = reader.Bytes(4)[0] != 0;
             int stepX = reader.Int();
             int stepY = reader.Int();
             if (type is < 0 or > 2 || stepX < 1 || stepY < 1)
@@ -139,7 +173,7 @@ internal sealed class ExrHeader
                 throw new PictureException($"it has more than {MaxChannels} channels");
             }
 
-            channels.Add(new ExrChannel(name, (ExrPixelType)type, stepX, stepY));
+            channels.Add(new ExrChannel(name, (ExrPixelType)type, isPerceptual, stepX, stepY));
         }
 
         return channels;
@@ -153,14 +187,40 @@ internal sealed class ExrHeader
             throw new PictureException($"its header has no (valid) attribute '{missing}'");
         }
 
-        if (_compression > (int)ExrCompression.Zip && Compression != ExrFormat.Piz)
+        if (_compression > (int)ExrFormat.B44A)
         {
-            string[] names = ["PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB"];
-            int index = _compression!.Value - 4;
-            string name = index < names.Length ? names[index] : $"number {_compression}";
-            throw new PictureException($"its compression is {name}, and only NONE, RLE, ZIPS, ZIP and PIZ are read");
+            string name = _compression switch { 8 => "DWAA", 9 => "DWAB", _ => $"number {_compression}" };
+            throw new PictureException($"its compression is {name}, and only NONE, RLE, ZIPS, ZIP, PIZ, PXR24, B44 and B44A are read");
         }
 
         PictureLimits.CheckSize((long)_dataWindow![2] - Left + 1, (long)_dataWindow[3] - Top + 1);
+    }
+
+    // Of several parts, each says itself what it is; a single one says so in the version, whatever its type.
+    private void SetBlocks()
+    {
+        if (IsMultiPart && _type is not ("scanlineimage" or "tiledimage"))
+        {
+            throw new PictureException(_type is "deepscanline" or "deeptile" ? Deep : $"its first part is of the kind '{_type}', which does not exist in OpenEXR");
+        }
+
+        IsTiled = IsMultiPart ? _type == "tiledimage" : IsTiled;
+        if (!IsTiled)
+        {
+            (BlockWidth, BlockHeight) = (Width, ExrFormat.RowsOfBlock(Compression));
+            return;
+        }
+
+        (uint width, uint height) = _tile ?? throw new PictureException("its header has no (valid) attribute 'tiles'");
+        if (width == 0 || height == 0)
+        {
+            throw new PictureException($"its tiles have {width}×{height} pixels");
+        }
+
+        (BlockWidth, BlockHeight) = ((int)Math.Min(width, (uint)Width), (int)Math.Min(height, (uint)Height));
+        if ((long)BlocksAcross * Height * Channels.Count > MostRowsOfChannels)
+        {
+            throw new PictureException($"its tiles of {width}×{height} pixels are too small for a picture of {Width}×{Height} pixels with {Channels.Count} channels");
+        }
     }
 }

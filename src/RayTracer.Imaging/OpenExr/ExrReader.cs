@@ -4,11 +4,14 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// Reads OpenEXR files of one part stored as rows, uncompressed or compressed with RLE, ZIPS or ZIP. Channels other than R, G, B
-/// (or a lone Y, which is grey) are skipped; chromaticities are ignored: the primaries are taken to be those of Rec. 709.
+/// Reads OpenEXR files of rows or tiles, of the latter the level of full size, with every compression but DWAA and DWAB; of several parts,
+/// the first. Channels other than R, G, B (or a lone Y, which is grey; or those of a layer, where nothing stands outside of layers) are
+/// skipped; chromaticities are ignored: the primaries are taken to be those of Rec. 709.
 /// </summary>
 public static class ExrReader
 {
+    private static readonly string[] s_pictureLayers = ["combined", "beauty", "rgb", "rgba"];
+
     /// <summary>The four bytes that an OpenEXR file begins with.</summary>
     public static ReadOnlySpan<byte> Signature => ExrFormat.Magic;
 
@@ -22,11 +25,12 @@ public static class ExrReader
         int[] targets = Targets(header);
         ExrBlock[] blocks = ExrBlock.Find(file, header);
         Picture picture = PictureLimits.Allocate(header.Width, header.Height);
-        ReadRows(file, header, blocks, (values, channel, y) =>
+        ReadRows(file, header, blocks, (values, channel, x, y) =>
         {
             if (targets[channel] >= 0)
             {
-                ReadChannel(values, header.Channels[channel], targets[channel], picture.Pixels.AsSpan(3 * y * header.Width, 3 * header.Width));
+                int columns = values.Length / header.Channels[channel].ValueBytes;
+                ReadChannel(values, header.Channels[channel], targets[channel], picture.Pixels.AsSpan(3 * ((y * header.Width) + x), 3 * columns));
             }
         });
         return picture;
@@ -49,11 +53,11 @@ public static class ExrReader
         ExrChannel channel = header.Channels[wanted];
         ExrBlock[] blocks = ExrBlock.Find(file, header);
         double[] all = new double[(long)header.Width * header.Height];
-        ReadRows(file, header, blocks, (values, number, y) =>
+        ReadRows(file, header, blocks, (values, number, x, y) =>
         {
-            for (int x = 0; number == wanted && x < header.Width; x++)
+            for (int i = 0; number == wanted && i < values.Length / channel.ValueBytes; i++)
             {
-                all[((long)y * header.Width) + x] = Value(values[(x * channel.ValueBytes)..], channel.Type);
+                all[((long)y * header.Width) + x + i] = Value(values[(i * channel.ValueBytes)..], channel.Type);
             }
         });
         return all;
@@ -76,13 +80,13 @@ public static class ExrReader
             [.. header.Channels.Select(c => c is { StepX: 1, StepY: 1 } && parts.TryGetValue(c.Name, out (int, float) part) ? part : (-1, 0))];
         ExrBlock[] blocks = ExrBlock.Find(file, header);
         Picture picture = PictureLimits.Allocate(header.Width, header.Height);
-        ReadRows(file, header, blocks, (values, number, y) =>
+        ReadRows(file, header, blocks, (values, number, x, y) =>
         {
             (int target, float factor) = targets[number];
             ExrChannel channel = header.Channels[number];
-            for (int x = 0; target >= 0 && factor != 0 && x < header.Width; x++)
+            for (int i = 0; target >= 0 && factor != 0 && i < values.Length / channel.ValueBytes; i++)
             {
-                picture.Pixels[(3 * ((y * header.Width) + x)) + target] += factor * (float)Value(values[(x * channel.ValueBytes)..], channel.Type);
+                picture.Pixels[(3 * ((y * header.Width) + x + i)) + target] += factor * (float)Value(values[(i * channel.ValueBytes)..], channel.Type);
             }
         });
         return picture;
@@ -97,9 +101,10 @@ public static class ExrReader
     private static int[] Targets(ExrHeader header)
     {
         string[] names = [.. header.Channels.Select(channel => channel.Name)];
-        bool grey = !names.Any(name => name is "R" or "G" or "B");
-        string[] wanted = grey ? ["Y"] : ["R", "G", "B"];
-        if (!wanted.All(names.Contains) || (grey && names.Any(name => name is "RY" or "BY")))
+        string layer = names.Any(name => !name.Contains('.', StringComparison.Ordinal)) ? "" : Layer(names);
+        bool grey = !names.Any(name => name == $"{layer}R" || name == $"{layer}G" || name == $"{layer}B");
+        string[] wanted = grey ? [$"{layer}Y"] : [$"{layer}R", $"{layer}G", $"{layer}B"];
+        if (!wanted.All(names.Contains) || (grey && names.Any(name => name == $"{layer}RY" || name == $"{layer}BY")))
         {
             string list = string.Join(", ", names.Take(8)) + (names.Length > 8 ? ", …" : "");
             throw new PictureException($"it has the channels {list}, and only R, G and B, or Y alone, are read");
@@ -108,7 +113,7 @@ public static class ExrReader
         var targets = new int[names.Length];
         for (int i = 0; i < names.Length; i++)
         {
-            targets[i] = grey && names[i] == "Y" ? 3 : Array.IndexOf(wanted, names[i]);
+            targets[i] = grey ? 3 : Array.IndexOf(wanted, names[i]);
             ExrChannel channel = header.Channels[i];
             if (wanted.Contains(names[i]) && (channel.StepX != 1 || channel.StepY != 1 || names.Count(name => name == names[i]) > 1))
             {
@@ -121,27 +126,45 @@ public static class ExrReader
         return targets;
     }
 
-    // The bytes of a channel in a row, the channel's number, and the row.
-    private delegate void RowOfChannel(ReadOnlySpan<byte> values, int channel, int y);
+    // Where all channels belong to layers: the only one with colours, or the one that is called as programs call the picture itself.
+    private static string Layer(string[] names)
+    {
+        string[] layers = [.. names.Where(name => name.EndsWith(".R", StringComparison.Ordinal)).Select(name => name[..^1])];
+        string[] pictures = [.. layers.Where(layer => s_pictureLayers.Any(word => $".{layer}".EndsWith($".{word}.", StringComparison.OrdinalIgnoreCase)))];
+        return layers is [var only] ? only : pictures is [var picture] ? picture : "";
+    }
+
+    // The bytes of a channel in a row of a block, the channel's number, the first column, and the row.
+    private delegate void RowOfChannel(ReadOnlySpan<byte> values, int channel, int x, int y);
 
     private static void ReadRows(ReadOnlySpan<byte> file, ExrHeader header, ExrBlock[] blocks, RowOfChannel take)
     {
         foreach (ExrBlock block in blocks)
         {
-            ReadOnlySpan<byte> packed = file.Slice(block.Offset, block.PackedBytes);
-            ReadOnlySpan<byte> values = header.Compression == ExrFormat.Piz && packed.Length != block.Bytes
-                ? PizDecoder.Decode(packed, header, block) ?? throw new PictureException("one of its blocks of pixels is damaged")
-                : ExrBlockCodec.Decompress(header.Compression, packed, block.Bytes);
-            for (int y = block.FirstRow; y < block.FirstRow + block.Rows; y++)
+            ReadOnlySpan<byte> values = Unpacked(file.Slice(block.Offset, block.PackedBytes), header, block);
+            for (int y = 0; y < block.Rows; y++)
             {
                 for (int c = 0; c < header.Channels.Count; c++)
                 {
-                    int bytes = (int)header.Channels[c].RowBytes(header.Top + y, header.Left, header.Left + header.Width - 1);
-                    take(values[..bytes], c, y);
+                    int bytes = block.RowBytes(header, header.Channels[c], y);
+                    take(values[..bytes], c, block.FirstColumn, block.FirstRow + y);
                     values = values[bytes..];
                 }
             }
         }
+    }
+
+    // What would not become smaller is stored as it is.
+    private static ReadOnlySpan<byte> Unpacked(ReadOnlySpan<byte> packed, ExrHeader header, ExrBlock block)
+    {
+        bool isOwn = header.Compression > ExrCompression.Zip && packed.Length != block.Bytes;
+        byte[]? restored = !isOwn ? null : header.Compression switch
+        {
+            ExrFormat.Piz => PizDecoder.Decode(packed, header, block),
+            ExrFormat.Pxr24 => Pxr24Decoder.Decode(packed, header, block),
+            _ => B44Decoder.Decode(packed, header, block),
+        };
+        return isOwn ? restored ?? throw new PictureException("one of its blocks of pixels is damaged") : ExrBlockCodec.Decompress(header.Compression, packed, block.Bytes);
     }
 
     private static void ReadChannel(ReadOnlySpan<byte> values, ExrChannel channel, int target, Span<float> row)

@@ -8,9 +8,6 @@ namespace RayTracer.Imaging;
 /// </summary>
 internal static class PizDecoder
 {
-    /// <summary>Rows that are compressed together.</summary>
-    public const int Rows = 32;
-
     private const int Values = 1 << 16;
 
     /// <summary>Restores a block.</summary>
@@ -36,7 +33,7 @@ internal static class PizDecoder
         foreach (ExrChannel channel in header.Channels)
         {
             int size = channel.ValueBytes / 2;
-            (int width, int height) = Extent(header, block, channel);
+            (int width, int height) = ExrPlanes.Extent(header, block, channel);
             for (int part = 0; part < size; part++)
             {
                 PizWavelet.Decode(numbers.AsSpan(begin), part, width, size, height, width * size, largest);
@@ -50,7 +47,7 @@ internal static class PizDecoder
             numbers[i] = values[numbers[i]];
         }
 
-        return Rearranged(numbers, header, block);
+        return ExrPlanes.Rearranged(numbers, header, block);
     }
 
     // A bit for each number that occurs; 0 always does.
@@ -85,49 +82,5 @@ internal static class PizDecoder
         largest = used - 1;
         packed = packed[count..];
         return true;
-    }
-
-    private static (int Width, int Height) Extent(ExrHeader header, ExrBlock block, ExrChannel channel)
-    {
-        int width = 0;
-        int height = 0;
-        for (int y = 0; y < block.Rows; y++)
-        {
-            int inRow = RowValues(header, block, channel, y);
-            width = Math.Max(width, inRow);
-            height += inRow > 0 ? 1 : 0;
-        }
-
-        return (width, height);
-    }
-
-    private static int RowValues(ExrHeader header, ExrBlock block, ExrChannel channel, int y) =>
-        (int)(channel.RowBytes(header.Top + block.FirstRow + y, header.Left, header.Left + header.Width - 1) / channel.ValueBytes);
-
-    // From channel after channel to row after row.
-    private static byte[] Rearranged(ushort[] numbers, ExrHeader header, ExrBlock block)
-    {
-        byte[] bytes = new byte[block.Bytes];
-        int[] next = new int[header.Channels.Count];
-        for (int c = 1; c < next.Length; c++)
-        {
-            (int width, int height) = Extent(header, block, header.Channels[c - 1]);
-            next[c] = next[c - 1] + (width * height * header.Channels[c - 1].ValueBytes / 2);
-        }
-
-        int at = 0;
-        for (int y = 0; y < block.Rows; y++)
-        {
-            for (int c = 0; c < next.Length; c++)
-            {
-                int count = RowValues(header, block, header.Channels[c], y) * header.Channels[c].ValueBytes / 2;
-                for (int i = 0; i < count; i++, at += 2)
-                {
-                    BinaryPrimitives.WriteUInt16LittleEndian(bytes.AsSpan(at), numbers[next[c]++]);
-                }
-            }
-        }
-
-        return bytes;
     }
 }

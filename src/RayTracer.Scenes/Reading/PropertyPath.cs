@@ -15,6 +15,14 @@ internal sealed class PropertyPath
     {
     }
 
+    /// <summary>The keys and the numbers of elements that lead to the property.</summary>
+    public IEnumerable<string> Steps => _steps.Select(s => s.Key ?? s.Index.ToString(CultureInfo.InvariantCulture));
+
+    /// <summary>Of each step, whether it is an element of a list that the path calls by its name.</summary>
+    public IEnumerable<bool> IsNamed => _steps.Select((s, i) => s.Key is null && !int.TryParse(Words[i], NumberStyles.None, CultureInfo.InvariantCulture, out _));
+
+    private IReadOnlyList<string> Words { get; init; } = [];
+
     /// <summary>Why there is no such property; null where there is one.</summary>
     public string? Complaint { get; private set; }
 
@@ -32,8 +40,9 @@ internal sealed class PropertyPath
     /// <param name="text">The path.</param>
     public static PropertyPath Find(JsonNode root, string text)
     {
-        PropertyPath path = new();
-        if (Words(text) is not { } words)
+        List<string>? words = Split(text);
+        PropertyPath path = new() { Words = words ?? [] };
+        if (words is null)
         {
             path.Complaint = $"{Quotation.Of(text)} is no path of a property: expected one like camera.position, shapes[2].radius or materials.glass.color";
             return path;
@@ -48,7 +57,7 @@ internal sealed class PropertyPath
     public JsonNode Replace(JsonNode root, JsonNode value) => Replace(root, 0, value);
 
     // Every key or index; null where it is no path.
-    private static List<string>? Words(string text)
+    private static List<string>? Split(string text)
     {
         List<string> words = [];
         for (int at = 0; at < text.Length;)

@@ -74,8 +74,7 @@ public static class SceneLoader
 
     private static SceneReadResult Read(string path, ModelFolder models, IReadOnlyList<SceneSetting>? settings, int? frame) =>
         ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models), settings)
-        : MitsubaReader.IsScene(path) ? Set(MitsubaReader.Read(path), settings)
-        : SceneReader.Read(path, settings, frame);
+        : MitsubaReader.IsScene(path) ? Set(MitsubaReader.Read(path), settings) : SceneReader.Read(path, settings, frame);
 
     // What moves does so by the time of the frame: the shutter opens then.
     private static Func<SceneDescription, SceneDescription>? AtFrame(Func<SceneDescription, SceneDescription>? overrides, int? frame) => frame is not { } number ? overrides : scene =>

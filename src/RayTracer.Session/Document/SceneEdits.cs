@@ -61,8 +61,12 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
             return text;
         });
 
-        // The pointers of what follows have changed.
-        selection.Select(null);
+        // The pointers of what follows have changed; that of what a part was taken out of has not.
+        if (selection.Pointer is not { } selected || !pointers.All(p => p != selected && Picking.IsWithin(p, selected)))
+        {
+            selection.Select(null);
+        }
+
         if (notes.Count > 0)
         {
             notices.Tell("info", string.Join("; ", notes));

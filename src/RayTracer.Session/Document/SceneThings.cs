@@ -71,7 +71,9 @@ public static class SceneThings
             return text.Duplicate(pointer, FreeName(text.Root, family, thing.Key));
         }
 
+        JsonText before = text;
         (text, string copy) = text.Duplicate(pointer);
+        text = AnimatedProperties.Inserted(before, text, copy);
         if (thing.Node!.Find("name") is { Kind: JsonKind.String, Text.Length: > 0 } name)
         {
             HashSet<string> taken = [.. Shapes(text.Root).Select(s => s.Node?.Find("name")?.Text).OfType<string>()];
@@ -113,8 +115,7 @@ public static class SceneThings
         if (SceneReferences.DefinedAt(pointer) is not { } family)
         {
             return thing.Family != SceneTypes.Shapes ? throw new DocumentException("only shapes and what is defined by name can have a name")
-                : name.Length == 0 ? (thing.Node!.Find("name") is null ? text : text.Remove(pointer + "/name"), pointer)
-                : (text.Set(pointer + "/name", JsonValue.Create(name)), pointer);
+                : (AnimatedProperties.Renamed(text, WithName(text, pointer, name), pointer, pointer), pointer);
         }
 
         if (name.Length == 0)
@@ -129,9 +130,12 @@ public static class SceneThings
 
         SceneValue[] references = [.. SceneReferences.To(text.Root, family, thing.Key)];
         string renamed = JsonPointer.Append(JsonPointer.Parent(pointer)!, name);
-        text = text.With(references.Select(r => new TextEdit(r.Node!.Start, r.Node.End, JsonLayout.Quote(name))));
-        return (text.Rename(pointer, name), renamed);
+        JsonText changed = text.With(references.Select(r => new TextEdit(r.Node!.Start, r.Node.End, JsonLayout.Quote(name)))).Rename(pointer, name);
+        return (AnimatedProperties.Renamed(text, changed, pointer, renamed), renamed);
     }
+
+    private static JsonText WithName(JsonText text, string pointer, string name) =>
+        name.Length > 0 ? text.Set(pointer + "/name", JsonValue.Create(name)) : text.At(pointer).Find("name") is null ? text : text.Remove(pointer + "/name");
 
     private static JsonText Delete(JsonText text, string pointer, List<string> notes)
     {
@@ -142,7 +146,7 @@ public static class SceneThings
 
         if (SceneReferences.DefinedAt(pointer) is not { } family)
         {
-            return text.Remove(pointer);
+            return AnimatedProperties.Remove(text, pointer);
         }
 
         string name = JsonPointer.Last(pointer);
@@ -160,7 +164,7 @@ public static class SceneThings
             notes.Add(string.Create(CultureInfo.InvariantCulture, $"deleted the {(family == SceneTypes.Shapes ? "object" : family.Noun)} {JsonLayout.Quote(name)}: {count} {(count == 1 ? what : many)}"));
         }
 
-        return text.Remove(pointer);
+        return AnimatedProperties.Remove(text, pointer);
     }
 
     // A reference to what is no more.
@@ -170,10 +174,10 @@ public static class SceneThings
         bool isMember = reference.Key == reference.Parameter!.Key && SceneValue.At(text.Root, parent) is { IsList: false };
         if (reference.Family == SceneTypes.Shapes)
         {
-            return isMember ? Delete(text, parent, []) : text.Remove(reference.Pointer);
+            return isMember ? Delete(text, parent, []) : AnimatedProperties.Remove(text, reference.Pointer);
         }
 
-        return isMember && !reference.Parameter.Required ? text.Remove(reference.Pointer)
+        return isMember && !reference.Parameter.Required ? AnimatedProperties.Remove(text, reference.Pointer)
             : text.Set(reference.Pointer, reference.Family == SceneTypes.Materials ? new JsonObject { ["type"] = "diffuse" } : new JsonArray(0.5, 0.5, 0.5));
     }
 

@@ -17,7 +17,7 @@ namespace RayTracer.Desktop.Tests;
 internal static class Ui
 {
     // Only so that a fault is told instead of waited for: nothing is measured by it.
-    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(1);
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30);
     private static readonly BlockingCollection<Action> Work = [];
     private static readonly Lazy<Thread> Started = new(Start);
     private static UiDispatcher? s_dispatcher;

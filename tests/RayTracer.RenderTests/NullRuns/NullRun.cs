@@ -9,7 +9,7 @@ namespace RayTracer.RenderTests.NullRuns;
 internal static class NullRun
 {
     /// <summary>How many runs.</summary>
-    public static int Count { get; } = TestSettings.Scale(100, 1000);
+    public static int Count { get; } = TestSettings.Scale(100, 500);
 
     /// <summary>Runs tests again and again, and checks how often each comes below 0.05, 0.01 and 0.001.</summary>
     /// <param name="test">What is repeated, for messages.</param>

@@ -146,6 +146,34 @@ public sealed class SceneThingsTests
     }
 
     [Fact]
+    public void Animations_follow_what_they_animate()
+    {
+        JsonText text = JsonText.Of("""
+            { "materials": { "a b": { "type": "diffuse", "color": [1, 0, 0] } },
+              "shapes": [{ "type": "sphere", "center": [0, 0, 0] }, { "type": "sphere", "name": "ball", "center": [1, 0, 0], "material": "a b" }, { "type": "sphere", "center": [2, 0, 0] }],
+              "animation": [
+                { "property": "materials.a b.color", "keys": [{ "time": 0, "value": [0, 0, 0] }] },
+                { "property": "shapes.ball.center[1]", "keys": [{ "time": 0, "value": 1 }] },
+                { "property": "shapes[2].radius", "keys": [{ "time": 0, "value": 1 }] } ] }
+            """);
+        Assert.Equal(["materials.c.color", "shapes.ball.center[1]", "shapes[2].radius"], Tracks(SceneThings.Rename(text, "/materials/a b", "c").Text));
+        Assert.Equal(["materials[\"1.5\"].color", "shapes.ball.center[1]", "shapes[2].radius"], Tracks(SceneThings.Rename(text, "/materials/a b", "1.5").Text));
+        Assert.Equal(["materials.a b.color", "shapes.globe.center[1]", "shapes[2].radius"], Tracks(SceneThings.Rename(text, "/shapes/1", "globe").Text));
+        Assert.Equal(["materials.a b.color", "shapes[1].center[1]", "shapes[2].radius"], Tracks(SceneThings.Rename(text, "/shapes/1", "").Text));
+        Assert.Equal(["materials.a b.color", "shapes.ball.center[1]", "shapes[1].radius"], Tracks(SceneThings.Delete(text, ["/shapes/0"]).Text));
+        Assert.Equal(["materials.a b.color", "shapes[1].radius"], Tracks(SceneThings.Delete(text, ["/shapes/1"]).Text));
+        Assert.Equal(["shapes.ball.center[1]", "shapes[2].radius"], Tracks(SceneThings.Delete(text, ["/materials/a b"]).Text));
+        Assert.Equal(["materials.a b.color", "shapes.ball.center[1]", "shapes[3].radius"], Tracks(SceneThings.Duplicate(text, "/shapes/0").Text));
+
+        static string[] Tracks(JsonText text)
+        {
+            SceneReadResult read = SceneReader.ReadText(text.Text, "");
+            Assert.True(read.Description is not null, Diagnostic.Format(read.Diagnostics));
+            return [.. read.Description.Animation.Select(t => t.Property)];
+        }
+    }
+
+    [Fact]
     public void Copies_have_names_and_places_of_their_own()
     {
         JsonText text = JsonText.Of("""

@@ -24,7 +24,7 @@ public unsafe class ShapeTreeTests
     {
         (PrimitiveList loop, PrimitiveList tree) = Lists(Mixed(500, away));
         int hits = 0;
-        for (int i = 0; i < TestSettings.Scale(20_000, 2_000_000) / FloatW.Count; i++)
+        for (int i = 0; i < TestSettings.Scale(20_000, 1_000_000) / FloatW.Count; i++)
         {
             Rays(away, out Vec3W origin, out Vec3W direction);
             loop.ClosestHit(origin, direction, out FloatW distance, out UIntW primitive);
@@ -45,7 +45,7 @@ public unsafe class ShapeTreeTests
     {
         (PrimitiveList loop, PrimitiveList tree) = Lists(Mixed(100, away: 0));
         (int blocked, int freed) = (0, 0);
-        for (int i = 0; i < TestSettings.Scale(20_000, 2_000_000) / FloatW.Count; i++)
+        for (int i = 0; i < TestSettings.Scale(20_000, 1_000_000) / FloatW.Count; i++)
         {
             Rays(away: 0, out Vec3W origin, out Vec3W direction);
             loop.ClosestHit(origin, direction, out FloatW distance, out UIntW primitive);

@@ -16,7 +16,7 @@ public sealed class TriangleBvhTests
     [MemberData(nameof(Meshes))]
     public void Every_mode_finds_the_hits_of_testing_every_triangle(string name)
     {
-        for (int round = 0; round < TestSettings.Scale(1, 30); round++)
+        for (int round = 0; round < TestSettings.Scale(1, 15); round++)
         {
             int seed = TestSettings.Seed + (1000 * round);
             TestMesh mesh = TestMesh.Named(name, seed);
@@ -165,7 +165,7 @@ public sealed class TriangleBvhTests
         TriangleBvh tree = TriangleBvh.Build(mesh.Positions, mesh.Indices, 2);
         Vector3 middle = new(away, -away, 0.5f * away);
         Random random = new(TestSettings.Seed);
-        int left = TestSettings.Scale(30_000, 3_000_000);
+        int left = TestSettings.Scale(30_000, 1_500_000);
         while (left > 0)
         {
             int count = Math.Min(left, 20_000);

@@ -37,14 +37,14 @@ public sealed class RenderTests : IDisposable
     }
 
     [Fact]
-    public void Png_and_exr_carry_how_they_were_made()
+    public void Png_exr_and_jpeg_carry_how_they_were_made()
     {
-        CliRun run = CliRun.Of("render", _scene, "-o", _folder["a b.png"], "-o", _folder["a.exr"], "--spp", "9");
-        foreach (string file in new[] { "a b.png", "a.exr" })
+        CliRun run = CliRun.Of("render", _scene, "-o", _folder["a b.png"], "-o", _folder["a.exr"], "-o", _folder["a.jpg"], "--spp", "9");
+        foreach (string file in new[] { "a b.png", "a.exr", "a.jpg" })
         {
             Dictionary<string, string> texts = ImageFile.ReadText(_folder[file]).ToDictionary();
             Assert.StartsWith("raytracer ", texts["Software"]);
-            Assert.Equal($"raytracer render {_scene} -o '{_folder["a b.png"]}' -o {_folder["a.exr"]} --spp 9", texts["Command"]);
+            Assert.Equal($"raytracer render {_scene} -o '{_folder["a b.png"]}' -o {_folder["a.exr"]} -o {_folder["a.jpg"]} --spp 9", texts["Command"]);
             Assert.Equal("scene.json", texts["Scene"]);
             Assert.Equal("9", texts["Samples"]);
             Assert.Contains(texts["FilmHash"], run.Output, StringComparison.Ordinal);

@@ -53,9 +53,9 @@ public sealed class ImageFileTests : IDisposable
     }
 
     [Theory]
-    [InlineData("a.pgn", "the extension '.pgn' is none of .png, .pfm, .exr, .hdr (did you mean '.png'?)")]
+    [InlineData("a.pgn", "the extension '.pgn' is none of .png, .jpg, .jpeg, .pfm, .exr, .hdr (did you mean '.png'?)")]
     [InlineData("a.ex", "(did you mean '.exr'?)")]
-    [InlineData("a.tiff", "the extension '.tiff' is none of .png, .pfm, .exr, .hdr.")]
+    [InlineData("a.tiff", "the extension '.tiff' is none of .png, .jpg, .jpeg, .pfm, .exr, .hdr.")]
     [InlineData("a", "its name has none of the extensions")]
     [InlineData("missing/a.png", "does not exist")]
     public void A_name_that_cannot_be_written_is_refused_beforehand_and_in_the_end(string name, string message)

@@ -13,6 +13,9 @@ internal sealed class TestExr
 
     public int Version { get; init; } = 2;
 
+    /// <summary>The size of tiles; null for rows.</summary>
+    public (int Width, int Height)? Tile { get; init; }
+
     /// <summary>The rows in the order in which they stand in the file, counted from 0 at the top.</summary>
     public int[]? RowOrder { get; init; }
 
@@ -30,7 +33,18 @@ internal sealed class TestExr
         Attribute(writer, "custom", "myType", [1, 2, 3]);
         Attribute(writer, "dataWindow", "box2i", [.. DataWindow.SelectMany(BitConverter.GetBytes)]);
         Attribute(writer, "owner", "string", Encoding.UTF8.GetBytes("Zoë"));
+        if (Tile is { } tile)
+        {
+            Attribute(writer, "tiles", "tiledesc", [.. BitConverter.GetBytes(tile.Width), .. BitConverter.GetBytes(tile.Height), 0]);
+        }
+
         writer.Write((byte)0);
+        if (Tile is not null)
+        {
+            WriteTiles(file, writer);
+            return file.ToArray();
+        }
+
         int height = DataWindow[3] - DataWindow[1] + 1;
         int[] order = RowOrder ?? [.. Enumerable.Range(0, height)];
         long table = file.Position;
@@ -41,7 +55,7 @@ internal sealed class TestExr
             file.Position = table + (8 * row);
             writer.Write(offset);
             file.Position = offset;
-            byte[] data = Row(row + DataWindow[1]);
+            byte[] data = Row(row + DataWindow[1], DataWindow[0], DataWindow[2]);
             writer.Write(row + DataWindow[1]);
             writer.Write(data.Length);
             writer.Write(data);
@@ -60,12 +74,39 @@ internal sealed class TestExr
         writer.Write(value);
     }
 
-    private byte[] Row(int y)
+    // In no order that a program would choose: the last one first.
+    private void WriteTiles(MemoryStream file, BinaryWriter writer)
+    {
+        (int width, int height) = Tile!.Value;
+        int across = (DataWindow[2] - DataWindow[0] + width) / width;
+        int down = (DataWindow[3] - DataWindow[1] + height) / height;
+        long table = file.Position;
+        writer.Write(new byte[8 * across * down]);
+        for (int i = (across * down) - 1; i >= 0; i--)
+        {
+            long offset = file.Position;
+            file.Position = table + (8 * i);
+            writer.Write(offset);
+            file.Position = offset;
+            int left = DataWindow[0] + (i % across * width);
+            int top = DataWindow[1] + (i / across * height);
+            int bottom = Math.Min(top + height - 1, DataWindow[3]);
+            byte[] data = [.. Enumerable.Range(top, bottom - top + 1).SelectMany(y => Row(y, left, Math.Min(left + width - 1, DataWindow[2])))];
+            foreach (int word in new[] { i % across, i / across, 0, 0, data.Length })
+            {
+                writer.Write(word);
+            }
+
+            writer.Write(data);
+        }
+    }
+
+    private byte[] Row(int y, int left, int right)
     {
         var bytes = new List<byte>();
         for (int c = 0; c < Channels.Length; c++)
         {
-            for (int x = DataWindow[0]; x <= DataWindow[2]; x++)
+            for (int x = left; x <= right; x++)
             {
                 if (x % Channels[c].StepX == 0 && y % Channels[c].StepY == 0)
                 {

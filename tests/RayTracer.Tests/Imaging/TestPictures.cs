@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using RayTracer.Imaging;
 using RayTracer.Textures;
 
@@ -32,7 +33,7 @@ internal static class TestPictures
         Assert.Equal(expected.Pixels.Select(BitConverter.SingleToInt32Bits), actual.Pixels.Select(BitConverter.SingleToInt32Bits));
     }
 
-    /// <summary>Reads damaged variants of a file: nothing but a <see cref="PictureException"/> may escape, and memory stays bounded.</summary>
+    /// <summary>Reads damaged variants of a file: nothing but a <see cref="PictureException"/> may escape, and memory and time stay bounded.</summary>
     /// <param name="file">A valid file.</param>
     /// <param name="read">The reader.</param>
     /// <param name="mend">Makes a damaged file pass shallow checks (such as checksums), so that the damage reaches deeper.</param>
@@ -52,6 +53,7 @@ internal static class TestPictures
             }
 
             mend?.Invoke(damaged);
+            long start = Stopwatch.GetTimestamp();
             long before = GC.GetAllocatedBytesForCurrentThread();
             try
             {
@@ -63,6 +65,8 @@ internal static class TestPictures
                 Assert.DoesNotContain('\n', e.Message);
             }
 
+            // No measure of speed: a file of this size that keeps a reader busy for so long would keep it busy for ever.
+            Assert.InRange(Stopwatch.GetElapsedTime(start).TotalSeconds, 0, 10);
             Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, Budget);
         }
 

@@ -23,7 +23,7 @@ public class AreaLightTests
 
         // Where on a curved solid a point lies takes long to find.
         int everyday = light.Shape is ConicalShape or Torus ? 1 << 16 : 1 << 18;
-        UnitSquare.AtRandom(TestSettings.Scale(everyday, 1 << 21), (u, v, lane) =>
+        UnitSquare.AtRandom(TestSettings.Scale(everyday, 1 << 20), (u, v, lane) =>
         {
             light.Shape.SamplePoint(light.From, u, v, out ShapeSampleW sample);
             if (!isCone || sample.InversePdf[lane] > 0)

@@ -11,7 +11,7 @@ public class ModelTextTests
     public void Numbers_of_all_lengths_and_sizes_are_rounded_correctly()
     {
         var random = new Random(754 + TestSettings.Seed);
-        for (int i = 0; i < TestSettings.Scale(200_000, 3_000_000); i++)
+        for (int i = 0; i < TestSettings.Scale(200_000, 1_000_000); i++)
         {
             string text = (i % 5) switch
             {

@@ -125,7 +125,7 @@ public class AdaptiveSamplingTests
     {
         // Pictures of one pixel, an eighth of which shines. Samples that decided on their own number would make it darker: where none of the first
         // meets a lamp, no more would be taken.
-        int seeds = TestSettings.Scale(512, 8192);
+        int seeds = TestSettings.Scale(512, 4096);
         ImageSamples adaptive = new(1, 1);
         ImageSamples plain = new(1, 1);
         SampleGoal goal = new() { IsAdaptive = true, Error = 0.3, MeanSamples = 256, MostSamples = 1024 };

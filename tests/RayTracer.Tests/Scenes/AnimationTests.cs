@@ -85,12 +85,12 @@ public class AnimationTests
         SceneReadResult again = SceneReader.ReadText(text, "again.json");
         Assert.Empty(again.Diagnostics);
         Assert.Equal(text, SceneWriter.Write(again.Description!));
-        Assert.Equal(2, ((SphereDescription)SceneReader.ReadText(text, "again.json", 3).Description!.Shapes[0]).Radius);
+        Assert.Equal(2, ((SphereDescription)SceneReader.ReadText(text, "again.json", frame: 3).Description!.Shapes[0]).Radius);
     }
 
     private static SceneDescription At(string tracks, int frame)
     {
-        SceneReadResult read = SceneReader.ReadText($"{Start}{tracks}] }}", "scene.json", frame);
+        SceneReadResult read = SceneReader.ReadText($"{Start}{tracks}] }}", "scene.json", frame: frame);
         Assert.Empty(read.Diagnostics);
         return read.Description!;
     }

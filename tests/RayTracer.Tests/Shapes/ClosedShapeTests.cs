@@ -32,7 +32,7 @@ public class ClosedShapeTests
     public void No_ray_leaks_out_of_a_closed_shape(string name, float away)
     {
         Random random = new(TestSettings.Seed);
-        int turns = TestSettings.Scale(20, 400);
+        int turns = TestSettings.Scale(20, 200);
         for (int turn = 0; turn < turns; turn++)
         {
             (Vector3[] corners, Shape[] faces, (int A, int B)[] edges) = Make(name, away, random);

@@ -21,7 +21,7 @@ public class SolidShapeTests
     {
         Random random = new(TestSettings.Seed);
         int leaks = 0, rays = 0;
-        for (int turn = 0; turn < TestSettings.Scale(300, 20_000); turn++)
+        for (int turn = 0; turn < TestSettings.Scale(300, 10_000); turn++)
         {
             Shape shape = Make(kind, random, new[] { 0f, 3f, 100f }[turn % 3]);
             ShapeBatch batch = shape.CreateBatch([shape]);
@@ -67,7 +67,7 @@ public class SolidShapeTests
     {
         Random random = new(TestSettings.Seed);
         int met = 0;
-        for (int turn = 0; turn < TestSettings.Scale(4000, 200_000); turn++)
+        for (int turn = 0; turn < TestSettings.Scale(4000, 80_000); turn++)
         {
             Vector3 center = (Cube(random) - new Vector3(0.5f)) * new[] { 0f, 4f, 100f }[turn % 3];
             Torus torus = new(s_material, "", center, Cube(random) - new Vector3(0.5f), 1, ratio);

@@ -14,13 +14,7 @@ internal sealed class UnsavedViewModel : DialogViewModel
     {
         Text = SessionTexts.Of("dialogs.unsaved", name);
         Discard = Button(go);
-        Save = Button(async () =>
-        {
-            if (await save())
-            {
-                go();
-            }
-        });
+        Save = Button(() => _ = SaveAndGo(save, go));
     }
 
     /// <inheritdoc/>
@@ -34,4 +28,12 @@ internal sealed class UnsavedViewModel : DialogViewModel
 
     /// <summary>Saves them first.</summary>
     public ICommand Save { get; }
+
+    private static async Task SaveAndGo(Func<Task<bool>> save, Action go)
+    {
+        if (await save())
+        {
+            go();
+        }
+    }
 }

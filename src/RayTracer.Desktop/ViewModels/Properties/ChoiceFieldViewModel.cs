@@ -14,7 +14,7 @@ internal sealed class ChoiceFieldViewModel(PanelContext context, CatalogueParame
         get => Choices.FirstOrDefault(c => c.Value == (ParameterValues.Text(Effective) ?? "")) ?? Choices[0];
         set
         {
-            if (value is { Value.Length: > 0 } && value.Value != ParameterValues.Text(Effective))
+            if (!IsTelling && value is { Value.Length: > 0 } && Choices.Contains(value) && value.Value != ParameterValues.Text(Effective))
             {
                 Write(value.Value);
             }

@@ -19,7 +19,7 @@ internal sealed class EnvironmentViewModel(PanelContext context) : Observable
         get => Choices.FirstOrDefault(c => c.Value == (Record?.Type.Name ?? ""));
         set
         {
-            if (value is not null && value.Value != (Record?.Type.Name ?? ""))
+            if (!IsTelling && value is not null && value.Value != (Record?.Type.Name ?? ""))
             {
                 Choose(value.Value);
             }

@@ -22,7 +22,7 @@ internal sealed class KindFieldViewModel(PanelContext context, CatalogueParamete
         get => Choices.FirstOrDefault(c => c.Value == Kind);
         set
         {
-            if (value is { Value.Length: > 0 } && value.Value != Kind)
+            if (!IsTelling && value is { Value.Length: > 0 } && Choices.Contains(value) && value.Value != Kind)
             {
                 Write(FirstOf(value.Value));
             }

@@ -26,7 +26,7 @@ internal sealed class NumberFieldViewModel : FieldViewModel
         set
         {
             double wanted = Clamped(value);
-            if (IsSet && Set(ref _value, wanted))
+            if (IsSet && !IsTelling && Set(ref _value, wanted))
             {
                 Write(wanted, _sliding.Burst());
                 Tell(nameof(Text));
@@ -70,10 +70,10 @@ internal sealed class NumberFieldViewModel : FieldViewModel
     /// <summary>The substance that has this number.</summary>
     public Choice? Substance
     {
-        get => Substances.FirstOrDefault(s => s.Value.Length > 0 && Math.Abs(IndexOf(s) - _value) < 1e-6) ?? Substances.FirstOrDefault();
+        get => Substances.FirstOrDefault(s => s.Value.Length > 0 && Math.Abs(IndexOf(s) - _value) < 1e-6) ?? (Substances is [var own, ..] ? own : null);
         set
         {
-            if (value is { Value.Length: > 0 })
+            if (!IsTelling && value is { Value.Length: > 0 })
             {
                 Value = IndexOf(value);
             }

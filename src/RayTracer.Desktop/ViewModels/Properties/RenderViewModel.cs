@@ -29,7 +29,7 @@ internal sealed class RenderViewModel : Observable
         get => Qualities.First(q => q.Value == (_state?.Settings.Quality?.ToString().ToLowerInvariant() ?? "written"));
         set
         {
-            if (value is not null && value != Quality)
+            if (!IsTelling && value is not null && value != Quality)
             {
                 int? samples = Enum.TryParse(value.Value, ignoreCase: true, out RenderQuality quality) ? (int)quality : null;
                 _hand.Do(s => s.View.Change(v => v with { Samples = samples }));
@@ -46,7 +46,7 @@ internal sealed class RenderViewModel : Observable
         get => PictureSizes.FirstOrDefault(s => _state is { } state && s.Value == Key(state.Render.Width, state.Render.Height));
         set
         {
-            if (value is null || value == PictureSize)
+            if (IsTelling || value is null || value == PictureSize)
             {
                 return;
             }

@@ -14,7 +14,7 @@ internal sealed class SwitchFieldViewModel(PanelContext context, CatalogueParame
         get => _isOn;
         set
         {
-            if (Set(ref _isOn, value))
+            if (!IsTelling && Set(ref _isOn, value))
             {
                 Write(value);
             }

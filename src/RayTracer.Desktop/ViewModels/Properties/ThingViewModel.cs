@@ -40,7 +40,7 @@ internal sealed class ThingViewModel : Observable
         get => Types.FirstOrDefault(t => t.Value == Record?.Type.Name);
         set
         {
-            if (value is not null && Record is { } record && value.Value != record.Type.Name)
+            if (!IsTelling && value is not null && Types.Contains(value) && Record is { } record && value.Value != record.Type.Name)
             {
                 _context.Set(Pointer, ParameterValues.Retyped(_values?.Value, PanelContext.Catalogue.Types[_values!.Family!].First(t => t.Name == value.Value), record.Type));
             }

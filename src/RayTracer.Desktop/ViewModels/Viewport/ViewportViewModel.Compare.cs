@@ -27,7 +27,7 @@ internal sealed partial class ViewportViewModel
         get => _compared;
         set
         {
-            if (value is not null && Set(ref _compared, value))
+            if (!IsTelling && value is not null && Set(ref _compared, value))
             {
                 _ = LoadKept(value);
             }

@@ -96,7 +96,7 @@ internal sealed partial class ViewportViewModel
     /// <param name="keys">The keys that are held.</param>
     public bool Key(string key, HeldKeys keys)
     {
-        if ((keys & (HeldKeys.Mod | HeldKeys.Alt)) != 0)
+        if (keys.HasFlag(HeldKeys.Mod) || keys.HasFlag(HeldKeys.Alt))
         {
             return false;
         }

@@ -114,7 +114,7 @@ internal sealed partial class ViewportViewModel : Observable
         get => ToneMaps.First(t => t.Value == _tone.ToneMap.ToString());
         set
         {
-            if (value is not null)
+            if (!IsTelling && value is not null)
             {
                 SetTone(_tone with { ToneMap = Enum.Parse<ToneMap>(value.Value) });
             }
@@ -130,7 +130,7 @@ internal sealed partial class ViewportViewModel : Observable
         get => Maps.First(m => m.Value.Equals((_state?.Settings.Map ?? ViewMap.Light).ToString(), StringComparison.OrdinalIgnoreCase));
         set
         {
-            if (value is not null && value != Map)
+            if (!IsTelling && value is not null && value != Map)
             {
                 ViewMap map = Enum.Parse<ViewMap>(value.Value, ignoreCase: true);
                 _hand.Do(s => s.View.Change(v => v with { Map = map }));
@@ -158,7 +158,7 @@ internal sealed partial class ViewportViewModel : Observable
         get => Zooms.First(z => z.Value == Percent(_stage.Scale * ScreenScale * 100));
         set
         {
-            if (value is not null && value != Zoom)
+            if (!IsTelling && value is not null && value != Zoom)
             {
                 ZoomTo(double.Parse(value.Value, CultureInfo.InvariantCulture) / 100 / ScreenScale);
             }
@@ -197,13 +197,13 @@ internal sealed partial class ViewportViewModel : Observable
     }
 
     /// <summary>Takes frames as they come, until it is stopped. The renderer waits for nobody who looks.</summary>
-    public async Task FollowFrames(FrameBoard frames, CancellationToken stop)
+    public async Task FollowFrames(PictureView view, CancellationToken stop)
     {
         long version = 0;
-        for (int i = 0; await frames.Wait(version, stop); i = 1 - i)
+        for (int i = 0; await view.Frames.Wait(version, stop); i = 1 - i)
         {
             int buffer = i;
-            (PixelFrame Frame, FrameInfo Info, long Version)? taken = await Task.Run(() => Take(frames, buffer), stop);
+            (PixelFrame Frame, FrameInfo Info, long Version)? taken = await Task.Run(() => Take(view, buffer), stop);
             if (taken is { } newest)
             {
                 version = newest.Version;
@@ -215,9 +215,9 @@ internal sealed partial class ViewportViewModel : Observable
     }
 
     // The window shows one buffer while the other one is filled.
-    private (PixelFrame Frame, FrameInfo Info, long Version)? Take(FrameBoard frames, int buffer)
+    private (PixelFrame Frame, FrameInfo Info, long Version)? Take(PictureView view, int buffer)
     {
-        using FrameLease? lease = frames.Borrow();
+        using FrameLease? lease = view.Frames.Borrow();
         if (lease is null)
         {
             return null;
@@ -227,7 +227,7 @@ internal sealed partial class ViewportViewModel : Observable
         int reduction = stage.Zoom is null ? FramePixels.Reduction(lease.Picture, (int)(stage.Width * ScreenScale), (int)(stage.Height * ScreenScale)) : 1;
         (int width, int height) = (lease.Picture.Width / reduction, lease.Picture.Height / reduction);
         Array.Resize(ref _buffers[buffer], 4 * width * height);
-        FramePixels.Write(lease.Picture, lease.Info.IsLight ? _tone : Tone.Plain, reduction, _buffers[buffer]);
+        FramePixels.Write(lease.Picture, lease.Info.IsLight ? view.Tone : Tone.Plain, reduction, _buffers[buffer]);
         return (new(width, height, _buffers[buffer]), lease.Info, lease.Version);
     }
 

@@ -1,0 +1,84 @@
+using System.Text;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>Writes JPEG files (ITU-T T.81, baseline, with the best Huffman codes for each image; ITU-T T.871, JFIF): sRGB-encoded, the same bytes on every machine.</summary>
+public static class JpegWriter
+{
+    /// <summary>The quality that is written where none is asked for.</summary>
+    public const int StandardQuality = 90;
+
+    /// <summary>The largest width and height of a JPEG file.</summary>
+    public const int MaxSide = 65_535;
+
+    // What a segment holds behind its own length.
+    private const int MostBytes = 65_533;
+
+    // From here on a file is wanted to be good rather than small.
+    private const int FullChromaFrom = 90;
+
+    /// <summary>Writes an image.</summary>
+    /// <param name="output">Where to.</param>
+    /// <param name="image">Linear RGB; what lies outside [0, 1] is cut off, NaN becomes 0.</param>
+    /// <param name="quality">1 to 100, on libjpeg's scale.</param>
+    /// <param name="chroma">How many differences of colour are kept; null for all from quality 90 on, below it a quarter.</param>
+    /// <param name="metadata">Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes is left out.</param>
+    /// <exception cref="ArgumentException">A quality outside its range, or an image that is too large for the format.</exception>
+    public static void Write(Stream output, IImageRows image, int quality = StandardQuality, JpegChroma? chroma = null, IEnumerable<KeyValuePair<string, string>>? metadata = null)
+    {
+        if (quality is < 1 or > 100)
+        {
+            throw new ArgumentOutOfRangeException(nameof(quality), $"The quality of a JPEG is between 1 and 100, not {quality}.");
+        }
+
+        if (image.Width > MaxSide || image.Height > MaxSide)
+        {
+            throw new ArgumentException($"A JPEG has at most {MaxSide} pixels a side, and the image has {image.Width}×{image.Height}.", nameof(image));
+        }
+
+        byte[][] steps = [JpegQuantization.Steps(quality, isLuminance: true), JpegQuantization.Steps(quality, isLuminance: false)];
+        JpegPlanes planes = new(image, chroma ?? (quality >= FullChromaFrom ? JpegChroma.Full : JpegChroma.Half), steps);
+        JpegCoder coder = new(planes);
+        output.Write([0xFF, 0xD8]);
+        WriteHeaders(output, image, planes, steps, metadata ?? []);
+        WriteCodes(output, coder.MakeCodes());
+        WriteSegment(output, 0xDA, [3, 1, 0x00, 2, 0x11, 3, 0x11, 0, 63, 0]);
+        coder.Write(output);
+        output.Write([0xFF, 0xD9]);
+    }
+
+    private static void WriteHeaders(Stream output, IImageRows image, JpegPlanes planes, byte[][] steps, IEnumerable<KeyValuePair<string, string>> metadata)
+    {
+        // Version 1.01; pixels are squares; no thumbnail.
+        WriteSegment(output, 0xE0, [.. "JFIF\0"u8, 1, 1, 0, 0, 1, 0, 1, 0, 0]);
+        foreach ((string key, string value) in metadata)
+        {
+            byte[] text = Encoding.UTF8.GetBytes($"{key}: {value}");
+            if (text.Length <= MostBytes)
+            {
+                WriteSegment(output, 0xFE, text);
+            }
+        }
+
+        for (int table = 0; table < steps.Length; table++)
+        {
+            byte[] own = steps[table];
+            WriteSegment(output, 0xDB, [(byte)table, .. Enumerable.Range(0, own.Length).Select(i => own[JpegScan.PlaceOf(i)])]);
+        }
+
+        WriteSegment(output, 0xC0, [8, (byte)(image.Height >> 8), (byte)image.Height, (byte)(image.Width >> 8), (byte)image.Width, 3,
+            .. planes.Components.SelectMany(c => new[] { c.Id, (byte)((c.Horizontal << 4) | c.Vertical), (byte)c.Quantization })]);
+    }
+
+    private static void WriteCodes(Stream output, IReadOnlyList<JpegHuffmanCode> codes)
+    {
+        for (int i = 0; i < codes.Count; i++)
+        {
+            // The kind, DC or AC, is in the upper half of the byte.
+            WriteSegment(output, 0xC4, [(byte)(((i & 1) << 4) | (i >> 1)), .. codes[i].Table]);
+        }
+    }
+
+    private static void WriteSegment(Stream output, byte marker, byte[] data) => output.Write([0xFF, marker, (byte)((data.Length + 2) >> 8), (byte)(data.Length + 2), .. data]);
+}
