@@ -22,6 +22,7 @@ public sealed class StudioSession : IDisposable
         Paths = new(View);
         Pictures = new(Document, View, Jobs);
         Background = new(Document, View, Jobs);
+        Lights = new(Document, View, Jobs);
         ReportTimes = new(scenes ?? ScenesFolder.Find());
         Notices.Changed += (_, _) => Changes.Advance();
         Jobs.Changed += (_, _) => Changes.Advance();
@@ -79,6 +80,9 @@ public sealed class StudioSession : IDisposable
 
     /// <summary>Renders into files beside the user's work.</summary>
     public BackgroundRenders Background { get; }
+
+    /// <summary>Balances the lights of rendered pictures.</summary>
+    public LightBalance Lights { get; }
 
     /// <summary>The report's times.</summary>
     public ReportTimes ReportTimes { get; }

@@ -36,6 +36,7 @@ internal sealed class StudioServer : IAsyncDisposable
         api.MapInspection(session);
         api.MapSaving(session);
         api.MapBackground(session);
+        api.MapLights(session);
         api.MapFallback("{**path}", () => { throw new SessionException("There is no such request.", SessionFault.Missing); });
         _app.MapFallback("{**path}", new EmbeddedAssets().Serve);
         Guard = guard;

@@ -17,11 +17,7 @@ public class FilmWalks(ChromiumBrowser browser)
     {
         await using StudioWindow w = await StudioWindow.Open(browser);
         (string whole, string name) = WriteFilm(w.Folder);
-        await w.Page.Keyboard.PressAsync("Control+o");
-        ILocator dialog = await InFolder(w);
-        await w.Shot("open-film");
-        await dialog.GetByRole(AriaRole.Button, new() { NameRegex = new(name) }).ClickAsync();
-        await dialog.GetByRole(AriaRole.Button, new() { Name = "Open", Exact = true }).ClickAsync();
+        await OpenFile(w, name);
         await w.Painted(12);
         Assert.Equal(whole, await w.Session.View.Loop.Look((film, _, _) => film.ComputeHash()));
         await w.Button("Export picture").ClickAsync();
@@ -39,7 +35,7 @@ public class FilmWalks(ChromiumBrowser browser)
     {
         await using StudioWindow w = await StudioWindow.Open(browser);
         (string whole, _) = WriteFilm(w.Folder);
-        w.Session.Files.Open(Path.Combine(w.Folder, "small.json"));
+        await OpenFile(w, "small.json");
         await w.Painted(12);
         foreach (int part in new[] { 1, 2 })
         {
@@ -62,9 +58,57 @@ public class FilmWalks(ChromiumBrowser browser)
         Assert.Equal(whole, FilmFile.Read(Path.Combine(w.Folder, "merged.rtfilm")).Film.ComputeHash());
     }
 
+    [SkippableFact]
+    public async Task Lights_are_balanced_after_rendering()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser);
+        JsonText text = JsonText.Of(File.ReadAllText(ProjectFolder.PathOf("scenes", "lights", "04-light-groups.json")));
+        await File.WriteAllTextAsync(Path.Combine(w.Folder, "groups.json"), text.Set("/render/width", 60).Set("/render/height", 40).Set("/render/samplesPerPixel", 4).Text);
+        await OpenFile(w, "groups.json");
+        await w.Painted(4);
+        await Lights(w);
+        await w.Button("Render one …").ClickAsync();
+        await SaveAs(w, "groups.exr", "groups.exr");
+        await Lights(w);
+        ILocator dialog = await InFolder(w);
+        await dialog.GetByRole(AriaRole.Button, new() { NameRegex = new("groups.exr") }).ClickAsync();
+        await dialog.GetByRole(AriaRole.Button, new() { Name = "Open", Exact = true }).ClickAsync();
+        foreach (string light in w.Session.Lights.Open(Path.Combine(w.Folder, "groups.exr")).Where(l => l != "lamp"))
+        {
+            await w.Page.GetByRole(AriaRole.Slider, new() { Name = $"Strength of {light}" }).FillAsync("0");
+        }
+
+        await w.Page.GetByRole(AriaRole.Slider, new() { Name = "Strength of lamp" }).FillAsync("2");
+        await w.Shot("lights", isShown: true);
+        await w.Button("Write picture …").ClickAsync();
+        await SaveAs(w, "lamp.pfm", "lamp.pfm");
+        LightMix mix = LightMix.Open(await File.ReadAllBytesAsync(Path.Combine(w.Folder, "groups.exr")));
+        Textures.Picture expected = mix.Compose(l => l == "lamp" ? new(2, 2, 2) : default);
+        Assert.Equal(expected.Pixels, ImageFile.Read(Path.Combine(w.Folder, "lamp.pfm")).Pixels);
+    }
+
+    private static async Task Lights(StudioWindow w)
+    {
+        await w.Button("File").ClickAsync();
+        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Balance lights" }).ClickAsync();
+    }
+
+    private static async Task OpenFile(StudioWindow w, string name)
+    {
+        await w.Page.Keyboard.PressAsync("Control+o");
+        ILocator dialog = await InFolder(w);
+        await dialog.GetByRole(AriaRole.Button, new() { NameRegex = new(name) }).ClickAsync();
+        await dialog.GetByRole(AriaRole.Button, new() { Name = "Open", Exact = true }).ClickAsync();
+    }
+
     private static async Task ChooseFile(StudioWindow w, string name, string expected)
     {
         await w.Button("Choose the file …").ClickAsync();
+        await SaveAs(w, name, expected);
+    }
+
+    private static async Task SaveAs(StudioWindow w, string name, string expected)
+    {
         ILocator dialog = await InFolder(w);
         await dialog.GetByRole(AriaRole.Textbox, new() { Name = "File name" }).FillAsync(name);
         await dialog.GetByRole(AriaRole.Button, new() { Name = "Save", Exact = true }).ClickAsync();

@@ -31,6 +31,11 @@ function textsOf(t: typeof english) {
       ...t.background,
       remove: (name: string) => fill(t.background.remove, { name }),
     },
+    lights: {
+      ...t.lights,
+      strength: (name: string) => fill(t.lights.strength, { name }),
+      color: (name: string) => fill(t.lights.color, { name }),
+    },
     panel: {
       ...t.panel,
       unit: (unit: string) => fill(t.panel.unit, { unit }),

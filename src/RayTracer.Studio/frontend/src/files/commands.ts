@@ -83,6 +83,10 @@ export const startBackground = (what: string, path: string, request: object) =>
     await writing(path, (overwrite) => post(`background/${what}`, { ...request, path, overwrite }));
   });
 
+/** Renders a picture with a layer for each light, or writes one whose lights are balanced. */
+export const startLights = (what: "render" | "save", path: string, request: object) =>
+  attempt(() => writing(path, (overwrite) => post(`lights/${what}`, { ...request, path, overwrite })));
+
 function download(blob: Blob, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);

@@ -9,6 +9,7 @@ import { PropertyPanel } from "../panel/PropertyPanel";
 import { bottomHeight, bottomOpen, leftOpen, leftTab, leftWidth, rightOpen, rightWidth } from "../state/settings";
 import { listenToShortcuts } from "../state/shortcuts";
 import { BackgroundDialog } from "../files/BackgroundDialog";
+import { LightsDialog } from "../files/LightsDialog";
 import { dialog, isFresh, tourStep } from "../state/store";
 import { texts } from "../texts";
 import { Splitter } from "../ui/Splitter";
@@ -25,7 +26,7 @@ import { StatusBar } from "./StatusBar";
 import { Toolbar } from "./Toolbar";
 import { Tour } from "./Tour";
 
-const dialogs = { open: OpenDialog, saveAs: SaveSceneDialog, export: ExportDialog, background: BackgroundDialog, rename: RenameDialog, shortcuts: ShortcutSheet };
+const dialogs = { open: OpenDialog, saveAs: SaveSceneDialog, export: ExportDialog, background: BackgroundDialog, lights: LightsDialog, rename: RenameDialog, shortcuts: ShortcutSheet };
 
 function LeftPane() {
   const t = texts.left;

@@ -73,6 +73,7 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   stop: { run: () => rendering("stop") },
   restart: { run: () => rendering("restart") },
   background: { run: () => (dialog.value = "background") },
+  lights: { run: () => (dialog.value = "lights") },
   home: { run: () => attempt(cameraHome) },
   fit: { run: fit },
   actualSize: { run: actualSize },
