@@ -90,7 +90,7 @@ internal sealed class ConvertVerb
         if (FilmFile.IsNamed(path))
         {
             (FilmHeader header, Rendering.Film film) = FilmFile.Read(path);
-            return header.Samples.Count > 0 ? (film, MergeVerb.Texts(header, film.ComputeHash())) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
+            return header.Samples.Count > 0 ? (film, FilmTexts.Of(header, film.ComputeHash())) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
         }
 
         // What other programs wrote into a file stays there: it may be long, and no text of ours.

@@ -1,15 +1,13 @@
 using System.CommandLine;
-using System.Runtime.ExceptionServices;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
-using RayTracer.Textures;
+using RayTracer.Session;
 
 namespace RayTracer.Cli;
 
 /// <summary><c>raytracer merge PART… -o FILE</c>: adds films of different samples of one picture up. In any order, the bits are those of one render.</summary>
 internal sealed class MergeVerb
 {
-    private const int MostAtOnce = 4;
     private readonly Argument<string[]> _parts = new("PART") { Description = "The films (.rtfilm).", Arity = new ArgumentArity(1, 100_000) };
     private readonly Option<bool> _partial = new("--partial") { Description = "Allows samples to be missing." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
@@ -45,11 +43,9 @@ internal sealed class MergeVerb
             ImageOutputs.CheckFilm(output);
         }
 
-        (string Path, FilmHeader Header)[] parts = [.. result.GetValue(_parts)!.Select(p => (p, FilmFile.ReadHeader(p)))];
-        FilmHeader header = Join(parts);
-        if (Gaps(header) is { Length: > 0 } gaps)
+        FilmMerge merge = Open(result.GetValue(_parts)!);
+        if (merge.Missing is { } missing)
         {
-            string missing = $"samples {gaps} are missing of {header.Total}";
             if (!result.GetValue(_partial))
             {
                 throw new CommandException(ExitStatus.InputOutput, $"{missing} (--partial merges what there is)");
@@ -58,29 +54,18 @@ internal sealed class MergeVerb
             streams.Warn(missing);
         }
 
-        Film film = new(header.Width, header.Height);
-        Add(parts, film);
-        return Write(result, film, header, outputs, streams);
+        return Write(result, merge.Add(), merge.Header, outputs, streams);
     }
 
-    // Several at once: checksums take longer than a disk to read what they are of. More than a few only make the disk's way longer.
-    private static void Add((string Path, FilmHeader Header)[] parts, Film film)
+    private static FilmMerge Open(IEnumerable<string> paths)
     {
-        Lock adding = new();
         try
         {
-            Parallel.ForEach(parts, new() { MaxDegreeOfParallelism = Math.Min(MostAtOnce, Environment.ProcessorCount) }, part =>
-            {
-                FilmHeader header = FilmFile.AddTo(part.Path, film, adding);
-                if (header.Content != part.Header.Content || !header.Samples.SequenceEqual(part.Header.Samples))
-                {
-                    throw new PictureException($"Cannot read the film '{part.Path}': it was changed meanwhile.");
-                }
-            });
+            return FilmMerge.Of(paths);
         }
-        catch (AggregateException e)
+        catch (SessionException e)
         {
-            ExceptionDispatchInfo.Throw(e.InnerExceptions[0]);
+            throw new CommandException(ExitStatus.InputOutput, e.Message);
         }
     }
 
@@ -88,7 +73,7 @@ internal sealed class MergeVerb
     {
         string hash = film.ComputeHash();
         int samples = header.Samples.Sum(r => r.Count);
-        IReadOnlyList<string> written = ImageOutputs.Write(outputs, film, header, _writing.Writing(result) with { Metadata = Texts(header, hash) }, streams);
+        IReadOnlyList<string> written = ImageOutputs.Write(outputs, film, header, _writing.Writing(result) with { Metadata = FilmTexts.Of(header, hash) }, streams);
         if (result.GetValue(_json))
         {
             WriteJson(header, samples, hash, written, streams);
@@ -109,20 +94,6 @@ internal sealed class MergeVerb
     /// <summary>What images say of themselves.</summary>
     public static IReadOnlyList<string> TextKeys { get; } = ["Software", "Command", "Scene", "Samples", "FilmHash", "SampleRange"];
 
-    /// <summary>What an image of a film says of itself.</summary>
-    public static IReadOnlyList<KeyValuePair<string, string>> Texts(FilmHeader header, string hash) =>
-    [
-        new("Software", CommandLine.Version),
-        new("Command", Session.Shell.Command(["render", header.Scene, .. ResumeVerb.Words(header, header.Total), .. CropWords(header)])),
-        new("Scene", Path.GetFileName(header.Scene)),
-        new("Samples", $"{header.Samples.Sum(r => r.Count)}"),
-        new("FilmHash", hash),
-        new("SampleRange", header.SamplesText),
-    ];
-
-    /// <summary>The options that say which part of the picture a film is of.</summary>
-    public static string[] CropWords(FilmHeader header) => header.Crop is { } c ? ["--crop", $"{c.X},{c.Y},{c.Width},{c.Height}"] : [];
-
     private static void WriteJson(FilmHeader header, int samples, string hash, IReadOnlyList<string> written, Streams streams) => JsonText.Write(streams, json =>
     {
         json.WriteNumber("width", header.Width);
@@ -139,54 +110,4 @@ internal sealed class MergeVerb
 
         json.WriteEndArray();
     });
-
-    // What the films are together.
-    private static FilmHeader Join((string Path, FilmHeader Header)[] parts)
-    {
-        (string firstPath, FilmHeader first) = parts[0];
-        if (Array.Find(parts, p => p.Header.Samples.Count == 0).Path is { } empty)
-        {
-            throw new CommandException(ExitStatus.InputOutput, $"'{empty}' holds no samples yet");
-        }
-
-        foreach ((string path, FilmHeader header) in parts)
-        {
-            if (header.Content != first.Content || (header.Width, header.Height, header.Crop) != (first.Width, first.Height, first.Crop))
-            {
-                throw new CommandException(
-                    ExitStatus.InputOutput, $"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings or the program differ");
-            }
-        }
-
-        (SampleRange Range, string Path)[] ranges = [.. parts.SelectMany(p => p.Header.Samples.Select(r => (r, p.Path))).OrderBy(r => r.r.First).ThenBy(r => r.r.End)];
-        for (int i = 1; i < ranges.Length; i++)
-        {
-            if (ranges[i].Range.First < ranges[i - 1].Range.End)
-            {
-                SampleRange twice = new(ranges[i].Range.First, Math.Min(ranges[i].Range.End, ranges[i - 1].Range.End));
-                throw new CommandException(ExitStatus.InputOutput, $"samples {FilmHeader.Text(twice)} are in both '{ranges[i - 1].Path}' and '{ranges[i].Path}'");
-            }
-        }
-
-        int total = parts.Max(p => p.Header.Total);
-        IEnumerable<SampleRange> joined = ranges.Aggregate(Enumerable.Empty<SampleRange>(), (all, r) => PassRender.Join(all, r.Range));
-        return first with { Samples = [.. joined], Total = total, Wanted = new(0, total), Software = CommandLine.Version };
-    }
-
-    private static string Gaps(FilmHeader header)
-    {
-        List<string> gaps = [];
-        int end = 0;
-        foreach (SampleRange range in header.Samples.Append(new(header.Total, header.Total)))
-        {
-            if (range.First > end)
-            {
-                gaps.Add(FilmHeader.Text(new(end, range.First)));
-            }
-
-            end = Math.Max(end, range.End);
-        }
-
-        return string.Join(", ", gaps);
-    }
 }

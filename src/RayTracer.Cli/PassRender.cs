@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
+using RayTracer.Session;
 
 namespace RayTracer.Cli;
 
@@ -55,7 +56,7 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
             pass.Clear();
             statistics += done;
             first = range.End;
-            Header = Header with { Samples = Join(Header.Samples, range) };
+            Header = Header with { Samples = FilmMerge.Join(Header.Samples, range) };
             Checkpoints?.Offer(film, Header);
             Preview?.Offer(film, isLast: first >= missing.End);
             count = NextCount(Stopwatch.GetElapsedTime(passStart).TotalSeconds / range.Count, Limit - Stopwatch.GetElapsedTime(start));
@@ -67,25 +68,6 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
         }
 
         return statistics;
-    }
-
-    /// <summary>Ranges with one more, in their order, those that touch made one.</summary>
-    public static IReadOnlyList<SampleRange> Join(IEnumerable<SampleRange> ranges, SampleRange more)
-    {
-        List<SampleRange> joined = [];
-        foreach (SampleRange range in ranges.Append(more).OrderBy(r => r.First))
-        {
-            if (joined is [.., var last] && last.End == range.First)
-            {
-                joined[^1] = new(last.First, range.End);
-            }
-            else
-            {
-                joined.Add(range);
-            }
-        }
-
-        return joined;
     }
 
     private int NextCount(double secondsPerSample, TimeSpan? left)

@@ -47,14 +47,6 @@ internal sealed class ResumeVerb
             $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, so that a film of {header.Total} cannot be given more or fewer: render it anew, or with --sampler sobol")
         : OtherScene(request.ScenePath);
 
-    /// <summary>The options that replaced what the scene's file said, with as many samples a pixel as the whole picture has.</summary>
-    public static IReadOnlyList<string> Words(FilmHeader header, int total)
-    {
-        int given = header.Overrides.ToList().IndexOf("--spp");
-        IEnumerable<string> others = given < 0 ? header.Overrides : header.Overrides.Where((_, i) => i != given && i != given + 1);
-        return [.. others, "--spp", $"{total}"];
-    }
-
     private int Run(ParseResult result, Streams streams)
     {
         string file = result.GetValue(_file)!;
@@ -66,7 +58,7 @@ internal sealed class ResumeVerb
             total = wanted.End;
         }
 
-        IReadOnlyList<string> words = Words(header, total);
+        IReadOnlyList<string> words = FilmTexts.Words(header, total);
         string scene = result.GetValue(_scene) ?? PictureOrigin.ScenePath(header.Scene, file);
         (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
         RenderRequest request = _display.Put(result, _long.Put(result, new()
@@ -83,7 +75,7 @@ internal sealed class ResumeVerb
             Resumed = new(header, film),
             Settings = first.Settings,
             OverrideWords = words,
-            CommandText = Shell.Command(["render", scene, .. words, .. MergeVerb.CropWords(header)]),
+            CommandText = Shell.Command(["render", scene, .. words, .. FilmTexts.CropWords(header)]),
         }));
         if (request is { Quiet: true, Verbose: true })
         {

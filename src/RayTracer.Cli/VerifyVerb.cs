@@ -92,7 +92,7 @@ internal static class VerifyVerb
             }
 
             (RenderRequest asked, Func<SceneDescription, SceneDescription> changes) =
-                RenderVerb.Parse([scene ?? PictureOrigin.ScenePath(header.Scene, file), "--json", .. ResumeVerb.Words(header, header.Total), .. MergeVerb.CropWords(header)]);
+                RenderVerb.Parse([scene ?? PictureOrigin.ScenePath(header.Scene, file), "--json", .. FilmTexts.Words(header, header.Total), .. FilmTexts.CropWords(header)]);
             return new(asked, changes, [.. header.Samples.Select(r => (SampleRange?)r)], film.ComputeHash());
         }
 

@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
@@ -9,7 +10,7 @@ public static class Complaint
     public static string? Of(Exception fault) => fault switch
     {
         DocumentException => Sentence(fault.Message),
-        SessionException or ImageWriteException or IOException or UnauthorizedAccessException => fault.Message,
+        SessionException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException => fault.Message,
         OutOfMemoryException => "There is not enough memory.",
         _ => null,
     };

@@ -21,6 +21,7 @@ public sealed class StudioSession : IDisposable
         Snapshots = new(View, time ?? TimeProvider.System);
         Paths = new(View);
         Pictures = new(Document, View, Jobs);
+        Background = new(Document, View, Jobs);
         ReportTimes = new(scenes ?? ScenesFolder.Find());
         Notices.Changed += (_, _) => Changes.Advance();
         Jobs.Changed += (_, _) => Changes.Advance();
@@ -75,6 +76,9 @@ public sealed class StudioSession : IDisposable
 
     /// <summary>Writes pictures.</summary>
     public PictureSaver Pictures { get; }
+
+    /// <summary>Renders into files beside the user's work.</summary>
+    public BackgroundRenders Background { get; }
 
     /// <summary>The report's times.</summary>
     public ReportTimes ReportTimes { get; }

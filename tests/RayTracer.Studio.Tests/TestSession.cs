@@ -38,6 +38,24 @@ internal sealed class TestSession : IDisposable
     /// <summary>Waits until the picture has its last sample.</summary>
     public Task<RenderStatus> Done() => Until(() => Session.View.Loop.Status is { Status: "done" } done && done.SamplesTotal == Session.View.Shown?.Scene.Render.SamplesPerPixel ? done : null);
 
+    /// <summary>The film's hash, when the picture that is shown has its last sample.</summary>
+    public async Task<string> FilmHash()
+    {
+        using CancellationTokenSource end = new(Patience);
+        while (true)
+        {
+            long version = Session.Changes.Version;
+            long picture = Session.View.RequireShown().Picture;
+            string? hash = await Session.View.Loop.Look((film, order, samples) => order.Picture == picture && samples == order.Samples ? film.ComputeHash() : null);
+            if (hash is not null)
+            {
+                return hash;
+            }
+
+            Assert.True(await Session.Changes.WaitBeyond(version, end.Token), "The picture did not come to its end.");
+        }
+    }
+
     /// <summary>Waits for a frame.</summary>
     public async Task<FrameLease> Frame(long after = 0, Func<FrameInfo, bool>? wanted = null)
     {

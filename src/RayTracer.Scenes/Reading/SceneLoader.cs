@@ -26,6 +26,17 @@ public static class SceneLoader
         return Build(Read(path, models, settings, frame), folder, models, AtFrame(overrides, frame), readPicture, keepsSources: false);
     }
 
+    /// <summary>Builds the scene of a text in the native format.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="fileName">How diagnostics call it.</param>
+    /// <param name="folder">The folder from which files that it names are looked for.</param>
+    /// <param name="overrides">As for <see cref="Load"/>.</param>
+    /// <param name="frame">As for <see cref="Load"/>.</param>
+    /// <param name="readPicture">As for <see cref="Load"/>.</param>
+    public static SceneLoadResult LoadText(
+        string text, string fileName, string folder, Func<SceneDescription, SceneDescription>? overrides = null, int? frame = null, Func<string, bool, Picture>? readPicture = null) =>
+        Build(SceneReader.ReadText(text, fileName, null, frame), folder, new ModelFolder(folder), AtFrame(overrides, frame), readPicture, keepsSources: false);
+
     /// <summary>The description of a scene, without building it.</summary>
     /// <param name="path">As for <see cref="Load"/>.</param>
     /// <param name="overrides">As for <see cref="Load"/>.</param>

@@ -13,7 +13,8 @@ public static class CommandText
     /// <param name="settings">What the user wants besides.</param>
     /// <param name="tone">How light is brought into the picture.</param>
     /// <param name="output">The picture's file; null for one beside the scene's.</param>
-    public static string Of(DocumentPlace place, SceneDescription? scene, ViewSettings settings, Tone tone, string? output = null)
+    /// <param name="frame">The frame of the animation; null for the scene as it is written.</param>
+    public static string Of(DocumentPlace place, SceneDescription? scene, ViewSettings settings, Tone tone, string? output = null, int? frame = null)
     {
         string path = place.Path ?? place.Name;
         List<string> words = ["render", path, "-o", output ?? Path.ChangeExtension(path, ".png")];
@@ -41,6 +42,11 @@ public static class CommandText
         if (settings.Map == ViewMap.Denoised)
         {
             words.Add("--denoise");
+        }
+
+        if (frame is { } number)
+        {
+            Add("--frames", number);
         }
 
         return Shell.Command(words);

@@ -13,8 +13,8 @@ public sealed record SessionCommand(string Id, string Name, string Tip, string G
 {
     private static readonly JsonObject Icons = SessionTexts.Read("icons");
 
-    /// <summary>All commands. The Studio's pages are built with the same list.</summary>
-    public static IReadOnlyList<SessionCommand> All { get; } = [.. SessionTexts.Read("commands").Select(c => Of(c.Key, c.Value!.AsObject()))];
+    /// <summary>All commands, but those that only the Studio's pages have. They are built with the same list.</summary>
+    public static IReadOnlyList<SessionCommand> All { get; } = [.. SessionTexts.Read("commands").Where(c => c.Value!["pages"] is null).Select(c => Of(c.Key, c.Value!.AsObject()))];
 
     /// <summary>An icon's lines.</summary>
     /// <exception cref="KeyNotFoundException">There is no such icon.</exception>

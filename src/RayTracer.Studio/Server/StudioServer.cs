@@ -35,6 +35,7 @@ internal sealed class StudioServer : IAsyncDisposable
         api.MapView(session);
         api.MapInspection(session);
         api.MapSaving(session);
+        api.MapBackground(session);
         api.MapFallback("{**path}", () => { throw new SessionException("There is no such request.", SessionFault.Missing); });
         _app.MapFallback("{**path}", new EmbeddedAssets().Serve);
         Guard = guard;

@@ -34,6 +34,43 @@ public class FilmWalks(ChromiumBrowser browser)
         Assert.Equal(30, ImageFile.Read(Path.Combine(w.Folder, "again.hdr")).Width);
     }
 
+    [SkippableFact]
+    public async Task Parts_and_frames_are_rendered_into_files_and_parts_merged()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser);
+        (string whole, _) = WriteFilm(w.Folder);
+        w.Session.Files.Open(Path.Combine(w.Folder, "small.json"));
+        await w.Painted(12);
+        foreach (int part in new[] { 1, 2 })
+        {
+            await w.Page.Keyboard.PressAsync("Control+b");
+            await w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "Part" }).FillAsync($"{part}");
+            await ChooseFile(w, $"part{part}.rtfilm", $"part{part}.rtfilm");
+        }
+
+        await w.Page.Keyboard.PressAsync("Control+b");
+        await w.Page.GetByRole(AriaRole.Radio, new() { Name = "Frames" }).ClickAsync();
+        await w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "Last frame" }).FillAsync("1");
+        await ChooseFile(w, "turn-##.png", "turn-01.png");
+        await w.Page.Keyboard.PressAsync("Control+b");
+        await w.Page.GetByRole(AriaRole.Radio, new() { Name = "Merge parts" }).ClickAsync();
+        ILocator dialog = await InFolder(w);
+        await dialog.GetByRole(AriaRole.Button, new() { NameRegex = new("part1") }).ClickAsync();
+        await dialog.GetByRole(AriaRole.Button, new() { NameRegex = new("part2.rtfilm.*B") }).ClickAsync();
+        await w.Shot("merge", isShown: true);
+        await ChooseFile(w, "merged.rtfilm", "merged.rtfilm");
+        Assert.Equal(whole, FilmFile.Read(Path.Combine(w.Folder, "merged.rtfilm")).Film.ComputeHash());
+    }
+
+    private static async Task ChooseFile(StudioWindow w, string name, string expected)
+    {
+        await w.Button("Choose the file …").ClickAsync();
+        ILocator dialog = await InFolder(w);
+        await dialog.GetByRole(AriaRole.Textbox, new() { Name = "File name" }).FillAsync(name);
+        await dialog.GetByRole(AriaRole.Button, new() { Name = "Save", Exact = true }).ClickAsync();
+        await StudioWindow.Until($"{expected} is there", () => Task.FromResult(File.Exists(Path.Combine(w.Folder, expected))));
+    }
+
     private static async Task<ILocator> InFolder(StudioWindow w)
     {
         ILocator dialog = w.Page.GetByRole(AriaRole.Dialog);

@@ -24,18 +24,17 @@ public sealed class FilmTests
         string scene = await Written(test);
         await OpenFile(test, scene);
         await test.Done();
-        string whole = await Hash(test);
+        string whole = await test.FilmHash();
         string part = await Film(test, "part.rtfilm", stopAt: 3);
         await OpenFile(test, part);
         Assert.Equal((scene, false), (test.Session.Document.Place.Path, test.Session.Document.IsDirty));
         await test.Done();
-        Assert.Equal(whole, await Hash(test));
+        Assert.Equal(whole, await test.FilmHash());
 
         // More samples than were asked for at first, too.
         test.Session.View.Change(s => s with { Samples = 11 });
-        await test.Until(() => test.Session.View.Loop.Status is { Status: "done", SamplesTotal: 11 } done ? done : null);
         string more = Rendered(scene, 11);
-        Assert.Equal(more, await Hash(test));
+        Assert.Equal(more, await test.FilmHash());
         string saved = Path.Combine(test.Folder, "saved.rtfilm");
         await Save(test, saved);
         (FilmHeader header, Film film) = FilmFile.Read(saved);
@@ -103,7 +102,7 @@ public sealed class FilmTests
         await test.Done();
         Assert.Contains("The film is not of scene.json", test.Session.Notices.Newest!.Text, StringComparison.Ordinal);
         string anew = Rendered(scene, 8);
-        Assert.Equal(anew, await Hash(test));
+        Assert.Equal(anew, await test.FilmHash());
         File.Delete(scene);
         Assert.Contains("neither at", Assert.Throws<DocumentException>(() => test.Session.Files.Open(film, discard: true)).Message, StringComparison.Ordinal);
         string image = Path.Combine(test.Folder, "other.png");
@@ -139,8 +138,6 @@ public sealed class FilmTests
         test.Session.View.Change(s => s with { Samples = null });
         return path;
     }
-
-    private static Task<string> Hash(TestSession test) => test.Session.View.Loop.Look((film, _, _) => film.ComputeHash());
 
     private static string Rendered(string scene, int samples)
     {

@@ -27,6 +27,10 @@ function textsOf(t: typeof english) {
       ...t.files,
       dropping: (name: string) => fill(t.files.dropping, { name }),
     },
+    background: {
+      ...t.background,
+      remove: (name: string) => fill(t.background.remove, { name }),
+    },
     panel: {
       ...t.panel,
       unit: (unit: string) => fill(t.panel.unit, { unit }),

@@ -9,7 +9,7 @@ import { FileBrowser } from "./FileBrowser";
 import { extensionOf, folderOf, joinPath, nameOf, withExtension } from "./paths";
 
 const t = texts.dialogs;
-const startFolder = () => {
+export const startFolder = () => {
   const path = documentState.value?.path;
   return path ? folderOf(path) : undefined;
 };

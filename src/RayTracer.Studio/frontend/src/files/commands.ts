@@ -76,6 +76,13 @@ export const savePicture = (path: string, options: PictureOptions) => {
   return attempt(() => writing(path, (overwrite) => post("save/picture", { path, bitDepth, layers, overwrite })));
 };
 
+/** Starts something that is rendered into files beside the user's work. */
+export const startBackground = (what: string, path: string, request: object) =>
+  attempt(async () => {
+    await flushEditor();
+    await writing(path, (overwrite) => post(`background/${what}`, { ...request, path, overwrite }));
+  });
+
 function download(blob: Blob, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);

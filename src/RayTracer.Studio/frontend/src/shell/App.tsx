@@ -8,6 +8,7 @@ import { Outliner } from "../outliner/Outliner";
 import { PropertyPanel } from "../panel/PropertyPanel";
 import { bottomHeight, bottomOpen, leftOpen, leftTab, leftWidth, rightOpen, rightWidth } from "../state/settings";
 import { listenToShortcuts } from "../state/shortcuts";
+import { BackgroundDialog } from "../files/BackgroundDialog";
 import { dialog, isFresh, tourStep } from "../state/store";
 import { texts } from "../texts";
 import { Splitter } from "../ui/Splitter";
@@ -24,7 +25,7 @@ import { StatusBar } from "./StatusBar";
 import { Toolbar } from "./Toolbar";
 import { Tour } from "./Tour";
 
-const dialogs = { open: OpenDialog, saveAs: SaveSceneDialog, export: ExportDialog, rename: RenameDialog, shortcuts: ShortcutSheet };
+const dialogs = { open: OpenDialog, saveAs: SaveSceneDialog, export: ExportDialog, background: BackgroundDialog, rename: RenameDialog, shortcuts: ShortcutSheet };
 
 function LeftPane() {
   const t = texts.left;

@@ -9,7 +9,7 @@ import { Menu, type MenuItem } from "../ui/Menu";
 import { spaced } from "../panel/types";
 
 const t = texts.toolbar;
-const fileItems: CommandId[] = ["new", "open", "gallery", "save", "saveAs", "export", "copyImage", "copyCommand", "bundle"];
+const fileItems: CommandId[] = ["new", "open", "gallery", "save", "saveAs", "export", "background", "copyImage", "copyCommand", "bundle"];
 const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "home", "theme", "shortcuts", "tour"];
 
 // Shapes that shine as they are; others can be given a luminaire.

@@ -72,6 +72,7 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   pause: { run: () => rendering(isRunning() ? "pause" : "continue") },
   stop: { run: () => rendering("stop") },
   restart: { run: () => rendering("restart") },
+  background: { run: () => (dialog.value = "background") },
   home: { run: () => attempt(cameraHome) },
   fit: { run: fit },
   actualSize: { run: actualSize },

@@ -48,7 +48,7 @@ export const inspectedPixel = signal<{ x: number; y: number } | null>(null);
 export const compared = signal<number | null>(null);
 export const wipe = signal(0.5);
 
-export type Dialog = "open" | "saveAs" | "export" | "rename" | "shortcuts";
+export type Dialog = "open" | "saveAs" | "export" | "background" | "rename" | "shortcuts";
 export const dialog = signal<Dialog | null>(null);
 export const tourStep = signal<number | null>(null);
 

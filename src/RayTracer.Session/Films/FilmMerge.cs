@@ -1,0 +1,126 @@
+using System.Runtime.ExceptionServices;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Session;
+
+/// <summary>Films of different samples of one picture, to be added up. In any order, the bits are those of one render.</summary>
+public sealed class FilmMerge
+{
+    private const int MostAtOnce = 4;
+    private readonly (string Path, FilmHeader Header)[] _parts;
+
+    private FilmMerge((string Path, FilmHeader Header)[] parts)
+    {
+        _parts = parts;
+        Header = Together(parts);
+    }
+
+    /// <summary>What the films are together.</summary>
+    public FilmHeader Header { get; }
+
+    /// <summary>The samples that none of them has, in words; null where there are none.</summary>
+    public string? Missing => Gaps(Header) is { Length: > 0 } gaps ? $"samples {gaps} are missing of {Header.Total}" : null;
+
+    /// <summary>Looks at films.</summary>
+    /// <param name="paths">Their files, at least one.</param>
+    /// <exception cref="SessionException">They do not go together; the message is a clause.</exception>
+    /// <exception cref="PictureException">One cannot be read.</exception>
+    public static FilmMerge Of(IEnumerable<string> paths) => new([.. paths.Select(p => (p, FilmFile.ReadHeader(p)))]);
+
+    /// <summary>Adds them up. Several at once: checksums take longer than a disk to read what they are of. More than a few only make the disk's way longer.</summary>
+    /// <exception cref="PictureException">One cannot be read.</exception>
+    public Film Add(IProgress<double>? progress = null, CancellationToken cancellation = default)
+    {
+        Film film = new(Header.Width, Header.Height);
+        Lock adding = new();
+        int done = 0;
+        try
+        {
+            Parallel.ForEach(_parts, new() { MaxDegreeOfParallelism = Math.Min(MostAtOnce, Environment.ProcessorCount), CancellationToken = cancellation }, part =>
+            {
+                FilmHeader header = FilmFile.AddTo(part.Path, film, adding);
+                if (header.Content != part.Header.Content || !header.Samples.SequenceEqual(part.Header.Samples))
+                {
+                    throw new PictureException($"Cannot read the film '{part.Path}': it was changed meanwhile.");
+                }
+
+                progress?.Report((double)Interlocked.Increment(ref done) / _parts.Length);
+            });
+        }
+        catch (AggregateException e)
+        {
+            ExceptionDispatchInfo.Throw(e.InnerExceptions[0]);
+        }
+
+        return film;
+    }
+
+    /// <summary>Ranges with one more, in their order, those that touch made one.</summary>
+    public static IReadOnlyList<SampleRange> Join(IEnumerable<SampleRange> ranges, SampleRange more)
+    {
+        List<SampleRange> joined = [];
+        foreach (SampleRange range in ranges.Append(more).OrderBy(r => r.First))
+        {
+            if (joined is [.., var last] && last.End == range.First)
+            {
+                joined[^1] = new(last.First, range.End);
+            }
+            else
+            {
+                joined.Add(range);
+            }
+        }
+
+        return joined;
+    }
+
+    private static FilmHeader Together((string Path, FilmHeader Header)[] parts)
+    {
+        (string firstPath, FilmHeader first) = parts[0];
+        if (Array.Find(parts, p => p.Header.Samples.Count == 0).Path is { } empty)
+        {
+            throw new SessionException($"'{empty}' holds no samples yet");
+        }
+
+        foreach ((string path, FilmHeader header) in parts)
+        {
+            if (header.Content != first.Content || (header.Width, header.Height, header.Crop) != (first.Width, first.Height, first.Crop))
+            {
+                throw new SessionException($"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings or the program differ");
+            }
+        }
+
+        (SampleRange Range, string Path)[] ranges = [.. parts.SelectMany(p => p.Header.Samples.Select(r => (r, p.Path))).OrderBy(r => r.r.First).ThenBy(r => r.r.End)];
+        for (int i = 1; i < ranges.Length; i++)
+        {
+            if (ranges[i].Range.First < ranges[i - 1].Range.End)
+            {
+                SampleRange twice = new(ranges[i].Range.First, Math.Min(ranges[i].Range.End, ranges[i - 1].Range.End));
+                throw new SessionException($"samples {FilmHeader.Text(twice)} are in both '{ranges[i - 1].Path}' and '{ranges[i].Path}'");
+            }
+        }
+
+        int total = parts.Max(p => p.Header.Total);
+        IEnumerable<SampleRange> joined = ranges.Aggregate(Enumerable.Empty<SampleRange>(), (all, r) => Join(all, r.Range));
+        return first with { Samples = [.. joined], Total = total, Wanted = new(0, total), Software = ProgramName.Text };
+    }
+
+    private static string Gaps(FilmHeader header)
+    {
+        List<string> gaps = [];
+        int end = 0;
+        foreach (SampleRange range in header.Samples.Append(new(header.Total, header.Total)))
+        {
+            if (range.First > end)
+            {
+                gaps.Add(FilmHeader.Text(new(end, range.First)));
+            }
+
+            end = Math.Max(end, range.End);
+        }
+
+        return string.Join(", ", gaps);
+    }
+}

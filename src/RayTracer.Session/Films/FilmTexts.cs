@@ -1,0 +1,31 @@
+using RayTracer.Imaging;
+
+namespace RayTracer.Session;
+
+/// <summary>What images of films say of themselves.</summary>
+public static class FilmTexts
+{
+    /// <summary>The texts of an image of a film.</summary>
+    /// <param name="header">What the film's file says.</param>
+    /// <param name="hash">The film's hash.</param>
+    public static IReadOnlyList<KeyValuePair<string, string>> Of(FilmHeader header, string hash) =>
+    [
+        new("Software", ProgramName.Text),
+        new("Command", Shell.Command(["render", header.Scene, .. Words(header, header.Total), .. CropWords(header)])),
+        new("Scene", Path.GetFileName(header.Scene)),
+        new("Samples", $"{header.Samples.Sum(r => r.Count)}"),
+        new("FilmHash", hash),
+        new("SampleRange", header.SamplesText),
+    ];
+
+    /// <summary>The options that replaced what the scene's file said, with as many samples a pixel as the whole picture has.</summary>
+    public static IReadOnlyList<string> Words(FilmHeader header, int total)
+    {
+        int given = header.Overrides.ToList().IndexOf("--spp");
+        IEnumerable<string> others = given < 0 ? header.Overrides : header.Overrides.Where((_, i) => i != given && i != given + 1);
+        return [.. others, "--spp", $"{total}"];
+    }
+
+    /// <summary>The options that say which part of the picture a film is of.</summary>
+    public static string[] CropWords(FilmHeader header) => header.Crop is { } c ? ["--crop", $"{c.X},{c.Y},{c.Width},{c.Height}"] : [];
+}
