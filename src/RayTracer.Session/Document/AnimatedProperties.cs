@@ -11,9 +11,10 @@ internal static class AnimatedProperties
     /// <summary>Removes a thing, and the tracks that animate it.</summary>
     public static JsonText Remove(JsonText text, string pointer)
     {
+        JsonText left = text.Remove(pointer);
         string[] gone = JsonPointer.Parse(pointer);
         bool isElement = text.At(JsonPointer.Parent(pointer)!).Kind == JsonKind.Array;
-        return Follow(text, text.Remove(pointer), steps => StartsWith(steps, gone, gone.Length) ? null : isElement ? Shifted(steps, gone, -1) : steps);
+        return Follow(text, left, steps => StartsWith(steps, gone, gone.Length) ? null : isElement ? Shifted(steps, gone, -1) : steps);
     }
 
     /// <summary>Lets the tracks follow a thing that has another name.</summary>
