@@ -21,6 +21,9 @@ public class MediumTests
             BlockEstimate all = images.Estimate(new(0, 0, images.Width, images.Height), channel);
             Assert.InRange(all.Mean, 1 - tolerance - (6 * Math.Sqrt(all.Variance)), 1 + 1e-4 + (6 * Math.Sqrt(all.Variance)));
         }
+
+        // The sum over the channels of what a path carries never grows, so no path is brighter than three times the light.
+        Assert.All(Enumerable.Range(0, images.Count), i => Assert.All(Enumerable.Range(0, 3 * images.Width * images.Height), at => Assert.InRange(images.Value(i, at), 0, 3.001f)));
     }
 
     [Theory]
