@@ -48,6 +48,11 @@ internal sealed class ConvertVerb
                 : $"scenes are written as .json files, but not as {Quotation.Of(to)} (\"raytracer render\" makes images of them)");
         }
 
+        foreach (Option option in _writing.Looks.Concat([_exrType.Symbol, _width.Symbol, _height.Symbol]).Where(o => isScene && result.GetResult(o) is { Implicit: false }))
+        {
+            throw new CommandException(ExitStatus.Usage, $"{option.Name} is for images: a scene's values are set as in --set render.width=800");
+        }
+
         return isScene ? ConvertScene(from, to, _settings.Values(result), streams) : ConvertImage(from, to, result);
     }
 

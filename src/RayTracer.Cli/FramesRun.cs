@@ -63,7 +63,12 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
             }
         }
 
-        status = WriteAnimation() ? status : ExitStatus.InputOutput;
+        // A preview that is there is worth more than one that breaks off.
+        if (status is ExitStatus.Fine or ExitStatus.Noisy && !WriteAnimation())
+        {
+            status = ExitStatus.InputOutput;
+        }
+
         if (request.Json)
         {
             WriteJson(total.Elapsed.TotalSeconds);
@@ -81,8 +86,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
     private int Frame(int frame, string which)
     {
         RenderRequest one = One(frame);
-        string? content = _animated.Length == 0 ? Content(one) : null;
-        if (content is not null && one.Outputs.Count > 0 && one.Outputs.Concat(new AovOutputs(one).Files).All(o => IsThere(o, content, one)))
+        if (_animated.Length == 0 && one.Outputs.Count > 0 && Describe(one) is { } scene && one.Outputs.Concat(new AovOutputs(one).Files).All(o => IsThere(o, scene, one)))
         {
             _done.Add(new(frame, null, one.Outputs));
             Say($"frame {frame} ({which}): there already");
@@ -143,10 +147,10 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
         }
     }
 
-    private string? Content(RenderRequest one) =>
-        SceneLoader.Describe(one.ScenePath, s => new NoiseRequest(one).Widen(overrides(s)), one.Settings, one.Frame) is { } scene ? ContentHash.Of(scene, one.ScenePath, one.Area) : null;
+    private SceneDescription? Describe(RenderRequest one) =>
+        SceneLoader.Describe(one.ScenePath, s => new NoiseRequest(one).Widen(overrides(s)), one.Settings, one.Frame);
 
-    private static bool IsThere(string path, string content, RenderRequest one)
+    private static bool IsThere(string path, SceneDescription scene, RenderRequest one)
     {
         try
         {
@@ -158,11 +162,12 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
             if (FilmFile.IsNamed(path))
             {
                 FilmHeader header = FilmFile.ReadHeader(path);
-                return header.Content == content && header.IsComplete;
+                bool hasAll = one.Time is not null || one.Noise is not null || header.Wanted == SampleShares.Of(one, scene.Render);
+                return hasAll && header.IsComplete && header.Content == ContentHash.Of(scene, one.ScenePath, one.Area);
             }
 
             IReadOnlyList<KeyValuePair<string, string>> texts = ImageFile.ReadText(path);
-            return texts.Contains(new("Content", content)) && texts.Contains(new("Command", one.CommandText));
+            return texts.Contains(new("Content", ContentHash.OfPicture(scene, one.ScenePath, one.Area))) && texts.Contains(new("Command", one.CommandText));
         }
         catch (PictureException)
         {

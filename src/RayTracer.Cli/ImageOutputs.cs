@@ -23,6 +23,33 @@ internal static class ImageOutputs
     /// <inheritdoc cref="Check(string)"/>
     public static void CheckFolder(string path) => Check(path, isFilm: true);
 
+    /// <summary>Finds out before the work whether a format has room for a picture.</summary>
+    /// <exception cref="CommandException">It has not.</exception>
+    public static void CheckSize(IEnumerable<string> paths, int width, int height)
+    {
+        if (Math.Max(width, height) > JpegWriter.MaxSide && paths.FirstOrDefault(p => Path.GetExtension(p).ToUpperInvariant() is ".JPG" or ".JPEG") is { } jpeg)
+        {
+            throw new CommandException(ExitStatus.Usage, $"{jpeg}: a JPEG has at most {JpegWriter.MaxSide} pixels a side, and the picture has {width}×{height}");
+        }
+    }
+
+    /// <summary>Keeps films of unfinished renderings from being written over.</summary>
+    /// <param name="paths">The files to write.</param>
+    /// <param name="own">Films that may be replaced, for they are gone on with.</param>
+    /// <exception cref="CommandException">There is one; the message says what to do with it.</exception>
+    public static void CheckUnfinished(IEnumerable<string> paths, IEnumerable<string> own)
+    {
+        HashSet<string> free = [.. own.Select(Path.GetFullPath)];
+        foreach (string path in paths.Where(p => FilmFile.IsNamed(p) && !free.Contains(Path.GetFullPath(p))))
+        {
+            if (FilmFile.Unfinished(path) is { } unfinished)
+            {
+                throw new CommandException(
+                    ExitStatus.InputOutput, $"'{path}' holds samples {unfinished.SamplesText} of an unfinished rendering: \"raytracer resume {path}\" goes on with it; delete it to begin anew");
+            }
+        }
+    }
+
     private static void Check(string path, bool isFilm)
     {
         AtomicFile.Check(path);

@@ -9,7 +9,7 @@ namespace RayTracer.Cli;
 /// <summary>A film from a file, to which samples are added.</summary>
 /// <param name="Header">What the file says of it.</param>
 /// <param name="Film">The film.</param>
-internal sealed record ResumedFilm(FilmHeader Header, Film Film);
+internal sealed record ResumedFilm(FilmHeader Header, Film Film, string Path);
 
 /// <summary>What <c>raytracer render</c> was asked for.</summary>
 internal sealed record RenderRequest

@@ -39,10 +39,9 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             ImageOutputs.CheckFilm(output);
         }
 
-        if (request is { Checkpoint: { } checkpoint, Resumed: null } && FilmFile.Unfinished(checkpoint) is { } unfinished)
+        if (!request.IsOfSequence)
         {
-            throw new CommandException(
-                ExitStatus.InputOutput, $"'{checkpoint}' holds samples {unfinished.SamplesText} of an unfinished rendering: \"raytracer resume {checkpoint}\" goes on with it; delete it to begin anew");
+            ImageOutputs.CheckUnfinished(request.Outputs.Concat(request.Checkpoint is { } film ? [film] : []), request.Resumed is { } from ? [from.Path] : []);
         }
 
         using StopSignals signals = new(streams);
@@ -86,6 +85,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         _stages.EndBuild();
+        ImageOutputs.CheckSize(request.Outputs, scene.Render.Width, scene.Render.Height);
         RenderOptions options = Options(scene.Render);
         Film film = request.Resumed?.Film ?? FilmFor(scene);
         if ((film.Width, film.Height) != (scene.Render.Width, scene.Render.Height))
@@ -263,7 +263,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new("Samples", $"{outcome.SamplesText}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
             new("FilmHash", outcome.Hash),
             .. outcome.RangeText is { } range ? [KeyValuePair.Create("SampleRange", range)] : Array.Empty<KeyValuePair<string, string>>(),
-            .. request.IsOfSequence ? [KeyValuePair.Create("Content", ContentHash.Of(_description!, request.ScenePath, request.Area))] : Array.Empty<KeyValuePair<string, string>>(),
+            .. request.IsOfSequence ? [KeyValuePair.Create("Content", ContentHash.OfPicture(_description!, request.ScenePath, request.Area))] : Array.Empty<KeyValuePair<string, string>>(),
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };
         Picture? denoised = _denoising?.Denoise(request.Threads);

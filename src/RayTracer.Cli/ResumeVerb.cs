@@ -72,7 +72,7 @@ internal sealed class ResumeVerb
             Frames = first.Frames,
             HasSamples = true,
             Checkpoint = file,
-            Resumed = new(header, film),
+            Resumed = new(header, film, file),
             Settings = first.Settings,
             OverrideWords = words,
             CommandText = Shell.Command(["render", scene, .. words, .. FilmTexts.CropWords(header)]),

@@ -217,11 +217,10 @@ internal sealed record SlurmJob
         return $$"""
             parts=()
             for SLURM_ARRAY_TASK_ID in $(seq {{Tasks}}); do
-                parts+=("{{Done(name)}}")
+                parts+=("$folder/{{Done(name)}}")
             done
-            cd "$folder"
             raytracer merge "${parts[@]}" {{Words(Looks)}} {{Words(Files)}}
-            rm -f .{{name}}-* ..{{name}}-*
+            rm -f "$folder"/.{{name}}-* "$folder"/..{{name}}-*
             """;
     }
 

@@ -67,6 +67,7 @@ internal sealed class SweepVerb
         using StopSignals signals = new(streams);
         ImageWriteOptions writing = _writing.Writing(result);
         ContactSheet? sheet = null;
+        int failed = ExitStatus.Fine;
         List<(SweepCell Cell, string Hash)> films = [];
         foreach (SweepCell cell in axes.Cells.TakeWhile(_ => !signals.Token.IsCancellationRequested))
         {
@@ -76,13 +77,18 @@ internal sealed class SweepVerb
             };
             if (new RenderRun(request, Changed, streams).Compute(signals.Token) is not { } outcome)
             {
-                return SceneFile.FailureStatus(path);
+                // Its place stays dark.
+                failed = SceneFile.FailureStatus(path);
+                streams.Fail($"this is wrong with {string.Join(' ', axes.Changes(cell).Select(s => s.Text))}");
+                continue;
             }
 
             sheet ??= Sheet(axes, outcome.Film);
             if ((outcome.Film.Width, outcome.Film.Height) != (sheet.CellWidth, sheet.CellHeight))
             {
-                throw new CommandException(ExitStatus.Usage, $"pictures of {sheet.CellWidth}×{sheet.CellHeight} and of {outcome.Film.Width}×{outcome.Film.Height} pixels have no place in one grid: give --width and --height");
+                failed = ExitStatus.Usage;
+                streams.Fail($"pictures of {sheet.CellWidth}×{sheet.CellHeight} and of {outcome.Film.Width}×{outcome.Film.Height} pixels have no place in one grid: give --width and --height");
+                continue;
             }
 
             // As it is to be seen, whatever the file: labels have no exposure.
@@ -97,7 +103,7 @@ internal sealed class SweepVerb
 
         IReadOnlyList<string> written = sheet is null ? [] : ImageOutputs.Write(outputs, sheet.Picture, writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = Texts(path, result) }, streams);
         Report(result, axes, films, written, streams);
-        return signals.Status != 0 ? signals.Status : written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+        return signals.Status != 0 ? signals.Status : failed != ExitStatus.Fine ? failed : written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
 
     private static ContactSheet Sheet(SweepAxes axes, Film film)

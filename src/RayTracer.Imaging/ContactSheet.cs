@@ -27,7 +27,7 @@ public sealed class ContactSheet
     public ContactSheet(SheetAxis columns, SheetAxis rows, SheetAxis blocks, int width, int height)
     {
         (_columns, _rows, _blocks, _width, _height) = (columns, rows, blocks, width, height);
-        int dot = SheetCanvas.DotFor(width);
+        int dot = SheetCanvas.DotFor(width, height);
         int letters = Math.Min(LongestLabel, rows.Values.Append(rows.Name).Max(t => t.Length));
         Margin = letters == 0 ? 0 : SheetCanvas.WidthOf(letters, dot) + SheetCanvas.Gap;
         int line = SheetCanvas.LineFor(dot);

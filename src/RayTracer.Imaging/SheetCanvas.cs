@@ -33,8 +33,8 @@ internal sealed class SheetCanvas
     /// <summary>Pixels from one line of text to the next.</summary>
     public int Line => LineFor(Dot);
 
-    /// <summary>How large letters are beside images of a width.</summary>
-    public static int DotFor(int width) => Math.Clamp(width / 200, 1, 8);
+    /// <summary>How large letters are beside images of a size: lines of them are no higher than an image, but for the flattest.</summary>
+    public static int DotFor(int width, int height = int.MaxValue) => Math.Clamp(Math.Min(width / 200, height / (SmallFont.Height + 3)), 1, 8);
 
     /// <summary>Pixels from one line of text to the next.</summary>
     public static int LineFor(int dot) => (SmallFont.Height + 3) * dot;
@@ -64,7 +64,7 @@ internal sealed class SheetCanvas
         {
             for (int row = 0; row < SmallFont.Height && i % SmallFont.Advance < 5; row++)
             {
-                if (SmallFont.Has(text[i / SmallFont.Advance], i % SmallFont.Advance, row))
+                if (top + (row * Dot) >= 0 && top + ((row + 1) * Dot) <= Picture.Height && SmallFont.Has(text[i / SmallFont.Advance], i % SmallFont.Advance, row))
                 {
                     Mark(left + (i * Dot), top + (row * Dot));
                 }

@@ -94,14 +94,14 @@ public sealed record FilmHeader
             {
                 Width = json.GetProperty("width").GetInt32(),
                 Height = json.GetProperty("height").GetInt32(),
-                Content = json.GetProperty("content").GetString()!,
+                Content = Text(json.GetProperty("content")),
                 Samples = [.. samples.Chunk(2).Select(r => new SampleRange(r[0], r[1]))],
                 Wanted = new(wanted[0], wanted[1]),
                 Total = json.GetProperty("total").GetInt32(),
                 Crop = crop.Length == 4 ? new(crop[0], crop[1], crop[2], crop[3]) : null,
-                Scene = json.GetProperty("scene").GetString()!,
-                Overrides = [.. json.GetProperty("overrides").EnumerateArray().Select(w => w.GetString()!)],
-                Software = json.GetProperty("software").GetString()!,
+                Scene = Text(json.GetProperty("scene")),
+                Overrides = [.. json.GetProperty("overrides").EnumerateArray().Select(Text)],
+                Software = Text(json.GetProperty("software")),
             };
             return header.IsSound ? header : throw new PictureException("its header makes no sense");
         }
@@ -112,7 +112,10 @@ public sealed record FilmHeader
     }
 
     private bool IsSound => Width > 0 && Height > 0 && Samples.All(r => r.First >= 0 && r.End > r.First) && Wanted.First >= 0 && Wanted.End > Wanted.First
-        && Samples.Zip(Samples.Skip(1)).All(p => p.First.End < p.Second.First);
+        && Samples.Zip(Samples.Skip(1)).All(p => p.First.End < p.Second.First)
+        && Total > 0 && (Crop is not { } c || (c is { X: >= 0, Y: >= 0, Width: > 0, Height: > 0 } && c.X <= Width - c.Width && c.Y <= Height - c.Height));
+
+    private static string Text(JsonElement word) => word.GetString() ?? throw new FormatException("a text is missing");
 
     private static int[] Numbers(JsonElement list) => [.. list.EnumerateArray().Select(n => n.GetInt32())];
 

@@ -9,7 +9,7 @@ internal sealed class ExrHeader
 {
     // Keeps the work on each row of a hostile file bounded.
     private const int MaxChannels = 1024;
-    private const long MostRowsOfChannels = 1L << 30;
+    private const long MostRowsOfChannels = 1L << 27;
 
     private const string Deep = "it is an OpenEXR file of deep data, with several depths in a pixel; only flat ones are read";
 
@@ -208,6 +208,11 @@ internal sealed class ExrHeader
         if (!IsTiled)
         {
             (BlockWidth, BlockHeight) = (Width, ExrFormat.RowsOfBlock(Compression));
+            if ((long)Height * Channels.Count > MostRowsOfChannels)
+            {
+                throw new PictureException($"it has {Height} rows of {Channels.Count} channels, which is more than is read");
+            }
+
             return;
         }
 

@@ -94,12 +94,16 @@ public sealed class AnimatedPng(ImageWriteOptions options, double secondsPerFram
         PngChunkStream.WriteChunk(output, "fcTL"u8, control);
     }
 
-    // Exactly where it is one over a whole number, else in milliseconds.
+    // One over a whole number where it is that, else as finely as the two numbers allow.
     private static (ushort Numerator, ushort Denominator) Delay(double seconds)
     {
         double rate = 1 / seconds;
-        return rate == double.Round(rate) && rate is >= 1 and <= ushort.MaxValue
-            ? ((ushort)1, (ushort)rate)
-            : ((ushort)double.Clamp(double.Round(1000 * seconds), 1, ushort.MaxValue), (ushort)1000);
+        if (double.Abs(rate - double.Round(rate)) < 1e-6 * rate && double.Round(rate) is >= 1 and <= ushort.MaxValue)
+        {
+            return ((ushort)1, (ushort)double.Round(rate));
+        }
+
+        double parts = double.Clamp(double.Floor(ushort.MaxValue / double.Max(seconds, 1)), 1, ushort.MaxValue);
+        return ((ushort)double.Clamp(double.Round(seconds * parts), 1, ushort.MaxValue), (ushort)parts);
     }
 }

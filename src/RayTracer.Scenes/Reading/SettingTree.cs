@@ -100,6 +100,11 @@ internal sealed class SettingTree
         SettingStep step = _setting.Steps[at];
         List<JsonNode> items = [.. node.Items];
         int index = step.Index ?? items.FindIndex(i => i.Find("name")?.Text == step.Key);
+        if (step.Index is null && items.Count(i => i.Find("name")?.Text == step.Key) is > 1 and var called)
+        {
+            return Error(step, $"{called} in {Before(at)} are called {Quotation.Of(step.Key)}: use a number, as in [{index}]");
+        }
+
         if (index < 0 || index >= items.Count)
         {
             IEnumerable<string> names = items.Select(i => i.Find("name")?.Text).OfType<string>();
@@ -129,9 +134,15 @@ internal sealed class SettingTree
 
     private JsonNode? Value()
     {
-        string text = _setting.Value;
-        int start = _setting.ValueStart;
-        (int from, int to) = (_offset + start, _offset + _setting.Text.Length);
+        string text = _setting.Value.Trim();
+        int start = _setting.ValueStart + (_setting.Value.Length - _setting.Value.TrimStart().Length);
+        if (text.Length == 0)
+        {
+            _bag.Error(_offset + _setting.ValueStart - 1, "expected a value after \"=\"", DiagnosticRule.Syntax);
+            return null;
+        }
+
+        (int from, int to) = (_offset + start, _offset + start + text.Length);
         if (text is ['{' or '[' or '"', ..])
         {
             // With blanks in front, offsets are those of the setting.

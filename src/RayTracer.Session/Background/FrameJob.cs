@@ -58,7 +58,7 @@ internal sealed class FrameJob(RenderOrder order, ShownScene shown, DocumentPlac
         }
 
         string file = FileOf(frame);
-        string content = ContentHash.Of(load.Description!, Path.Combine(place.Folder, place.Name), order.Region);
+        string content = ContentHash.OfPicture(load.Description!, Path.Combine(place.Folder, place.Name), order.Region);
         string command = CommandText.Of(place with { Path = _scene }, shown.Description, new() { Region = order.Region, Samples = order.Scene.Render.SamplesPerPixel }, tone, file, frame);
         if (IsThere(file, content, command))
         {

@@ -36,6 +36,13 @@ public sealed class ContentHash : IDisposable
         return Convert.ToHexStringLower(hash._hash.GetHashAndReset());
     }
 
+    /// <summary>As <see cref="Of"/>, of a picture with all its samples.</summary>
+    /// <param name="scene">The scene as it is rendered.</param>
+    /// <param name="path">The scene's file; others are looked for from its folder.</param>
+    /// <param name="crop">The part that is rendered; null for all.</param>
+    public static string OfPicture(SceneDescription scene, string path, Tile? crop) =>
+        string.Create(CultureInfo.InvariantCulture, $"{Of(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
+
     /// <summary>Whether where a sample lies depends on how many there are.</summary>
     public static bool HasPattern(RenderDescription render) => render.Sampler is SamplerKind.Jittered or SamplerKind.Regular;
 

@@ -43,6 +43,30 @@ public sealed class FramesTests : IDisposable
         Assert.Equal([true, true, true], Rendered(CliRun.Of([.. command, "--json", "--exposure", "1"])));
     }
 
+    [Theory]
+    [InlineData("f-#.png")]
+    [InlineData("f-#.rtfilm")]
+    public void Frames_of_other_samples_are_rendered_anew(string files)
+    {
+        string[] command = ["render", _scene, "--frames", "0..1", "-o", _folder[files], "--json"];
+        Assert.Equal([true, true], Rendered(CliRun.Of(command)));
+        Assert.Equal([false, false], Rendered(CliRun.Of(command)));
+        File.WriteAllText(_scene, Animated("[0, 1, 5]").Replace("\"samplesPerPixel\": 4", "\"samplesPerPixel\": 9", StringComparison.Ordinal));
+        Assert.Equal([true, true], Rendered(CliRun.Of(command)));
+        Assert.Equal([true, true], Rendered(CliRun.Of([.. command, "--spp", "5"])));
+    }
+
+    [Fact]
+    public void An_animated_picture_stays_where_a_later_frame_is_wrong()
+    {
+        string[] command = ["render", _scene, "--spp", "1", "--frames", "0..4", "-o", _folder["a.png"]];
+        Assert.Equal(0, CliRun.Of(command).Status);
+        byte[] whole = File.ReadAllBytes(_folder["a.png"]);
+        File.WriteAllText(_scene, Animated("[0, 1, 5]").Replace("\"lookAt\": [0, 0.5, 0]", "\"lookAt\": [0, 1, 5.5]", StringComparison.Ordinal));
+        Assert.Equal(3, CliRun.Of(command).Status);
+        Assert.Equal(whole, File.ReadAllBytes(_folder["a.png"]));
+    }
+
     [Fact]
     public void Frame_is_the_scene_with_its_values_written_in_and_the_shutter_at_its_time()
     {

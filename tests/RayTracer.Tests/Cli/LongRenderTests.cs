@@ -56,6 +56,7 @@ public sealed class LongRenderTests : IDisposable
         string film = _folder["a.rtfilm"];
         Fine("render", _scene, "--spp", "16", "--samples", "0..3", "-o", film);
         Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" goes on with it; delete it to begin anew", "render", _scene, "--spp", "16", "--part", "1/2", "--checkpoint", Unfinished(film));
+        Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" goes on with it; delete it to begin anew", "render", _scene, "--spp", "1", "-o", film);
         Fine("resume", film, "--quiet");
         Fine("render", _scene, "--spp", "16", "--checkpoint", film, "--quiet");
     }

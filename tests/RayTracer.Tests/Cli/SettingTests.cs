@@ -58,7 +58,8 @@ public sealed class SettingTests : IDisposable
     [InlineData("camera.fieldOfVew=35", 8, "unknown key \"fieldOfVew\" in \"camera\" (did you mean \"fieldOfView\"?)")]
     [InlineData("camera.fieldOfView=wide", 20, "expected a number for \"fieldOfView\", but found a string")]
     [InlineData("camera.fieldOfView=300", 20, "\"fieldOfView\" must be from 0.001 to 179, but is 300")]
-    [InlineData("camera.fieldOfView=", 20, "expected a number for \"fieldOfView\", but found a string")]
+    [InlineData("camera.fieldOfView=", 19, "expected a value after \"=\"")]
+    [InlineData("camera.fieldOfView=  ", 19, "expected a value after \"=\"")]
     [InlineData("materials.glas.refractiveIndex=1", 11, "\"materials\" has no \"glas\" (did you mean \"glass\"?)")]
     [InlineData("materials.glass.ior=1.7", 17, "unknown key \"ior\" in a dielectric (did you mean \"refractiveIndex\"?)")]
     [InlineData("materials.new={\"type\":\"difuse\"}", 23, "unknown material type \"difuse\" (did you mean \"diffuse\"?)")]
@@ -89,6 +90,15 @@ public sealed class SettingTests : IDisposable
         CliRun run = CliRun.Of("info", _scene, "--set", word);
         Assert.Equal(2, run.Status);
         Assert.StartsWith($"raytracer: error: --set {word}: {message}: settings are written PATH=VALUE, as in camera.fieldOfView=35", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Of_two_things_of_one_name_none_is_set()
+    {
+        const string globe = "{ \"type\": \"sphere\", \"name\": \"globe\"";
+        File.WriteAllText(_scene, Scene.Replace(globe, $"{globe}, \"center\": [3, 0, 0] }}, {globe}", StringComparison.Ordinal));
+        CliRun run = CliRun.Of("check", _scene, "--set", "shapes.globe.radius=2");
+        Assert.StartsWith("the option --set shapes.globe.radius=2, column 8: error: 2 in \"shapes\" are called \"globe\": use a number, as in [0]", run.Output, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -20,6 +20,20 @@ public sealed class SweepTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    public void One_wrong_combination_leaves_the_other_pictures()
+    {
+        string sheet = _folder["sheet.pfm"];
+        CliRun run = CliRun.Of("sweep", _scene, "--set", "camera.position=[0,1,5],[1,1,5]", "--set", "camera.lookAt=[0,0.5,0],[1,1,5]", "--spp", "1", "-o", sheet, "--quiet");
+        Assert.Equal(3, run.Status);
+        Assert.Contains("this is wrong with camera.position=[1,1,5] camera.lookAt=[1,1,5]", run.Error, StringComparison.Ordinal);
+        Assert.True(File.Exists(sheet));
+    }
+
+    [Fact]
+    public void Labels_fit_beside_the_flattest_pictures() =>
+        Assert.Equal(0, CliRun.Of("sweep", _scene, "--set", "shapes[0].radius=0.5,1", "--set", "camera.fieldOfView=20,30", "--spp", "1", "--width", "1600", "--height", "4", "-o", _folder["flat.png"], "--quiet").Status);
+
+    [Fact]
     public void A_sheet_has_the_picture_of_each_place()
     {
         string sheet = _folder["sheet.pfm"];
