@@ -84,19 +84,41 @@ public sealed class DisplayTests : IDisposable
     [InlineData(TerminalGraphics.Sixel, "\e[2J", "\e[H\eP0;1q")]
     public void Pictures_are_drawn_in_the_same_place_again(TerminalGraphics graphics, string place, string picture)
     {
-        using StringWriter terminal = new();
+        using SharedWriter terminal = new();
         PreviewDisplay preview = new(terminal, graphics, new(20, 6), new());
         Film film = new(32, 16);
         preview.Offer(film, isLast: false);
-        ProgressDisplay.Start(preview);
-        Assert.True(SpinWait.SpinUntil(() => Text().Contains(picture, StringComparison.Ordinal), 60_000));
-        preview.Offer(film, isLast: true);
-        preview.Dispose();
-        string text = Text();
+        using (ProgressDisplay.Start(preview))
+        {
+            Assert.True(SpinWait.SpinUntil(() => terminal.ToString().Contains(picture, StringComparison.Ordinal), 60_000));
+            preview.Offer(film, isLast: true);
+        }
+
+        string text = terminal.ToString();
         Assert.Contains(place, text, StringComparison.Ordinal);
         Assert.EndsWith("\e[?25h", text, StringComparison.Ordinal);
         Assert.All(text.Split('\n'), line => Assert.True(graphics > TerminalGraphics.Letters || line.Count(c => c is '▀' or ' ') <= 40));
+    }
 
-        string Text() => terminal.ToString();
+    // Written to by one thread and looked at by another.
+    private sealed class SharedWriter : StringWriter
+    {
+        private readonly Lock _lock = new();
+
+        public override void Write(string? value)
+        {
+            lock (_lock)
+            {
+                base.Write(value);
+            }
+        }
+
+        public override string ToString()
+        {
+            lock (_lock)
+            {
+                return base.ToString();
+            }
+        }
     }
 }
