@@ -56,7 +56,7 @@ public sealed class BackgroundRendersTests
         string scene = Path.Combine(test.Folder, "scene.json");
         Scenes.SceneLoadResult load = Scenes.SceneLoader.Load(scene, frame: 5);
         Dictionary<string, string> texts = new(ImageFile.ReadText(Path.Combine(test.Folder, "frame-05.png")));
-        Assert.Equal((new RTracer(load.Scene!).Render().Film.ComputeHash(), ContentHash.Of(load.Description!, scene, null)), (texts["FilmHash"], texts["Content"]));
+        Assert.Equal((new RTracer(load.Scene!).Render().Film.ComputeHash(), ContentHash.OfPicture(load.Description!, scene, null)), (texts["FilmHash"], texts["Content"]));
         Assert.EndsWith("--frames 5", texts["Command"], StringComparison.Ordinal);
 
         File.Delete(Path.Combine(test.Folder, "frame-06.png"));
