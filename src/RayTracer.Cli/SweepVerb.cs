@@ -73,7 +73,14 @@ internal sealed class SweepVerb
         {
             RenderRequest request = new()
             {
-                ScenePath = path, Outputs = [], Writing = writing, Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount), Settings = axes.Settings(cell), OverrideWords = [], CommandText = "", Quiet = true,
+                ScenePath = path,
+                Outputs = [],
+                Writing = writing,
+                Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
+                Settings = axes.Settings(cell),
+                OverrideWords = [],
+                CommandText = "",
+                Quiet = true,
             };
             if (new RenderRun(request, Changed, streams).Compute(signals.Token) is not { } outcome)
             {
