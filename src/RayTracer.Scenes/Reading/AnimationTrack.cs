@@ -7,12 +7,13 @@ namespace RayTracer.Scenes;
 internal static class AnimationTrack
 {
     /// <summary>Why a property cannot be animated; null where it can.</summary>
-    public static string? Complaint(PropertyPath path) => path.Parameter!.Kind switch
+    public static string? Complaint(PropertyPlace place) => place.Parameter?.Kind switch
     {
         ParameterKind.Number or ParameterKind.Integer or ParameterKind.Vector2 or ParameterKind.Vector3 or ParameterKind.Color or ParameterKind.Numbers => null,
-        ParameterKind.Texture when path.Node is null or { Kind: JsonKind.Number or JsonKind.Array } => null,
-        ParameterKind.Texture when path.Node is { Kind: JsonKind.String } node && (node.Text.StartsWith('#') || CssColors.Find(node.Text) is not null) => null,
-        _ => $"{Quotation.Of(path.Parameter.Key)} cannot be animated here: only numbers, vectors and colours can",
+        ParameterKind.Texture when place.Node is null or { Kind: JsonKind.Number or JsonKind.Array } => null,
+        ParameterKind.Texture when place.Node is { Kind: JsonKind.String } node && (node.Text.StartsWith('#') || CssColors.Find(node.Text) is not null) => null,
+        ParameterKind.Record => Whole(place),
+        _ => place.Node is { Kind: JsonKind.Object } ? Whole(place) : $"{Quotation.Of(place.Path)} cannot be animated: only numbers, vectors and colours can",
     };
 
     /// <summary>A scene as it is at a time.</summary>
@@ -24,23 +25,25 @@ internal static class AnimationTrack
     {
         foreach (TrackDescription track in tracks)
         {
-            PropertyPath path = PropertyPath.Find(root, track.Property);
+            PropertyPlace place = PropertyPlace.Find(root, PropertyPath.Read(track.Property));
             (double[] numbers, KeyDescription key) = At(track.Keys, time);
-            root = path.Replace(root, Node(path, numbers, map.Find(key, nameof(KeyDescription.Value))!));
+            root = place.With(Node(place, numbers, map.Find(key, nameof(KeyDescription.Value))!), map.Find(track, nameof(TrackDescription.Property))!.Start + 1);
         }
 
         return root;
     }
 
     /// <summary>Numbers as they would be written for a property. What is wrong with them is said of a place in the file.</summary>
-    public static JsonNode Node(PropertyPath path, double[] numbers, JsonNode place)
+    public static JsonNode Node(PropertyPlace property, double[] numbers, JsonNode place)
     {
-        bool isWhole = path.Parameter!.Kind == ParameterKind.Integer;
+        bool isWhole = property.Parameter!.Kind == ParameterKind.Integer;
         JsonNode[] items = [.. numbers.Select(n =>
             new JsonNode(JsonKind.Number, place.Start, place.End, (isWhole ? double.Round(n) : n).ToString("R", CultureInfo.InvariantCulture)))];
-        bool isSingle = path.IsElement || path.Parameter.Kind is ParameterKind.Number or ParameterKind.Integer || (path.Parameter is { Kind: ParameterKind.Texture, IsNumber: true } && numbers.Length == 1);
+        bool isSingle = property.IsElement || property.Parameter.Kind is ParameterKind.Number or ParameterKind.Integer || (property.Parameter is { Kind: ParameterKind.Texture, IsNumber: true } && numbers.Length == 1);
         return isSingle && items.Length == 1 ? items[0] : new(JsonKind.Array, place.Start, place.End) { Items = items };
     }
+
+    private static string Whole(PropertyPlace place) => $"{Quotation.Of(place.Path)} is a whole thing: name one of its numbers, vectors or colours";
 
     // The numbers at a time, and the key at or before it.
     private static (double[] Numbers, KeyDescription Key) At(IReadOnlyList<KeyDescription> keys, double time)

@@ -9,6 +9,9 @@ internal sealed class DiagnosticBag(SourceText source)
     /// <summary>What is wrong so far.</summary>
     public List<Diagnostic> Diagnostics { get; } = [];
 
+    /// <summary>Whether words that are unknown still get suggestions.</summary>
+    public bool GivesHints => Diagnostics.Count < MostSuggestions;
+
     public void Error(JsonNode at, string message, DiagnosticRule? rule = null) => Error(at.Start, message, rule);
 
     public void Error(int at, string message, DiagnosticRule? rule = null) => Diagnostics.Add(source.Error(at, message) with { Rule = rule ?? DiagnosticRule.Content });
@@ -19,7 +22,7 @@ internal sealed class DiagnosticBag(SourceText source)
     /// <summary>Reports a word that is unknown, with the nearest of those that are allowed, or else all of them.</summary>
     public void Unknown(int at, string message, string word, IEnumerable<string> candidates, string listTitle)
     {
-        string hint = Diagnostics.Count < MostSuggestions ? Spelling.DidYouMean(word, candidates) : "";
+        string hint = GivesHints ? Spelling.DidYouMean(word, candidates) : "";
         string list = hint.Length == 0 && listTitle.Length > 0 ? $": {listTitle} {string.Join(", ", candidates)}" : "";
         Error(at, message + hint + list, DiagnosticRule.UnknownWord);
     }

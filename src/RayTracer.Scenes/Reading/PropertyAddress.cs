@@ -12,7 +12,8 @@ public sealed record PropertyAddress(IReadOnlyList<string> Steps, IReadOnlyList<
     /// <param name="path">The path, as in <c>shapes.ball.center[1]</c>.</param>
     /// <returns>Where it is; null where there is none.</returns>
     public static PropertyAddress? Find(JsonNode root, string path) =>
-        PropertyPath.Find(root, path) is { Complaint: null } found ? new([.. found.Steps], [.. found.IsNamed]) : null;
+        PropertyPlace.Find(root, PropertyPath.Read(path)) is { Complaint: null } place
+            ? new([.. place.Steps.Select(s => s.Index?.ToString(CultureInfo.InvariantCulture) ?? s.Key)], [.. place.Steps.Select(s => s.IsNamed)]) : null;
 
     /// <summary>The path that leads there. What is called by a name that others in its list have too, or has none any more, is called by its number.</summary>
     /// <param name="root">The scene.</param>
@@ -25,13 +26,10 @@ public sealed record PropertyAddress(IReadOnlyList<string> Steps, IReadOnlyList<
             bool isElement = int.TryParse(Steps[i], NumberStyles.None, CultureInfo.InvariantCulture, out int index) && node is null or { Kind: JsonKind.Array };
             string? name = isElement && IsNamed[i] && node is not null && index < node.Items.Count ? node.Items[index].Find("name")?.Text : null;
             bool isUnique = name is { Length: > 0 } && node!.Items.Count(n => n.Find("name")?.Text == name) == 1;
-            path += isElement && !isUnique ? $"[{Steps[i]}]" : Word(isElement ? name! : Steps[i], i == 0);
+            path += isElement && !isUnique ? $"[{Steps[i]}]" : PropertyPath.Word(isElement ? name! : Steps[i], i == 0);
             node = !isElement ? node?.Find(Steps[i]) : node is not null && index < node.Items.Count ? node.Items[index] : null;
         }
 
         return path;
     }
-
-    private static string Word(string word, bool isFirst) =>
-        word.AsSpan().ContainsAny('.', '[') || (word.Length > 0 && word.All(char.IsAsciiDigit)) ? $"[\"{word}\"]" : isFirst ? word : $".{word}";
 }

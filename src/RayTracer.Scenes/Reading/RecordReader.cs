@@ -40,59 +40,8 @@ internal sealed class RecordReader
 
         RecordReader reader = new(bag, map, root);
         var scene = (SceneDescription)reader.Record(root, SceneTypes.Scene);
-        foreach (TrackDescription track in scene.Animation.Where(t => !map.IsIncomplete(t)))
-        {
-            reader.CheckTrack(root, track);
-        }
-
+        new TrackChecker(root, bag, map, reader.Value).Check(scene.Animation);
         return scene;
-    }
-
-    // Whether a track leads to numbers, and whether each of its keys could stand there itself.
-    private void CheckTrack(JsonNode root, TrackDescription track)
-    {
-        JsonNode property = _map.Find(track, nameof(TrackDescription.Property))!;
-        PropertyPath path = PropertyPath.Find(root, track.Property);
-        if (path.Complaint is not null || AnimationTrack.Complaint(path) is not null)
-        {
-            _bag.Error(property, path.Complaint ?? AnimationTrack.Complaint(path)!);
-            return;
-        }
-
-        if (track.Keys.Count == 0)
-        {
-            _bag.Error(_map.Find(track, nameof(TrackDescription.Keys))!, "a track needs a key at least");
-        }
-
-        float before = float.NegativeInfinity;
-        foreach (KeyDescription key in track.Keys.Where(k => !_map.IsIncomplete(k)))
-        {
-            if (key.Time <= before)
-            {
-                _bag.Error(_map.Find(key, nameof(KeyDescription.Time))!, $"keys must stand in the order of their times, but {key.Time} follows {before}");
-            }
-
-            before = key.Time;
-            if (key.Value.Count != track.Keys[0].Value.Count)
-            {
-                _bag.Error(_map.Find(key, nameof(KeyDescription.Value))!, $"the keys of a track have equally many numbers, but here are {key.Value.Count} and in the first key {track.Keys[0].Value.Count}");
-                continue;
-            }
-
-            Value(path, AnimationTrack.Node(path, [.. key.Value.Select(v => (double)v)], _map.Find(key, nameof(KeyDescription.Value))!));
-        }
-    }
-
-    private void Value(PropertyPath path, JsonNode node)
-    {
-        if (path.IsElement)
-        {
-            _numbers.Number(path.Parameter!, node);
-        }
-        else
-        {
-            Value(path.Parameter!, node);
-        }
     }
 
     private object Record(JsonNode node, RecordType type)
@@ -106,37 +55,23 @@ internal sealed class RecordReader
             {
                 parameter.Set(record, value);
             }
-            else if (parameter is not null || !IsExtra(member, type))
+            else if (!type.IsExtra(member.Key))
             {
                 _map.MarkIncomplete(record);
+                if (parameter is null)
+                {
+                    _bag.Error(member.Start, type.Refusal(member.Key, _bag.GivesHints), DiagnosticRule.UnknownWord);
+                }
             }
         }
 
         foreach (RecordParameter missing in type.Parameters.Where(p => p.Required && node.Find(p.Key) is null))
         {
-            _bag.Error(node, $"{NameOf(type)} needs {Quotation.Of(missing.Key)}", DiagnosticRule.Missing);
+            _bag.Error(node, $"{type.NameInMessages} needs {Quotation.Of(missing.Key)}", DiagnosticRule.Missing);
             _map.MarkIncomplete(record);
         }
 
         return record;
-    }
-
-    // A key that is no parameter but may stand: "type", and "$schema" at the top. Reports all others.
-    private bool IsExtra(JsonMember member, RecordType type)
-    {
-        if (type == SceneTypes.Scene && member.Key == "$schema")
-        {
-            return true;
-        }
-
-        if (type.Summary.Length > 0 && member.Key == "type")
-        {
-            return true;
-        }
-
-        _bag.Unknown(
-            member.Start, $"unknown key {Quotation.Of(member.Key)} in {NameOf(type)}", member.Key, type.Parameters.Select(p => p.Key).DefaultIfEmpty("type"), "it may have");
-        return false;
     }
 
     private object? Value(RecordParameter parameter, JsonNode node)
@@ -294,14 +229,14 @@ internal sealed class RecordReader
     private object? Inline(JsonNode node, TypeFamily family, string key)
     {
         string things = string.Join(", ", family.Names);
-        if (!Is(node, JsonKind.Object, $"{WithArticle(family.Noun)} {{ \"type\": … }}", key))
+        if (!Is(node, JsonKind.Object, $"{RecordType.WithArticle(family.Noun)} {{ \"type\": … }}", key))
         {
             return null;
         }
 
         if (node.Find("type") is not { } name)
         {
-            _bag.Error(node, $"{WithArticle(family.Noun)} needs \"type\": one of {things}", DiagnosticRule.Missing);
+            _bag.Error(node, $"{RecordType.WithArticle(family.Noun)} needs \"type\": one of {things}", DiagnosticRule.Missing);
             return null;
         }
 
@@ -333,7 +268,7 @@ internal sealed class RecordReader
         TypeFamily? other = SceneTypes.Families.FirstOrDefault(f => f.Find(name.Text) is not null);
         if (other is not null)
         {
-            _bag.Error(name, $"{Quotation.Of(name.Text)} is {WithArticle(other.Noun)}, but {WithArticle(family.Noun)} is expected here", DiagnosticRule.WrongKind);
+            _bag.Error(name, $"{Quotation.Of(name.Text)} is {RecordType.WithArticle(other.Noun)}, but {RecordType.WithArticle(family.Noun)} is expected here", DiagnosticRule.WrongKind);
             return;
         }
 
@@ -423,17 +358,4 @@ internal sealed class RecordReader
         _map.Add(solid, node);
         return solid;
     }
-
-    // "a sphere", or "camera" for a part that there is only one of.
-    private static string NameOf(RecordType type)
-    {
-        if (type.Summary.Length == 0)
-        {
-            return type == SceneTypes.Scene ? "the scene" : Quotation.Of(type.Name);
-        }
-
-        return WithArticle(type.Name);
-    }
-
-    private static string WithArticle(string noun) => noun[0] is 'a' or 'e' or 'i' or 'o' or 'u' ? $"an {noun}" : $"a {noun}";
 }

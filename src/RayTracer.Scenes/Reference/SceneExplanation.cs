@@ -108,23 +108,16 @@ public static partial class SceneExplanation
             : $"there is no {Quotation.Of(word)} in {Quotation.Of(before)}{(Spelling.DidYouMean(word, known) is { Length: > 0 } hint ? hint : $": there are {string.Join(", ", known)}")}");
     }
 
-    private static ExplainedPlace Place(string path, RecordParameter parameter) => new(path, parameter, Within(parameter), parameter.Kind is ParameterKind.NamedMaterials
-        or ParameterKind.NamedShapes or ParameterKind.NamedTextures or ParameterKind.Shapes or ParameterKind.Materials or ParameterKind.Records);
+    private static ExplainedPlace Place(string path, RecordParameter parameter) => new(path, parameter, Within(parameter),
+        parameter.HasNames || parameter.Kind is ParameterKind.Shapes or ParameterKind.Materials or ParameterKind.Records);
 
     // The same parameter of several types once, under all of their names.
     private static IEnumerable<ExplainedPlace> Merged(IEnumerable<ExplainedPlace> places) => places
         .GroupBy(p => p.Parameter is { } q ? (q.Summary, q.Unit, q.Range, SceneReference.Form(q), SceneReference.Default(q)) : (p.Path, "", "", "", ""))
         .Select(g => g.First() with { Path = string.Join(", ", g.Select(p => p.Path).Distinct(StringComparer.Ordinal)) });
 
-    private static IReadOnlyList<RecordType> Within(RecordParameter parameter) => parameter.Kind switch
-    {
-        ParameterKind.Record or ParameterKind.Records => [RecordType.Of(parameter.RecordType!)],
-        ParameterKind.Texture or ParameterKind.NamedTextures => SceneTypes.Textures.Types,
-        ParameterKind.Material or ParameterKind.Materials or ParameterKind.NamedMaterials => SceneTypes.Materials.Types,
-        ParameterKind.Shape or ParameterKind.Shapes or ParameterKind.NamedShapes => SceneTypes.Shapes.Types,
-        ParameterKind.Environment => SceneTypes.Environments.Types,
-        _ => [],
-    };
+    private static IReadOnlyList<RecordType> Within(RecordParameter parameter) =>
+        parameter.RecordType is { } record ? [RecordType.Of(record)] : parameter.Family?.Types ?? [];
 
     private static string Text(ExplainedPlace place, string topic)
     {

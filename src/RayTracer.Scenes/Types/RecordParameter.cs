@@ -70,6 +70,19 @@ public sealed class RecordParameter
     /// <summary>The value that a new record has; null where it may be missing.</summary>
     public object? Default { get; }
 
+    /// <summary>The things of which its value is one, or has several; null for other values.</summary>
+    public TypeFamily? Family => Kind switch
+    {
+        ParameterKind.Texture or ParameterKind.NamedTextures => SceneTypes.Textures,
+        ParameterKind.Material or ParameterKind.Materials or ParameterKind.NamedMaterials => SceneTypes.Materials,
+        ParameterKind.Shape or ParameterKind.Shapes or ParameterKind.NamedShapes => SceneTypes.Shapes,
+        ParameterKind.Environment => SceneTypes.Environments,
+        _ => null,
+    };
+
+    /// <summary>Whether its value is things by their names.</summary>
+    public bool HasNames => Kind is ParameterKind.NamedTextures or ParameterKind.NamedMaterials or ParameterKind.NamedShapes;
+
     /// <summary>The words that a <see cref="ParameterKind.Choice"/> is made from; otherwise empty.</summary>
     public IReadOnlyList<string> Choices { get; }
 

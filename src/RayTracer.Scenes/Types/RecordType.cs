@@ -51,4 +51,20 @@ public sealed class RecordType
 
     /// <summary>A new record with the default values.</summary>
     public object Create() => Activator.CreateInstance(_type)!;
+
+    // "a sphere", or "camera" for a part that there is only one of.
+    internal string NameInMessages => Summary.Length > 0 ? WithArticle(Name) : this == SceneTypes.Scene ? "the scene" : Quotation.Of(Name);
+
+    // A key that is no parameter but may stand: "type", and "$schema" at the top.
+    internal bool IsExtra(string key) => (Summary.Length > 0 && key == "type") || (this == SceneTypes.Scene && key == "$schema");
+
+    // What is said of a key that the record has not, with the nearest one or else all.
+    internal string Refusal(string key, bool givesHint = true)
+    {
+        IEnumerable<string> known = Parameters.Select(p => p.Key).DefaultIfEmpty("type");
+        string hint = givesHint ? Spelling.DidYouMean(key, known) : "";
+        return $"unknown key {Quotation.Of(key)} in {NameInMessages}{(hint.Length > 0 ? hint : $": it may have {string.Join(", ", known)}")}";
+    }
+
+    internal static string WithArticle(string noun) => noun[0] is 'a' or 'e' or 'i' or 'o' or 'u' ? $"an {noun}" : $"a {noun}";
 }

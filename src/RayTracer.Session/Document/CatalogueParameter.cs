@@ -26,16 +26,7 @@ public sealed record CatalogueParameter(
     /// <summary>Describes a parameter.</summary>
     public static CatalogueParameter Of(RecordParameter p) => new(
         p.Key, JsonNamingPolicy.CamelCase.ConvertName(p.Kind.ToString()), p.Summary, p.Unit, Finite(p.Minimum), Finite(p.Maximum), p.MinimumIsExclusive, p.Required,
-        p.Choices, JsonValues.Of(p.Default), p.Range, FamilyOf(p.Kind), p.RecordType is null ? null : RecordType.Of(p.RecordType).Name, p.IsNumber);
+        p.Choices, JsonValues.Of(p.Default), p.Range, p.Family?.Noun, p.RecordType is null ? null : RecordType.Of(p.RecordType).Name, p.IsNumber);
 
     private static double? Finite(double bound) => double.IsFinite(bound) ? bound : null;
-
-    private static string? FamilyOf(ParameterKind kind) => kind switch
-    {
-        ParameterKind.Shape or ParameterKind.Shapes or ParameterKind.NamedShapes => SceneTypes.Shapes.Noun,
-        ParameterKind.Material or ParameterKind.Materials or ParameterKind.NamedMaterials => SceneTypes.Materials.Noun,
-        ParameterKind.Texture or ParameterKind.NamedTextures => SceneTypes.Textures.Noun,
-        ParameterKind.Environment => SceneTypes.Environments.Noun,
-        _ => null,
-    };
 }

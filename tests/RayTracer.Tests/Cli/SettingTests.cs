@@ -63,12 +63,12 @@ public sealed class SettingTests : IDisposable
     [InlineData("materials.glas.refractiveIndex=1", 11, "\"materials\" has no \"glas\" (did you mean \"glass\"?)")]
     [InlineData("materials.glass.ior=1.7", 17, "unknown key \"ior\" in a dielectric (did you mean \"refractiveIndex\"?)")]
     [InlineData("materials.new={\"type\":\"difuse\"}", 23, "unknown material type \"difuse\" (did you mean \"diffuse\"?)")]
-    [InlineData("shapes[7].radius=1", 7, "\"shapes\" has 3 elements, [0] to [2]")]
+    [InlineData("shapes[7].radius=1", 7, "\"shapes\" has 3 elements, [0] to [2]: there is no [7]")]
     [InlineData("shapes.glob.radius=2", 8, "nothing in \"shapes\" has the name \"glob\" (did you mean \"globe\"?)")]
     [InlineData("shapes.globe.material=gloss", 23, "unknown material \"gloss\" (did you mean \"glass\"?)")]
-    [InlineData("shapes[0].material.color=red", 20, "\"shapes[0].material\" is the name \"glass\": set \"materials.glass.color\"")]
+    [InlineData("shapes[0].material.color=red", 20, "\"shapes[0].material\" is the name \"glass\": use \"materials.glass.color\"")]
     [InlineData("background.even=red", 12, "\"background\" is the text \"skyblue\", which has no parts")]
-    [InlineData("environment.rotation=3", 1, "the scene does not give \"environment\", so nothing in it can be set: set it as a whole")]
+    [InlineData("environment.rotation=3", 1, "the scene does not give \"environment\": nothing in it can change unless it is given as a whole")]
     [InlineData("materials[1].color=red", 10, "\"materials\" has no elements with numbers, but glass, floor, a.b")]
     [InlineData("camera.position=[1, 2", 22, "expected \",\" or \"]\" after a value, but found the end of the value")]
     [InlineData("here.and.there=1", 1, "unknown key \"here\" in the scene: it may have camera, render,")]
@@ -84,6 +84,8 @@ public sealed class SettingTests : IDisposable
     [InlineData("=3", "expected a key at column 1, but found \"=\"")]
     [InlineData("camera..up=3", "expected a key at column 8, but found \".\"")]
     [InlineData("shapes[-1].radius=3", "expected the number of an element from 0, or a name in double quotes, at column 8, but found \"-\"")]
+    [InlineData("materials[\"]=3", "expected \"]\" at column 15, but found the end")]
+    [InlineData("camera]=3", "expected \".\" or \"[\" at column 7, but found \"]\"")]
     [InlineData("shapes[1=3", "expected \"]\" at column 11, but found the end")]
     public void What_is_no_setting_is_wrong_usage(string word, string message)
     {
@@ -99,6 +101,13 @@ public sealed class SettingTests : IDisposable
         File.WriteAllText(_scene, Scene.Replace(globe, $"{globe}, \"center\": [3, 0, 0] }}, {globe}", StringComparison.Ordinal));
         CliRun run = CliRun.Of("check", _scene, "--set", "shapes.globe.radius=2");
         Assert.StartsWith("the option --set shapes.globe.radius=2, column 8: error: 2 in \"shapes\" are called \"globe\": use a number, as in [0]", run.Output, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_setting_may_stand_before_that_of_the_type_that_has_its_key()
+    {
+        SceneDescription set = Read(Scene, "materials.glass.color=red", "materials.glass.type=diffuse");
+        Assert.Equal(SceneWriter.Write(Read(Scene, "materials.glass={\"type\": \"diffuse\", \"color\": \"red\"}")), SceneWriter.Write(set));
     }
 
     [Fact]
