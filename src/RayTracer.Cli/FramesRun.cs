@@ -152,28 +152,13 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
 
     private static bool IsThere(string path, SceneDescription scene, RenderRequest one)
     {
-        try
+        if (!FilmFile.IsNamed(path))
         {
-            if (!File.Exists(path))
-            {
-                return false;
-            }
-
-            if (FilmFile.IsNamed(path))
-            {
-                FilmHeader header = FilmFile.ReadHeader(path);
-                bool hasAll = one.Time is not null || one.Noise is not null || header.Wanted == SampleShares.Of(one, scene.Render);
-                return hasAll && header.IsComplete && header.Content == ContentHash.Of(scene, one.ScenePath, one.Area);
-            }
-
-            IReadOnlyList<KeyValuePair<string, string>> texts = ImageFile.ReadText(path);
-            return texts.Contains(new("Content", ContentHash.OfPicture(scene, one.ScenePath, one.Area))) && texts.Contains(new("Command", one.CommandText));
+            return FinishedPicture.Is(path, ContentHash.OfPicture(scene, one.ScenePath, one.Area), one.CommandText);
         }
-        catch (PictureException)
-        {
-            // Something else, or damaged.
-            return false;
-        }
+
+        bool isOpen = one.Time is not null || one.Noise is not null;
+        return FinishedPicture.IsFilm(path, ContentHash.Of(scene, one.ScenePath, one.Area), isOpen ? null : SampleShares.Of(one, scene.Render));
     }
 
     private void Add(RenderOutcome outcome)

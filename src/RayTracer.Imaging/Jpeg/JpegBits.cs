@@ -33,7 +33,7 @@ internal ref struct JpegBits
         int found = table.Find((int)(_bits >> (_count - JpegHuffmanTable.LongestCode)) & 0xFFFF);
         if (found == 0)
         {
-            ThrowNoCode();
+            ThrowNoCode(Position);
         }
 
         _count -= found >> 8;
@@ -41,21 +41,26 @@ internal ref struct JpegBits
     }
 
     // Apart, so that what is done for every symbol stays short enough to be inlined.
-    private readonly void ThrowNoCode() => throw new PictureException($"its image data holds a code that its Huffman table does not (before byte {Position})");
+    private static void ThrowNoCode(int position) => throw new PictureException($"its image data holds a code that its Huffman table does not (before byte {position})");
 
     /// <summary>Reads one symbol, and the number with a sign that has as many bits as the symbol's low four bits say.</summary>
     /// <exception cref="PictureException">The bits are those of no code.</exception>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int SymbolAndNumber(JpegHuffmanTable table, out int number)
     {
+        Fill();
+        int known = table.FindWithNumber((int)(_bits >> (_count - JpegHuffmanTable.LongestCode)) & 0xFFFF);
+        if (known != 0)
+        {
+            _count -= known & 0xFF;
+            number = known >> 16;
+            return (known >> 8) & 0xFF;
+        }
+
         int symbol = Symbol(table);
         int length = symbol & 15;
         _count -= length;
-        int bits = (int)(_bits >> _count) & ((1 << length) - 1);
-
-        // The lower half of the numbers, those without the highest bit, are negative.
-        int isNegative = length == 0 ? 0 : (bits >> (length - 1)) - 1;
-        number = bits + (isNegative & (1 - (1 << length)));
+        number = JpegHuffmanTable.Extend((int)(_bits >> _count) & ((1 << length) - 1), length);
         return symbol;
     }
 
@@ -67,17 +72,8 @@ internal ref struct JpegBits
         return (int)(_bits >> _count) & ((1 << length) - 1);
     }
 
-    /// <summary>Reads a number of up to 16 bits whose first bit tells its sign (T.81, figure F.12).</summary>
-    public int Signed(int length)
-    {
-        if (length == 0)
-        {
-            return 0;
-        }
-
-        int number = Number(length);
-        return number < 1 << (length - 1) ? number - (1 << length) + 1 : number;
-    }
+    /// <summary>Reads a number of up to 16 bits whose first bit tells its sign.</summary>
+    public int Signed(int length) => JpegHuffmanTable.Extend(Number(length), length);
 
     /// <summary>Checks that all that was read was there.</summary>
     /// <exception cref="PictureException">More was read than there is before the next marker.</exception>
@@ -130,24 +126,29 @@ internal ref struct JpegBits
             }
         }
 
-        FillByBytes();
+        this = FillByBytes(this);
     }
 
-    private void FillByBytes()
+    // By value, so that bits being read can stay in registers.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static JpegBits FillByBytes(JpegBits bits)
     {
-        while (_count < Enough)
+        while (bits._count < Enough)
         {
-            _bits <<= 8;
-            _count += 8;
-            if (Position >= _file.Length || (_file[Position] == 0xFF && (Position + 1 >= _file.Length || _file[Position + 1] != 0)))
+            bits._bits <<= 8;
+            bits._count += 8;
+            ReadOnlySpan<byte> file = bits._file;
+            if (bits.Position >= file.Length || (file[bits.Position] == 0xFF && (bits.Position + 1 >= file.Length || file[bits.Position + 1] != 0)))
             {
-                _lent += 8;
+                bits._lent += 8;
                 continue;
             }
 
-            byte next = _file[Position];
-            _bits |= next;
-            Position += next == 0xFF ? 2 : 1; // a zero is stuffed in after each 255
+            byte next = file[bits.Position];
+            bits._bits |= next;
+            bits.Position += next == 0xFF ? 2 : 1; // a zero is stuffed in after each 255
         }
+
+        return bits;
     }
 }

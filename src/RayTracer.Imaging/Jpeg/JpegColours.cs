@@ -50,22 +50,13 @@ internal sealed class JpegColours
     {
         int width = _frame.Width;
         float[][] rows = [.. _frame.Components.Select(_ => new float[width])];
-        byte[][] codes = [.. Enumerable.Range(0, 3).Select(_ => new byte[width])];
+        byte[][] codes = [.. _frame.Components.Select(_ => new byte[width])];
+        (int green, int blue) = _space == JpegColourSpace.Grey ? (0, 0) : (1, 2);
         float[] mixed = new float[_frame.Components.Max(c => c.Width)];
         for (int y = 0; y < _frame.Height; y++)
         {
-            for (int i = 0; i < rows.Length; i++)
-            {
-                Expand(_frame.Components[i], y, mixed, rows[i]);
-            }
-
-            ToRgb(rows);
-            for (int i = 0; i < codes.Length; i++)
-            {
-                JpegRows.Round(rows[_space == JpegColourSpace.Grey ? 0 : i], codes[i]);
-            }
-
-            JpegRows.Decode(codes[0], codes[1], codes[2], _values, picture.Pixels.AsSpan(3 * y * width, 3 * width));
+            ToCodes(y, mixed, rows, codes);
+            JpegRows.Decode(codes[0], codes[green], codes[blue], _values, picture.Pixels.AsSpan(3 * y * width, 3 * width));
         }
     }
 
@@ -93,11 +84,35 @@ internal sealed class JpegColours
 
     private static int Nearest(int pixel, int factor, int maxFactor) => ((2 * pixel) + 1) * factor / (2 * maxFactor);
 
+    // One row, in codes.
+    private void ToCodes(int y, float[] mixed, float[][] rows, byte[][] codes)
+    {
+        JpegComponent first = _frame.Components[0];
+        bool isPlain = _space == JpegColourSpace.YCbCr && first.Horizontal == _frame.MaxHorizontal && first.Vertical == _frame.MaxVertical;
+        for (int i = isPlain ? 1 : 0; i < rows.Length; i++)
+        {
+            Expand(_frame.Components[i], y, mixed, rows[i]);
+        }
+
+        if (isPlain)
+        {
+            JpegRows.ToRgb(first.Samples.AsSpan(y * first.Stride, codes[0].Length), rows[1], rows[2], codes);
+            return;
+        }
+
+        ToRgb(rows);
+        for (int i = 0; i < rows.Length; i++)
+        {
+            JpegRows.Round(rows[i], codes[i]);
+        }
+    }
+
+    // What is rare, without rounding on the way.
     private void ToRgb(float[][] rows)
     {
-        if (_space is JpegColourSpace.YCbCr or JpegColourSpace.Ycck)
+        for (int x = 0; x < rows[0].Length && _space is (JpegColourSpace.YCbCr or JpegColourSpace.Ycck); x++)
         {
-            JpegRows.ToRgb(rows[0], rows[1], rows[2]);
+            (rows[0][x], rows[1][x], rows[2][x]) = JpegRows.ToRgb(rows[0][x], rows[1][x], rows[2][x]);
         }
 
         // The differences of YCCK stand for red, green and blue; the inks are their complements.

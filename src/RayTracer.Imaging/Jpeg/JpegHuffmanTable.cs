@@ -9,10 +9,14 @@ internal sealed class JpegHuffmanTable
     /// <summary>Bits of the codes that are looked up at once.</summary>
     public const int FastBits = 9;
 
+    /// <summary>Bits of the codes that are looked up at once together with the numbers after them.</summary>
+    public const int KnownBits = 10;
+
     /// <summary>Bits of the longest code.</summary>
     public const int LongestCode = 16;
 
     private readonly ushort[] _fast = new ushort[1 << FastBits];
+    private readonly int[] _known = new int[1 << KnownBits];
     private readonly byte[] _symbols;
 
     // For each length: one more than the largest code (0: none), and what to add to a code to get the place of its symbol.
@@ -43,6 +47,11 @@ internal sealed class JpegHuffmanTable
                 _fast.AsSpan((code + i) << shift, 1 << shift).Fill((ushort)((length << 8) | _symbols[place + i]));
             }
 
+            for (int i = 0; i < count && length <= KnownBits; i++)
+            {
+                SetKnown(code + i, length, _symbols[place + i]);
+            }
+
             code += count;
             place += count;
             _codeEnd[length] = count == 0 ? 0 : code;
@@ -55,6 +64,33 @@ internal sealed class JpegHuffmanTable
     {
         int found = _fast[bits >> (LongestCode - FastBits)];
         return found != 0 ? found : FindLong(bits);
+    }
+
+    /// <summary>The code that 16 bits begin with, and the number after it: the number times 65,536, plus the symbol times 256, plus how many bits both take; 0 where these are too many.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public int FindWithNumber(int bits) => _known[bits >> (LongestCode - KnownBits)];
+
+    /// <summary>A number whose first bit tells its sign (T.81, figure F.12).</summary>
+    /// <param name="bits">The number's bits.</param>
+    /// <param name="length">How many these are.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Extend(int bits, int length)
+    {
+        // The lower half of the numbers, those without the highest bit, are negative.
+        int isNegative = length == 0 ? 0 : (bits >> (length - 1)) - 1;
+        return bits + (isNegative & (1 - (1 << length)));
+    }
+
+    // As many bits as the symbol's low four bits say follow the code.
+    private void SetKnown(int code, int length, byte symbol)
+    {
+        int size = symbol & 15;
+        int shift = KnownBits - length - size;
+        for (int number = 0; number < 1 << size && shift >= 0; number++)
+        {
+            int known = (Extend(number, size) << 16) | (symbol << 8) | (length + size);
+            _known.AsSpan(((code << size) | number) << shift, 1 << shift).Fill(known);
+        }
     }
 
     private int FindLong(int bits)

@@ -60,30 +60,38 @@ internal static class JpegRows
         }
     }
 
-    /// <summary>ITU-T T.871 (JFIF), section 7: Rec. 601 luminance, all codes used.</summary>
-    /// <param name="y">Luminance; becomes red.</param>
-    /// <param name="cb">Difference of blue; becomes green.</param>
-    /// <param name="cr">Difference of red; becomes blue.</param>
-    public static void ToRgb(Span<float> y, Span<float> cb, Span<float> cr)
+    /// <summary>The nearest codes of red, green and blue: ITU-T T.871 (JFIF), section 7, which is Rec. 601 luminance with all codes used.</summary>
+    /// <param name="y">Luminance.</param>
+    /// <param name="cb">Difference of blue.</param>
+    /// <param name="cr">Difference of red.</param>
+    /// <param name="codes">Receives red, green and blue.</param>
+    public static void ToRgb(ReadOnlySpan<byte> y, ReadOnlySpan<float> cb, ReadOnlySpan<float> cr, byte[][] codes)
     {
         int x = 0;
         for (; x <= y.Length - Count; x += Count)
         {
-            Vector256<float> light = Vector256.Create<float>(y[x..]);
-            Vector256<float> blue = Vector256.Create<float>(cb[x..]) - Vector256.Create(128f);
-            Vector256<float> red = Vector256.Create<float>(cr[x..]) - Vector256.Create(128f);
-            (light + (red * 1.402f)).CopyTo(y[x..]);
-            (light - (blue * 0.344136286f) - (red * 0.714136286f)).CopyTo(cb[x..]);
-            (light + (blue * 1.772f)).CopyTo(cr[x..]);
+            Vector256<float> light = Load(y, x) + Vector256.Create(0.5f);
+            Vector256<float> blue = Vector256.Create(cb[x..]) - Vector256.Create(128f);
+            Vector256<float> red = Vector256.Create(cr[x..]) - Vector256.Create(128f);
+            Store(light + (red * 1.402f), codes[0].AsSpan(x));
+            Store(light - (blue * 0.344136286f) - (red * 0.714136286f), codes[1].AsSpan(x));
+            Store(light + (blue * 1.772f), codes[2].AsSpan(x));
         }
 
         for (; x < y.Length; x++)
         {
-            (float light, float blue, float red) = (y[x], cb[x] - 128, cr[x] - 128);
-            y[x] = light + (1.402f * red);
-            cb[x] = light - (0.344136286f * blue) - (0.714136286f * red);
-            cr[x] = light + (1.772f * blue);
+            (float red, float green, float blue) = ToRgb(y[x] + 0.5f, cb[x], cr[x]);
+            codes[0][x] = (byte)Math.Clamp(red, 0, 255);
+            codes[1][x] = (byte)Math.Clamp(green, 0, 255);
+            codes[2][x] = (byte)Math.Clamp(blue, 0, 255);
         }
+    }
+
+    /// <summary>Red, green and blue of one pixel.</summary>
+    public static (float R, float G, float B) ToRgb(float y, float cb, float cr)
+    {
+        (float blue, float red) = (cb - 128, cr - 128);
+        return (y + (1.402f * red), y - (0.344136286f * blue) - (0.714136286f * red), y + (1.772f * blue));
     }
 
     /// <summary>The nearest codes from 0 to 255.</summary>
@@ -102,8 +110,18 @@ internal static class JpegRows
     }
 
     /// <summary>Stores eight values, brought into 0 to 255 and rounded down.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Store(Vector256<float> values, Span<byte> to)
     {
+        if (Avx.IsSupported)
+        {
+            // What is far below becomes the least integer; narrowing brings the others up to 0.
+            Vector256<int> integers = Avx.ConvertToVector256Int32WithTruncation(Avx.Min(values, Vector256.Create(255f)));
+            Vector128<short> shorts = Sse2.PackSignedSaturate(integers.GetLower(), integers.GetUpper());
+            MemoryMarshal.Write(to, Sse2.PackUnsignedSaturate(shorts, shorts).AsUInt64().ToScalar());
+            return;
+        }
+
         Vector256<int> whole = Vector256.ConvertToInt32(Vector256.Min(Vector256.Max(values, Vector256<float>.Zero), Vector256.Create(255f)));
         Vector128<ushort> words = Vector128.Narrow(whole.GetLower(), whole.GetUpper()).AsUInt16();
         MemoryMarshal.Write(to, Vector128.Narrow(words, words).AsUInt64().ToScalar());

@@ -151,7 +151,7 @@ internal sealed class JpegScan
     }
 
     // T.81, figures F.13 and G.3; runs of ended bands come in progressive pictures only.
-    private void ReadBand(ref JpegBits bits, JpegHuffmanTable table, Span<short> block)
+    private void ReadBand(ref JpegBits shared, JpegHuffmanTable table, Span<short> block)
     {
         if (_endRun > 0)
         {
@@ -159,23 +159,29 @@ internal sealed class JpegScan
             return;
         }
 
-        for (int k = Math.Max(1, _first); k <= _last; k++)
+        // A copy, which stays in registers.
+        JpegBits bits = shared;
+        (int last, int bit) = (_last, _bit);
+        for (int k = Math.Max(1, _first); k <= last; k++)
         {
             int symbol = bits.SymbolAndNumber(table, out int number);
             (int run, int length) = (symbol >> 4, symbol & 15);
             if (length == 0 && run < 15)
             {
-                _endRun = _frame.IsProgressive ? EndRun(ref bits, run) : 0;
+                shared = bits;
+                _endRun = _frame.IsProgressive ? EndRun(ref shared, run) : 0;
                 return;
             }
 
             k += run;
             if (length != 0)
             {
-                Require(k <= _last, "a block of it has more coefficients than there can be");
-                block[ZigZag[k]] = (short)(number << _bit);
+                Require(k <= last, "a block of it has more coefficients than there can be");
+                block[ZigZag[k]] = (short)(number << bit);
             }
         }
+
+        shared = bits;
     }
 
     private static int EndRun(ref JpegBits bits, int length) => (1 << length) + bits.Number(length) - 1;

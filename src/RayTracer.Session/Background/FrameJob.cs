@@ -60,7 +60,7 @@ internal sealed class FrameJob(RenderOrder order, ShownScene shown, DocumentPlac
         string file = FileOf(frame);
         string content = ContentHash.OfPicture(load.Description!, Path.Combine(place.Folder, place.Name), order.Region);
         string command = CommandText.Of(place with { Path = _scene }, shown.Description, new() { Region = order.Region, Samples = order.Scene.Render.SamplesPerPixel }, tone, file, frame);
-        if (IsThere(file, content, command))
+        if (FinishedPicture.Is(file, content, command))
         {
             progress.Report(1);
             return false;
@@ -80,19 +80,6 @@ internal sealed class FrameJob(RenderOrder order, ShownScene shown, DocumentPlac
         ];
         ImageFile.Write(file, film, new() { Exposure = tone.Exposure, ToneMap = tone.ToneMap, Metadata = texts });
         return true;
-    }
-
-    private static bool IsThere(string file, string content, string command)
-    {
-        try
-        {
-            return File.Exists(file) && ImageFile.ReadText(file) is var texts && texts.Contains(new("Content", content)) && texts.Contains(new("Command", command));
-        }
-        catch (PictureException)
-        {
-            // Something else, or damaged.
-            return false;
-        }
     }
 
     // Once for all frames.

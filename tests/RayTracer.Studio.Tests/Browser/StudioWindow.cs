@@ -87,6 +87,14 @@ internal sealed class StudioWindow : IAsyncDisposable
                 Trouble($"console: {message.Text}");
             }
         };
+        page.Response += (_, response) =>
+        {
+            // The console does not tell which request it was.
+            if (response.Status == 400)
+            {
+                Trouble($"refused: {response.Request.Method} {response.Url} {response.Request.PostData}");
+            }
+        };
         page.PageError += (_, error) => Trouble($"page: {error}");
         await page.GotoAsync(Server.Link);
         return page;

@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { get } from "../api/client";
 import { withPrefix } from "../json/numbers";
 import type { FolderListing } from "../api/types";
@@ -24,35 +24,46 @@ interface FileBrowserProps {
 export function FileBrowser({ start, onFolder, onPick, onChoose, picked, named }: FileBrowserProps) {
   const [listing, setListing] = useState<FolderListing | null>(null);
   const [typed, setTyped] = useState("");
+  const asked = useRef(0);
+  const isTyping = useRef(false);
 
-  const go = (path: string | undefined) =>
+  // Only the folder asked for last is shown, and its path never takes the place of what is being typed.
+  const go = (path: string | undefined) => {
+    const turn = ++asked.current;
+    isTyping.current = false;
     get<FolderListing>("file/list", { path, named: named ? "true" : undefined }).then((answer) => {
+      if (turn !== asked.current) return;
       setListing(answer);
-      setTyped(answer.path);
+      if (!isTyping.current) setTyped(answer.path);
       onFolder(answer.path);
     }, complain);
-  useEffect(() => void go(start), []);
+  };
+  const type = (text: string) => {
+    isTyping.current = true;
+    setTyped(text);
+  };
+  useEffect(() => go(start), []);
 
   const isEmpty = listing && listing.folders.length + listing.files.length === 0;
   return (
     <div class="browser">
       <div class="pair">
-        <Button label={texts.dialogs.up} icon="undo" disabled={!listing?.parent} onClick={() => void go(listing!.parent!)} />
+        <Button label={texts.dialogs.up} icon="undo" disabled={!listing?.parent} onClick={() => go(listing!.parent!)} />
         <input
           type="text"
           class="text"
           aria-label={texts.dialogs.path}
           value={typed}
           spellcheck={false}
-          onInput={(e) => setTyped(e.currentTarget.value)}
-          onKeyDown={(e) => e.key === "Enter" && void go(typed)}
+          onInput={(e) => type(e.currentTarget.value)}
+          onKeyDown={(e) => e.key === "Enter" && go(typed)}
         />
-        <Button label={texts.dialogs.go} showLabel kind="plain" onClick={() => void go(typed)} />
+        <Button label={texts.dialogs.go} showLabel kind="plain" onClick={() => go(typed)} />
       </div>
       <ul class="listing" aria-label={listing?.path ?? texts.dialogs.folder}>
         {listing?.folders.map((name) => (
           <li key={name}>
-            <button type="button" class="list-button" onClick={() => void go(joinPath(listing.path, name))}><Icon name="open" />{name}</button>
+            <button type="button" class="list-button" onClick={() => go(joinPath(listing.path, name))}><Icon name="open" />{name}</button>
           </li>
         ))}
         {listing?.files.map(({ name, size, time }) => {
