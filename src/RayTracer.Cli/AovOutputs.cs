@@ -56,18 +56,18 @@ internal sealed class AovOutputs
     }
 
     /// <summary>Writes them; says of each that cannot be written why.</summary>
-    /// <param name="film">The images.</param>
+    /// <param name="film">The images; null where they are left out.</param>
     /// <param name="layers">The layers of light; null where there are none.</param>
     /// <param name="denoised">The denoised picture; null where there is none.</param>
     /// <param name="writing">How the picture is written.</param>
     /// <param name="streams">Takes complaints.</param>
     /// <returns>Those that were written.</returns>
-    public IReadOnlyList<string> Write(AovFilm film, LightLayerFilm? layers, Picture? denoised, ImageWriteOptions writing, Streams streams)
+    public IReadOnlyList<string> Write(AovFilm? film, LightLayerFilm? layers, Picture? denoised, ImageWriteOptions writing, Streams streams)
     {
         List<string> written = [];
-        foreach ((string path, Aov kind) in _files)
+        foreach ((string path, Aov kind) in film is null ? [] : _files)
         {
-            (IImageRows image, string range) = AovFiles.Rows(path, film, kind);
+            (IImageRows image, string range) = AovFiles.Rows(path, film!, kind);
             KeyValuePair<string, string>[] texts = [.. writing.Metadata, new("Aov", AovFiles.Name(kind)), new("Range", range)];
             ImageWriteOptions plain = writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = texts };
             written.AddRange(ImageOutputs.Write([path], image, plain, streams));

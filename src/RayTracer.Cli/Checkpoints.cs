@@ -1,12 +1,13 @@
 using System.Diagnostics;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
+using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
 /// <summary>
 /// Writes the film to a file now and then. The old file stays until the new one is whole; the interval stretches so that writing takes less than a
-/// hundredth of the time.
+/// hundredth of the time. A film of other samples that somebody else puts there meanwhile is not replaced.
 /// </summary>
 /// <param name="path">The file.</param>
 /// <param name="interval">The shortest time between two of them.</param>
@@ -17,13 +18,16 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
     private long _last = Stopwatch.GetTimestamp();
     private TimeSpan _stretched;
 
+    // What may be replaced: what was there before, and what was written since.
+    private (string Content, SampleRange Wanted)? _known = There(path);
+
     /// <summary>Whether the latest could not be written.</summary>
     public bool HasFailed { get; private set; }
 
     /// <summary>How many were written.</summary>
     public int Count { get; private set; }
 
-    /// <summary>How long that took in all.</summary>
+    /// <summary>How long that took in all, failures included.</summary>
     public TimeSpan Spent { get; private set; }
 
     /// <summary>Writes one if it is time for it.</summary>
@@ -42,8 +46,11 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
         long start = Stopwatch.GetTimestamp();
         try
         {
+            CheckThere(header);
             FilmFile.Write(path, film, header);
+            _known = (header.Content, header.Wanted);
             HasFailed = false;
+            Count++;
         }
         catch (ImageWriteException e)
         {
@@ -54,8 +61,28 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
 
         _last = Stopwatch.GetTimestamp();
         TimeSpan spent = Stopwatch.GetElapsedTime(start);
-        Count++;
         Spent += spent;
         _stretched = spent * LargestShare;
+    }
+
+    private static (string Content, SampleRange Wanted)? There(string path)
+    {
+        try
+        {
+            return FilmFile.ReadHeader(path) is var header ? (header.Content, header.Wanted) : null;
+        }
+        catch (PictureException)
+        {
+            // No film.
+            return null;
+        }
+    }
+
+    private void CheckThere(FilmHeader header)
+    {
+        if (There(path) is { } there && there != _known && there != (header.Content, header.Wanted))
+        {
+            throw new ImageWriteException($"Cannot write '{path}': another rendering has written its film there meanwhile.");
+        }
     }
 }

@@ -35,20 +35,23 @@ internal static class ImageOutputs
 
     /// <summary>Keeps films of unfinished renderings from being written over.</summary>
     /// <param name="paths">The files to write.</param>
-    /// <param name="own">Films that may be replaced, for they are gone on with.</param>
+    /// <param name="own">A film that may be replaced, for it is gone on with; null for none.</param>
+    /// <param name="replacement">What is going to be written; null where that is not known yet. Films all of whose samples are in it may be replaced.</param>
     /// <exception cref="CommandException">There is one; the message says what to do with it.</exception>
-    public static void CheckUnfinished(IEnumerable<string> paths, IEnumerable<string> own)
+    public static void CheckUnfinished(IEnumerable<string> paths, string? own = null, FilmHeader? replacement = null)
     {
-        HashSet<string> free = [.. own.Select(Path.GetFullPath)];
-        foreach (string path in paths.Where(p => FilmFile.IsNamed(p) && !free.Contains(Path.GetFullPath(p))))
+        foreach (string path in paths.Where(p => FilmFile.IsNamed(p) && (own is null || Path.GetFullPath(p) != Path.GetFullPath(own))))
         {
-            if (FilmFile.Unfinished(path) is { } unfinished)
+            if (FilmFile.Unfinished(path) is { } unfinished && !IsWithin(unfinished, replacement))
             {
-                throw new CommandException(
-                    ExitStatus.InputOutput, $"'{path}' holds samples {unfinished.SamplesText} of an unfinished rendering: \"raytracer resume {path}\" goes on with it; delete it to begin anew");
+                string how = unfinished.Samples is [var held] && held.First == unfinished.Wanted.First ? $"\"raytracer resume {path}\" goes on with it" : "merge the missing samples in";
+                throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds samples {unfinished.SamplesText} of an unfinished rendering: {how}; delete it to begin anew");
             }
         }
     }
+
+    private static bool IsWithin(FilmHeader film, FilmHeader? other) =>
+        other?.Content == film.Content && film.Samples.All(s => other.Samples.Any(r => r.First <= s.First && s.End <= r.End));
 
     private static void Check(string path, bool isFilm)
     {

@@ -22,6 +22,9 @@ internal sealed class LongRenderOptions
         command.Options.Add(_interval.Symbol);
     }
 
+    /// <summary>Whether there is a limit of time.</summary>
+    public bool HasTime(ParseResult result) => _time.Value(result) is not null;
+
     /// <summary>A request with what was asked for.</summary>
     public RenderRequest Put(ParseResult result, RenderRequest request) => request with
     {

@@ -44,6 +44,11 @@ internal sealed class MergeVerb
         }
 
         FilmMerge merge = Open(result.GetValue(_parts)!);
+        if (DecisionCheckpoint.Is(merge.Header))
+        {
+            throw DecisionCheckpoint.NoPicture(result.GetValue(_parts)![0]);
+        }
+
         if (merge.Missing is { } missing)
         {
             if (!result.GetValue(_partial))
@@ -53,6 +58,8 @@ internal sealed class MergeVerb
 
             streams.Warn(missing);
         }
+
+        ImageOutputs.CheckUnfinished(outputs, replacement: merge.Header);
 
         return Write(result, merge.Add(), merge.Header, outputs, streams);
     }

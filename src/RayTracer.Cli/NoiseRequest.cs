@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Globalization;
 using RayTracer.Description;
 using RayTracer.Rendering;
 using RayTracer.Session;
@@ -9,7 +10,9 @@ namespace RayTracer.Cli;
 /// <param name="request">The whole request.</param>
 internal sealed class NoiseRequest(RenderRequest request)
 {
-    private const int Limit = 65536;
+    /// <summary>The most samples of a pixel where nobody says how many.</summary>
+    public const int Limit = 65536;
+
     private const int MostSamples = 1 << 24;
     private const int MostOverMean = 16;
     private const int ShareOfTime = 4;
@@ -18,6 +21,9 @@ internal sealed class NoiseRequest(RenderRequest request)
 
     /// <summary>Whether they ask for anything.</summary>
     public bool IsAny => request.Noise is not null || request.Adaptive;
+
+    /// <summary>What is decided, in words.</summary>
+    public string Goal => string.Create(CultureInfo.InvariantCulture, $"{request.Noise}-{_mean}");
 
     /// <summary>Gives a scene as many samples as a pixel may come to.</summary>
     /// <exception cref="CommandException">The sampler needs to know the number of samples beforehand.</exception>
@@ -42,14 +48,20 @@ internal sealed class NoiseRequest(RenderRequest request)
     }
 
     /// <summary>Decides how many samples the pixels shall have; null where nothing was asked for.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="options">How to compute it.</param>
+    /// <param name="begun">Where to go on from; null to begin anew.</param>
+    /// <param name="keep">Told how far it has come; may be null.</param>
+    /// <param name="progress">Told how far the picture is.</param>
+    /// <param name="cancellation">Ends it.</param>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
-    public SamplePlan? Plan(Scene scene, RenderOptions options, IProgress<RenderProgress>? progress, CancellationToken cancellation)
+    public SamplePlan? Plan(Scene scene, RenderOptions options, DecidingState? begun, Action<DecidingState>? keep, IProgress<RenderProgress>? progress, CancellationToken cancellation)
     {
         SampleGoal goal = new() { Error = request.Noise, IsAdaptive = request.Adaptive, MeanSamples = _mean, MostSamples = _most };
         long start = Stopwatch.GetTimestamp();
 
         // Twice the samples take twice the time: no more than half of it all then.
         bool IsShort() => Stopwatch.GetElapsedTime(start) > request.Time / ShareOfTime;
-        return IsAny ? new SamplePlanner(scene, options, goal) { IsShortOfTime = request.Time is null ? null : IsShort }.Plan(progress, cancellation) : null;
+        return IsAny ? new SamplePlanner(scene, options, goal) { IsShortOfTime = request.Time is null ? null : IsShort, Begun = begun, Keep = keep }.Plan(progress, cancellation) : null;
     }
 }

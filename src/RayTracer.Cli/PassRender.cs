@@ -19,17 +19,23 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
     /// <summary>What a file says of the film as it is.</summary>
     public FilmHeader Header { get; private set; } = header;
 
-    /// <summary>When to stop, after the pass under way; null for no limit.</summary>
+    /// <summary>When to stop, after the pass under way, which is the first at least; null for no limit.</summary>
     public TimeSpan? Limit { get; init; }
 
     /// <summary>Takes the film now and then; may be null.</summary>
     public Checkpoints? Checkpoints { get; init; }
+
+    /// <summary>Whether the samples that there are count as all that were wanted, however many they come to.</summary>
+    public bool IsOpenEnded { get; init; }
 
     /// <summary>Shows the film now and then; may be null.</summary>
     public PreviewDisplay? Preview { get; init; }
 
     // What is shown shall change.
     private double LongestPass => Preview is null ? 5 : 0.5;
+
+    /// <summary>What a film file says of a film that shall hold no more samples than it does.</summary>
+    public static FilmHeader AsAll(FilmHeader header) => header.Samples is [var all] ? header with { Wanted = all, Total = all.End } : header;
 
     /// <summary>Renders what is missing.</summary>
     /// <returns>What was done; a pass that was cancelled does not count.</returns>
@@ -40,7 +46,7 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
         Tile area = options.Crop ?? new(0, 0, film.Width, film.Height);
         long start = Stopwatch.GetTimestamp();
         int count = 1;
-        for (int first = missing.First; first < missing.End && !statistics.Cancelled && !(Header.Samples.Count > 0 && Stopwatch.GetElapsedTime(start) >= Limit);)
+        for (int first = missing.First; first < missing.End && !statistics.Cancelled && !(first > missing.First && Stopwatch.GetElapsedTime(start) >= Limit);)
         {
             SampleRange range = new(first, Math.Min(missing.End, first + count));
             long passStart = Stopwatch.GetTimestamp();
@@ -57,6 +63,7 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
             statistics += done;
             first = range.End;
             Header = Header with { Samples = FilmMerge.Join(Header.Samples, range) };
+            Header = IsOpenEnded ? AsAll(Header) : Header;
             Checkpoints?.Offer(film, Header);
             Preview?.Offer(film, isLast: first >= missing.End);
             count = NextCount(Stopwatch.GetElapsedTime(passStart).TotalSeconds / range.Count, Limit - Stopwatch.GetElapsedTime(start));

@@ -34,9 +34,9 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
 
         WarnOfBadSamples(streams);
         WarnOfClamped(_statistics, streams);
-        if (request.Time is not null && outcome.IsNoisy(request) && outcome.Plan!.Error <= request.Noise)
+        if (request.Time is not null && !(outcome.Plan?.Error > request.Noise) && outcome.IsNoisy(request))
         {
-            streams.Warn($"the time ended before the wanted noise: there are {outcome.MeanSamples:F0} of {outcome.Plan.Most} samples");
+            streams.Warn($"the time ended before the wanted noise: there are {outcome.MeanSamples:F0} of {outcome.Header!.Wanted.Count} samples");
         }
 
         if (_statistics.Cancelled)

@@ -1,14 +1,16 @@
-using System.CommandLine;
+using System.Globalization;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Session;
+using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
 /// <summary>A film from a file, to which samples are added.</summary>
 /// <param name="Header">What the file says of it.</param>
 /// <param name="Film">The film.</param>
+/// <param name="Path">The file.</param>
 internal sealed record ResumedFilm(FilmHeader Header, Film Film, string Path);
 
 /// <summary>What <c>raytracer render</c> was asked for.</summary>
@@ -77,6 +79,9 @@ internal sealed record RenderRequest
     /// <summary>After which time to stop; null for never.</summary>
     public TimeSpan? Time { get; init; }
 
+    /// <summary>Whether a film is given samples for some time, and shall count as whole with as many as there will be.</summary>
+    public bool IsOpenEnded { get; init; }
+
     /// <summary>Where the film is written now and then; null for nowhere.</summary>
     public string? Checkpoint { get; init; }
 
@@ -85,6 +90,12 @@ internal sealed record RenderRequest
 
     /// <summary>The film that samples are added to; null for a new one.</summary>
     public ResumedFilm? Resumed { get; init; }
+
+    /// <summary>What has been done to decide on the number of samples (<see cref="DecisionCheckpoint"/>); null to begin anew.</summary>
+    public ResumedFilm? Decision { get; init; }
+
+    /// <summary>Whether it goes on from the checkpoint that there is.</summary>
+    public bool Resume { get; init; }
 
     /// <summary>Whether the film must hold whole ranges of samples whenever the rendering stops.</summary>
     public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Preview || Outputs.Any(FilmFile.IsNamed);
@@ -107,8 +118,28 @@ internal sealed record RenderRequest
     /// <summary>The words of the overrides that were given.</summary>
     public required IReadOnlyList<string> OverrideWords { get; init; }
 
+    /// <summary>What a film says of its making: the overrides, and what decided on the number of its samples.</summary>
+    public IReadOnlyList<string> FilmWords => [.. OverrideWords, .. Noise is { } noise ? ["--noise", noise.ToString(CultureInfo.InvariantCulture)] : Array.Empty<string>()];
+
     /// <summary>The whole command, as it is typed.</summary>
     public required string CommandText { get; init; }
+
+    /// <summary>The request with the frame, if it is of one, among what replaces the scene's values.</summary>
+    public RenderRequest WithFrameWords() => Frame is { } number ? this with { OverrideWords = [.. OverrideWords, "--frames", $"{number}"] } : this;
+
+    /// <summary>The request with the film of its checkpoint, where there is one, to be gone on with.</summary>
+    /// <exception cref="PictureException">It cannot be read.</exception>
+    public RenderRequest WithCheckpoint()
+    {
+        if (!File.Exists(Checkpoint))
+        {
+            return this;
+        }
+
+        (FilmHeader header, Film film) = FilmFile.Read(Checkpoint);
+        ResumedFilm resumed = new(header, film, Checkpoint);
+        return DecisionCheckpoint.Is(header) ? this with { Decision = resumed } : this with { Resumed = resumed };
+    }
 
     /// <summary>The command that follows one sample's path again.</summary>
     public string ReplayCommand(BadSample bad) =>

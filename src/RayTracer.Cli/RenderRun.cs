@@ -17,7 +17,11 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     private readonly Stopwatch _total = Stopwatch.StartNew();
     private readonly NoiseRequest _noise = new(request);
     private readonly StageTimes _stages = new(request.Verbose ? streams : null);
+
+    // From the beginning on, so that it knows what is there before the work.
+    private readonly Checkpoints? _checkpoints = request.Checkpoint is { } path ? new(path, request.CheckpointInterval, streams) : null;
     private SceneDescription? _description;
+    private string? _content;
     private long _begun;
     private AovFilm? _auxiliary;
     private LightLayerFilm? _light;
@@ -33,6 +37,15 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public int Run()
     {
+        using StopSignals signals = new(streams);
+        return Run(() => signals.Status, signals.Token);
+    }
+
+    /// <summary>As <see cref="Run()"/>.</summary>
+    /// <param name="ended">The exit status that belongs to an early end; 0 where there was none.</param>
+    /// <param name="cancellation">Ends the rendering early; what is done so far is written.</param>
+    public int Run(Func<int> ended, CancellationToken cancellation)
+    {
         AovOutputs aovs = new(request);
         foreach (string output in request.Outputs.Concat(aovs.Files).Concat(request.Checkpoint is { } file ? [file] : []))
         {
@@ -41,11 +54,10 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         if (!request.IsOfSequence)
         {
-            ImageOutputs.CheckUnfinished(request.Outputs.Concat(request.Checkpoint is { } film ? [film] : []), request.Resumed is { } from ? [from.Path] : []);
+            ImageOutputs.CheckUnfinished(request.Outputs.Concat(request.Checkpoint is { } film ? [film] : []), (request.Resumed ?? request.Decision)?.Path);
         }
 
-        using StopSignals signals = new(streams);
-        if (Compute(signals.Token, aovs) is not { } outcome)
+        if (Compute(cancellation, aovs) is not { } outcome)
         {
             return SceneFile.FailureStatus(request.ScenePath);
         }
@@ -53,13 +65,13 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         if (request.Pixel is not null)
         {
             PixelReport.Write(request, outcome, streams);
-            return signals.Status;
+            return ended();
         }
 
         bool isWanted = outcome.Film.TotalSamples > 0 && !(request.IsOfSequence && outcome.Statistics.Cancelled);
         IReadOnlyList<string> written = isWanted ? Write(outcome, aovs) : [];
         _stages.EndWrite();
-        if (outcome.Film.TotalSamples == 0 && request.Outputs.Count > 0 && signals.Status == 0)
+        if (outcome.Film.TotalSamples == 0 && request.Outputs.Count > 0 && ended() == 0)
         {
             streams.Fail("no sample came to a finite number, so there is no picture to write");
         }
@@ -67,7 +79,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         RenderReport report = new(request, outcome, written, _stages, _total.Elapsed.TotalSeconds);
         report.Write(streams);
         Done?.Invoke(outcome, written);
-        return signals.Status != 0 ? signals.Status
+        return ended() is not 0 and var status ? status
             : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.Checkpoints is { HasFailed: true } ? ExitStatus.InputOutput
             : outcome.IsNoisy(request) ? ExitStatus.Noisy : ExitStatus.Fine;
     }
@@ -128,10 +140,13 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         try
         {
             _begun = Stopwatch.GetTimestamp();
-            SamplePlan? plan = _noise.Plan(scene, options, display, cancellation);
-            outcome = outcome with { Plan = plan };
-            if (plan is not null)
+            if (Decided is { } decided)
             {
+                options = options with { Samples = decided };
+            }
+            else if (Plan(scene, options, display, cancellation) is { } plan)
+            {
+                outcome = outcome with { Plan = plan };
                 options = options with { Samples = new(0, (int)double.Round((double)plan.TotalSamples / plan.Area.Pixels)) };
             }
 
@@ -146,7 +161,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             {
                 Samples = request.Adaptive || request.Pixel is not null ? null : options.Samples,
                 Statistics = _denoising?.Render(film, options, display, cancellation)
-                    ?? (request.Adaptive ? new PlannedRender(scene, options, plan!).Render(film, display, cancellation) : Counted(plan, new RTracer(scene, options).Render(film, display, cancellation))),
+                    ?? (request.Adaptive ? new PlannedRender(scene, options, outcome.Plan!).Render(film, display, cancellation) : Counted(outcome.Plan, new RTracer(scene, options).Render(film, display, cancellation))),
             };
         }
         catch (OperationCanceledException)
@@ -156,48 +171,91 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
     }
 
+    // What an earlier run decided that went by the same words.
+    private SampleRange? Decided => request is { Noise: not null, Resumed.Header: var header } && header.Overrides.SequenceEqual(request.FilmWords) ? header.Wanted : null;
+
+    private SamplePlan? Plan(Scene scene, RenderOptions options, ProgressDisplay? display, CancellationToken cancellation)
+    {
+        if (request.Noise is null || request.Resumed is not null || _checkpoints is null)
+        {
+            return _noise.Plan(scene, options, null, null, display, cancellation);
+        }
+
+        DecisionCheckpoint checkpoint = new(_checkpoints, Header(scene.Render, options.Samples!.Value, options.Crop), _noise.Goal);
+        DecidingState? begun = request.Decision is { } decision ? checkpoint.Begun(decision, request.ScenePath) : null;
+        try
+        {
+            return _noise.Plan(scene, options, begun, checkpoint.Keep, display, cancellation);
+        }
+        catch (OperationCanceledException)
+        {
+            checkpoint.WriteLatest();
+            throw;
+        }
+    }
+
     private RenderOutcome RenderPasses(RenderOutcome outcome, RenderOptions options, ProgressDisplay? display, CancellationToken cancellation)
     {
         SampleRange wanted = options.Samples!.Value;
         FilmHeader header = Header(outcome.Scene.Render, wanted, options.Crop);
-        if (request.Resumed is { } resumed)
+        header = request.Resumed is { } resumed ? ResumeVerb.GoOn(resumed, header, request, outcome.Scene.Render) : header;
+
+        if (request.IsOfSequence)
         {
-            header = resumed.Header.Content == header.Content ? header with { Samples = resumed.Header.Samples } : throw ResumeVerb.OtherFilm(request, resumed.Header, outcome.Scene.Render);
+            ImageOutputs.CheckUnfinished(request.Outputs, replacement: header with { Samples = [wanted] });
         }
 
-        Checkpoints? checkpoints = request.Checkpoint is { } path ? new(path, request.CheckpointInterval, streams) : null;
         TimeSpan? left = request.Time is { } limit ? limit - Stopwatch.GetElapsedTime(_begun) : null;
-        PassRender passes = new(outcome.Scene, options, header) { Limit = left, Checkpoints = checkpoints, Preview = display as PreviewDisplay };
+        PassRender passes = new(outcome.Scene, options, header) { Limit = left, Checkpoints = _checkpoints, IsOpenEnded = request.IsOpenEnded, Preview = display as PreviewDisplay };
         SampleRange missing = new(header.Samples is [.., var last] ? last.End : wanted.First, wanted.End);
         RenderStatistics statistics = passes.Render(outcome.Film, missing, display, cancellation);
-        if (passes.Header.Samples is [var done] && !cancellation.IsCancellationRequested)
+        header = passes.Header;
+        if (header.Samples is [var done])
         {
-            new FirstHitPass(outcome.Scene, options with { Samples = done }).Render(_auxiliary!, cancellation);
+            RenderAuxiliary(outcome.Scene, options with { Samples = done }, cancellation);
         }
 
-        header = passes.Header;
-        if (request is { Time: not null, HasSamples: false, Noise: null, Part: null, Samples: null } && header.Samples is [var whole])
+        if (request is { Time: not null, HasSamples: false, Noise: null, Part: null, Samples: null })
         {
             // Nobody asked for more than there was time for.
-            header = header with { Wanted = whole, Total = whole.End };
+            header = PassRender.AsAll(header);
         }
 
-        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, Checkpoints = checkpoints };
+        return outcome with { Statistics = Counted(outcome.Plan, statistics), Header = header, Checkpoints = _checkpoints };
+    }
+
+    // Of the samples that passes came to, so not before them; a half of them is worth nothing.
+    private void RenderAuxiliary(Scene scene, RenderOptions options, CancellationToken cancellation)
+    {
+        try
+        {
+            cancellation.ThrowIfCancellationRequested();
+            new FirstHitPass(scene, options).Render(_auxiliary!, cancellation);
+        }
+        catch (OperationCanceledException)
+        {
+            _auxiliary = null;
+            if (request.Aovs.Count > 0)
+            {
+                streams.Warn("stopped before the auxiliary images (--aov) were made: they are left out");
+            }
+        }
     }
 
     private static RenderStatistics Counted(SamplePlan? plan, RenderStatistics picture) => plan?.Add(picture) ?? picture;
 
+    // The content of a scene with large models takes its time.
     private FilmHeader Header(RenderDescription render, SampleRange wanted, Tile? crop) => new()
     {
         Width = render.Width,
         Height = render.Height,
-        Content = ContentHash.Of(_description!, request.ScenePath, crop),
+        Content = _content ??= ContentHash.Of(_description!, request.ScenePath, crop),
         Samples = [],
         Wanted = wanted,
-        Total = request.Samples is null && request.Part is null && request.Resumed is null ? wanted.End : render.SamplesPerPixel,
+        Total = request.Samples is null && request.Part is null ? wanted.End : render.SamplesPerPixel,
         Crop = crop,
         Scene = Path.GetFullPath(request.ScenePath),
-        Overrides = request.OverrideWords,
+        Overrides = request.FilmWords,
         Software = CommandLine.Version,
     };
 
@@ -267,12 +325,12 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };
         Picture? denoised = _denoising?.Denoise(request.Threads);
-        IReadOnlyList<ExrLayerChannel> layers = [.. AovFiles.Layers(_auxiliary!), .. _light is null ? [] : AovFiles.Layers(_light), .. denoised is null ? [] : DenoisedFiles.Layers(denoised)];
+        IReadOnlyList<ExrLayerChannel> layers = [.. _auxiliary is null ? [] : AovFiles.Layers(_auxiliary), .. _light is null ? [] : AovFiles.Layers(_light), .. denoised is null ? [] : DenoisedFiles.Layers(denoised)];
         writing = writing with { ExrLayers = layers };
         IReadOnlyList<string> pictures = outcome.Header is { } header
             ? ImageOutputs.Write(request.Outputs, outcome.Film, header, writing, streams)
             : ImageOutputs.Write(request.Outputs, outcome.Film, writing, streams);
-        return [.. pictures, .. aovs.Write(_auxiliary!, _light, denoised, writing with { ExrLayers = [] }, streams)];
+        return [.. pictures, .. aovs.Write(_auxiliary, _light, denoised, writing with { ExrLayers = [] }, streams)];
     }
 }
 
@@ -313,7 +371,7 @@ internal sealed record RenderOutcome(Scene Scene, Film Film, RenderStatistics St
     public double MeanSamples => Header?.Samples.Sum(r => r.Count) ?? Samples?.Count ?? (Plan is null ? Scene.Render.SamplesPerPixel : (double)Plan.TotalSamples / Plan.Area.Pixels);
 
     /// <summary>Whether the wanted noise was not reached, for want of samples or time.</summary>
-    public bool IsNoisy(RenderRequest request) => request.Noise is { } wanted && Plan is not null && (Plan.Error > wanted || Header is { IsComplete: false });
+    public bool IsNoisy(RenderRequest request) => request.Noise is { } wanted && (Plan?.Error > wanted || Header is { IsComplete: false });
 
     /// <summary>Rays a second.</summary>
     public double RaysPerSecond => Seconds > 0 ? Statistics.Rays / Seconds : 0;

@@ -25,6 +25,7 @@ internal sealed class RenderVerb
     private readonly ParsedOption<(int Number, int Count)?> _part = new("--part", "I/N", "Renders only the I-th, from 1, of N equal shares of the samples. With -o part.rtfilm, for merge.", SampleShares.Part);
     private readonly ParsedOption<FrameRange?> _frames = FrameRange.Option();
     private readonly ParsedOption<double?> _rate = OptionValues.Number("--fps", "With --frames and -o FILE.png or FILE.apng, which make an animated PNG: frames shown a second; without it, the scene's framesPerSecond.", 0.01, 1000);
+    private readonly Option<bool> _resume = new("--resume") { Description = "Goes on from the film of --checkpoint, if it is there: it must be of this very picture. If it is not there, begins anew. So the same command can be given again." };
     private readonly SceneOverrides _overrides;
     private readonly LongRenderOptions _long;
     private readonly DisplayOptions _display;
@@ -41,6 +42,7 @@ internal sealed class RenderVerb
         }
 
         _long = new(command, "Writes the film to this file (.rtfilm) now and then, from which resume goes on.");
+        command.Options.Add(_resume);
         _display = new(command);
     }
 
@@ -55,8 +57,8 @@ internal sealed class RenderVerb
                 return new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run();
             }
 
-            string[] frame = request.Frame is { } number ? ["--frames", $"{number}"] : [];
-            return new RenderRun(DisplayOptions.ForTerminal(request with { OverrideWords = [.. request.OverrideWords, .. frame] }, streams), s => verb._overrides.Apply(result, s), streams).Run();
+            request = request.Resume ? request.WithCheckpoint() : request;
+            return new RenderRun(DisplayOptions.ForTerminal(request.WithFrameWords(), streams), s => verb._overrides.Apply(result, s), streams).Run();
         });
     }
 
@@ -95,6 +97,7 @@ internal sealed class RenderVerb
             HasSamples = _overrides.HasSamples(result),
             Settings = _overrides.Settings(result),
             OverrideWords = [.. _overrides.Words(result)],
+            Resume = result.GetValue(_resume),
             CommandText = Shell.Command(result.Tokens.Select(t => t.Value)),
         };
         request = _display.Put(result, _long.Put(result, request));
@@ -124,6 +127,7 @@ internal sealed class RenderVerb
         { Denoise: true } and ({ NeedsPasses: true } or { Samples: not null } or { Part: not null }) =>
             "--denoise compares two halves of all samples: it goes neither with shares of them nor with .rtfilm, --checkpoint and --time",
         { Checkpoint: { } checkpoint } when !FilmFile.IsNamed(checkpoint) => $"--checkpoint {checkpoint}: films are written to .rtfilm files",
+        { Resume: true, Checkpoint: null } => "--resume goes on from a checkpoint: give --checkpoint FILE",
         { Adaptive: true, Crop: not null } => "--adaptive shares samples out over the whole picture: leave --crop out",
         { Adaptive: true, Denoise: true } => "--denoise compares two halves of equal samples, which --adaptive has not: leave one of them out",
         { NeedsPasses: true, Layers.Count: > 0 } => "layers of light are of one rendering, which .rtfilm, --checkpoint and --time may cut in pieces: leave one of them out",

@@ -47,17 +47,38 @@ internal sealed class ResumeVerb
             $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, so that a film of {header.Total} cannot be given more or fewer: render it anew, or with --sampler sobol")
         : OtherScene(request.ScenePath);
 
+    /// <summary>The header of a film that is gone on with.</summary>
+    /// <param name="film">The film.</param>
+    /// <param name="header">The header of a new film.</param>
+    /// <param name="request">What was asked for.</param>
+    /// <param name="render">How it is rendered.</param>
+    /// <exception cref="CommandException">It is of another picture, or of other samples.</exception>
+    public static FilmHeader GoOn(ResumedFilm film, FilmHeader header, RenderRequest request, RenderDescription render)
+    {
+        FilmHeader old = film.Header;
+        if (old.Content != header.Content)
+        {
+            throw OtherFilm(request, old, render);
+        }
+
+        bool isBegin = old.Samples is [] || (old.Samples is [var held] && held.First == header.Wanted.First && held.End <= header.Wanted.End);
+        return isBegin ? header with { Samples = old.Samples, Overrides = header.Wanted == old.Wanted ? old.Overrides : header.Overrides } : throw new CommandException(
+            ExitStatus.InputOutput, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of {FilmHeader.Text(header.Wanted)}, which are asked for");
+    }
+
     private int Run(ParseResult result, Streams streams)
     {
         string file = result.GetValue(_file)!;
         (FilmHeader header, Film film) = FilmFile.Read(file);
-        SampleRange wanted = Wanted(header, (int?)_samples.Value(result));
-        int total = Math.Max(header.Total, wanted.End);
-        if (_samples.Value(result) is not null)
+        if (DecisionCheckpoint.Is(header))
         {
-            total = wanted.End;
+            return Decide(result, new(header, film, file), streams);
         }
 
+        int? samples = (int?)_samples.Value(result);
+        bool isOpenEnded = _long.HasTime(result) && samples is null && header.IsComplete && IsWhole(header) && header.Total < NoiseRequest.Limit;
+        SampleRange wanted = isOpenEnded ? new(0, NoiseRequest.Limit) : Wanted(header, samples);
+        int total = samples is null ? Math.Max(header.Total, wanted.End) : wanted.End;
         IReadOnlyList<string> words = FilmTexts.Words(header, total);
         string scene = result.GetValue(_scene) ?? PictureOrigin.ScenePath(header.Scene, file);
         (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
@@ -69,6 +90,7 @@ internal sealed class ResumeVerb
             Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
             Crop = header.Crop is { } c ? [c.X, c.Y, c.Width, c.Height] : null,
             Samples = wanted,
+            IsOpenEnded = isOpenEnded,
             Frames = first.Frames,
             HasSamples = true,
             Checkpoint = file,
@@ -77,6 +99,41 @@ internal sealed class ResumeVerb
             OverrideWords = words,
             CommandText = Shell.Command(["render", scene, .. words, .. FilmTexts.CropWords(header)]),
         }));
+        Check(request);
+        if (header.Samples is [var held] && held == wanted)
+        {
+            streams.Warn($"'{file}' has all {(IsWhole(header) ? $"{held.Count} samples: give --spp N for more" : $"samples of its part, {header.SamplesText}")}; nothing is rendered");
+        }
+
+        return new RenderRun(DisplayOptions.ForTerminal(request, streams), overrides, streams).Run();
+    }
+
+    // Goes on with deciding how many samples there shall be, and renders them.
+    private int Decide(ParseResult result, ResumedFilm film, Streams streams)
+    {
+        if (_samples.Value(result) is { } samples)
+        {
+            throw new CommandException(ExitStatus.Usage, $"--spp {samples}: it is being decided how many samples the film shall have (--noise): leave --spp out");
+        }
+
+        string scene = result.GetValue(_scene) ?? PictureOrigin.ScenePath(film.Header.Scene, film.Path);
+        string[] words = [scene, .. film.Header.Overrides];
+        (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([.. words, "--json"]);
+        RenderRequest request = _display.Put(result, _long.Put(result, first with
+        {
+            Outputs = _writing.Files(result),
+            Writing = _writing.Writing(result),
+            Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
+            Checkpoint = film.Path,
+            Decision = film,
+            CommandText = Shell.Command(["render", .. words]),
+        }));
+        Check(request);
+        return new RenderRun(DisplayOptions.ForTerminal(request.WithFrameWords(), streams), overrides, streams).Run();
+    }
+
+    private static void Check(RenderRequest request)
+    {
         if (request is { Quiet: true, Verbose: true })
         {
             throw new CommandException(ExitStatus.Usage, "--quiet and --verbose cannot go together");
@@ -86,17 +143,17 @@ internal sealed class ResumeVerb
         {
             throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");
         }
-
-        return new RenderRun(DisplayOptions.ForTerminal(request, streams), overrides, streams).Run();
     }
+
+    private static bool IsWhole(FilmHeader header) => header.Wanted == new SampleRange(0, header.Total);
 
     // The samples that the film shall come to hold.
     private static SampleRange Wanted(FilmHeader header, int? samples)
     {
         SampleRange wanted = samples is { } more ? new(header.Wanted.First, more) : header.Wanted;
-        if (samples is not null && header.Wanted.First != 0)
+        if (samples is not null && !IsWhole(header))
         {
-            throw new CommandException(ExitStatus.Usage, $"--spp {samples}: the film is a part of a picture, samples {FilmHeader.Text(header.Wanted)}");
+            throw new CommandException(ExitStatus.Usage, $"--spp {samples}: the film is a part of a picture, samples {FilmHeader.Text(header.Wanted)} of {header.Total}: render the others and merge");
         }
 
         return header.Samples switch

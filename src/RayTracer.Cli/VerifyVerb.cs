@@ -91,6 +91,11 @@ internal static class VerifyVerb
                 throw new CommandException(ExitStatus.InputOutput, $"'{file}' holds no samples yet");
             }
 
+            if (DecisionCheckpoint.Is(header))
+            {
+                throw DecisionCheckpoint.NoPicture(file);
+            }
+
             (RenderRequest asked, Func<SceneDescription, SceneDescription> changes) =
                 RenderVerb.Parse([scene ?? PictureOrigin.ScenePath(header.Scene, file), "--json", .. FilmTexts.Words(header, header.Total), .. FilmTexts.CropWords(header)]);
             return new(asked, changes, [.. header.Samples.Select(r => (SampleRange?)r)], film.ComputeHash());
@@ -105,6 +110,11 @@ internal static class VerifyVerb
         if (texts.ContainsKey("Aov") || texts.ContainsKey("Layer") || texts.ContainsKey("Denoised"))
         {
             throw new CommandException(ExitStatus.InputOutput, $"'{file}' is an image beside the picture: only the picture itself can be rendered anew and compared");
+        }
+
+        if (texts.GetValueOrDefault("Samples")?.Contains("unfinished", StringComparison.Ordinal) == true && !texts.ContainsKey("SampleRange"))
+        {
+            throw new CommandException(ExitStatus.InputOutput, $"'{file}' is unfinished: it was stopped when some pixels had more samples than others, so that it cannot be rendered anew");
         }
 
         (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([.. words, "--json"]);

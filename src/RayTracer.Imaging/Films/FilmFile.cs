@@ -101,7 +101,7 @@ public static class FilmFile
         try
         {
             FilmHeader header = ReadHeader(path);
-            return header.Samples.Count > 0 && header.Samples[^1].End < header.Wanted.End ? header : null;
+            return header.Samples.Count > 0 && !header.IsComplete ? header : null;
         }
         catch (PictureException)
         {

@@ -18,13 +18,9 @@ public static class FilmTexts
         new("SampleRange", header.SamplesText),
     ];
 
-    /// <summary>The options that replaced what the scene's file said, with as many samples a pixel as the whole picture has.</summary>
-    public static IReadOnlyList<string> Words(FilmHeader header, int total)
-    {
-        int given = header.Overrides.ToList().IndexOf("--spp");
-        IEnumerable<string> others = given < 0 ? header.Overrides : header.Overrides.Where((_, i) => i != given && i != given + 1);
-        return [.. others, "--spp", $"{total}"];
-    }
+    /// <summary>The options that replaced what the scene's file said, with as many samples a pixel as the whole picture has, whatever decided on them.</summary>
+    public static IReadOnlyList<string> Words(FilmHeader header, int total) =>
+        [.. header.Overrides.Chunk(2).Where(option => option[0] is not ("--spp" or "--noise")).SelectMany(option => option), "--spp", $"{total}"];
 
     /// <summary>The options that say which part of the picture a film is of.</summary>
     public static string[] CropWords(FilmHeader header) => header.Crop is { } c ? ["--crop", $"{c.X},{c.Y},{c.Width},{c.Height}"] : [];

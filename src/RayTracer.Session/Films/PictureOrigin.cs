@@ -10,7 +10,7 @@ namespace RayTracer.Session;
 /// <param name="Options">The options that replace what it says, and the part: names and values.</param>
 public sealed record PictureOrigin(string Scene, IReadOnlyList<KeyValuePair<string, string>> Options)
 {
-    private static readonly string[] WithoutValue = ["--denoise", "--adaptive", "--quiet", "--verbose", "--json", "--preview"];
+    private static readonly string[] WithoutValue = ["--denoise", "--adaptive", "--quiet", "--verbose", "--json", "--preview", "--resume"];
 
     /// <summary>The number of samples; null for the scene's.</summary>
     public int? Samples => Last("--spp") is { } word && int.TryParse(word, CultureInfo.InvariantCulture, out int samples) && samples > 0 ? samples : null;
@@ -27,7 +27,7 @@ public sealed record PictureOrigin(string Scene, IReadOnlyList<KeyValuePair<stri
     }
 
     /// <summary>What a film says.</summary>
-    public static PictureOrigin Of(FilmHeader header, string file) => Of([header.Scene, .. header.Overrides, "--spp", $"{header.Total}"], file);
+    public static PictureOrigin Of(FilmHeader header, string file) => Of([header.Scene, .. FilmTexts.Words(header, header.Total)], file);
 
     /// <summary>What an image says.</summary>
     /// <exception cref="DocumentException">It says nothing.</exception>

@@ -10,6 +10,9 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal sealed class DecidingSamples
 {
+    // As long as a sample of each pixel of a picture whose 4×4 pixels share a deciding one.
+    private const int SamplesPerStep = 16;
+
     // Any number: it only has to make the seed another one.
     private const uint SeedChange = 0x6A09E667u;
     private readonly int[] _pixels;
@@ -18,6 +21,9 @@ internal sealed class DecidingSamples
     private readonly Rgb[] _before;
     private readonly int[] _levels;
     private readonly uint _seed;
+    private readonly Int128[] _sumsBefore;
+    private readonly uint[] _countsBefore;
+    private bool _isWithin;
 
     /// <summary>Chooses the pixels: one of each cell, at random.</summary>
     /// <param name="scene">The scene.</param>
@@ -44,13 +50,41 @@ internal sealed class DecidingSamples
         _film = new(_pixels.Length, 1);
         _before = new Rgb[_pixels.Length];
         _levels = new int[blocks.Length];
+        _sumsBefore = new Int128[_pixels.Length * Film.SumsPerPixel];
+        _countsBefore = new uint[_pixels.Length];
     }
+
+    /// <summary>Told how far it has come, now and then, where all blocks have the same number of samples; may be null.</summary>
+    public Action<DecidingState>? Keep { get; init; }
 
     /// <summary>Samples of all deciding pixels so far.</summary>
     public long Total => _film.TotalSamples;
 
     /// <summary>Samples of each deciding pixel of a block so far.</summary>
     public int Level(int block) => _levels[block];
+
+    /// <summary>Begins with what there was, in the middle of an <see cref="Advance"/>.</summary>
+    /// <exception cref="ArgumentException">It is of another picture.</exception>
+    public void Restore(DecidingState state)
+    {
+        if ((state.Film.Width, state.Film.Height) != (_pixels.Length, 2))
+        {
+            throw new ArgumentException($"There are {state.Film.Width} deciding pixels, not {_pixels.Length}.", nameof(state));
+        }
+
+        for (int i = 0; i < _before.Length; i++)
+        {
+            _before[i] = state.Film.Mean(i, 0);
+        }
+
+        Int128[] sums = new Int128[_sumsBefore.Length];
+        uint[] counts = new uint[_countsBefore.Length];
+        state.Film.ReadSums(1, sums, counts);
+        _film.AddSums(0, sums, counts);
+        state.Film.ReadSums(0, _sumsBefore, _countsBefore);
+        Array.Fill(_levels, state.Samples);
+        _isWithin = true;
+    }
 
     /// <summary>Renders more samples.</summary>
     /// <param name="renderer">Renders them.</param>
@@ -61,16 +95,49 @@ internal sealed class DecidingSamples
     public void Advance(PixelRenderer renderer, int[] blocks, int level, Action<long, long> report, CancellationToken cancellation)
     {
         int[] targets = [.. blocks.SelectMany(b => Enumerable.Range(_firstOfBlock[b], _firstOfBlock[b + 1] - _firstOfBlock[b]))];
+        int[] pixels = [.. targets.Select(t => _pixels[t])];
+        Begin(targets);
+        while (_levels[blocks[0]] is var first && first < level)
+        {
+            int end = Keep is null ? level : Math.Min(level, first + SamplesPerStep);
+            renderer.Render(_film, pixels, targets, new(first, end), _seed, report, cancellation);
+            foreach (int block in blocks)
+            {
+                _levels[block] = end;
+            }
+
+            Keep?.Invoke(new(State(), end, level));
+        }
+    }
+
+    private void Begin(int[] targets)
+    {
+        if (_isWithin)
+        {
+            _isWithin = false;
+            return;
+        }
+
         foreach (int target in targets)
         {
             _before[target] = _film.Mean(target, 0);
         }
 
-        renderer.Render(_film, [.. targets.Select(t => _pixels[t])], targets, new(_levels[blocks[0]], level), _seed, report, cancellation);
-        foreach (int block in blocks)
+        if (Keep is not null)
         {
-            _levels[block] = level;
+            _film.ReadSums(0, _sumsBefore, _countsBefore);
         }
+    }
+
+    private Film State()
+    {
+        Film state = new(_pixels.Length, 2);
+        Int128[] sums = new Int128[_sumsBefore.Length];
+        uint[] counts = new uint[_countsBefore.Length];
+        _film.ReadSums(0, sums, counts);
+        state.AddSums(0, _sumsBefore, _countsBefore);
+        state.AddSums(1, sums, counts);
+        return state;
     }
 
     /// <summary>

@@ -24,24 +24,41 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
     /// <summary>Says whether time is so short that what was found so far must do, asked before deciding samples are doubled; null where there is time enough.</summary>
     public Func<bool>? IsShortOfTime { get; init; }
 
+    /// <summary>Where to go on from; null to begin anew. Not for adaptive pictures.</summary>
+    public DecidingState? Begun { get; init; }
+
+    /// <summary>Told now and then, by the thread that decides, how far that has come; may be null. Not for adaptive pictures. What is told has no part in the decision.</summary>
+    public Action<DecidingState>? Keep { get; init; }
+
     /// <summary>Decides.</summary>
     /// <param name="progress">Told how far the picture is, of which this is the first part; may be null.</param>
     /// <param name="cancellation">Ends the work.</param>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+    /// <exception cref="ArgumentException"><see cref="Begun"/> is of another picture.</exception>
     public SamplePlan Plan(IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
     {
         Tile area = options.Crop ?? new(0, 0, scene.Render.Width, scene.Render.Height);
         Tile[] blocks = Tile.Cut(area, BlockEdge);
         int columns = ((area.Width - 1) / BlockEdge) + 1;
-        DecidingSamples deciding = new(scene, blocks, goal.IsAdaptive ? AdaptiveCell : EvenCell);
+        DecidingSamples deciding = new(scene, blocks, goal.IsAdaptive ? AdaptiveCell : EvenCell) { Keep = goal.IsAdaptive ? null : Keep };
         double budget = (double)goal.MeanSamples * area.Pixels;
         ProgressSum done = new((long)budget, progress);
         int lead = goal.IsAdaptive ? AdaptiveLead : EvenLead;
         int first = FirstSamples();
         SampleAllocation allocation = new([.. blocks.Select(b => (double)b.Pixels)], goal, Math.Min(goal.MeanSamples, first));
         int[] all = [.. Enumerable.Range(0, blocks.Length)];
-        deciding.Advance(_renderer, all, first / 2, done.Add, cancellation);
-        deciding.Advance(_renderer, all, first, done.Add, cancellation);
+        if (Begun is not null)
+        {
+            deciding.Restore(Begun);
+        }
+
+        int level = Begun?.Target ?? (first / 2);
+        deciding.Advance(_renderer, all, level, done.Add, cancellation);
+        if (level < first)
+        {
+            deciding.Advance(_renderer, all, first, done.Add, cancellation);
+        }
+
         while (true)
         {
             double[] variances = RelativeVariances(blocks, deciding);
@@ -57,9 +74,9 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
                 return new(area, blocks, samples, double.Sqrt(allocation.Error(variances, samples)), _renderer.Statistics);
             }
 
-            foreach (IGrouping<int, int> level in wanting.OrderBy(l => l.Key))
+            foreach (IGrouping<int, int> same in wanting.OrderBy(l => l.Key))
             {
-                deciding.Advance(_renderer, [.. level], 2 * level.Key, done.Add, cancellation);
+                deciding.Advance(_renderer, [.. same], 2 * same.Key, done.Add, cancellation);
             }
         }
     }

@@ -113,6 +113,27 @@ public class AdaptiveSamplingTests
     }
 
     [Fact]
+    public void A_decision_that_was_broken_off_anywhere_is_gone_on_with()
+    {
+        SampleGoal goal = new() { Error = 0.02, MeanSamples = 4096, MostSamples = 4096 };
+        Scene scene = LampsWith(3);
+        SamplePlan plan = new SamplePlanner(scene, new(), goal).Plan();
+        List<DecidingState> states = [];
+        Assert.Equal(plan.Samples, new SamplePlanner(scene, new(), goal) { Keep = states.Add }.Plan().Samples);
+        Assert.Equal([0, 8, 16], states.Select(s => s.Film.SampleCount(0, 0)).Distinct().Take(3).Select(n => (int)n));
+        Assert.Contains(states, s => s.Samples < s.Target);
+        foreach (DecidingState state in states)
+        {
+            SamplePlan resumed = new SamplePlanner(scene, new(), goal) { Begun = state }.Plan();
+            Assert.Equal(plan.Samples, resumed.Samples);
+            Assert.Equal(plan.Error, resumed.Error);
+            Assert.Equal(plan.Statistics.Paths - (state.Samples * state.Film.Width), resumed.Statistics.Paths);
+        }
+
+        Assert.Throws<ArgumentException>(() => new SamplePlanner(scene, new(), goal) { Begun = new(new(1, 2), 8, 8) }.Plan());
+    }
+
+    [Fact]
     public void A_goal_out_of_reach_takes_all_samples_and_says_so()
     {
         SamplePlan plan = new SamplePlanner(LampsWith(3), new(), new() { Error = 0.001, MeanSamples = 32, MostSamples = 32 }).Plan();

@@ -1,0 +1,59 @@
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Session;
+
+namespace RayTracer.Cli;
+
+/// <summary>
+/// Keeps the samples that decide how many the picture shall have (<c>--noise</c>) in the file of <c>--checkpoint</c>, until there are samples of the picture itself. The file is a film of
+/// its own kind, told by its content: a <see cref="DecidingState"/>, whose target is the header's total. It wants more samples than that, so that it never counts as whole.
+/// </summary>
+/// <param name="checkpoints">Writes them.</param>
+/// <param name="picture">What a film file would say of the picture.</param>
+/// <param name="goal">What is decided, in words: decisions on something else are not gone on with.</param>
+internal sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader picture, string goal)
+{
+    private const string Mark = "-deciding-";
+    private readonly string _content = $"{picture.Content}{Mark}{goal}";
+    private (Film Film, FilmHeader Header)? _latest;
+
+    /// <summary>Whether a film holds samples that decide, and none of a picture.</summary>
+    public static bool Is(FilmHeader header) => header.Content.Contains(Mark, StringComparison.Ordinal);
+
+    /// <summary>The complaint about a film that holds none of a picture.</summary>
+    public static CommandException NoPicture(string path) =>
+        new(ExitStatus.InputOutput, $"'{path}' holds no samples of the picture yet: it is being decided how many there shall be (--noise); \"raytracer resume {path}\" goes on with it");
+
+    /// <summary>Where to go on from.</summary>
+    /// <exception cref="CommandException">The film is of another picture or another decision.</exception>
+    public DecidingState Begun(ResumedFilm film, string scene) => film.Header is { Content: var content, Samples: [var held], Total: var target } && content == _content
+        ? new(film.Film, held.End, target)
+        : throw ResumeVerb.OtherScene(scene);
+
+    /// <summary>Writes how far it has come, if it is time for it.</summary>
+    public void Keep(DecidingState state)
+    {
+        FilmHeader header = picture with
+        {
+            Width = state.Film.Width,
+            Height = state.Film.Height,
+            Crop = null,
+            Overrides = [.. picture.Overrides, .. FilmTexts.CropWords(picture)],
+            Content = _content,
+            Samples = [new(0, state.Samples)],
+            Wanted = new(0, 2 * state.Target),
+            Total = state.Target,
+        };
+        _latest = (state.Film, header);
+        checkpoints.Offer(state.Film, header);
+    }
+
+    /// <summary>Writes how far it has come.</summary>
+    public void WriteLatest()
+    {
+        if (_latest is var (film, header))
+        {
+            checkpoints.Write(film, header);
+        }
+    }
+}
