@@ -102,7 +102,7 @@ internal sealed class ResumeVerb
         Check(request);
         if (header.Samples is [var held] && held == wanted)
         {
-            streams.Warn($"'{file}' has all {(IsWhole(header) ? $"{held.Count} samples: give --spp N for more" : $"samples of its part, {header.SamplesText}")}; nothing is rendered");
+            streams.Warn($"'{file}' has all {(IsWhole(header) ? $"{held.Count} samples: give --spp or --time for more" : $"samples of its part, {header.SamplesText}")}; nothing is rendered");
         }
 
         return new RenderRun(DisplayOptions.ForTerminal(request, streams), overrides, streams).Run();

@@ -133,7 +133,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         Fine("verify", _folder["a.png"]);
         CliRun again = CliRun.Of("resume", _film, "--quiet");
         Assert.Equal(0, again.Status);
-        Assert.Contains($"'{_film}' has all {header.Total} samples: give --spp N for more; nothing is rendered", again.Error, StringComparison.Ordinal);
+        Assert.Contains($"'{_film}' has all {header.Total} samples: give --spp or --time for more; nothing is rendered", again.Error, StringComparison.Ordinal);
     }
 
     [Fact]
