@@ -28,7 +28,7 @@ public sealed class AtomicFileTests : IDisposable
         }));
         Assert.Equal("old", File.ReadAllText(_folder["a"]));
         Assert.Single(Directory.GetFileSystemEntries(_folder.Path));
-        Assert.Equal($"Cannot write '{_folder["a"]}': No space left on device : 'a temporary file beside it'.", error.Message);
+        Assert.Equal($"Cannot write '{_folder["a"]}': No space left on device.", error.Message);
     }
 
     [Fact]
