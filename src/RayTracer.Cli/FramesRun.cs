@@ -28,6 +28,9 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
     public static bool Is(RenderRequest request) =>
         request.Frames is { } frames && (frames.Count > 1 || request.Outputs.Any(o => o.Contains('#', StringComparison.Ordinal) || IsAnimated(o, frames)));
 
+    /// <summary>Whether a request is for an animated PNG, among others.</summary>
+    public static bool MakesAnimation(RenderRequest request) => request.Frames is { } frames && request.Outputs.Any(o => IsAnimated(o, frames));
+
     /// <summary>What cannot go together with several frames; null where all is well.</summary>
     public static string? Contradiction(RenderRequest request) => !Is(request) ? null : request switch
     {
@@ -40,7 +43,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
         { Part: { } part } when part.Count > request.Frames!.Count => $"--part {part.Number}/{part.Count}: with --frames, frames are shared out, and {request.Frames.Count} make {request.Frames.Count} parts at most",
         { Denoise: true } or { Aovs.Count: > 0 } or { Layers.Count: > 0 } when request.Outputs.Count > 0 && request.Outputs.All(o => IsAnimated(o, request.Frames!)) =>
             $"{(request.Denoise ? "--denoise" : "--aov")} writes images beside every frame, and there is only an animated PNG to write: give -o frame-####.png too",
-        { Part: not null } when request.Outputs.Any(o => IsAnimated(o, request.Frames!)) => "an animated PNG has all frames: leave --part out",
+        { Part: not null } when MakesAnimation(request) => "an animated PNG has all frames: leave --part out",
         _ => null,
     };
 
