@@ -1,3 +1,4 @@
+using System.Runtime.Versioning;
 using RayTracer.Imaging;
 
 namespace RayTracer.Tests.Imaging;
@@ -66,6 +67,7 @@ public sealed class AtomicFileTests : IDisposable
     }
 
     [LinuxFact]
+    [UnsupportedOSPlatform("windows")]
     public void A_file_that_only_its_owner_may_read_stays_so()
     {
         const UnixFileMode Own = UnixFileMode.UserRead | UnixFileMode.UserWrite;
