@@ -25,6 +25,15 @@ internal sealed class LongRenderOptions
     /// <summary>Whether there is a limit of time.</summary>
     public bool HasTime(ParseResult result) => _time.Value(result) is not null;
 
+    /// <summary>Warns of an interval of checkpoints where there are none.</summary>
+    public void WarnOfUnused(ParseResult result, RenderRequest request, Streams streams)
+    {
+        if (request.Checkpoint is null && _interval.Value(result) is not null)
+        {
+            streams.Warn("--checkpoint-interval has no effect: there are no checkpoints without --checkpoint FILE");
+        }
+    }
+
     /// <summary>A request with what was asked for.</summary>
     public RenderRequest Put(ParseResult result, RenderRequest request) => request with
     {

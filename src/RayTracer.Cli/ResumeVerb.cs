@@ -99,13 +99,12 @@ internal sealed class ResumeVerb
             OverrideWords = words,
             CommandText = Shell.Command(["render", scene, .. words, .. FilmTexts.CropWords(header)]),
         }));
-        Check(request);
         if (header.Samples is [var held] && held == wanted)
         {
             streams.Warn($"'{file}' has all {(IsWhole(header) ? $"{held.Count} samples: give --spp or --time for more" : $"samples of its part, {header.SamplesText}")}; nothing is rendered");
         }
 
-        return new RenderRun(DisplayOptions.ForTerminal(request, streams), overrides, streams).Run();
+        return Run(result, request, overrides, streams);
     }
 
     // Goes on with deciding how many samples there shall be, and renders them.
@@ -128,11 +127,10 @@ internal sealed class ResumeVerb
             Decision = film,
             CommandText = Shell.Command(["render", .. words]),
         }));
-        Check(request);
-        return new RenderRun(DisplayOptions.ForTerminal(request.WithFrameWords(), streams), overrides, streams).Run();
+        return Run(result, request.WithFrameWords(), overrides, streams);
     }
 
-    private static void Check(RenderRequest request)
+    private int Run(ParseResult result, RenderRequest request, Func<SceneDescription, SceneDescription> overrides, Streams streams)
     {
         if (request is { Quiet: true, Verbose: true })
         {
@@ -143,6 +141,9 @@ internal sealed class ResumeVerb
         {
             throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");
         }
+
+        _writing.WarnOfUnused(result, request.Outputs, streams, isSeen: request.Preview);
+        return new RenderRun(DisplayOptions.ForTerminal(request, streams), overrides, streams).Run();
     }
 
     private static bool IsWhole(FilmHeader header) => header.Wanted == new SampleRange(0, header.Total);

@@ -65,6 +65,13 @@ public sealed class BackgroundRendersTests
         Assert.Throws<SessionException>(() => background.Frames(3, 2, "frame-##.png", false));
         Assert.Throws<SessionException>(() => background.Frames(2, 3, "frame.png", false));
 
+        // The command takes the Studio's frames for its own, and the Studio the command's.
+        string frame = Path.Combine(test.Folder, "frame-05.png");
+        Assert.True(FinishedPicture.Is(frame, texts["Content"], "raytracer render ./scene.json --frames 5 --tonemap clamp -o elsewhere.png"));
+        Assert.False(FinishedPicture.Is(frame, texts["Content"], "raytracer render ./scene.json --frames 5 --tonemap aces -o frame-05.png"));
+        ImageFile.Write(frame, ImageFile.Read(frame), new() { Metadata = [.. texts.Where(t => t.Key != "Command"), new("Command", "raytracer render scene.json --frames 5 -o frame-05.png")] });
+        Assert.EndsWith("; 3 were there already", await Job(test, () => background.Frames(4, 6, "frame-##.png", overwrite: true)), StringComparison.Ordinal);
+
         // A frame is opened as what it shows.
         test.Session.Files.Open(Path.Combine(test.Folder, "frame-05.png"));
         await test.Session.Document.WhenBuilt();
