@@ -6,6 +6,8 @@ namespace RayTracer.Imaging;
 /// <summary>Films in any file that carries one: film files (<see cref="FilmFile"/>), and OpenEXR images with the sums as layers (<see cref="FilmExr"/>).</summary>
 public static class CarriedFilm
 {
+    private static readonly Lock s_reading = new();
+
     /// <summary>Whether a file is named as a film, or is an image that carries one.</summary>
     public static bool Is(string path) => FilmFile.IsNamed(path) || FilmExr.Is(path);
 
@@ -16,7 +18,7 @@ public static class CarriedFilm
     public static (FilmHeader Header, Film Film) Read(string path) => FilmExr.IsImage(path) ? FilmExr.Read(path) : FilmFile.Read(path);
 
     /// <inheritdoc cref="FilmFile.AddTo"/>
-    public static FilmHeader AddTo(string path, Film film, Lock? adding = null)
+    public static FilmHeader AddTo(string path, Film film, params Lock[] adding)
     {
         if (!FilmExr.IsImage(path))
         {
@@ -24,10 +26,25 @@ public static class CarriedFilm
         }
 
         // One after another: each takes the memory of a film meanwhile.
-        lock (adding ?? new())
+        lock (s_reading)
         {
             (FilmHeader header, Film more) = FilmExr.Read(path);
-            film.Merge(more);
+            if ((more.Width, more.Height) != (film.Width, film.Height))
+            {
+                throw new ArgumentException($"it has {more.Width}×{more.Height} pixels, not {film.Width}×{film.Height}", nameof(film));
+            }
+
+            Int128[] sums = new Int128[more.Width * (Film.BytesPerPixel / 16)];
+            uint[] counts = new uint[more.Width];
+            for (int y = 0; y < more.Height; y++)
+            {
+                more.ReadSums(y, sums, counts);
+                lock (adding.Length > 0 ? adding[y % adding.Length] : s_reading)
+                {
+                    film.AddSums(y, sums, counts);
+                }
+            }
+
             return header;
         }
     }
