@@ -28,12 +28,12 @@ public static class FilmExr
     /// <summary>Whether a file's name is one of an OpenEXR image.</summary>
     public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Whether a file is an OpenEXR image that carries its film; false also where there is no file, or a damaged one.</summary>
+    /// <summary>Whether a file is named as an OpenEXR image, and is one that carries its film; false also where there is no file, or a damaged one.</summary>
     public static bool Is(string path)
     {
         try
         {
-            return IsImage(path) && Head(path).Texts.Any(t => t.Key == HeaderKey);
+            return IsNamed(path) && IsImage(path) && Head(path).Texts.Any(t => t.Key == HeaderKey);
         }
         catch (PictureException)
         {
@@ -46,7 +46,8 @@ public static class FilmExr
     {
         try
         {
-            return ImageFile.Content(path, ExrReader.Signature.Length).AsSpan().SequenceEqual(ExrReader.Signature);
+            // A pipe has no length, and must not be waited for.
+            return new FileInfo(path) is { Exists: true, Length: > 0 } && ImageFile.Content(path, ExrReader.Signature.Length).AsSpan().SequenceEqual(ExrReader.Signature);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {

@@ -172,7 +172,7 @@ public sealed class FilmExrTests : IDisposable
         {
             (FilmHeader read, Film again) = FilmExr.Read(file);
             Assert.Equal((hash, header.SamplesText, header.Content), (again.ComputeHash(), read.SamplesText, read.Content));
-        });
+        }, rounds: 1000);
     }
 
     [ProgramFact("exrheader", "exrinfo", "exrmaketiled")]
@@ -189,6 +189,13 @@ public sealed class FilmExrTests : IDisposable
         TestPictures.AssertSameBits(ImageFile.Read(_image), ImageFile.Read(_folder["b.exr"]));
         Assert.Equal(ExrReader.ReadChannel(File.ReadAllBytes(_image), "film.red.0"), ExrReader.ReadChannel(File.ReadAllBytes(_folder["b.exr"]), "film.red.0"));
         Refused(4, "another program has written it anew, with tiles", "merge", _folder["b.exr"], "--json");
+    }
+
+    [ProgramFact("mkfifo")]
+    public void A_pipe_is_not_waited_for()
+    {
+        Assert.Equal(0, ProgramFactAttribute.Run("mkfifo", _image).ExitCode);
+        Assert.False(CarriedFilm.Is(_image));
     }
 
     private static int Place(byte[] file, string text) => file.AsSpan().IndexOf(Encoding.UTF8.GetBytes(text));
