@@ -12,7 +12,8 @@ namespace RayTracer.Cli;
 internal sealed class ConvertVerb
 {
     private readonly Argument<string> _from = new("FROM") { Description = "The file to read: a scene of Mitsuba (.xml), a native one (.json) or a model; or an image or a film." };
-    private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene, .json; an image; or a film (.rtfilm), of a file that holds one." };
+    private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene, .json; an image; or a film (.rtfilm), of a file that holds one.", Arity = ArgumentArity.ZeroOrOne };
+    private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = "The file to write, in place of TO." };
     private readonly ParsedOption<long?> _width = OptionValues.Integer("--width", "Images: makes them smaller, to this many columns; by itself, the shape stays.", 1, int.MaxValue);
     private readonly ParsedOption<long?> _height = OptionValues.Integer("--height", "Images: the same, rows.", 1, int.MaxValue);
     private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>("--exr-type", "OpenEXR: what its numbers are; float without it, which loses nothing.", ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
@@ -24,7 +25,7 @@ internal sealed class ConvertVerb
         command.Arguments.Add(_from);
         command.Arguments.Add(_to);
         _writing = new();
-        foreach (Option option in _writing.Looks.Concat([_exrType.Symbol, _writing.ExrFilm, _width.Symbol, _height.Symbol]))
+        foreach (Option option in new Option[] { _output }.Concat(_writing.Looks).Concat([_exrType.Symbol, _writing.ExrFilm, _width.Symbol, _height.Symbol]))
         {
             command.Options.Add(option);
         }
@@ -40,7 +41,7 @@ internal sealed class ConvertVerb
 
     private int Run(ParseResult result, Streams streams)
     {
-        (string from, string to) = (result.GetValue(_from)!, result.GetValue(_to)!);
+        (string from, string to) = (result.GetValue(_from)!, Target(result));
         bool isScene = Path.GetExtension(to).Equals(".json", StringComparison.OrdinalIgnoreCase);
         if (isScene ? ImageFile.IsImage(from) : IsSceneName(from))
         {
@@ -54,8 +55,15 @@ internal sealed class ConvertVerb
             throw new CommandException(ExitStatus.Usage, $"{option.Name} is for images: a scene's values are set as in --set render.width=800");
         }
 
-        return isScene ? ConvertScene(from, to, _settings.Values(result), streams) : ConvertImage(from, to, result);
+        return isScene ? ConvertScene(from, to, _settings.Values(result), streams) : ConvertImage(from, to, result, streams);
     }
+
+    private string Target(ParseResult result) => (result.GetValue(_to), result.GetValue(_output)) switch
+    {
+        (null, null) => throw new CommandException(ExitStatus.Usage, "where to? Give the file to write behind the one to read"),
+        ({ } to, { } output) => throw new CommandException(ExitStatus.Usage, $"{Quotation.Of(to)} and -o {Quotation.Of(output)}: there is one file to write"),
+        (var to, var output) => to ?? output!,
+    };
 
     private static int ConvertScene(string path, string target, IReadOnlyList<SceneSetting> settings, Streams streams)
     {
@@ -72,7 +80,7 @@ internal sealed class ConvertVerb
         return ExitStatus.Fine;
     }
 
-    private int ConvertImage(string path, string target, ParseResult result)
+    private int ConvertImage(string path, string target, ParseResult result, Streams streams)
     {
         if (_settings.Values(result) is [var setting, ..])
         {
@@ -80,16 +88,23 @@ internal sealed class ConvertVerb
         }
 
         ImageOutputs.CheckFilm(target);
+        _writing.WarnOfUnused(result, [target], streams);
+        WritingOptions.WarnOfUnused(result, _exrType.Symbol, "OpenEXR", [".exr"], [target], streams);
         ImageWriteOptions writing = _writing.Writing(result, [target]) with { ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float };
         if (writing.TakesFilm(target))
         {
             return ConvertFilm(path, target, writing, result);
         }
 
-        (IImageRows image, IEnumerable<KeyValuePair<string, string>> texts) = Read(path);
+        (IImageRows image, IEnumerable<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = Read(path);
         (int width, int height) = Size(image, (int?)_width.Value(result), (int?)_height.Value(result));
         bool isWhole = (width, height) == (image.Width, image.Height);
-        ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), writing with { Metadata = isWhole ? [.. texts] : [] });
+        if (layers.Count > 0 && !isWhole && Path.GetExtension(target).Equals(".exr", StringComparison.OrdinalIgnoreCase))
+        {
+            streams.Warn($"'{target}' is without the layers {LayersOf(layers)} of '{path}': only the picture is made smaller");
+        }
+
+        ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), writing with { Metadata = isWhole ? [.. texts] : [], ExrLayers = isWhole ? layers : [] });
         return ExitStatus.Fine;
     }
 
@@ -101,20 +116,29 @@ internal sealed class ConvertVerb
         }
 
         (FilmHeader header, Film film) = CarriedFilm.Read(path);
-        ImageOutputs.WriteFilm(target, film, header, writing with { Metadata = FilmTexts.Of(header, film.ComputeHash()) });
+        ImageOutputs.WriteFilm(target, film, header, writing with { Metadata = FilmTexts.Of(header, film.ComputeHash()), ExrLayers = LayersBeside(path) });
         return ExitStatus.Fine;
     }
 
-    private static (IImageRows Image, IEnumerable<KeyValuePair<string, string>> Texts) Read(string path)
+    // The layers of an image that carries its film, but for those that are the film.
+    private static IReadOnlyList<ExrLayerChannel> LayersBeside(string path) =>
+        FilmExr.IsNamed(path) ? [.. ImageFile.ReadAll(path).Layers.Where(l => !FilmExr.IsOfFilm(l.Name))] : [];
+
+    // What stands before the last point.
+    private static string LayersOf(IEnumerable<ExrLayerChannel> channels) => string.Join(", ", channels.Select(c => c.Name.LastIndexOf('.') is > 0 and var point ? c.Name[..point] : c.Name).Distinct());
+
+    private static (IImageRows Image, IEnumerable<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) Read(string path)
     {
         if (CarriedFilm.Is(path))
         {
             (FilmHeader header, Film film) = CarriedFilm.Read(path);
-            return header.Samples.Count > 0 ? (film, FilmTexts.Of(header, film.ComputeHash())) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
+            return header.Samples.Count > 0 ? (film, FilmTexts.Of(header, film.ComputeHash()), LayersBeside(path)) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
         }
 
+        (Picture picture, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
+
         // What other programs wrote into a file stays there: it may be long, and no text of ours.
-        return (ImageFile.Read(path), ImageFile.ReadText(path).Where(t => MergeVerb.TextKeys.Contains(t.Key)));
+        return (picture, texts.Where(t => MergeVerb.TextKeys.Contains(t.Key)), layers);
     }
 
     private static (int Width, int Height) Size(IImageRows image, int? width, int? height)

@@ -43,6 +43,7 @@ internal sealed class MergeVerb
             ImageOutputs.CheckFilm(output);
         }
 
+        _writing.WarnOfUnused(result, outputs, streams);
         FilmMerge merge = Open(result.GetValue(_parts)!);
         if (merge.Missing is { } missing)
         {

@@ -87,10 +87,13 @@ public static class FilmExr
     /// <inheritdoc cref="ReadHeader"/>
     public static (FilmHeader Header, Film Film) Read(string path) => ImageFile.OfFile(path, file => Read(file), "film");
 
+    /// <summary>Whether a channel is one of those that are the film.</summary>
+    public static bool IsOfFilm(string channel) => channel.StartsWith(Layer, StringComparison.Ordinal);
+
     /// <summary>The names of a file's layers beside picture and film.</summary>
     /// <exception cref="PictureException">It cannot be read, or is damaged.</exception>
     public static IReadOnlyList<string> OtherLayers(string path) =>
-        [.. Head(path).Channels.Select(c => c.Name).Where(n => n is not ("R" or "G" or "B") && !n.StartsWith(Layer, StringComparison.Ordinal)).Select(n => n.Split('.')[0]).Distinct()];
+        [.. Head(path).Channels.Select(c => c.Name).Where(n => n is not ("R" or "G" or "B") && !IsOfFilm(n)).Select(n => n.Split('.')[0]).Distinct()];
 
     /// <summary>Reads a film from a whole file.</summary>
     /// <exception cref="PictureException">It is damaged, or carries no film; the message is a clause.</exception>

@@ -84,6 +84,10 @@ public sealed class FilmExrTests : IDisposable
         Fine("render", _scene, "-o", _image, "--aov", "depth,normal", "--exr-film", "--quiet");
         Assert.Contains("depth.Z", ExrReader.ChannelNames(File.ReadAllBytes(_image)));
         byte[] before = File.ReadAllBytes(_image);
+        Fine("convert", _image, _folder["plain.exr"]);
+        Assert.Equal(["B", "G", "R", "depth.Z", "normal.X", "normal.Y", "normal.Z"], ExrReader.ChannelNames(File.ReadAllBytes(_folder["plain.exr"])));
+        Fine("convert", _image, _folder["b.exr"], "--exr-film", "--exr-type", "half");
+        Assert.Equal(ExrReader.ChannelNames(before), ExrReader.ChannelNames(File.ReadAllBytes(_folder["b.exr"])));
         Refused(2, $"'{_image}' has layers that are not made again when more samples come (depth, normal)", "resume", _image, "--spp", "8");
         Fine("resume", _image, "--spp", "8", "--checkpoint", _folder["a.rtfilm"], "-o", _folder["b.exr"], "--quiet");
         Assert.Equal(before, File.ReadAllBytes(_image));
@@ -96,6 +100,16 @@ public sealed class FilmExrTests : IDisposable
         {
             Refused(4, "does not carry its film: those that are written with --exr-film do", [.. words, _folder["plain.exr"]]);
         }
+    }
+
+    [Fact]
+    public void Frames_that_are_there_without_their_films_are_not_those_with_them()
+    {
+        string[] words = ["render", _scene, "--frames", "0..1", "-o", _folder["f-#.exr"], "--spp", "1"];
+        Fine(words);
+        Fine([.. words, "--exr-film"]);
+        Assert.All(["f-0.exr", "f-1.exr"], f => Assert.True(CarriedFilm.Is(_folder[f])));
+        Assert.Contains("there already", CliRun.Of([.. words, "--exr-film"]).Output, StringComparison.Ordinal);
     }
 
     public static TheoryData<ExrCompression> Compressions => [.. Enum.GetValues<ExrCompression>()];
