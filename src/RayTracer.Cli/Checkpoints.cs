@@ -48,7 +48,7 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
         try
         {
             CheckThere(header);
-            FilmFile.Write(path, film, header);
+            ImageOutputs.WriteFilm(path, film, header);
             _known = (header.Content, header.Wanted);
             HasFailed = false;
             Count++;
@@ -69,7 +69,7 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
     {
         try
         {
-            return FilmFile.ReadHeader(path) is var header ? (header.Content, header.Wanted) : null;
+            return CarriedFilm.ReadHeader(path) is var header ? (header.Content, header.Wanted) : null;
         }
         catch (PictureException)
         {
