@@ -54,9 +54,10 @@ internal static class CommandLine
         {
             ParseResult result = Root(args.FirstOrDefault(), streams).Parse(args, new() { ResponseFileTokenReplacer = null });
             string? stray = Stray(result);
-            if ((stray is not null || result.Errors.Count > 0) && result.Action is not HelpAction)
+            string? empty = EmptyWord(result);
+            if ((stray is not null || empty is not null || result.Errors.Count > 0) && result.Action is not HelpAction)
             {
-                return WrongUsage(result, stray, streams);
+                return WrongUsage(result, stray, empty, streams);
             }
 
             return result.Invoke(new() { Output = streams.Output, Error = streams.Error, EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
@@ -68,11 +69,11 @@ internal static class CommandLine
     }
 
     /// <summary>All verbs with all of their options.</summary>
-    public static IReadOnlyList<VerbHelp> Help(Streams streams) => [.. Verbs.Select(v =>
+    public static IReadOnlyList<VerbHelp> Help(Streams streams) => [.. Verbs.SelectMany(v =>
     {
         Command command = new(v.Name, v.Summary);
         v.Build(command, streams);
-        return VerbHelp.Of(command, Synopsis(command));
+        return VerbHelp.Of(command, Synopsis);
     })];
 
     private static Command Root(string? verb, Streams streams)
@@ -111,14 +112,34 @@ internal static class CommandLine
         return result.UnmatchedTokens.Concat(arguments).FirstOrDefault(t => t is ['-', _, ..]) ?? (result.UnmatchedTokens is [var first, ..] ? first : null);
     }
 
-    private static int WrongUsage(ParseResult result, string? stray, Streams streams)
+    /// <summary>The complaint about an empty word, as shells make them of variables that are not set; null where there is none. No verb has a use for one.</summary>
+    public static string? EmptyWord(ParseResult result)
+    {
+        foreach (SymbolResult part in result.CommandResult.Children)
+        {
+            string? name = part switch
+            {
+                ArgumentResult argument => argument.Argument.Name,
+                OptionResult option => $"{option.IdentifierToken?.Value ?? option.Option.Name} {option.Option.HelpName}".TrimEnd(),
+                _ => null,
+            };
+            if (name is not null && part.Tokens.Any(t => t.Value.Length == 0))
+            {
+                return $"{name}: the word is empty (is a variable of the shell not set?)";
+            }
+        }
+
+        return null;
+    }
+
+    private static int WrongUsage(ParseResult result, string? stray, string? empty, Streams streams)
     {
         Command command = result.CommandResult.Command;
         IEnumerable<string> verbs = Verbs.Select(v => v.Name);
         bool isRoot = command.Name == "raytracer";
         streams.Fail(stray switch
         {
-            null => OneLine(result.Errors[0].Message),
+            null => empty ?? OneLine(result.Errors[0].Message),
             ['-', ..] => UnknownOption(stray, command),
             _ when isRoot => $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
             _ => $"unexpected argument {Quotation.Of(stray)}",
@@ -142,7 +163,7 @@ internal static class CommandLine
             { MaximumNumberOfValues: > 1 } => $"{a.Name}…",
             _ => a.Name,
         });
-        return string.Join(' ', words.Append("[options]"));
+        return command.Subcommands.Count > 0 ? string.Join('|', command.Subcommands.Select(c => c.Name)) : string.Join(' ', words.Append("[options]"));
     }
 
     private static int Report(Exception e, Streams streams)

@@ -17,6 +17,7 @@ internal sealed class ConvertVerb
     private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>("--exr-type", "OpenEXR: what its numbers are; float without it, which loses nothing.", ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
     private readonly SettingOption _settings;
     private readonly WritingOptions _writing;
+    private readonly VerboseOption _verbose;
 
     private ConvertVerb(Command command)
     {
@@ -29,6 +30,7 @@ internal sealed class ConvertVerb
         }
 
         _settings = new(command);
+        _verbose = new(command);
     }
 
     public static void Build(Command command, Streams streams)
@@ -53,12 +55,15 @@ internal sealed class ConvertVerb
             throw new CommandException(ExitStatus.Usage, $"{option.Name} is for images: a scene's values are set as in --set render.width=800");
         }
 
-        return isScene ? ConvertScene(from, to, _settings.Values(result), streams) : ConvertImage(from, to, result);
+        StageTimes stages = _verbose.Times(result, streams);
+        int status = isScene ? ConvertScene(from, to, _settings.Values(result), stages, streams) : ConvertImage(from, to, result, stages);
+        stages.EndAll();
+        return status;
     }
 
-    private static int ConvertScene(string path, string target, IReadOnlyList<SceneSetting> settings, Streams streams)
+    private static int ConvertScene(string path, string target, IReadOnlyList<SceneSetting> settings, StageTimes stages, Streams streams)
     {
-        SceneLoadResult result = SceneFile.Load(path, settings: settings);
+        SceneLoadResult result = SceneFile.Load(path, stages, settings: settings);
         SceneFile.Show(result, streams);
         if (result.Scene is null)
         {
@@ -68,10 +73,11 @@ internal sealed class ConvertVerb
         // The names of files in the scene are meant from where it was.
         string text = FileNames.Move(SceneWriter.Write(result.Description!), Folder(path), Folder(target));
         AtomicFile.Write(target, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+        stages.End("write");
         return ExitStatus.Fine;
     }
 
-    private int ConvertImage(string path, string target, ParseResult result)
+    private int ConvertImage(string path, string target, ParseResult result, StageTimes stages)
     {
         if (_settings.Values(result) is [var setting, ..])
         {
@@ -80,6 +86,7 @@ internal sealed class ConvertVerb
 
         ImageOutputs.Check(target);
         (IImageRows image, IEnumerable<KeyValuePair<string, string>> texts) = Read(path);
+        stages.EndLoad();
         (int width, int height) = Size(image, (int?)_width.Value(result), (int?)_height.Value(result));
         bool isWhole = (width, height) == (image.Width, image.Height);
         ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), _writing.Writing(result) with
@@ -87,6 +94,7 @@ internal sealed class ConvertVerb
             ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float,
             Metadata = isWhole ? [.. texts] : [],
         });
+        stages.End("write");
         return ExitStatus.Fine;
     }
 

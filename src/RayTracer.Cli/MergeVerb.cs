@@ -13,6 +13,7 @@ internal sealed class MergeVerb
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object." };
     private readonly WritingOptions _writing;
+    private readonly VerboseOption _verbose;
 
     private MergeVerb(Command command)
     {
@@ -22,6 +23,8 @@ internal sealed class MergeVerb
         {
             command.Options.Add(option);
         }
+
+        _verbose = new(command);
     }
 
     public static void Build(Command command, Streams streams)
@@ -43,6 +46,7 @@ internal sealed class MergeVerb
             ImageOutputs.CheckFilm(output);
         }
 
+        StageTimes stages = _verbose.Times(result, streams);
         FilmMerge merge = Open(result.GetValue(_parts)!);
         if (merge.Missing is { } missing)
         {
@@ -54,7 +58,12 @@ internal sealed class MergeVerb
             streams.Warn(missing);
         }
 
-        return Write(result, merge.Add(), merge.Header, outputs, streams);
+        stages.End("headers");
+        Film film = merge.Add();
+        stages.EndLoad();
+        int status = Write(result, film, merge.Header, outputs, streams);
+        stages.EndWrite();
+        return status;
     }
 
     private static FilmMerge Open(IEnumerable<string> paths)

@@ -77,11 +77,6 @@ internal sealed class ResumeVerb
             OverrideWords = words,
             CommandText = Shell.Command(["render", scene, .. words, .. FilmTexts.CropWords(header)]),
         }));
-        if (request is { Quiet: true, Verbose: true })
-        {
-            throw new CommandException(ExitStatus.Usage, "--quiet and --verbose cannot go together");
-        }
-
         if (!FilmFile.IsNamed(request.Checkpoint!))
         {
             throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");

@@ -21,20 +21,26 @@ internal static class VerifyVerb
             command.Options.Add(option);
         }
 
+        VerboseOption verbose = new(command);
+
         command.SetAction(result =>
         {
+            StageTimes stages = verbose.Times(result, streams);
             Claim claim = Of(result.GetValue(file)!, result.GetValue(scene));
-            return Verify(claim, (int)(threads.Value(result) ?? Environment.ProcessorCount), result.GetValue(json), streams);
+            stages.End("file");
+            int status = Verify(claim, (int)(threads.Value(result) ?? Environment.ProcessorCount), verbose.Value(result), result.GetValue(json), streams);
+            stages.EndAll();
+            return status;
         });
     }
 
-    private static int Verify(Claim claim, int threads, bool json, Streams streams)
+    private static int Verify(Claim claim, int threads, bool verbose, bool json, Streams streams)
     {
         using StopSignals signals = new(streams);
         Film? whole = null;
         foreach (SampleRange? range in claim.Samples)
         {
-            RenderRequest request = claim.Request with { Outputs = [], Aovs = [], Denoise = false, Checkpoint = null, Threads = threads, Quiet = true, Verbose = false, Preview = false };
+            RenderRequest request = claim.Request with { Outputs = [], Aovs = [], Denoise = false, Checkpoint = null, Threads = threads, Quiet = true, Verbose = verbose, Preview = false };
             if (range is not null)
             {
                 // Whatever decided on the number of samples: these they are.

@@ -97,6 +97,9 @@ public sealed class ProcessTests : IDisposable
     public void Termination_writes_the_image_so_far() => SignalWritesTheImage("TERM", 143);
 
     [LinuxFact]
+    public void A_closed_terminal_leaves_the_image_so_far() => SignalWritesTheImage("HUP", 129);
+
+    [LinuxFact]
     public void Ctrl_C_leaves_the_reproduced_pictures_so_far()
     {
         using Process process = Start("reproduce", "report", "-o", _folder["report"]);
