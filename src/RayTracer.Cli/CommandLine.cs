@@ -29,7 +29,7 @@ internal static class CommandLine
         ("cluster", "Writes the jobs of a cluster that render the parts of a picture, and merge them.", ClusterVerb.Build),
         ("verify", "Renders what an image or film says it is once more, and compares.", VerifyVerb.Build),
         ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
-        ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
+        ("info", "Says what is in a scene or model and how much memory it takes; and what a film or image says of itself.", InfoVerb.Build),
         ("explain", "Says what a part of scene files means: its unit, range and default.", ExplainVerb.Build),
         ("convert", "Writes a scene of another format in the native one, and images and films as other images.", ConvertVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),

@@ -24,6 +24,8 @@ public sealed class VerboseTests : IDisposable
         Tells("load build write memory", "convert", scene, _folder["c.json"]);
         Tells("load compare write memory", "compare", image, _folder["c.png"]);
         Tells("load build memory", "check", scene);
+        Tells("load build memory", "info", scene);
+        Tells("load memory", "info", film);
         Tells("load build render memory", "bench", scene, "--repeat", "1");
         Tells("check load build render load build render pictures write memory", "sweep", scene, "-o", _folder["s.png"], "--spp", "1", "--set", "camera.fieldOfView=20,35");
     }
