@@ -6,7 +6,7 @@ namespace RayTracer.Cli;
 
 /// <summary>
 /// Writes the film to a file now and then. The old file stays until the new one is whole; the interval stretches so that writing takes less than a
-/// hundredth of the time.
+/// hundredth of the time, but for the first, of which nobody knows what it will take.
 /// </summary>
 /// <param name="path">The file.</param>
 /// <param name="interval">The shortest time between two of them.</param>
@@ -14,8 +14,9 @@ namespace RayTracer.Cli;
 internal sealed class Checkpoints(string path, TimeSpan interval, Streams streams)
 {
     private const int LargestShare = 100;
+    private readonly long _start = Stopwatch.GetTimestamp();
     private long _last = Stopwatch.GetTimestamp();
-    private TimeSpan _stretched;
+    private TimeSpan _cost;
 
     /// <summary>Whether the latest could not be written.</summary>
     public bool HasFailed { get; private set; }
@@ -29,8 +30,8 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
     /// <summary>Writes one if it is time for it.</summary>
     public void Offer(Film film, FilmHeader header)
     {
-        TimeSpan wait = _stretched > interval ? _stretched : interval;
-        if (Stopwatch.GetElapsedTime(_last) >= wait)
+        // There must be time for this one and for that at the end.
+        if (Stopwatch.GetElapsedTime(_last) >= interval && Stopwatch.GetElapsedTime(_start) >= (Spent + (2 * _cost)) * LargestShare)
         {
             Write(film, header);
         }
@@ -53,9 +54,8 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
         }
 
         _last = Stopwatch.GetTimestamp();
-        TimeSpan spent = Stopwatch.GetElapsedTime(start);
+        _cost = Stopwatch.GetElapsedTime(start);
         Count++;
-        Spent += spent;
-        _stretched = spent * LargestShare;
+        Spent += _cost;
     }
 }

@@ -1,6 +1,5 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
-using System.Security.Cryptography;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
@@ -8,14 +7,14 @@ namespace RayTracer.Imaging;
 
 /// <summary>
 /// Files that hold a film to the bit (.rtfilm): samples can be added to them later, and films of other samples of the same scene can be merged.
-/// docs/long-renders.md describes the format: signature, version, header, rows, and the SHA-256 of all of these.
+/// docs/long-renders.md describes the format: signature, version, header and rows, each with a check of all before.
 /// </summary>
 public static class FilmFile
 {
     /// <summary>The extension of their names.</summary>
     public const string Extension = ".rtfilm";
 
-    private const int Version = 1;
+    private const int Version = 2;
     private const int LongestHeader = 1 << 24;
     private const int FrontLength = 16;
     private const int SumsPerPixel = Film.BytesPerPixel / 16;
@@ -32,10 +31,17 @@ public static class FilmFile
     /// <exception cref="ImageWriteException">It cannot be written.</exception>
     public static void Write(string path, Film film, FilmHeader header) => AtomicFile.Write(path, stream =>
     {
-        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        uint check = 0;
         void Put(ReadOnlySpan<byte> bytes)
         {
-            hash.AppendData(bytes);
+            check = Crc32C.Append(check, bytes);
+            stream.Write(bytes);
+        }
+
+        void PutCheck()
+        {
+            Span<byte> bytes = stackalloc byte[sizeof(uint)];
+            BinaryPrimitives.WriteUInt32LittleEndian(bytes, check);
             stream.Write(bytes);
         }
 
@@ -46,6 +52,7 @@ public static class FilmFile
         BinaryPrimitives.WriteInt32LittleEndian(front.AsSpan(12), text.Length);
         Put(front);
         Put(text);
+        PutCheck();
         byte[] row = new byte[1 + ((long)film.Width * Film.BytesPerPixel)];
         Int128[] sums = new Int128[(long)film.Width * SumsPerPixel];
         uint[] counts = new uint[film.Width];
@@ -53,14 +60,13 @@ public static class FilmFile
         {
             film.ReadSums(y, sums, counts);
             Put(row.AsSpan(0, EncodeRow(sums, counts, row)));
+            PutCheck();
         }
-
-        stream.Write(hash.GetHashAndReset());
     });
 
     /// <summary>Reads what a file says about its film.</summary>
     /// <exception cref="PictureException">It cannot be read, or is damaged.</exception>
-    public static FilmHeader ReadHeader(string path) => OfFile(path, stream => Open(stream, out _));
+    public static FilmHeader ReadHeader(string path) => OfFile(path, stream => Open(new(stream), stream.Length));
 
     /// <summary>Reads a film.</summary>
     /// <exception cref="PictureException">It cannot be read, or is damaged.</exception>
@@ -70,27 +76,29 @@ public static class FilmFile
     /// <exception cref="PictureException">It is damaged; the message is a clause.</exception>
     internal static (FilmHeader Header, Film Film) Read(Stream stream)
     {
-        FilmHeader header = Open(stream, out IncrementalHash hash);
+        FilmInput input = new(stream);
+        FilmHeader header = Open(input, stream.Length);
         Film film = new(header.Width, header.Height);
-        AddRows(stream, hash, film);
+        AddRows(input, film, []);
         return (header, film);
     }
 
     /// <summary>Adds the samples of a file to a film of its size.</summary>
     /// <param name="path">The file.</param>
     /// <param name="film">The film.</param>
-    /// <param name="adding">Held while a row is added: with the same one, several files may be added at once. (The sums are exact: their order does not matter.)</param>
+    /// <param name="adding">One of these is held while a row is added: with the same ones, several files may be added at once. (The sums are exact: their order does not matter.)</param>
     /// <exception cref="PictureException">It cannot be read, or is damaged: the film then holds a part of the samples.</exception>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
-    public static FilmHeader AddTo(string path, Film film, Lock? adding = null) => OfFile(path, stream =>
+    public static FilmHeader AddTo(string path, Film film, params Lock[] adding) => OfFile(path, stream =>
     {
-        FilmHeader header = Open(stream, out IncrementalHash hash);
+        FilmInput input = new(stream);
+        FilmHeader header = Open(input, stream.Length);
         if ((header.Width, header.Height) != (film.Width, film.Height))
         {
             throw new ArgumentException($"it has {header.Width}×{header.Height} pixels, not {film.Width}×{film.Height}", nameof(film));
         }
 
-        AddRows(stream, hash, film, adding);
+        AddRows(input, film, adding);
         return header;
     });
 
@@ -139,10 +147,10 @@ public static class FilmFile
         }
     }
 
-    private static FilmHeader Open(Stream stream, out IncrementalHash hash)
+    private static FilmHeader Open(FilmInput input, long fileLength)
     {
-        hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-        byte[] front = Take(stream, FrontLength, hash);
+        byte[] front = new byte[FrontLength];
+        input.Fill(front);
         if (!front.AsSpan().StartsWith(Signature))
         {
             throw new PictureException("it is no film: its first bytes are others");
@@ -155,89 +163,81 @@ public static class FilmFile
         }
 
         int length = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(12));
-        if (length is < 2 or > LongestHeader || length > stream.Length)
+        if (length is < 2 or > LongestHeader || length > fileLength)
         {
             throw new PictureException($"its header cannot have {length} bytes");
         }
 
-        FilmHeader header = FilmHeader.Of(Take(stream, length, hash));
+        byte[] text = new byte[length];
+        input.Fill(text);
+        input.Check("its header");
+        FilmHeader header = FilmHeader.Of(text);
 
         // Before any memory is taken for them: pixels take 32 bytes at least.
-        Int128 least = (Int128)header.Height * (5 + ((Int128)header.Width * 8 * SumsPerPixel));
-        return stream.Length >= least && (Int128)header.Width * header.Height <= Film.MaxPixels
+        Int128 least = (Int128)header.Height * (9 + ((Int128)header.Width * 8 * SumsPerPixel));
+        return fileLength >= least && (Int128)header.Width * header.Height <= Film.MaxPixels
             ? header
             : throw new PictureException($"it is too short for {header.Width}×{header.Height} pixels");
     }
 
-    private static void AddRows(Stream stream, IncrementalHash hash, Film film, Lock? adding = null)
+    private static void AddRows(FilmInput input, Film film, Lock[] adding)
     {
-        byte[] bytes = new byte[(long)film.Width * SumsPerPixel * 8];
-        uint[] counts = new uint[film.Width];
-        adding ??= new();
-        for (int y = 0; y < film.Height; y++)
+        input.ReadAhead();
+        try
         {
-            Fill(stream, bytes.AsSpan(0, 1), hash);
-            bool equal = (bytes[0] & EqualCounts) != 0;
-            bool wide = (bytes[0] & WideSums) != 0;
-            Fill(stream, MemoryMarshal.AsBytes(counts.AsSpan(0, equal ? 1 : counts.Length)), hash);
-            if (equal)
+            byte[] bytes = new byte[(long)film.Width * SumsPerPixel * 8];
+            uint[] counts = new uint[film.Width];
+            for (int y = 0; y < film.Height; y++)
             {
-                counts.AsSpan().Fill(counts[0]);
+                AddRow(input, film, y, adding.Length > 0 ? adding[y % adding.Length] : new(), ref bytes, counts);
             }
 
-            if (wide && bytes.Length < film.Width * SumsPerPixel * 16L)
-            {
-                bytes = new byte[film.Width * SumsPerPixel * 16L];
-            }
-
-            Span<byte> sums = bytes.AsSpan(0, film.Width * SumsPerPixel * (wide ? 16 : 8));
-            Fill(stream, sums, hash);
-            lock (adding)
-            {
-                if (wide)
-                {
-                    film.AddSums(y, MemoryMarshal.Cast<byte, Int128>(sums), counts);
-                }
-                else
-                {
-                    film.AddSums(y, MemoryMarshal.Cast<byte, long>(sums), counts);
-                }
-            }
+            input.CheckEnd();
         }
-
-        if (!hash.GetHashAndReset().AsSpan().SequenceEqual(Take(stream, SHA256.HashSizeInBytes, hash)))
+        finally
         {
-            throw new PictureException("it is damaged: its checksum is that of another content");
-        }
-
-        if (stream.Position < stream.Length)
-        {
-            throw new PictureException("something follows its end");
+            input.Stop();
         }
     }
 
-    private static void Fill(Stream stream, Span<byte> bytes, IncrementalHash hash)
+    private static void AddRow(FilmInput input, Film film, int y, Lock adding, ref byte[] bytes, uint[] counts)
     {
-        if (stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false) < bytes.Length)
+        input.Fill(bytes.AsSpan(0, 1));
+        bool equal = (bytes[0] & EqualCounts) != 0;
+        bool wide = (bytes[0] & WideSums) != 0;
+        input.Fill(MemoryMarshal.AsBytes(counts.AsSpan(0, equal ? 1 : counts.Length)));
+        if (equal)
         {
-            throw new PictureException("it ends too early");
+            counts.AsSpan().Fill(counts[0]);
         }
 
-        hash.AppendData(bytes);
-    }
+        int length = film.Width * SumsPerPixel * (wide ? 16 : 8);
+        if (bytes.Length < length)
+        {
+            bytes = new byte[length];
+        }
 
-    private static byte[] Take(Stream stream, int length, IncrementalHash hash)
-    {
-        byte[] bytes = new byte[length];
-        Fill(stream, bytes, hash);
-        return bytes;
+        Span<byte> sums = bytes.AsSpan(0, length);
+        input.Fill(sums);
+        input.Check($"row {y}");
+        lock (adding)
+        {
+            if (wide)
+            {
+                film.AddSums(y, MemoryMarshal.Cast<byte, Int128>(sums), counts);
+            }
+            else
+            {
+                film.AddSums(y, MemoryMarshal.Cast<byte, long>(sums), counts);
+            }
+        }
     }
 
     private static T OfFile<T>(string path, Func<Stream, T> read)
     {
         try
         {
-            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read | FileShare.Delete, 1 << 18, FileOptions.SequentialScan);
+            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read | FileShare.Delete, 1 << 12, FileOptions.SequentialScan);
             return stream.CanSeek ? read(stream) : throw new PictureException("it is a pipe, but films are read from files");
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)

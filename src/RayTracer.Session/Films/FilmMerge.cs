@@ -9,6 +9,7 @@ namespace RayTracer.Session;
 public sealed class FilmMerge
 {
     private const int MostAtOnce = 4;
+    private const int Locks = 64;
     private readonly (string Path, FilmHeader Header)[] _parts;
 
     private FilmMerge((string Path, FilmHeader Header)[] parts)
@@ -34,7 +35,7 @@ public sealed class FilmMerge
     public Film Add(IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
         Film film = new(Header.Width, Header.Height);
-        Lock adding = new();
+        Lock[] adding = [.. Enumerable.Range(0, Locks).Select(_ => new Lock())];
         int done = 0;
         try
         {
