@@ -80,6 +80,13 @@ public static class ImageFile
     {
         try
         {
+            // Pipes, whose length is 0, would lose what is read here.
+            FileInfo file = new(path);
+            if ((file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true)) is not FileInfo { Exists: true, Length: > 0 })
+            {
+                return null;
+            }
+
             using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
             Span<byte> bytes = stackalloc byte[16];
             ReadOnlySpan<byte> head = bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];

@@ -46,6 +46,21 @@ public sealed class InfoTests : IDisposable
     }
 
     [Fact]
+    public void A_resumed_film_tells_whether_the_time_was_enough()
+    {
+        string film = _folder["a.rtfilm"];
+        Assert.Equal(0, CliRun.Of("render", _scene, "-o", film, "--spp", "1", "--quiet").Status);
+        CliRun told = CliRun.Of("resume", film, "--spp", "16777216", "--time", "0.1s");
+        Assert.Equal(0, told.Status);
+        Assert.Matches(@"\nthe time ended at \d+ of 16777216 samples: ""raytracer resume [^""]*a.rtfilm"" goes on", told.Output);
+        JsonElement json = Json("resume", film, "--time", "0.1s", "--json", "--quiet");
+        Assert.False(json.GetProperty("complete").GetBoolean());
+        Assert.Equal(Text(json, "samples"), Text(Json("info", film, "--json"), "samples"));
+        int held = Number(Json("info", film, "--json"), "heldSamples");
+        Assert.True(Json("resume", film, "--spp", $"{held}", "--json", "--quiet").GetProperty("complete").GetBoolean());
+    }
+
+    [Fact]
     public void A_damaged_film_is_found_by_its_hash()
     {
         string film = _folder["a.rtfilm"];

@@ -43,6 +43,10 @@ public sealed class ProcessTests : IDisposable
         Assert.Single(error.TrimEnd().Split('\n'));
     }
 
+    [ProgramFact("bash")]
+    public void A_scene_comes_through_a_pipe() =>
+        Assert.Equal((0, "/dev/stdin: fine\n"), ProgramFactAttribute.Run("bash", "-c", $"cat '{_scene}' | '{Program}' check /dev/stdin"));
+
     [LinuxFact]
     public void Full_standard_error_costs_no_picture()
     {
