@@ -65,7 +65,15 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         RenderReport report = new(request, outcome, written, _stages, _total.Elapsed.TotalSeconds);
-        report.Write(streams);
+        try
+        {
+            report.Write(streams);
+        }
+        catch (IOException) when (signals.Status == ExitStatus.HungUp)
+        {
+            // Nobody reads it any more: the terminal is gone.
+        }
+
         Done?.Invoke(outcome, written);
         return signals.Status != 0 ? signals.Status
             : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.Checkpoints is { HasFailed: true } ? ExitStatus.InputOutput
