@@ -38,17 +38,18 @@ internal sealed class AovOutputs
 
     // Outputs that hold no layers.
     private IEnumerable<string> Pictures =>
-        _request.Outputs.Distinct().Where(o => Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase) && !FilmFile.IsNamed(o));
+        _request.Outputs.Distinct().Where(o => o != _request.Kept && Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase) && !FilmFile.IsNamed(o));
 
     /// <summary>Lists the files of layers of light.</summary>
+    /// <param name="layers">The layers' names.</param>
     /// <exception cref="CommandException">Two images would go to one file, or one cannot be written.</exception>
-    public void Add(LightLayerFilm layers)
+    public void Add(IReadOnlyList<string> layers)
     {
         foreach (string output in Pictures)
         {
-            for (int i = 0; i < layers.Names.Count; i++)
+            for (int i = 0; i < layers.Count; i++)
             {
-                string path = Take($"--aov: the layer {layers.Names[i]}", output, AovFiles.Beside(output, layers.Names[i]));
+                string path = Take($"--aov: the layer {layers[i]}", output, AovFiles.Beside(output, layers[i]));
                 ImageOutputs.Check(path);
                 _layers.Add((path, i));
             }

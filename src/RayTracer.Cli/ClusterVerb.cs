@@ -37,7 +37,12 @@ internal sealed class ClusterVerb
     {
         Command slurm = new("slurm", "Writes the jobs of a Slurm cluster that render the parts of a picture, or frames, and merge them.");
         ClusterVerb verb = new(slurm);
-        slurm.SetAction(result => verb.Job(result).Run(result.GetValue(verb._submit), result.GetValue(verb._quiet), streams));
+        slurm.SetAction(result =>
+        {
+            SlurmJob job = verb.Job(result);
+            verb._writing.WarnOfUnused(result, verb._writing.Files(result), streams);
+            return job.Run(result.GetValue(verb._submit), result.GetValue(verb._quiet), streams);
+        });
         command.Subcommands.Add(slurm);
         command.SetAction(int (_) => throw new CommandException(ExitStatus.Usage, "which cluster? There is: raytracer cluster slurm SCENE --tasks 16 -o out.exr"));
     }

@@ -5,6 +5,7 @@ using System.Numerics;
 using System.Reflection;
 using RayTracer.Imaging;
 using RayTracer.Scenes;
+using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
@@ -68,6 +69,13 @@ internal static class CommandLine
         }
     }
 
+    /// <summary>A command as it is typed, without the word --, so that more words can follow.</summary>
+    public static string Text(ParseResult result)
+    {
+        HashSet<string> names = Names(result);
+        return Shell.Command(result.Tokens.Where(t => t.Type != TokenType.DoubleDash).Select(t => t.Value is ['-', ..] && names.Contains(t.Value) ? $"./{t.Value}" : t.Value));
+    }
+
     /// <summary>All verbs with all of their options.</summary>
     public static IReadOnlyList<VerbHelp> Help(Streams streams) => [.. Verbs.SelectMany(v =>
     {
@@ -105,11 +113,12 @@ internal static class CommandLine
         return root;
     }
 
-    // A word that has no place; one that looks like an option comes first, even where the parser took it for an argument.
+    // A word that has no place; one that looks like an option comes first, even where the parser took it for an argument. After --, no word is an option.
     private static string? Stray(ParseResult result)
     {
+        HashSet<string> names = Names(result);
         IEnumerable<string> arguments = result.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value);
-        return result.UnmatchedTokens.Concat(arguments).FirstOrDefault(t => t is ['-', _, ..]) ?? (result.UnmatchedTokens is [var first, ..] ? first : null);
+        return result.UnmatchedTokens.Concat(arguments).FirstOrDefault(t => t is ['-', _, ..] && !names.Contains(t)) ?? (result.UnmatchedTokens is [var first, ..] ? first : null);
     }
 
     /// <summary>The complaint about an empty word, as shells make them of variables that are not set; null where there is none. No verb has a use for one.</summary>
@@ -132,6 +141,8 @@ internal static class CommandLine
         return null;
     }
 
+    private static HashSet<string> Names(ParseResult result) => [.. result.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Select(t => t.Value)];
+
     private static int WrongUsage(ParseResult result, string? stray, string? empty, Streams streams)
     {
         Command command = result.CommandResult.Command;
@@ -140,13 +151,19 @@ internal static class CommandLine
         streams.Fail(stray switch
         {
             null => empty ?? OneLine(result.Errors[0].Message),
-            ['-', ..] => UnknownOption(stray, command),
+            ['-', ..] when !Names(result).Contains(stray) => UnknownOption(stray, command),
             _ when isRoot => $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
+            _ when OwnComplaint(result) is { } complaint => complaint,
+            ['-', ..] => $"unexpected argument {Quotation.Of(stray)}: options stand before the word --",
             _ => $"unexpected argument {Quotation.Of(stray)}",
         });
         streams.Error.WriteLine(isRoot ? "usage: raytracer VERB …, see raytracer --help" : $"usage: {Name(command)} {Synopsis(command)}, see {Name(command)} --help");
         return ExitStatus.Usage;
     }
+
+    // What an option's value is wrong with, which may be another option that was taken for it.
+    private static string? OwnComplaint(ParseResult result) =>
+        result.Errors.Select(e => OneLine(e.Message)).FirstOrDefault(m => m.StartsWith("--", StringComparison.Ordinal));
 
     // With the commands that it is under.
     private static string Name(Symbol command) => command.Parents.FirstOrDefault() is { } above ? $"{Name(above)} {command.Name}" : command.Name;
@@ -159,6 +176,7 @@ internal static class CommandLine
         IEnumerable<string> words = command.Arguments.Select(a => a.Arity switch
         {
             { MinimumNumberOfValues: 2, MaximumNumberOfValues: 2 } => $"{a.Name} {a.Name}",
+            { MinimumNumberOfValues: 0, MaximumNumberOfValues: 1 } => $"[{a.Name}]",
             { MinimumNumberOfValues: 0 } => $"[{a.Name}…]",
             { MaximumNumberOfValues: > 1 } => $"{a.Name}…",
             _ => a.Name,

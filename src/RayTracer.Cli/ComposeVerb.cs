@@ -34,8 +34,9 @@ internal static class ComposeVerb
         {
             ImageWriteOptions writing = output.Writing(result) with
             {
-                Metadata = [new("Software", CommandLine.Version), new("Command", Shell.Command(result.Tokens.Select(t => t.Value)))],
+                Metadata = [new("Software", CommandLine.Version), new("Command", CommandLine.Text(result))],
             };
+            output.WarnOfUnused(result, output.Files(result), streams);
             return Compose(result.GetValue(image)!, output.Files(result), result.GetValue(lights) ?? [], (float)(others.Value(result) ?? 1), writing, verbose.Times(result, streams), streams);
         });
     }

@@ -11,7 +11,8 @@ namespace RayTracer.Cli;
 internal sealed class ConvertVerb
 {
     private readonly Argument<string> _from = new("FROM") { Description = "The file to read: a scene of Mitsuba (.xml), a native one (.json) or a model; or an image or a film." };
-    private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene, .json; or an image." };
+    private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene, .json; or an image.", Arity = ArgumentArity.ZeroOrOne };
+    private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = "The file to write, in place of TO." };
     private readonly ParsedOption<long?> _width = OptionValues.Integer("--width", "Images: makes them smaller, to this many columns; by itself, the shape stays.", 1, int.MaxValue);
     private readonly ParsedOption<long?> _height = OptionValues.Integer("--height", "Images: the same, rows.", 1, int.MaxValue);
     private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>("--exr-type", "OpenEXR: what its numbers are; float without it, which loses nothing.", ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
@@ -24,7 +25,7 @@ internal sealed class ConvertVerb
         command.Arguments.Add(_from);
         command.Arguments.Add(_to);
         _writing = new();
-        foreach (Option option in _writing.Looks.Concat([_exrType.Symbol, _width.Symbol, _height.Symbol]))
+        foreach (Option option in new Option[] { _output }.Concat(_writing.Looks).Concat([_exrType.Symbol, _width.Symbol, _height.Symbol]))
         {
             command.Options.Add(option);
         }
@@ -41,7 +42,7 @@ internal sealed class ConvertVerb
 
     private int Run(ParseResult result, Streams streams)
     {
-        (string from, string to) = (result.GetValue(_from)!, result.GetValue(_to)!);
+        (string from, string to) = (result.GetValue(_from)!, Target(result));
         bool isScene = Path.GetExtension(to).Equals(".json", StringComparison.OrdinalIgnoreCase);
         if (isScene ? ImageFile.IsImage(from) : IsSceneName(from))
         {
@@ -56,10 +57,17 @@ internal sealed class ConvertVerb
         }
 
         StageTimes stages = _verbose.Times(result, streams);
-        int status = isScene ? ConvertScene(from, to, _settings.Values(result), stages, streams) : ConvertImage(from, to, result, stages);
+        int status = isScene ? ConvertScene(from, to, _settings.Values(result), stages, streams) : ConvertImage(from, to, result, stages, streams);
         stages.EndAll();
         return status;
     }
+
+    private string Target(ParseResult result) => (result.GetValue(_to), result.GetValue(_output)) switch
+    {
+        (null, null) => throw new CommandException(ExitStatus.Usage, "where to? Give the file to write behind the one to read"),
+        ({ } to, { } output) => throw new CommandException(ExitStatus.Usage, $"{Quotation.Of(to)} and -o {Quotation.Of(output)}: there is one file to write"),
+        (var to, var output) => to ?? output!,
+    };
 
     private static int ConvertScene(string path, string target, IReadOnlyList<SceneSetting> settings, StageTimes stages, Streams streams)
     {
@@ -77,7 +85,7 @@ internal sealed class ConvertVerb
         return ExitStatus.Fine;
     }
 
-    private int ConvertImage(string path, string target, ParseResult result, StageTimes stages)
+    private int ConvertImage(string path, string target, ParseResult result, StageTimes stages, Streams streams)
     {
         if (_settings.Values(result) is [var setting, ..])
         {
@@ -85,29 +93,42 @@ internal sealed class ConvertVerb
         }
 
         ImageOutputs.Check(target);
-        (IImageRows image, IEnumerable<KeyValuePair<string, string>> texts) = Read(path);
+        _writing.WarnOfUnused(result, [target], streams);
+        WritingOptions.WarnOfUnused(result, _exrType.Symbol, "OpenEXR", [".exr"], [target], streams);
+        (IImageRows image, IEnumerable<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = Read(path);
         stages.EndLoad();
         (int width, int height) = Size(image, (int?)_width.Value(result), (int?)_height.Value(result));
         bool isWhole = (width, height) == (image.Width, image.Height);
+        if (layers.Count > 0 && !isWhole && Path.GetExtension(target).Equals(".exr", StringComparison.OrdinalIgnoreCase))
+        {
+            streams.Warn($"'{target}' is without the layers {LayersOf(layers)} of '{path}': only the picture is made smaller");
+        }
+
         ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), _writing.Writing(result) with
         {
             ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float,
             Metadata = isWhole ? [.. texts] : [],
+            ExrLayers = isWhole ? layers : [],
         });
         stages.End("write");
         return ExitStatus.Fine;
     }
 
-    private static (IImageRows Image, IEnumerable<KeyValuePair<string, string>> Texts) Read(string path)
+    // What stands before the last point.
+    private static string LayersOf(IEnumerable<ExrLayerChannel> channels) => string.Join(", ", channels.Select(c => c.Name.LastIndexOf('.') is > 0 and var point ? c.Name[..point] : c.Name).Distinct());
+
+    private static (IImageRows Image, IEnumerable<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) Read(string path)
     {
         if (FilmFile.IsNamed(path))
         {
             (FilmHeader header, Rendering.Film film) = FilmFile.Read(path);
-            return header.Samples.Count > 0 ? (film, FilmTexts.Of(header, film.ComputeHash())) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
+            return header.Samples.Count > 0 ? (film, FilmTexts.Of(header, film.ComputeHash()), []) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
         }
 
+        (Picture picture, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
+
         // What other programs wrote into a file stays there: it may be long, and no text of ours.
-        return (ImageFile.Read(path), ImageFile.ReadText(path).Where(t => MergeVerb.TextKeys.Contains(t.Key)));
+        return (picture, texts.Where(t => MergeVerb.TextKeys.Contains(t.Key)), layers);
     }
 
     private static (int Width, int Height) Size(IImageRows image, int? width, int? height)

@@ -38,7 +38,7 @@ internal sealed class DisplayOptions
             return request;
         }
 
-        streams.Warn("--preview: standard error is no terminal, so nothing is shown there");
+        streams.Warn("--preview: standard error is no terminal that shows pictures, so nothing is shown there");
         return request with { Preview = false };
     }
 }

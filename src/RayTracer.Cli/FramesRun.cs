@@ -16,17 +16,20 @@ namespace RayTracer.Cli;
 /// <param name="streams">Where to write.</param>
 internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, SceneDescription> overrides, Streams streams)
 {
-    private static readonly string[] OnlyHere = ["--quiet", "--json", "--verbose"];
-    private static readonly string[] OnlyHereWithValue = ["--frames", "--fps", "--part", "--threads", "-o", "--output"];
+    private const string KeptEnding = ".frames";
     private readonly FrameRange _frames = request.Frames!;
     private readonly Dictionary<(string Path, bool Raw), Picture> _pictures = [];
     private readonly List<RenderedFrame> _done = [];
     private readonly string[] _animated = [.. request.Outputs.Where(o => IsAnimated(o, request.Frames!))];
+    private readonly List<string> _written = [];
     private AnimatedPng? _animation;
 
     /// <summary>Whether a request is for more than one picture.</summary>
     public static bool Is(RenderRequest request) =>
         request.Frames is { } frames && (frames.Count > 1 || request.Outputs.Any(o => o.Contains('#', StringComparison.Ordinal) || IsAnimated(o, frames)));
+
+    /// <summary>Whether a request is for an animated PNG, among others.</summary>
+    public static bool MakesAnimation(RenderRequest request) => request.Frames is { } frames && request.Outputs.Any(o => IsAnimated(o, frames));
 
     /// <summary>What cannot go together with several frames; null where all is well.</summary>
     public static string? Contradiction(RenderRequest request) => !Is(request) ? null : request switch
@@ -38,7 +41,9 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
         _ when request.Outputs.FirstOrDefault(o => !o.Contains('#', StringComparison.Ordinal) && !IsAnimated(o, request.Frames!)) is { } single =>
             $"-o {single}: {request.Frames!.Count} frames need as many files: put #### where their numbers shall stand",
         { Part: { } part } when part.Count > request.Frames!.Count => $"--part {part.Number}/{part.Count}: with --frames, frames are shared out, and {request.Frames.Count} make {request.Frames.Count} parts at most",
-        { Part: not null } when request.Outputs.Any(o => IsAnimated(o, request.Frames!)) => "an animated PNG has all frames: leave --part out",
+        { Denoise: true } or { Aovs.Count: > 0 } or { Layers.Count: > 0 } when request.Outputs.Count > 0 && request.Outputs.All(o => IsAnimated(o, request.Frames!)) =>
+            $"{(request.Denoise ? "--denoise" : "--aov")} writes images beside every frame, and there is only an animated PNG to write: give -o frame-####.png too",
+        { Part: not null } when MakesAnimation(request) => "an animated PNG has all frames: leave --part out",
         _ => null,
     };
 
@@ -52,21 +57,19 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
             ImageOutputs.CheckFolder(path);
         }
 
-        int status = ExitStatus.Fine;
-        int[] frames = [.. Share()];
-        foreach (int frame in frames)
+        int status;
+        try
         {
-            status = Math.Max(status, Frame(frame, $"{_done.Count + 1} of {frames.Length}"));
-            if (status is not (ExitStatus.Fine or ExitStatus.Noisy))
+            if (KeptFolder is { } folder)
             {
-                break;
+                Directory.CreateDirectory(folder);
             }
-        }
 
-        // A preview that is there is worth more than one that breaks off.
-        if (status is ExitStatus.Fine or ExitStatus.Noisy && !WriteAnimation())
+            status = Frames();
+        }
+        finally
         {
-            status = ExitStatus.InputOutput;
+            ClearFolder();
         }
 
         if (request.Json)
@@ -75,6 +78,62 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         return status;
+    }
+
+    private int Frames()
+    {
+        int status = ExitStatus.Fine;
+        int[] frames = [.. Share()];
+        foreach (int frame in frames)
+        {
+            status = Math.Max(status, Frame(frame, $"{_done.Count + 1} of {frames.Length}"));
+            if (status is not (ExitStatus.Fine or ExitStatus.Noisy))
+            {
+                // A preview that is there is worth more than one that breaks off.
+                if (KeptFolder is { } folder && _done.Count > 0)
+                {
+                    streams.Warn($"the {_done.Count} frames so far are kept in '{folder}': the same command goes on with them");
+                }
+
+                return status;
+            }
+        }
+
+        return WriteAnimation() ? status : ExitStatus.InputOutput;
+    }
+
+    // The frames of an animated PNG are files too, so that a run that was stopped goes on with them: PNGs that were asked for, or else files in a folder beside it.
+    private string? KeptPattern => _animated.Length == 0 ? null : PngFrames ?? Path.Combine(KeptFolder!, "####.png");
+
+    private string? KeptFolder => _animated.Length > 0 && PngFrames is null ? _animated[0] + KeptEnding : null;
+
+    private string? PngFrames => request.Outputs.Except(_animated).FirstOrDefault(o => o.EndsWith(".png", StringComparison.OrdinalIgnoreCase));
+
+    // When the animation is whole, its frames have done their service; else only a folder without any goes.
+    private void ClearFolder()
+    {
+        if (KeptFolder is not { } folder || !Directory.Exists(folder))
+        {
+            return;
+        }
+
+        try
+        {
+            foreach (string file in _written.Count == _animated.Length ? Share().Select(f => FrameRange.Name(KeptPattern!, f)) : [])
+            {
+                File.Delete(file);
+                AtomicFile.Sweep(file, DateTime.UtcNow);
+            }
+
+            if (!Directory.EnumerateFileSystemEntries(folder).Any())
+            {
+                Directory.Delete(folder);
+            }
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // They stay: that harms nobody.
+        }
     }
 
     private static bool IsAnimated(string path, FrameRange frames) => path.EndsWith(".apng", StringComparison.OrdinalIgnoreCase)
@@ -86,11 +145,12 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
     private int Frame(int frame, string which)
     {
         RenderRequest one = One(frame);
-        if (_animated.Length == 0 && one.Outputs.Count > 0 && Describe(one) is { } scene && one.Outputs.Concat(new AovOutputs(one).Files).All(o => IsThere(o, scene, one)))
+        if (one.Outputs.Count > 0 && Describe(one) is { } scene && AreThere(one, scene))
         {
-            _done.Add(new(frame, null, one.Outputs));
+            Add(frame, scene.Render);
+            _done.Add(new(frame, null, Asked(one.Outputs, one)));
             Say($"frame {frame} ({which}): there already");
-            return ExitStatus.Fine;
+            return one.Outputs.Any(o => IsNoisy(o, scene, one)) ? ExitStatus.Noisy : ExitStatus.Fine;
         }
 
         int status = new RenderRun(one, overrides, streams)
@@ -100,9 +160,13 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
             {
                 if (!outcome.Statistics.Cancelled)
                 {
-                    Add(outcome);
-                    _done.Add(new(frame, outcome, written));
-                    Say($"frame {frame} ({which}): {outcome.Seconds:F2} s{string.Concat(written.Select(w => $", {w}"))}");
+                    IReadOnlyList<string> files = Asked(written, one);
+                    _done.Add(new(frame, outcome, files));
+                    Say($"frame {frame} ({which}): {outcome.Seconds:F2} s{string.Concat(files.Select(w => $", {w}"))}");
+                    if (KeptPattern is { } pattern && written.Contains(FrameRange.Name(pattern, frame)))
+                    {
+                        Add(frame, outcome.Scene.Render);
+                    }
                 }
             },
         }.Run();
@@ -114,14 +178,19 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
         return status;
     }
 
+    // Without what is only kept for the animation.
+    private static IReadOnlyList<string> Asked(IReadOnlyList<string> files, RenderRequest one) => [.. files.Where(f => f != one.Kept)];
+
     private RenderRequest One(int frame)
     {
         string[] files = [.. request.Outputs.Except(_animated).Select(o => FrameRange.Name(o, frame))];
+        string? kept = KeptFolder is null ? null : FrameRange.Name(KeptPattern!, frame);
         return request with
         {
             Frames = new(frame, frame, 1),
             Part = null,
-            Outputs = files,
+            Outputs = kept is null ? files : [.. files, kept],
+            Kept = kept,
             Quiet = true,
             Json = false,
             IsOfSequence = true,
@@ -133,14 +202,16 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
     // The command without what does not change a frame's picture.
     private IEnumerable<string> Words()
     {
+        string[] onlyHere = ["--quiet", "--json", "--verbose"];
+        string[] onlyHereWithValue = ["--frames", "--fps", "--part", "--threads", "-o", "--output"];
         string[] words = Session.Shell.Words(request.CommandText)[1..];
         for (int i = 0; i < words.Length; i++)
         {
-            if (OnlyHereWithValue.Contains(words[i]))
+            if (onlyHereWithValue.Contains(words[i]))
             {
                 i++;
             }
-            else if (!OnlyHere.Contains(words[i]))
+            else if (!onlyHere.Contains(words[i]))
             {
                 yield return words[i];
             }
@@ -149,6 +220,33 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
 
     private SceneDescription? Describe(RenderRequest one) =>
         SceneLoader.Describe(one.ScenePath, s => new NoiseRequest(one).Widen(overrides(s)), one.Settings, one.Frame);
+
+    private bool AreThere(RenderRequest one, SceneDescription scene)
+    {
+        AovOutputs aovs = new(one);
+        return one.Outputs.Concat(aovs.Files).All(o => IsThere(o, scene, one)) && (one.Layers.Count == 0 || LayersAreThere(one, scene, aovs));
+    }
+
+    // Their names are those of the lights, which only the scene itself knows.
+    private bool LayersAreThere(RenderRequest one, SceneDescription scene, AovOutputs aovs)
+    {
+        SceneLoadResult result = SceneFile.Load(one.ScenePath, _ => scene, ReadPicture, one.Settings, one.Frame);
+        if (result.Scene is null)
+        {
+            return false;
+        }
+
+        try
+        {
+            aovs.Add(Rendering.LightLayerFilm.NamesOf(result.Scene, one.Layers));
+            return aovs.Files.All(o => IsThere(o, scene, one));
+        }
+        catch (ArgumentException)
+        {
+            // Rendering it says what is wrong.
+            return false;
+        }
+    }
 
     private static bool IsThere(string path, SceneDescription scene, RenderRequest one)
     {
@@ -161,19 +259,22 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
         return FinishedPicture.IsFilm(path, ContentHash.Of(scene, one.ScenePath, one.Area), isOpen ? null : SampleShares.Of(one, scene.Render));
     }
 
-    private void Add(RenderOutcome outcome)
+    // A film that has all the samples that there may be would have liked to have more.
+    private static bool IsNoisy(string path, SceneDescription scene, RenderRequest one) =>
+        one.Noise is not null && (FilmFile.IsNamed(path) ? FilmFile.ReadHeader(path).Wanted.End >= scene.Render.SamplesPerPixel : FinishedPicture.IsNoisy(path));
+
+    private void Add(int frame, RenderDescription render)
     {
-        if (_animated.Length == 0)
+        if (KeptPattern is not { } pattern)
         {
             return;
         }
 
-        double rate = request.FramesPerSecond ?? outcome.Scene.Render.FramesPerSecond / _frames.Step;
-        KeyValuePair<string, string>[] texts = [new("Software", CommandLine.Version), new("Command", request.CommandText)];
-        _animation ??= new(request.Writing with { Metadata = texts }, 1 / rate);
+        double rate = request.FramesPerSecond ?? render.FramesPerSecond / _frames.Step;
+        _animation ??= new([new("Software", CommandLine.Version), new("Command", request.CommandText)], 1 / rate);
         try
         {
-            _animation.Add(outcome.Film);
+            _animation.Add(File.ReadAllBytes(FrameRange.Name(pattern, frame)));
         }
         catch (ArgumentException e)
         {
@@ -189,6 +290,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
             try
             {
                 _animation!.Write(path);
+                _written.Add(path);
                 Say($"wrote {path}, {_animation.Count} frames");
             }
             catch (ImageWriteException e)
@@ -242,6 +344,13 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
 
             json.WriteEndArray();
             json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        json.WriteStartArray("outputs");
+        foreach (string path in _written)
+        {
+            json.WriteStringValue(path);
         }
 
         json.WriteEndArray();

@@ -65,7 +65,8 @@ internal static class ImageOutputs
             throw new CommandException(ExitStatus.Usage, e.Message.TrimEnd('.'));
         }
 
-        TryFolder(path);
+        AtomicFile.Sweep(path, DateTime.UtcNow - LongestPause);
+        AtomicFile.Try(path);
     }
 
     /// <summary>Writes an image to several files; says of each that cannot be written why.</summary>
@@ -114,23 +115,5 @@ internal static class ImageOutputs
         }
 
         return written;
-    }
-
-    // Access rights, read-only file systems and quotas have too many forms to be looked up: try it.
-    private static void TryFolder(string path)
-    {
-        FileInfo file = new(path);
-        string target = file.LinkTarget is null ? file.FullName : file.ResolveLinkTarget(returnFinalTarget: true)!.FullName;
-        AtomicFile.Sweep(target, DateTime.UtcNow - LongestPause);
-        string probe = AtomicFile.Temporary(target);
-        try
-        {
-            using FileStream stream = new(probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            string reason = e is UnauthorizedAccessException ? "access to the folder is denied" : e.Message.Replace(probe, "a file in its folder", StringComparison.Ordinal);
-            throw new ImageWriteException($"Cannot write '{path}': {reason.TrimEnd('.')}.", e);
-        }
     }
 }

@@ -22,6 +22,15 @@ internal sealed class LongRenderOptions
         command.Options.Add(_interval.Symbol);
     }
 
+    /// <summary>Warns of an interval of checkpoints where there are none.</summary>
+    public void WarnOfUnused(ParseResult result, RenderRequest request, Streams streams)
+    {
+        if (request.Checkpoint is null && _interval.Value(result) is not null)
+        {
+            streams.Warn("--checkpoint-interval has no effect: there are no checkpoints without --checkpoint FILE");
+        }
+    }
+
     /// <summary>A request with what was asked for.</summary>
     public RenderRequest Put(ParseResult result, RenderRequest request) => request with
     {

@@ -46,6 +46,7 @@ internal sealed class MergeVerb
             ImageOutputs.CheckFilm(output);
         }
 
+        _writing.WarnOfUnused(result, outputs, streams);
         StageTimes stages = _verbose.Times(result, streams);
         FilmMerge merge = Open(result.GetValue(_parts)!);
         if (merge.Missing is { } missing)

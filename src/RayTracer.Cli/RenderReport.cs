@@ -43,7 +43,8 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         if (_statistics.Cancelled)
         {
             string files = written.Count > 0 ? $"the image so far is in {string.Join(" and ", written)}" : "no image was written";
-            streams.Warn($"stopped after {_statistics.Paths} paths; {files}");
+            string frame = request.IsOfSequence ? $"frame {request.Frame} was " : "";
+            streams.Warn($"{frame}stopped after {_statistics.Paths} paths; {files}");
         }
     }
 

@@ -71,6 +71,9 @@ internal sealed record RenderRequest
     /// <summary>Whether the picture is one of several frames, which are not written before they are whole.</summary>
     public bool IsOfSequence { get; init; }
 
+    /// <summary>The output that is a frame kept for an animated PNG, and has no images beside it; null where there is none.</summary>
+    public string? Kept { get; init; }
+
     /// <summary>How many frames of an animated PNG are shown a second; null for what the scene says.</summary>
     public double? FramesPerSecond { get; init; }
 

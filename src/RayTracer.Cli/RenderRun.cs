@@ -104,7 +104,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         if (request.Layers.Count > 0)
         {
             options = options with { Layers = _light = LayersFor(scene, film) };
-            aovs?.Add(_light);
+            aovs?.Add(_light.Names);
         }
 
         _auxiliary = new(film, request.Aovs);
@@ -271,6 +271,8 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
             new("Samples", $"{outcome.SamplesText}{(outcome.Statistics.Cancelled ? $", unfinished: {outcome.Statistics.Paths} paths" : "")}"),
             new("FilmHash", outcome.Hash),
             .. outcome.RangeText is { } range ? [KeyValuePair.Create("SampleRange", range)] : Array.Empty<KeyValuePair<string, string>>(),
+            .. outcome.Plan is { } plan && request.Noise is { } wanted
+                ? [KeyValuePair.Create(FinishedPicture.NoiseKey, FinishedPicture.NoiseText(plan.Error, wanted, !outcome.IsNoisy(request)))] : Array.Empty<KeyValuePair<string, string>>(),
             .. request.IsOfSequence ? [KeyValuePair.Create("Content", ContentHash.OfPicture(_description!, request.ScenePath, request.Area))] : Array.Empty<KeyValuePair<string, string>>(),
         ];
         ImageWriteOptions writing = request.Writing with { Metadata = texts };

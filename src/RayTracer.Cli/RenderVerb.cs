@@ -50,6 +50,7 @@ internal sealed class RenderVerb
         command.SetAction(result =>
         {
             RenderRequest request = verb.Request(result);
+            verb.WarnOfUnused(result, request, streams);
             if (FramesRun.Is(request))
             {
                 return new FramesRun(request, s => verb._overrides.Apply(result, s), streams).Run();
@@ -70,6 +71,16 @@ internal sealed class RenderVerb
         return (CommandLine.EmptyWord(result) ?? (result.Errors.Count > 0 ? result.Errors[0].Message : null)) is { } complaint
             ? throw new CommandException(ExitStatus.Usage, complaint)
             : (verb.Request(result), s => verb._overrides.Apply(result, s));
+    }
+
+    private void WarnOfUnused(ParseResult result, RenderRequest request, Streams streams)
+    {
+        _writing.WarnOfUnused(result, request.Outputs, streams, isSeen: request.Preview);
+        _long.WarnOfUnused(result, request, streams);
+        if (request.FramesPerSecond is not null && !FramesRun.MakesAnimation(request))
+        {
+            streams.Warn("--fps has no effect: it is for animated PNGs (-o FILE.png or FILE.apng), and none is written");
+        }
     }
 
     private RenderRequest Request(ParseResult result)
@@ -95,7 +106,7 @@ internal sealed class RenderVerb
             HasSamples = _overrides.HasSamples(result),
             Settings = _overrides.Settings(result),
             OverrideWords = [.. _overrides.Words(result)],
-            CommandText = Shell.Command(result.Tokens.Select(t => t.Value)),
+            CommandText = CommandLine.Text(result),
         };
         request = _display.Put(result, _long.Put(result, request));
         return (FramesRun.Contradiction(request) ?? Contradiction(request)) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : request;

@@ -82,6 +82,7 @@ internal sealed class ResumeVerb
             throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");
         }
 
+        _writing.WarnOfUnused(result, request.Outputs, streams, isSeen: request.Preview);
         return new RenderRun(DisplayOptions.ForTerminal(request, streams), overrides, streams).Run();
     }
 

@@ -26,7 +26,7 @@ internal sealed class SweepVerb
     private SweepVerb(Command command)
     {
         command.Arguments.Add(_scene);
-        _writing = new(command, "The sheet's file: .png, .pfm, .exr or .hdr. May be given several times.");
+        _writing = new(command, "The sheet's file: .png, .jpg, .pfm, .exr or .hdr. May be given several times.");
         _overrides = new(command);
         foreach (Option option in new Option[] { _cell.Symbol, _threads.Symbol }.Concat(_writing.Looks).Concat([_quiet, _json]))
         {
@@ -55,16 +55,24 @@ internal sealed class SweepVerb
             ImageOutputs.Check(output);
         }
 
+        _writing.WarnOfUnused(result, outputs, streams, isSeen: true);
         StageTimes stages = _verbose.Times(result, streams);
         string path = result.GetValue(_scene)!;
         SweepAxes axes = new(_overrides.Settings(result));
         SceneDescription Changed(SceneDescription scene) => Fit(_overrides.Apply(result, scene), result);
+        (int Width, int Height)? size = null;
         foreach (SweepCell cell in axes.Samples)
         {
-            // Before hours of rendering: is there a scene for each value?
-            if (SceneFile.Load(path, streams, Changed, axes.Settings(cell)) is null)
+            // Before hours of rendering: is there a scene for each value, of the size of the others?
+            if (SceneFile.Load(path, streams, Changed, axes.Settings(cell)) is not { } scene)
             {
                 return SceneFile.FailureStatus(path);
+            }
+
+            size ??= (scene.Render.Width, scene.Render.Height);
+            if (size != (scene.Render.Width, scene.Render.Height))
+            {
+                throw new CommandException(ExitStatus.Usage, OtherSize(size.Value.Width, size.Value.Height, scene.Render.Width, scene.Render.Height));
             }
         }
 
@@ -100,7 +108,7 @@ internal sealed class SweepVerb
             if ((outcome.Film.Width, outcome.Film.Height) != (sheet.CellWidth, sheet.CellHeight))
             {
                 failed = ExitStatus.Usage;
-                streams.Fail($"pictures of {sheet.CellWidth}×{sheet.CellHeight} and of {outcome.Film.Width}×{outcome.Film.Height} pixels have no place in one grid: give --width and --height");
+                streams.Fail(OtherSize(sheet.CellWidth, sheet.CellHeight, outcome.Film.Width, outcome.Film.Height));
                 continue;
             }
 
@@ -120,6 +128,9 @@ internal sealed class SweepVerb
         Report(result, axes, films, written, streams);
         return signals.Status != 0 ? signals.Status : failed != ExitStatus.Fine ? failed : written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
+
+    private static string OtherSize(int width, int height, int otherWidth, int otherHeight) =>
+        $"pictures of {width}×{height} and of {otherWidth}×{otherHeight} pixels have no place in one grid: give --width and --height";
 
     private static ContactSheet Sheet(SweepAxes axes, Film film)
     {
@@ -146,7 +157,7 @@ internal sealed class SweepVerb
     private static KeyValuePair<string, string>[] Texts(string path, ParseResult result) =>
     [
         new("Software", CommandLine.Version),
-        new("Command", Shell.Command(result.Tokens.Select(t => t.Value))),
+        new("Command", CommandLine.Text(result)),
         new("Scene", Path.GetFileName(path)),
     ];
 

@@ -75,7 +75,7 @@ internal static class VerifyVerb
         }
         else
         {
-            streams.Output.WriteLine(same ? $"the same to the bit: film {hash}" : $"another picture: the file's film is {claim.Hash}, but rendered anew it is {hash}");
+            streams.Output.WriteLine(same ? $"the same to the bit: film {hash}" : $"another picture: the file's film is {claim.Hash}, but '{claim.Request.ScenePath}' rendered anew is {hash}");
         }
 
         return same ? ExitStatus.Fine : ExitStatus.Different;
@@ -113,9 +113,9 @@ internal static class VerifyVerb
             throw new CommandException(ExitStatus.InputOutput, $"'{file}' is an image beside the picture: only the picture itself can be rendered anew and compared");
         }
 
-        (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([.. words, "--json"]);
+        (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse(["--json", .. words]);
         SampleRange?[] ranges = texts.TryGetValue("SampleRange", out string? samples) ? [.. samples.Split(", ").Select(SampleShares.Range)] : [null];
-        return new(request with { ScenePath = scene ?? PictureOrigin.ScenePath(request.ScenePath, file) }, overrides, ranges, hash);
+        return new(request with { ScenePath = scene ?? PictureOrigin.ScenePath(request.ScenePath, file, request.Outputs) }, overrides, ranges, hash);
     }
 
     /// <summary>What a file says of itself.</summary>

@@ -39,6 +39,32 @@ internal sealed class WritingOptions
     /// <summary>The files.</summary>
     public IReadOnlyList<string> Files(ParseResult result) => result.GetValue(_outputs) ?? [];
 
+    /// <summary>Warns of options of how pictures look that were given, but change none of the files.</summary>
+    /// <param name="result">What was given.</param>
+    /// <param name="files">The files to write.</param>
+    /// <param name="streams">Takes the warnings.</param>
+    /// <param name="isSeen">Whether exposure and tone map are seen elsewhere too.</param>
+    public void WarnOfUnused(ParseResult result, IReadOnlyList<string> files, Streams streams, bool isSeen = false)
+    {
+        foreach (Option option in isSeen ? [] : new Option[] { _exposure.Symbol, _toneMap.Symbol })
+        {
+            WarnOfUnused(result, option, "PNG and JPEG", [".png", ".apng", ".jpg", ".jpeg"], files, streams);
+        }
+
+        WarnOfUnused(result, _bitDepth.Symbol, "PNG", [".png", ".apng"], files, streams);
+        WarnOfUnused(result, _quality.Symbol, "JPEG", [".jpg", ".jpeg"], files, streams);
+        WarnOfUnused(result, _chroma.Symbol, "JPEG", [".jpg", ".jpeg"], files, streams);
+    }
+
+    /// <summary>Warns of an option that was given, but is for formats of which there is no file.</summary>
+    public static void WarnOfUnused(ParseResult result, Option option, string formats, IReadOnlyList<string> endings, IReadOnlyList<string> files, Streams streams)
+    {
+        if (files.Count > 0 && result.GetResult(option) is { Implicit: false } && !files.Any(f => endings.Contains(Path.GetExtension(f).ToLowerInvariant())))
+        {
+            streams.Warn($"{option.Name} has no effect: it is for {formats} files, and none is written");
+        }
+    }
+
     /// <summary>The options of how pictures look that were given, as words of a command line.</summary>
     public IEnumerable<string> Words(ParseResult result) => Looks.Where(o => result.GetResult(o) is { Implicit: false }).SelectMany(o => new[] { o.Name, result.GetResult(o)!.Tokens[^1].Value });
 

@@ -1,3 +1,5 @@
+using System.Text;
+
 namespace RayTracer.Imaging;
 
 /// <summary>
@@ -9,6 +11,7 @@ public static class AtomicFile
     private const string Ending = ".tmp";
     private const int GuidLength = 32;
     private const int LongestStart = 50;
+    private const int LongestName = 255;
 
     /// <summary>Writes a file.</summary>
     /// <param name="path">Where to; the folder must exist. A symbolic link stays one: the file that it names is replaced.</param>
@@ -23,6 +26,7 @@ public static class AtomicFile
             temporary = Temporary(target);
             using (var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Delete, 1 << 16))
             {
+                KeepMode(target, stream);
                 write(stream);
                 stream.Flush(flushToDisk: true);
 
@@ -56,6 +60,23 @@ public static class AtomicFile
         }
     }
 
+    /// <summary>As <see cref="Check"/>; and tries whether the folder takes a file: access rights, read-only file systems and quotas have too many forms to be looked up.</summary>
+    /// <param name="path">Where a file is to be written.</param>
+    /// <exception cref="ImageWriteException">The file cannot be written there.</exception>
+    public static void Try(string path)
+    {
+        string? probe = null;
+        try
+        {
+            probe = Temporary(Target(path));
+            using FileStream stream = new(probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            throw new ImageWriteException($"Cannot write '{path}': {Reason(e, probe)}.", e);
+        }
+    }
+
     /// <summary>Deletes the temporary files that processes which were killed have left beside a file: those of its name that nobody has open or wrote to lately.</summary>
     /// <param name="path">The file that they were to become.</param>
     /// <param name="before">Those that were last written to before this time, UTC.</param>
@@ -82,7 +103,24 @@ public static class AtomicFile
     /// <summary>A name for a temporary file in the folder of the file that it becomes: one of its own for every writer.</summary>
     public static string Temporary(string target) => Path.Combine(Path.GetDirectoryName(target)!, $"{Start(target)}.{Guid.NewGuid():N}{Ending}");
 
-    // Names of files may have no more than 255 bytes.
+    // The rights that the owner of the old file gave: what nobody else may read stays so.
+    private static void KeepMode(string target, FileStream stream)
+    {
+        if (OperatingSystem.IsWindows() || !File.Exists(target))
+        {
+            return;
+        }
+
+        try
+        {
+            File.SetUnixFileMode(stream.SafeFileHandle, File.GetUnixFileMode(target));
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // File systems without rights.
+        }
+    }
+
     private static string Start(string target)
     {
         string name = Path.GetFileName(target);
@@ -104,6 +142,14 @@ public static class AtomicFile
             throw new NotSupportedException("that is a folder");
         }
 
+        // Else it would be found out when the file is renamed: the temporary one has a shorter name.
+        string name = Path.GetFileName(target);
+        int length = OperatingSystem.IsWindows() ? name.Length : Encoding.UTF8.GetByteCount(name);
+        if (length > LongestName)
+        {
+            throw new NotSupportedException($"its name is too long: it has {length} bytes, and names of files have at most {LongestName}");
+        }
+
         string folder = Path.GetDirectoryName(target)!;
         if (!Directory.Exists(folder))
         {
@@ -121,7 +167,9 @@ public static class AtomicFile
         }
 
         string message = e.Message.ReplaceLineEndings(" ").TrimEnd('.');
-        return temporary is null ? message : message.Replace(temporary, "a temporary file beside it", StringComparison.Ordinal);
+
+        // .NET names the file behind most messages.
+        return temporary is null ? message : message.Replace($" : '{temporary}'", "", StringComparison.Ordinal).Replace($"'{temporary}'", "a temporary file beside it", StringComparison.Ordinal);
     }
 
     private static void DeleteUnused(string left)

@@ -70,6 +70,13 @@ public static class ImageFile
         return new(film.Width, film.Height, pixels);
     }
 
+    /// <summary>Reads all that a picture file holds, in one go: it may be a pipe.</summary>
+    /// <param name="path">The file.</param>
+    /// <returns>The picture; its texts, as <see cref="ReadText"/> has them; and of an OpenEXR file the channels that are not of the picture.</returns>
+    /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
+    public static (Picture Picture, IReadOnlyList<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) ReadAll(string path) =>
+        OfFile(path, file => (Decode(file), TextOf(file), file.AsSpan().StartsWith(ExrReader.Signature) ? ExrReader.ReadLayers(file) : []));
+
     /// <summary>Whether a file is there and its first bytes are those of a picture or film.</summary>
     /// <param name="path">The file.</param>
     public static bool IsImage(string path) => FormatOf(path) is not null;
@@ -80,7 +87,7 @@ public static class ImageFile
     {
         try
         {
-            // Pipes, whose length is 0, would lose what is read here.
+            // Who looks into a pipe, whose length is 0, takes from it.
             FileInfo file = new(path);
             if ((file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true)) is not FileInfo { Exists: true, Length: > 0 })
             {
@@ -124,13 +131,15 @@ public static class ImageFile
     /// <summary>Reads the texts that a picture file carries, in their order; of a PFM, none. Comments of a JPEG that name no key are called "Comment".</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
-    public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, file =>
+    public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, TextOf);
+
+    private static IReadOnlyList<KeyValuePair<string, string>> TextOf(byte[] file) =>
         file.StartsWith(PngReader.Signature) ? PngReader.ReadText(file)
         : file.StartsWith(ExrReader.Signature) ? ExrReader.ReadText(file)
         : file.StartsWith(JpegReader.Signature) ? JpegReader.ReadText(file)
         : file.StartsWith(HdrReader.Signature) ? HdrReader.ReadText(file)
         : PfmReader.IsPfm(file) || file.StartsWith(FilmFile.Signature) ? []
-        : throw Unknown());
+        : throw Unknown();
 
     /// <summary>
     /// Writes an image, row by row, in the format that the extension names (.png, .jpg, .jpeg, .pfm, .exr or .hdr). The file is there whole or not at
@@ -242,6 +251,13 @@ public static class ImageFile
     private static byte[] Content(string path)
     {
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
+        if (!stream.CanSeek)
+        {
+            using MemoryStream all = new();
+            stream.CopyTo(all);
+            return all.ToArray();
+        }
+
         if (stream.Length > Array.MaxLength)
         {
             throw new PictureException($"it has {stream.Length} bytes, more than 2 GiB");

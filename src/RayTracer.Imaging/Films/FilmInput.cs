@@ -59,7 +59,7 @@ internal sealed class FilmInput(Stream stream)
     {
         if (_reading is { } reading)
         {
-            ((IAsyncResult)reading).AsyncWaitHandle.WaitOne();
+            Task.WaitAny(reading);
         }
     }
 

@@ -68,7 +68,15 @@ public static class JpegReader
             {
                 string text = Encoding.UTF8.GetString(data).TrimEnd('\0');
                 int colon = text.IndexOf(": ", StringComparison.Ordinal);
-                texts.Add(colon > 0 ? new(text[..colon], text[(colon + 2)..]) : new("Comment", text));
+                KeyValuePair<string, string> read = colon > 0 ? new(text[..colon], text[(colon + 2)..]) : new("Comment", text);
+                if (texts is [.., var last] && read.Key == last.Key + JpegWriter.Continued)
+                {
+                    texts[^1] = new(last.Key, last.Value + read.Value);
+                }
+                else
+                {
+                    texts.Add(read);
+                }
             }
         }
 

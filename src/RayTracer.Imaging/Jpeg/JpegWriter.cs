@@ -12,6 +12,9 @@ public static class JpegWriter
     /// <summary>The largest width and height of a JPEG file.</summary>
     public const int MaxSide = 65_535;
 
+    /// <summary>What follows a text's key where the text goes on.</summary>
+    internal const string Continued = " (continued)";
+
     // What a segment holds behind its own length.
     private const int MostBytes = 65_533;
 
@@ -23,7 +26,7 @@ public static class JpegWriter
     /// <param name="image">Linear RGB; what lies outside [0, 1] is cut off, NaN becomes 0.</param>
     /// <param name="quality">1 to 100, on libjpeg's scale.</param>
     /// <param name="chroma">How many differences of colour are kept; null for all from quality 90 on, below it a quarter.</param>
-    /// <param name="metadata">Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes is left out.</param>
+    /// <param name="metadata">Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes goes on in further ones, called <c>key (continued)</c>.</param>
     /// <exception cref="ArgumentException">A quality outside its range, or an image that is too large for the format.</exception>
     public static void Write(Stream output, IImageRows image, int quality = StandardQuality, JpegChroma? chroma = null, IEnumerable<KeyValuePair<string, string>>? metadata = null)
     {
@@ -54,10 +57,23 @@ public static class JpegWriter
         WriteSegment(output, 0xE0, [.. "JFIF\0"u8, 1, 1, 0, 0, 1, 0, 1, 0, 0]);
         foreach ((string key, string value) in metadata)
         {
-            byte[] text = Encoding.UTF8.GetBytes($"{key}: {value}");
-            if (text.Length <= MostBytes)
+            ReadOnlySpan<byte> rest = Encoding.UTF8.GetBytes(value);
+            for (string name = key; ; name = key + Continued)
             {
-                WriteSegment(output, 0xFE, text);
+                byte[] start = Encoding.UTF8.GetBytes($"{name}: ");
+                int length = Math.Min(rest.Length, MostBytes - start.Length);
+                while (length < rest.Length && (rest[length] & 0xC0) == 0x80)
+                {
+                    // Not within a character.
+                    length--;
+                }
+
+                WriteSegment(output, 0xFE, [.. start, .. rest[..length]]);
+                rest = rest[length..];
+                if (rest.IsEmpty)
+                {
+                    break;
+                }
             }
         }
 

@@ -25,12 +25,15 @@ internal sealed class ExrChannelRows
         for (int i = 0; i < _sorted.Length; i++)
         {
             string name = _sorted[i].Name;
-            if (name.Length is 0 or > ExrFormat.LongName || name.Any(c => c is <= ' ' or > '~') || (i > 0 && _sorted[i - 1].Name == name))
+            if (!CanHold(name) || (i > 0 && _sorted[i - 1].Name == name))
             {
                 throw new ArgumentException($"OpenEXR cannot hold the channel '{name}': a name has 1 to 255 printable ASCII characters, and is there only once.", nameof(layers));
             }
         }
     }
+
+    /// <summary>Whether a channel may be called so.</summary>
+    public static bool CanHold(string name) => name.Length is > 0 and <= ExrFormat.LongName && name.All(c => c is > ' ' and <= '~');
 
     /// <summary>The channels, in the order in which rows hold them.</summary>
     public IReadOnlyList<ExrLayerChannel> Channels => _sorted;

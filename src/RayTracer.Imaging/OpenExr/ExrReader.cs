@@ -69,6 +69,34 @@ public static class ExrReader
     public static IReadOnlyList<string> ChannelNames(ReadOnlySpan<byte> file) =>
         [.. ExrHeader.Parse(file).Channels.Where(c => c is { StepX: 1, StepY: 1 }).Select(c => c.Name)];
 
+    /// <summary>Reads the channels of a file that are not of its picture and have a value for every pixel.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <returns>They can be written as they are. They are in memory, 8 bytes a value.</returns>
+    /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
+    public static IReadOnlyList<ExrLayerChannel> ReadLayers(ReadOnlySpan<byte> file)
+    {
+        ExrHeader header = ExrHeader.Parse(file);
+        int[] targets = Targets(header);
+        ILookup<string, ExrChannel> byName = header.Channels.ToLookup(c => c.Name);
+        double[]?[] all = [.. header.Channels.Select((c, i) =>
+            targets[i] < 0 && c is { StepX: 1, StepY: 1 } && byName[c.Name].Count() == 1 && ExrChannelRows.CanHold(c.Name) ? new double[(long)header.Width * header.Height] : null)];
+        if (Array.TrueForAll(all, a => a is null))
+        {
+            return [];
+        }
+
+        ReadRows(file, header, ExrBlock.Find(file, header), (values, number, x, y) =>
+        {
+            ExrChannel channel = header.Channels[number];
+            for (int i = 0; all[number] is { } own && i < values.Length / channel.ValueBytes; i++)
+            {
+                own[((long)y * header.Width) + x + i] = Value(values[(i * channel.ValueBytes)..], channel.Type);
+            }
+        });
+        int width = header.Width;
+        return [.. header.Channels.Zip(all).Where(c => c.Second is not null).Select(c => new ExrLayerChannel(c.First.Name, c.First.Type, (y, row) => c.Second.AsSpan(y * width, width).CopyTo(row.Span)))];
+    }
+
     /// <summary>Adds channels up to a picture.</summary>
     /// <param name="file">The whole file.</param>
     /// <param name="parts">By the name of a channel, to which channel of the picture it is added, from 0, and what it is multiplied by. Other channels are skipped.</param>

@@ -1,5 +1,4 @@
 using System.Buffers.Binary;
-using System.IO.Compression;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
@@ -8,11 +7,12 @@ namespace RayTracer.Imaging;
 /// An animated PNG (W3C PNG specification, third edition, sections 11.3.4.1 to 11.3.4.3): pictures of one size, shown one after the other without end.
 /// Programs that know no animation show the first. The compressed pictures are in memory until they are written.
 /// </summary>
-/// <param name="options">How each picture is written.</param>
+/// <param name="texts">Texts to keep in the file.</param>
 /// <param name="secondsPerFrame">How long each picture is shown.</param>
-public sealed class AnimatedPng(ImageWriteOptions options, double secondsPerFrame)
+public sealed class AnimatedPng(IEnumerable<KeyValuePair<string, string>> texts, double secondsPerFrame)
 {
     private readonly List<byte[]> _frames = [];
+    private int _bitDepth;
     private int _width;
     private int _height;
 
@@ -20,23 +20,36 @@ public sealed class AnimatedPng(ImageWriteOptions options, double secondsPerFram
     public int Count => _frames.Count;
 
     /// <summary>Adds a picture.</summary>
-    /// <param name="image">Linear RGB.</param>
+    /// <param name="png">A whole PNG file, as <see cref="PngWriter"/> makes it.</param>
+    /// <exception cref="PictureException">It is damaged.</exception>
     /// <exception cref="ArgumentException">It has another size than the first.</exception>
-    public void Add(IImageRows image)
+    public void Add(ReadOnlySpan<byte> png)
     {
-        if (_frames.Count > 0 && (image.Width, image.Height) != (_width, _height))
-        {
-            throw new ArgumentException($"The pictures of an animated PNG have one size: {image.Width}×{image.Height} follows {_width}×{_height}.", nameof(image));
-        }
-
-        (_width, _height) = (image.Width, image.Height);
         using MemoryStream data = new();
-        using (ZLibStream zlib = new(data, CompressionLevel.Optimal, leaveOpen: true))
+        PngChunks chunks = new(png);
+        while (chunks.Next())
         {
-            PngWriter.WriteRows(zlib, new ToneMappedRows(image, options.ToneMap, options.Exposure), options.BitDepth);
+            if (chunks.Type == "IHDR")
+            {
+                Fit(BinaryPrimitives.ReadInt32BigEndian(chunks.Data), BinaryPrimitives.ReadInt32BigEndian(chunks.Data[4..]), chunks.Data[8]);
+            }
+            else if (chunks.Type == "IDAT")
+            {
+                data.Write(chunks.Data);
+            }
         }
 
         _frames.Add(data.ToArray());
+    }
+
+    private void Fit(int width, int height, int bitDepth)
+    {
+        if (_frames.Count > 0 && (width, height, bitDepth) != (_width, _height, _bitDepth))
+        {
+            throw new ArgumentException($"The pictures of an animated PNG have one size: {width}×{height} follows {_width}×{_height}.", nameof(width));
+        }
+
+        (_width, _height, _bitDepth) = (width, height, bitDepth);
     }
 
     /// <summary>Writes the file, whole or not at all (<see cref="AtomicFile"/>).</summary>
@@ -55,12 +68,12 @@ public sealed class AnimatedPng(ImageWriteOptions options, double secondsPerFram
 
     private void Write(Stream output)
     {
-        PngWriter.WriteStart(output, _width, _height, options.BitDepth);
+        PngWriter.WriteStart(output, _width, _height, _bitDepth);
         Span<byte> control = stackalloc byte[8];
         control.Clear();
         BinaryPrimitives.WriteInt32BigEndian(control, _frames.Count);
         PngChunkStream.WriteChunk(output, "acTL"u8, control);
-        PngWriter.WriteTexts(output, options.Metadata);
+        PngWriter.WriteTexts(output, texts);
         int sequence = 0;
         for (int i = 0; i < _frames.Count; i++)
         {

@@ -20,10 +20,16 @@ public sealed record PictureOrigin(string Scene, IReadOnlyList<KeyValuePair<stri
         ? new(x, y, w, h) : null;
 
     /// <summary>Where the scene of a film or image is: where it was, or beside the file.</summary>
-    public static string ScenePath(string scene, string file)
+    /// <param name="scene">The scene as the command named it, from the folder where that ran.</param>
+    /// <param name="file">The film or image.</param>
+    /// <param name="outputs">The files that the command wrote, as it named them: <paramref name="file"/> tells from which folder.</param>
+    public static string ScenePath(string scene, string file, IEnumerable<string>? outputs = null)
     {
-        string beside = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, Path.GetFileName(scene));
-        return File.Exists(scene) || !File.Exists(beside) ? scene : beside;
+        string full = Path.GetFullPath(file);
+        IEnumerable<string> folders = (outputs ?? []).Select(o => o.StartsWith("./", StringComparison.Ordinal) ? o[2..] : o).Where(o => full.EndsWith(Path.DirectorySeparatorChar + o, StringComparison.Ordinal)).Select(o => full[..^o.Length]);
+        string beside = Path.Combine(Path.GetDirectoryName(full)!, Path.GetFileName(scene));
+        string? found = folders.Select(f => Path.Combine(f, scene)).Append(scene).Append(beside).FirstOrDefault(File.Exists);
+        return found is null || Path.GetFullPath(found) == Path.GetFullPath(scene) ? scene : found;
     }
 
     /// <summary>What a film says.</summary>
@@ -67,7 +73,7 @@ public sealed record PictureOrigin(string Scene, IReadOnlyList<KeyValuePair<stri
             }
         }
 
-        return scene is null ? throw new DocumentException($"{Path.GetFileName(file)} does not say which scene it shows") : new(Path.GetFullPath(ScenePath(scene, file)), options);
+        return scene is null ? throw new DocumentException($"{Path.GetFileName(file)} does not say which scene it shows") : new(Path.GetFullPath(ScenePath(scene, file, options.Where(o => o.Key is "-o" or "--output").Select(o => o.Value))), options);
     }
 
     private string? Last(string option) => Options.LastOrDefault(o => o.Key == option).Value;

@@ -27,34 +27,15 @@ public sealed class LightLayerFilm
     /// <exception cref="ArgumentException">The integrator has no light to split, or there are more than <see cref="MostLights"/> names of lights.</exception>
     public LightLayerFilm(Film film, Scene scene, IEnumerable<LightLayer> kinds)
     {
-        if (!Splits(scene.Render.Integrator))
-        {
-            throw new ArgumentException($"The integrator {scene.Render.Integrator} has no light that could be split.", nameof(scene));
-        }
-
         _film = film;
         Groups = new(scene);
-        HashSet<LightLayer> wanted = [.. kinds];
-        if (wanted.Contains(LightLayer.Lights) && Groups.Names.Count > MostLights)
-        {
-            throw new ArgumentException($"The scene has {Groups.Names.Count} names of lights, and there are at most {MostLights} layers of them.", nameof(scene));
-        }
-
-        List<string> names = [];
-        _place = new int[FirstLight + Groups.Names.Count];
-        for (int i = 0; i < _place.Length; i++)
-        {
-            bool isKept = wanted.Contains(i < FirstLight ? (LightLayer)i : LightLayer.Lights);
-            _place[i] = isKept ? names.Count : -1;
-            if (isKept)
-            {
-                names.Add(i < FirstLight ? ((LightLayer)i).ToString().ToLowerInvariant() : $"{LightPrefix}{Groups.Names[i - FirstLight]}");
-            }
-        }
-
-        Names = names;
-        _sums = [.. names.Select(_ => new Int128[checked(3L * film.Width * film.Height)])];
+        (_place, Names) = Places(scene, Groups, kinds);
+        _sums = [.. Names.Select(_ => new Int128[checked(3L * film.Width * film.Height)])];
     }
+
+    /// <summary>The names of the layers that a scene's film would have.</summary>
+    /// <inheritdoc cref="LightLayerFilm(Film, Scene, IEnumerable{LightLayer})"/>
+    public static IReadOnlyList<string> NamesOf(Scene scene, IEnumerable<LightLayer> kinds) => Places(scene, new(scene), kinds).Names;
 
     /// <summary>What the names of layers of <see cref="LightLayer.Lights"/> begin with.</summary>
     public const string LightPrefix = "light.";
@@ -84,6 +65,34 @@ public sealed class LightLayerFilm
     /// <summary>A layer as an image.</summary>
     /// <param name="layer">Its place among <see cref="Names"/>.</param>
     public IImageRows Image(int layer) => new Rows(this, _sums[layer]);
+
+    private static (int[] Places, IReadOnlyList<string> Names) Places(Scene scene, LightGroups groups, IEnumerable<LightLayer> kinds)
+    {
+        if (!Splits(scene.Render.Integrator))
+        {
+            throw new ArgumentException($"The integrator {scene.Render.Integrator} has no light that could be split.", nameof(scene));
+        }
+
+        HashSet<LightLayer> wanted = [.. kinds];
+        if (wanted.Contains(LightLayer.Lights) && groups.Names.Count > MostLights)
+        {
+            throw new ArgumentException($"The scene has {groups.Names.Count} names of lights, and there are at most {MostLights} layers of them.", nameof(scene));
+        }
+
+        List<string> names = [];
+        int[] places = new int[FirstLight + groups.Names.Count];
+        for (int i = 0; i < places.Length; i++)
+        {
+            bool isKept = wanted.Contains(i < FirstLight ? (LightLayer)i : LightLayer.Lights);
+            places[i] = isKept ? names.Count : -1;
+            if (isKept)
+            {
+                names.Add(i < FirstLight ? ((LightLayer)i).ToString().ToLowerInvariant() : $"{LightPrefix}{groups.Names[i - FirstLight]}");
+            }
+        }
+
+        return (places, names);
+    }
 
     /// <summary>Adds what a sample of a pixel has of a layer, in the film's units.</summary>
     /// <param name="layer">The layer's number among all that the scene has.</param>

@@ -65,6 +65,13 @@ public sealed class BackgroundRendersTests
         Assert.Throws<SessionException>(() => background.Frames(3, 2, "frame-##.png", false));
         Assert.Throws<SessionException>(() => background.Frames(2, 3, "frame.png", false));
 
+        // The command takes the Studio's frames for its own, and the Studio the command's.
+        string frame = Path.Combine(test.Folder, "frame-05.png");
+        Assert.True(FinishedPicture.Is(frame, texts["Content"], "raytracer render ./scene.json --frames 5 --tonemap clamp -o elsewhere.png"));
+        Assert.False(FinishedPicture.Is(frame, texts["Content"], "raytracer render ./scene.json --frames 5 --tonemap aces -o frame-05.png"));
+        ImageFile.Write(frame, ImageFile.Read(frame), new() { Metadata = [.. texts.Where(t => t.Key != "Command"), new("Command", "raytracer render scene.json --frames 5 -o frame-05.png")] });
+        Assert.EndsWith("; 3 were there already", await Job(test, () => background.Frames(4, 6, "frame-##.png", overwrite: true)), StringComparison.Ordinal);
+
         // A frame is opened as what it shows.
         test.Session.Files.Open(Path.Combine(test.Folder, "frame-05.png"));
         await test.Session.Document.WhenBuilt();
@@ -72,10 +79,33 @@ public sealed class BackgroundRendersTests
         Assert.Equal(texts["FilmHash"], await test.FilmHash());
     }
 
-    private static async Task<ShownScene> Open(TestSession test)
+    [Fact]
+    public async Task What_is_cancelled_leaves_all_files_as_they_were()
+    {
+        using TestSession test = new();
+        await Open(test, Scene.Replace("\"samplesPerPixel\": 7", "\"samplesPerPixel\": 4000000", StringComparison.Ordinal));
+        BackgroundRenders background = test.Session.Background;
+        string old = Path.Combine(test.Folder, "part.rtfilm");
+        await File.WriteAllTextAsync(old, "a file of before");
+        Assert.Equal("part 2 of 2: part.rtfilm: cancelled", await Cancelled(test, () => background.Part(2, 2, "part.rtfilm", overwrite: true)));
+        Assert.Equal("frames 0 to 9: cancelled", await Cancelled(test, () => background.Frames(0, 9, "frame-#.png", overwrite: false)));
+        Assert.Equal("a file of before", await File.ReadAllTextAsync(old));
+        Assert.Equal([old, Path.Combine(test.Folder, "scene.json")], Directory.EnumerateFiles(test.Folder).Order(StringComparer.Ordinal));
+    }
+
+    private static async Task<string> Cancelled(TestSession test, Func<int> start)
+    {
+        int before = test.Session.Notices.Newest?.Id ?? 0;
+        int job = start();
+        await test.Until(() => test.Session.Jobs.Running.FirstOrDefault(j => j.Id == job && j.Fraction > 0));
+        test.Session.Jobs.Cancel(job);
+        return (await test.Until(() => test.Session.Jobs.Running.Count == 0 && test.Session.Notices.Newest is { } newest && newest.Id > before ? newest : null)).Text;
+    }
+
+    private static async Task<ShownScene> Open(TestSession test, string text = Scene)
     {
         string scene = Path.Combine(test.Folder, "scene.json");
-        await File.WriteAllTextAsync(scene, Scene);
+        await File.WriteAllTextAsync(scene, text);
         test.Session.Files.Open(scene);
         await test.Session.Document.WhenBuilt();
         return await test.Until(() => test.Session.View.Shown is { } shown && shown.Good.Revision == test.Session.Document.Revision ? shown : null);

@@ -63,7 +63,7 @@ public class ConvertTests
         {
             foreach (string to in kinds)
             {
-                Assert.Equal(new CliRun(0, "", ""), CliRun.Of("convert", folder[$"a.{from}"], folder[$"b.{to}"], "--bit-depth", "16"));
+                Assert.Equal(new CliRun(0, "", ""), CliRun.Of(["convert", folder[$"a.{from}"], folder[$"b.{to}"], .. to == "png" ? ["--bit-depth", "16"] : Array.Empty<string>()]));
                 Picture clamped = ImageFile.Read(folder[$"a.{from}"]);
                 double worst = ImageComparison.Compare(ImageFile.Read(folder[$"b.{to}"]), clamped).LargestDifference;
                 Assert.True(worst <= (to == "png" ? (from == "png" ? 1e-5 : 0.0626) : to == "hdr" ? 0.005 : 0), $"{from} to {to}: {worst}");
@@ -96,6 +96,41 @@ public class ConvertTests
         Assert.Equal(0, CliRun.Of("convert", folder["a.rtfilm"], folder["b.png"]).Status);
         Assert.Equal(0, CliRun.Of("convert", folder["b.png"], folder["b.exr"]).Status);
         Assert.Equal(0, CliRun.Of("verify", folder["b.exr"]).Status);
+    }
+
+    [Fact]
+    public void Layers_go_along_but_for_smaller_pictures()
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder["scene.json"], CliRun.Scene);
+        Assert.Equal(0, CliRun.Of("render", folder["scene.json"], "-o", folder["a.exr"], "--aov", "depth,primitive,lights", "--quiet").Status);
+        Assert.Equal(new CliRun(0, "", ""), CliRun.Of("convert", folder["a.exr"], "-o", folder["b.exr"]));
+        (byte[] from, byte[] to) = (File.ReadAllBytes(folder["a.exr"]), File.ReadAllBytes(folder["b.exr"]));
+        Assert.Equal(ExrReader.ChannelNames(from), ExrReader.ChannelNames(to));
+        Assert.All(ExrReader.ChannelNames(from), name => Assert.Equal(ExrReader.ReadChannel(from, name), ExrReader.ReadChannel(to, name)));
+
+        CliRun small = CliRun.Of("convert", folder["a.exr"], folder["c.exr"], "--width", "8");
+        Assert.Equal(0, small.Status);
+        Assert.Contains("is without the layers depth, light.background, light.unnamed, primitive of", small.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("a.png", "b.hdr", "--exposure 2", "--exposure has no effect: it is for PNG and JPEG files, and none is written")]
+    [InlineData("a.png", "b.jpg", "--bit-depth 16", "--bit-depth has no effect: it is for PNG files, and none is written")]
+    [InlineData("a.png", "c.png", "--exr-type half", "--exr-type has no effect: it is for OpenEXR files, and none is written")]
+    [InlineData("a.png", "c.png", "--quality 50", "--quality has no effect: it is for JPEG files, and none is written")]
+    public void Options_without_effect_are_told(string from, string to, string options, string message)
+    {
+        using TemporaryFolder folder = new();
+        ImageFile.Write(folder[from], new Picture(4, 2));
+        Assert.Equal(new CliRun(0, "", $"raytracer: warning: {message}{Environment.NewLine}"), CliRun.Of(["convert", folder[from], folder[to], .. options.Split(' ')]));
+    }
+
+    [Fact]
+    public void There_is_one_file_to_write()
+    {
+        Assert.Contains("where to?", CliRun.Of("convert", "a.png").Error, StringComparison.Ordinal);
+        Assert.Contains("there is one file to write", CliRun.Of("convert", "a.png", "b.png", "-o", "c.png").Error, StringComparison.Ordinal);
     }
 
     [Theory]

@@ -63,7 +63,36 @@ public sealed class DisplayTests : IDisposable
     public void Without_a_terminal_nothing_is_shown()
     {
         CliRun run = CliRun.Of("render", _scene, "--json", "--preview", "--quiet");
-        Assert.Equal((0, "raytracer: warning: --preview: standard error is no terminal, so nothing is shown there"), (run.Status, run.Error.TrimEnd()));
+        Assert.Equal((0, "raytracer: warning: --preview: standard error is no terminal that shows pictures, so nothing is shown there"), (run.Status, run.Error.TrimEnd()));
+    }
+
+    [Theory]
+    [InlineData(false, "xterm", true)]
+    [InlineData(false, null, true)]
+    [InlineData(false, "dumb", false)]
+    [InlineData(true, "xterm", false)]
+    public void A_dumb_terminal_counts_as_none(bool isRedirected, string? term, bool expected) => Assert.Equal(expected, Streams.IsTerminal(isRedirected, term));
+
+    [Fact]
+    public void A_frame_that_was_stopped_is_named()
+    {
+        using StringWriter error = new();
+        Streams streams = new(TextWriter.Null, error);
+        RenderRequest request = new()
+        {
+            ScenePath = _scene,
+            Outputs = [],
+            Writing = new(),
+            Threads = 1,
+            OverrideWords = [],
+            CommandText = "",
+            Quiet = true,
+            Frames = new(7, 7, 1),
+            IsOfSequence = true,
+        };
+        RenderOutcome outcome = new(SceneFile.Load(_scene, streams)!, new(1, 1), new() { Cancelled = true }, 1, 0);
+        new RenderReport(request, outcome, [], new(null), 0).Write(streams);
+        Assert.Equal("raytracer: warning: frame 7 was stopped after 0 paths; no image was written", error.ToString().TrimEnd());
     }
 
     [Theory]

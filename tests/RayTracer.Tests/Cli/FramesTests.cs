@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Text;
 using System.Text.Json;
+using RayTracer.Cli;
 using RayTracer.Imaging;
 using RayTracer.Tests.Imaging;
 using RayTracer.Textures;
@@ -54,6 +55,81 @@ public sealed class FramesTests : IDisposable
         File.WriteAllText(_scene, Animated("[0, 1, 5]").Replace("\"samplesPerPixel\": 4", "\"samplesPerPixel\": 9", StringComparison.Ordinal));
         Assert.Equal([true, true], Rendered(CliRun.Of(command)));
         Assert.Equal([true, true], Rendered(CliRun.Of([.. command, "--spp", "5"])));
+    }
+
+    [Theory]
+    [InlineData("f#.jpg")]
+    [InlineData("f#.exr")]
+    [InlineData("f#.rtfilm")]
+    public void Damaged_frames_are_rendered_anew(string files)
+    {
+        string[] command = ["render", _scene, "--spp", "1", "--frames", "0..1", "-o", _folder[files], "--json"];
+        Assert.Equal([true, true], Rendered(CliRun.Of(command)));
+        string first = _folder[FrameRange.Name(files, 0)];
+        byte[] whole = File.ReadAllBytes(first);
+        File.WriteAllBytes(first, FilmFile.IsNamed(files) ? [.. whole[..^50], (byte)(whole[^50] ^ 1), .. whole[^49..]] : whole[..^20]);
+        Assert.Equal([true, false], Rendered(CliRun.Of(command)));
+        Assert.Equal(whole, File.ReadAllBytes(first));
+    }
+
+    [Fact]
+    public void Frames_stay_whatever_scene_and_files_are_called_and_in_whatever_order()
+    {
+        string other = Path.Combine(_folder.Path, ".", "scene.json");
+        Assert.Equal([true, true], Rendered(CliRun.Of("render", _scene, "--frames", "0..1", "-o", _folder["f#.png"], "-o", _folder["f#.exr"], "--exposure", "1", "--spp", "1", "--json")));
+        Assert.Equal([false, false], Rendered(CliRun.Of("render", "--spp", "1", "--exposure", "1.0", "--tonemap", "clamp", other, "--frames", "0..1", "-o", Path.Combine(_folder.Path, ".", "f#.png"), "--json")));
+        Assert.Equal([true, true], Rendered(CliRun.Of("render", _scene, "--frames", "0..1", "-o", _folder["f#.png"], "--spp", "1", "--json")));
+    }
+
+    [Fact]
+    public void A_missing_layer_of_light_is_rendered_anew()
+    {
+        string[] command = ["render", _scene, "--spp", "1", "--frames", "0..1", "-o", _folder["f#.png"], "--aov", "direct,lights", "--json"];
+        Assert.Equal([true, true], Rendered(CliRun.Of(command)));
+        Assert.Equal([false, false], Rendered(CliRun.Of(command)));
+        File.Delete(_folder["f0.direct.png"]);
+        File.Delete(_folder["f1.light.background.png"]);
+        Assert.Equal([true, true], Rendered(CliRun.Of(command)));
+    }
+
+    [Theory]
+    [InlineData("f#.png", "2", 5)]
+    [InlineData("f#.rtfilm", "2", 5)]
+    [InlineData("f#.png", "4096", 0)]
+    [InlineData("f#.rtfilm", "4096", 0)]
+    public void Frames_that_are_there_have_the_status_that_they_had(string files, string samples, int status)
+    {
+        string[] command = ["render", _scene, "--frames", "0..1", "-o", _folder[files], "--noise", "20%", "--spp", samples];
+        Assert.Equal(status, CliRun.Of(command).Status);
+        CliRun again = CliRun.Of(command);
+        Assert.Equal(2, again.Output.Split("there already").Length - 1);
+        Assert.Equal(status, again.Status);
+    }
+
+    [Fact]
+    public void A_stopped_animation_goes_on_with_the_frames_that_it_has()
+    {
+        string[] command = ["render", _scene, "--spp", "1", "--frames", "0..3", "-o", _folder["a.png"], "-o", _folder["b.apng"], "--json"];
+        string folder = _folder["a.png.frames"];
+
+        // From the second key on, the camera is where it looks at.
+        string Stepped(string position) => Animated("[0, 1, 5]").Replace("[0, 1, 5] }, ", "[0, 1, 5], \"ease\": \"step\" }, ", StringComparison.Ordinal).Replace("[0, 1, 5.5]", position, StringComparison.Ordinal);
+        File.WriteAllText(_scene, Stepped("[0, 0.5, 0]"));
+        CliRun stopped = CliRun.Of(command);
+        Assert.Equal(3, stopped.Status);
+        Assert.Contains($"the 2 frames so far are kept in '{folder}'", stopped.Error, StringComparison.Ordinal);
+        Assert.Equal(["0000.png", "0001.png"], Directory.GetFiles(folder).Select(Path.GetFileName).Order());
+        Assert.False(File.Exists(_folder["a.png"]));
+
+        File.WriteAllText(_scene, Stepped("[0, 1, 5.5]"));
+        CliRun rest = CliRun.Of(command);
+        Assert.Equal([false, false, true, true], Rendered(rest));
+        Assert.Equal([_folder["a.png"], _folder["b.apng"]], JsonDocument.Parse(rest.Output).RootElement.GetProperty("outputs").EnumerateArray().Select(o => o.GetString()));
+        Assert.False(Directory.Exists(folder));
+        Assert.Equal(File.ReadAllBytes(_folder["a.png"]), File.ReadAllBytes(_folder["b.apng"]));
+
+        Assert.Equal(0, CliRun.Of("render", _scene, "--spp", "1", "--frames", "0..3", "-o", _folder["f#.png"]).Status);
+        Assert.Equal(Enumerable.Range(0, 4).Select(i => ImageFile.Read(_folder[$"f{i}.png"]).Pixels), Frames(File.ReadAllBytes(_folder["a.png"]), out _).Select(f => PngReader.Read(f).Pixels));
     }
 
     [Fact]
@@ -123,6 +199,9 @@ public sealed class FramesTests : IDisposable
     [InlineData("--frames 0..4 --checkpoint c.rtfilm -o f#.png", "--checkpoint is for one picture")]
     [InlineData("-o f.apng", "an animated PNG is made of --frames")]
     [InlineData("--fps 12 -o f.png", "give --frames")]
+    [InlineData("--frames 0..2 -o f.png --denoise", "--denoise writes images beside every frame, and there is only an animated PNG to write")]
+    [InlineData("--frames 0..2 -o f.png --aov depth", "--aov writes images beside every frame, and there is only an animated PNG to write")]
+    [InlineData("--frames 0..2 -o f.png -o g.apng --aov direct", "give -o frame-####.png too")]
     public void Wrong_words_are_told(string words, string message)
     {
         CliRun run = CliRun.Of(["render", _scene, .. words.Split(' ')]);

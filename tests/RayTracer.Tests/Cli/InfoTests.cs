@@ -84,8 +84,8 @@ public sealed class InfoTests : IDisposable
     public void Of_an_image_all_is_told_that_it_says(string name, string format, string compression, string channels, string type, int bits, bool hasTexts)
     {
         string image = _folder[name];
-        string[] aov = name == "a.exr" ? ["--aov", "depth"] : [];
-        string hash = Text(Json(["render", _scene, "-o", image, "--bit-depth", "16", "--chroma", "half", "--json", "--quiet", .. aov]), "filmHash");
+        string[] options = name switch { "a.exr" => ["--aov", "depth"], "a.png" => ["--bit-depth", "16"], "a.jpg" => ["--chroma", "half"], _ => [] };
+        string hash = Text(Json(["render", _scene, "-o", image, "--json", "--quiet", .. options]), "filmHash");
         JsonElement json = Json("info", image, "--json");
         Assert.Equal(
             ("image", format, 24, 16, 1, compression),
@@ -103,9 +103,9 @@ public sealed class InfoTests : IDisposable
     [Fact]
     public void An_animation_tells_its_frames()
     {
-        AnimatedPng animation = new(new(), 0.1);
-        animation.Add(TestPictures.Noise(5, 4));
-        animation.Add(TestPictures.Noise(5, 4, 2));
+        AnimatedPng animation = new([], 0.1);
+        animation.Add(ImageFile.Encode(".png", TestPictures.Noise(5, 4), new()));
+        animation.Add(ImageFile.Encode(".png", TestPictures.Noise(5, 4, 2), new()));
         animation.Write(_folder["a.png"]);
         Assert.Equal(2, Number(Json("info", _folder["a.png"], "--json"), "frames"));
     }

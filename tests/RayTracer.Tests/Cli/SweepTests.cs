@@ -73,6 +73,7 @@ public sealed class SweepTests : IDisposable
     [InlineData(2, "at most 3 lists of values: as columns, as rows and as blocks of rows, but there are 4", "render.seed=1,2", "camera.fieldOfView=20,30", "shapes[0].radius=1,2", "shapes[2].radius=1,2")]
     [InlineData(3, "\"fieldOfView\" must be from 0.001 to 179, but is 300", "camera.fieldOfView=20,300")]
     [InlineData(3, "(did you mean \"fieldOfView\"?)", "camera.fieldOfVew=20,30")]
+    [InlineData(2, "pictures of 20×10 and of 40×10 pixels have no place in one grid: give --width and --height", "render.width=20,40", "render.height=10")]
     public void What_makes_no_sheet_is_refused_before_anything_is_rendered(int status, string message, params string[] settings)
     {
         CliRun run = CliRun.Of(["sweep", _scene, "-o", _folder["a.png"], .. settings.SelectMany(s => new[] { "--set", s })]);

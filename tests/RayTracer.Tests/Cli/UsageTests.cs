@@ -53,6 +53,8 @@ public sealed class UsageTests : IDisposable
     [InlineData("convert SCENE EMPTY", "TO: the word is empty")]
     [InlineData("render SCENE -o a.png --crop 1,2,3", "--crop 1,2,3: expected x,y,w,h")]
     [InlineData("render SCENE -o a.png --crop 1,2,3,-4", "--crop 1,2,3,-4: expected x,y,w,h")]
+    [InlineData("render SCENE --set -o v.png", "--set -o: expected \"=\" and a value")]
+    [InlineData("render -- -x.json --width 9", "unexpected argument \"--width\": options stand before the word --")]
     public void Wrong_words_get_one_line_and_the_usage(string line, string message)
     {
         CliRun run = CliRun.Of([.. line.Replace("SCENE", _scene, StringComparison.Ordinal).Split(' ').Select(w => w == "EMPTY" ? "" : w)]);
@@ -89,6 +91,38 @@ public sealed class UsageTests : IDisposable
         Assert.Equal(2, run.Status);
         Assert.Contains(message, Assert.Single(run.Error.TrimEnd().Split(Environment.NewLine)), StringComparison.Ordinal);
         Assert.False(File.Exists(_folder["a.png"]));
+    }
+
+    [Fact]
+    public void After_two_dashes_all_words_are_names()
+    {
+        CliRun run = CliRun.Of("view", "--columns", "4", "--", "-o.png");
+        Assert.Equal(4, run.Status);
+        Assert.Contains("Cannot read the picture '-o.png': there is no such file", run.Error, StringComparison.Ordinal);
+
+        Assert.Equal(0, CliRun.Of("render", "-o", _folder["a.png"], "--quiet", "--", _scene).Status);
+        Assert.Equal(0, CliRun.Of("verify", _folder["a.png"]).Status);
+    }
+
+    [Theory]
+    [InlineData("--exposure 3", "--exposure has no effect: it is for PNG and JPEG files, and none is written")]
+    [InlineData("--tonemap aces", "--tonemap has no effect: it is for PNG and JPEG files, and none is written")]
+    [InlineData("--chroma half", "--chroma has no effect: it is for JPEG files, and none is written")]
+    [InlineData("--checkpoint-interval 5", "--checkpoint-interval has no effect: there are no checkpoints without --checkpoint FILE")]
+    [InlineData("--frames 3 --fps 5", "--fps has no effect: it is for animated PNGs (-o FILE.png or FILE.apng), and none is written")]
+    public void Options_without_effect_are_told(string options, string message) =>
+        Assert.Equal(new CliRun(0, "", $"raytracer: warning: {message}{Environment.NewLine}"), CliRun.Of(["render", _scene, "-o", _folder["a.exr"], "--quiet", .. options.Split(' ')]));
+
+    [Fact]
+    public void Options_with_effect_on_one_of_the_files_are_not() =>
+        Assert.Equal(new CliRun(0, "", ""), CliRun.Of("render", _scene, "-o", _folder["a.exr"], "-o", _folder["a.jpg"], "--quiet", "--exposure", "3", "--quality", "50"));
+
+    [Fact]
+    public void A_name_that_is_too_long_is_found_before_the_scene_is_read()
+    {
+        CliRun run = CliRun.Of("render", _folder["missing.json"], "-o", _folder[$"{new string('a', 252)}.png"]);
+        Assert.Equal(4, run.Status);
+        Assert.Contains("its name is too long", run.Error, StringComparison.Ordinal);
     }
 
     [Fact]

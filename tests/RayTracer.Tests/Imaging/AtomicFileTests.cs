@@ -1,3 +1,4 @@
+using System.Runtime.Versioning;
 using RayTracer.Imaging;
 
 namespace RayTracer.Tests.Imaging;
@@ -28,7 +29,7 @@ public sealed class AtomicFileTests : IDisposable
         }));
         Assert.Equal("old", File.ReadAllText(_folder["a"]));
         Assert.Single(Directory.GetFileSystemEntries(_folder.Path));
-        Assert.Equal($"Cannot write '{_folder["a"]}': No space left on device : 'a temporary file beside it'.", error.Message);
+        Assert.Equal($"Cannot write '{_folder["a"]}': No space left on device.", error.Message);
     }
 
     [Fact]
@@ -65,6 +66,21 @@ public sealed class AtomicFileTests : IDisposable
         Assert.Equal(new[] { left[2], other }.Order(), Directory.GetFileSystemEntries(_folder.Path).Order());
     }
 
+    [LinuxFact]
+    [UnsupportedOSPlatform("windows")]
+    public void A_file_that_only_its_owner_may_read_stays_so()
+    {
+        const UnixFileMode Own = UnixFileMode.UserRead | UnixFileMode.UserWrite;
+        File.WriteAllText(_folder["a"], "old");
+        File.SetUnixFileMode(_folder["a"], Own);
+        AtomicFile.Write(_folder["a"], stream =>
+        {
+            Assert.Equal(Own, File.GetUnixFileMode(((FileStream)stream).SafeFileHandle));
+            stream.Write("new"u8);
+        });
+        Assert.Equal(Own, File.GetUnixFileMode(_folder["a"]));
+    }
+
     [Fact]
     public void Long_names_have_temporary_ones_that_are_no_longer_than_names_may_be()
     {
@@ -84,9 +100,11 @@ public sealed class AtomicFileTests : IDisposable
     [InlineData("missing/a", "does not exist")]
     [InlineData("", "that is a folder")]
     [InlineData("file/a", "does not exist")]
+    [InlineData("LONG", "its name is too long: it has 256 bytes, and names of files have at most 255")]
     public void A_place_that_cannot_be_written_is_refused_beforehand_and_in_the_end(string name, string message)
     {
         File.WriteAllText(_folder["file"], "");
+        name = name == "LONG" ? new('a', 256) : name;
         Assert.Contains(message, Assert.Throws<ImageWriteException>(() => AtomicFile.Check(_folder[name])).Message);
         Assert.Contains(message, Assert.Throws<ImageWriteException>(() => AtomicFile.Write(_folder[name], _ => { })).Message);
         Assert.Single(Directory.GetFileSystemEntries(_folder.Path));

@@ -21,6 +21,32 @@ public sealed class ImageFileTests : IDisposable
         TestPictures.AssertSameBits(picture, ImageFile.Read(_folder["renamed.txt"]));
     }
 
+    [LinuxFact]
+    public async Task A_picture_is_read_from_a_pipe_in_one_go()
+    {
+        var picture = new Picture(2, 1, [0, 1, 0, 1, 0, 1]);
+        byte[] file = ImageFile.Encode(".exr", picture, new()
+        {
+            Metadata = [new("Scene", "s.json")],
+            ExrLayers = [new("id.Y", ExrPixelType.Uint, (_, row) => row.Span.Fill(uint.MaxValue))],
+        });
+        using System.IO.Pipes.AnonymousPipeServerStream pipe = new();
+        Task writing = Task.Run(() =>
+        {
+            pipe.Write(file);
+            pipe.Dispose();
+        });
+        string path = $"/proc/self/fd/{pipe.GetClientHandleAsString()}";
+        Assert.False(ImageFile.IsImage(path));
+        (Picture read, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
+        await writing;
+        TestPictures.AssertSameBits(picture, read);
+        Assert.Equal([new("Scene", "s.json")], texts);
+        double[] row = new double[2];
+        Assert.Single(layers).ReadRow(0, row);
+        Assert.Equal(("id.Y", ExrPixelType.Uint, uint.MaxValue), (layers[0].Name, layers[0].Type, row[1]));
+    }
+
     [Theory]
     [InlineData("a.png", 3f)]
     [InlineData("a.pfm", 0.5f)]
