@@ -43,7 +43,7 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
         long start = Stopwatch.GetTimestamp();
         try
         {
-            FilmFile.Write(path, film, header);
+            ImageOutputs.WriteFilm(path, film, header);
             HasFailed = false;
         }
         catch (ImageWriteException e)

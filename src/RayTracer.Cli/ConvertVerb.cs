@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Text;
 using RayTracer.Imaging;
+using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Session;
 using RayTracer.Textures;
@@ -11,7 +12,7 @@ namespace RayTracer.Cli;
 internal sealed class ConvertVerb
 {
     private readonly Argument<string> _from = new("FROM") { Description = "The file to read: a scene of Mitsuba (.xml), a native one (.json) or a model; or an image or a film." };
-    private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene, .json; or an image.", Arity = ArgumentArity.ZeroOrOne };
+    private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene, .json; an image; or a film (.rtfilm), of a file that holds one.", Arity = ArgumentArity.ZeroOrOne };
     private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = "The file to write, in place of TO." };
     private readonly ParsedOption<long?> _width = OptionValues.Integer("--width", "Images: makes them smaller, to this many columns; by itself, the shape stays.", 1, int.MaxValue);
     private readonly ParsedOption<long?> _height = OptionValues.Integer("--height", "Images: the same, rows.", 1, int.MaxValue);
@@ -25,7 +26,7 @@ internal sealed class ConvertVerb
         command.Arguments.Add(_from);
         command.Arguments.Add(_to);
         _writing = new();
-        foreach (Option option in new Option[] { _output }.Concat(_writing.Looks).Concat([_exrType.Symbol, _width.Symbol, _height.Symbol]))
+        foreach (Option option in new Option[] { _output }.Concat(_writing.Looks).Concat([_exrType.Symbol, _writing.ExrFilm, _width.Symbol, _height.Symbol]))
         {
             command.Options.Add(option);
         }
@@ -51,7 +52,7 @@ internal sealed class ConvertVerb
                 : $"scenes are written as .json files, but not as {Quotation.Of(to)} (\"raytracer render\" makes images of them)");
         }
 
-        foreach (Option option in _writing.Looks.Concat([_exrType.Symbol, _width.Symbol, _height.Symbol]).Where(o => isScene && result.GetResult(o) is { Implicit: false }))
+        foreach (Option option in _writing.Looks.Concat([_exrType.Symbol, _writing.ExrFilm, _width.Symbol, _height.Symbol]).Where(o => isScene && result.GetResult(o) is { Implicit: false }))
         {
             throw new CommandException(ExitStatus.Usage, $"{option.Name} is for images: a scene's values are set as in --set render.width=800");
         }
@@ -92,9 +93,15 @@ internal sealed class ConvertVerb
             throw new CommandException(ExitStatus.Usage, $"{SettingOption.Name} {setting.Text}: images have no settings");
         }
 
-        ImageOutputs.Check(target);
+        ImageOutputs.CheckFilm(target);
         _writing.WarnOfUnused(result, [target], streams);
         WritingOptions.WarnOfUnused(result, _exrType.Symbol, "OpenEXR", [".exr"], [target], streams);
+        ImageWriteOptions writing = _writing.Writing(result, [target]) with { ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float };
+        if (writing.TakesFilm(target))
+        {
+            return ConvertFilm(path, target, writing, result, stages);
+        }
+
         (IImageRows image, IEnumerable<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = Read(path);
         stages.EndLoad();
         (int width, int height) = Size(image, (int?)_width.Value(result), (int?)_height.Value(result));
@@ -104,25 +111,38 @@ internal sealed class ConvertVerb
             streams.Warn($"'{target}' is without the layers {LayersOf(layers)} of '{path}': only the picture is made smaller");
         }
 
-        ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), _writing.Writing(result) with
-        {
-            ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float,
-            Metadata = isWhole ? [.. texts] : [],
-            ExrLayers = isWhole ? layers : [],
-        });
+        ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), writing with { Metadata = isWhole ? [.. texts] : [], ExrLayers = isWhole ? layers : [] });
         stages.End("write");
         return ExitStatus.Fine;
     }
+
+    private int ConvertFilm(string path, string target, ImageWriteOptions writing, ParseResult result, StageTimes stages)
+    {
+        if (new[] { _width.Symbol, _height.Symbol }.FirstOrDefault(o => result.GetResult(o) is { Implicit: false }) is { } scaled)
+        {
+            throw new CommandException(ExitStatus.Usage, $"{scaled.Name} is for images: a film has the pixels that it has");
+        }
+
+        (FilmHeader header, Film film) = CarriedFilm.Read(path);
+        stages.EndLoad();
+        ImageOutputs.WriteFilm(target, film, header, writing with { Metadata = FilmTexts.Of(header, film.ComputeHash()), ExrLayers = LayersBeside(path) });
+        stages.End("write");
+        return ExitStatus.Fine;
+    }
+
+    // The layers of an image that carries its film, but for those that are the film.
+    private static IReadOnlyList<ExrLayerChannel> LayersBeside(string path) =>
+        FilmExr.IsNamed(path) ? [.. ImageFile.ReadAll(path).Layers.Where(l => !FilmExr.IsOfFilm(l.Name))] : [];
 
     // What stands before the last point.
     private static string LayersOf(IEnumerable<ExrLayerChannel> channels) => string.Join(", ", channels.Select(c => c.Name.LastIndexOf('.') is > 0 and var point ? c.Name[..point] : c.Name).Distinct());
 
     private static (IImageRows Image, IEnumerable<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) Read(string path)
     {
-        if (FilmFile.IsNamed(path))
+        if (CarriedFilm.Is(path))
         {
-            (FilmHeader header, Rendering.Film film) = FilmFile.Read(path);
-            return header.Samples.Count > 0 ? (film, FilmTexts.Of(header, film.ComputeHash()), []) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
+            (FilmHeader header, Film film) = CarriedFilm.Read(path);
+            return header.Samples.Count > 0 ? (film, FilmTexts.Of(header, film.ComputeHash()), LayersBeside(path)) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
         }
 
         (Picture picture, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);

@@ -15,25 +15,39 @@ internal static class FilmInfo
     /// <param name="streams">Where to write.</param>
     public static void Show(string path, bool withHash, bool json, Streams streams)
     {
-        (FilmHeader header, Film? film) = withHash ? FilmFile.Read(path) : (FilmFile.ReadHeader(path), null);
-        string? hash = film?.ComputeHash();
+        (FilmHeader header, string? hash) = Read(path, withHash);
         long bytes = new FileInfo(path).Length;
         if (json)
         {
-            JsonText.Write(streams, writer => WriteJson(writer, header, hash, bytes));
+            JsonText.Write(streams, writer =>
+            {
+                writer.WriteString("kind", "film");
+                writer.WriteNumber("width", header.Width);
+                writer.WriteNumber("height", header.Height);
+                writer.WriteNumber("fileBytes", bytes);
+                WriteJson(writer, header, hash);
+            });
         }
         else
         {
-            Write(path, header, hash, bytes, streams.Output);
+            streams.Output.WriteLine(path);
+            streams.Output.WriteLine($"film       {header.Width}×{header.Height} pixels, {FilmMemory.Text(bytes)}");
+            Write(header, hash, streams.Output);
         }
+    }
+
+    /// <summary>What a film file, or an image that carries its film, says of the film, and the film's hash where that is wanted.</summary>
+    public static (FilmHeader Header, string? Hash) Read(string path, bool withHash)
+    {
+        (FilmHeader header, Film? film) = withHash ? CarriedFilm.Read(path) : (CarriedFilm.ReadHeader(path), null);
+        return (header, film?.ComputeHash());
     }
 
     private static int Held(FilmHeader header) => header.Samples.Sum(r => r.Count);
 
-    private static void Write(string path, FilmHeader header, string? hash, long bytes, TextWriter output)
+    /// <summary>Tells all but the size for people.</summary>
+    public static void Write(FilmHeader header, string? hash, TextWriter output)
     {
-        output.WriteLine(path);
-        output.WriteLine($"film       {header.Width}×{header.Height} pixels, {FilmMemory.Text(bytes)}");
         output.WriteLine($"samples    {header.SamplesText}: {Held(header)} of {header.Wanted.Count} wanted ({FilmHeader.Text(header.Wanted)}), {(header.IsComplete ? "complete" : "not complete")}");
         output.WriteLine($"total      {header.Total} samples a pixel of the whole picture");
         if (header.Crop is { } crop)
@@ -55,12 +69,9 @@ internal static class FilmInfo
         }
     }
 
-    private static void WriteJson(Utf8JsonWriter json, FilmHeader header, string? hash, long bytes)
+    /// <summary>Tells all but the size for programs, as members of an object.</summary>
+    public static void WriteJson(Utf8JsonWriter json, FilmHeader header, string? hash)
     {
-        json.WriteString("kind", "film");
-        json.WriteNumber("width", header.Width);
-        json.WriteNumber("height", header.Height);
-        json.WriteNumber("fileBytes", bytes);
         json.WriteString("samples", header.SamplesText);
         json.WriteNumber("heldSamples", Held(header));
         json.WriteString("wanted", FilmHeader.Text(header.Wanted));

@@ -8,18 +8,34 @@ internal static class ImageInfo
 {
     /// <summary>Tells it.</summary>
     /// <param name="path">The picture's file.</param>
+    /// <param name="withHash">Whether the film that it carries is read, for its hash.</param>
     /// <param name="json">As one JSON object.</param>
     /// <param name="streams">Where to write.</param>
-    public static void Show(string path, bool json, Streams streams)
+    public static void Show(string path, bool withHash, bool json, Streams streams)
     {
         ImageDescription image = ImageFile.Describe(path);
+        (FilmHeader Header, string? Hash)? film = FilmExr.Is(path) ? FilmInfo.Read(path, withHash) : null;
         if (json)
         {
-            JsonText.Write(streams, writer => WriteJson(writer, image));
+            JsonText.Write(streams, writer =>
+            {
+                WriteJson(writer, image);
+                if (film is { } carried)
+                {
+                    writer.WriteStartObject("film");
+                    FilmInfo.WriteJson(writer, carried.Header, carried.Hash);
+                    writer.WriteEndObject();
+                }
+            });
         }
         else
         {
             Write(path, image, streams.Output);
+            if (film is { } carried)
+            {
+                streams.Output.WriteLine("carries its film:");
+                FilmInfo.Write(carried.Header, carried.Hash, streams.Output);
+            }
         }
     }
 

@@ -1,5 +1,6 @@
 using RayTracer.Imaging;
 using RayTracer.Rendering;
+using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
@@ -25,8 +26,13 @@ internal static class ImageOutputs
 
     /// <summary>Finds out before the work whether a format has room for a picture.</summary>
     /// <exception cref="CommandException">It has not.</exception>
-    public static void CheckSize(IEnumerable<string> paths, int width, int height)
+    public static void CheckSize(IReadOnlyList<string> paths, ImageWriteOptions options, int width, int height)
     {
+        if ((long)width * height > FilmExr.MaxPixels && paths.FirstOrDefault(p => !FilmFile.IsNamed(p) && options.TakesFilm(p)) is { } image)
+        {
+            throw new CommandException(ExitStatus.Usage, $"{image}: {FilmExr.TooLarge}, and the picture has {width}×{height}");
+        }
+
         if (Math.Max(width, height) > JpegWriter.MaxSide && paths.FirstOrDefault(p => Path.GetExtension(p).ToUpperInvariant() is ".JPG" or ".JPEG") is { } jpeg)
         {
             throw new CommandException(ExitStatus.Usage, $"{jpeg}: a JPEG has at most {JpegWriter.MaxSide} pixels a side, and the picture has {width}×{height}");
@@ -40,9 +46,9 @@ internal static class ImageOutputs
     public static void CheckUnfinished(IEnumerable<string> paths, IEnumerable<string> own)
     {
         HashSet<string> free = [.. own.Select(Path.GetFullPath)];
-        foreach (string path in paths.Where(p => FilmFile.IsNamed(p) && !free.Contains(Path.GetFullPath(p))))
+        foreach (string path in paths.Where(p => CarriedFilm.Is(p) && !free.Contains(Path.GetFullPath(p))))
         {
-            if (FilmFile.Unfinished(path) is { } unfinished)
+            if (CarriedFilm.Unfinished(path) is { } unfinished)
             {
                 throw new CommandException(
                     ExitStatus.InputOutput, $"'{path}' holds samples {unfinished.SamplesText} of an unfinished rendering: \"raytracer resume {path}\" goes on with it; delete it to begin anew");
@@ -90,14 +96,32 @@ internal static class ImageOutputs
         return written;
     }
 
-    /// <summary>Writes a film to the files that are named so, and its picture to the others; says of each that cannot be written why.</summary>
+    /// <summary>Writes a film to a film file, or to an OpenEXR image that carries it.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="film">The film.</param>
+    /// <param name="header">What the file says of it.</param>
+    /// <param name="options">How an image is written; null for one with nothing but the film.</param>
+    /// <exception cref="ImageWriteException">It cannot be written.</exception>
+    public static void WriteFilm(string path, Film film, FilmHeader header, ImageWriteOptions? options = null)
+    {
+        if (FilmFile.IsNamed(path))
+        {
+            FilmFile.Write(path, film, header);
+        }
+        else
+        {
+            FilmExr.Write(path, film, header, options ?? new() { Metadata = FilmTexts.Of(header, film.ComputeHash()) });
+        }
+    }
+
+    /// <summary>Writes a film to the files that carry it, and its picture to the others; says of each that cannot be written why.</summary>
     /// <returns>Those that were written.</returns>
     public static IReadOnlyList<string> Write(IEnumerable<string> paths, Film film, FilmHeader header, ImageWriteOptions options, Streams streams)
     {
         List<string> written = [];
         foreach (string path in paths)
         {
-            if (!FilmFile.IsNamed(path))
+            if (!options.TakesFilm(path))
             {
                 written.AddRange(Write([path], film, options, streams));
                 continue;
@@ -105,7 +129,7 @@ internal static class ImageOutputs
 
             try
             {
-                FilmFile.Write(path, film, header);
+                WriteFilm(path, film, header, options);
                 written.Add(path);
             }
             catch (ImageWriteException e)

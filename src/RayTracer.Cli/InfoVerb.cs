@@ -37,7 +37,7 @@ internal static class InfoVerb
                 throw new CommandException(ExitStatus.Usage, $"{SettingOption.Name} {setting.Text}: films and images have no settings");
             }
 
-            if (result.GetValue(hash) && !isFilm)
+            if (result.GetValue(hash) && !isFilm && !FilmExr.Is(path))
             {
                 throw new CommandException(ExitStatus.Usage, "--hash is for films (.rtfilm); an image says its film's hash in a text, where it has one");
             }
@@ -51,7 +51,7 @@ internal static class InfoVerb
             }
             else if (isImage)
             {
-                ImageInfo.Show(path, result.GetValue(json), streams);
+                ImageInfo.Show(path, result.GetValue(hash), result.GetValue(json), streams);
                 stages.EndLoad();
             }
             else

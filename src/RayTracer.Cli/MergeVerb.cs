@@ -8,7 +8,7 @@ namespace RayTracer.Cli;
 /// <summary><c>raytracer merge PART… -o FILE</c>: adds films of different samples of one picture up. In any order, the bits are those of one render.</summary>
 internal sealed class MergeVerb
 {
-    private readonly Argument<string[]> _parts = new("PART") { Description = "The films (.rtfilm).", Arity = new ArgumentArity(1, 100_000) };
+    private readonly Argument<string[]> _parts = new("PART") { Description = "The films: .rtfilm files, or .exr images that carry them (--exr-film).", Arity = new ArgumentArity(1, 100_000) };
     private readonly Option<bool> _partial = new("--partial") { Description = "Allows samples to be missing." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object." };
@@ -19,7 +19,7 @@ internal sealed class MergeVerb
     {
         command.Arguments.Add(_parts);
         _writing = new(command);
-        foreach (Option option in _writing.Looks.Concat([_partial, _quiet, _json]))
+        foreach (Option option in _writing.Looks.Concat([_writing.ExrFilm, _partial, _quiet, _json]))
         {
             command.Options.Add(option);
         }

@@ -90,7 +90,7 @@ internal sealed record RenderRequest
     public ResumedFilm? Resumed { get; init; }
 
     /// <summary>Whether the film must hold whole ranges of samples whenever the rendering stops.</summary>
-    public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Preview || Outputs.Any(FilmFile.IsNamed);
+    public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Preview || Outputs.Any(Writing.TakesFilm);
 
     /// <summary>Whether nothing but errors and warnings is printed.</summary>
     public bool Quiet { get; init; }

@@ -93,7 +93,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         _stages.EndBuild();
-        ImageOutputs.CheckSize(request.Outputs, scene.Render.Width, scene.Render.Height);
+        ImageOutputs.CheckSize(request.Outputs, request.Writing, scene.Render.Width, scene.Render.Height);
         RenderOptions options = Options(scene.Render);
         Film film = request.Resumed?.Film ?? FilmFor(scene);
         if ((film.Width, film.Height) != (scene.Render.Width, scene.Render.Height))

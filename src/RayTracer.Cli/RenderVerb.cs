@@ -35,7 +35,7 @@ internal sealed class RenderVerb
         command.Arguments.Add(_scene);
         _writing = new(command, "The image file: .png, .jpg, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
         _overrides = new(command);
-        foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol, _frames.Symbol, _rate.Symbol]))
+        foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_writing.ExrFilm, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol, _frames.Symbol, _rate.Symbol]))
         {
             command.Options.Add(option);
         }
@@ -132,11 +132,11 @@ internal sealed class RenderVerb
         { Pixel: not null } and ({ Samples: not null } or { Part: not null } or { Time: not null } or { Checkpoint: not null }) =>
             "--pixel goes with --sample only: leave --samples, --part, --time and --checkpoint out",
         { Denoise: true } and ({ NeedsPasses: true } or { Samples: not null } or { Part: not null }) =>
-            "--denoise compares two halves of all samples: it goes neither with shares of them nor with .rtfilm, --checkpoint and --time",
+            "--denoise compares two halves of all samples: it goes neither with shares of them nor with .rtfilm, --exr-film, --checkpoint and --time",
         { Checkpoint: { } checkpoint } when !FilmFile.IsNamed(checkpoint) => $"--checkpoint {checkpoint}: films are written to .rtfilm files",
         { Adaptive: true, Crop: not null } => "--adaptive shares samples out over the whole picture: leave --crop out",
         { Adaptive: true, Denoise: true } => "--denoise compares two halves of equal samples, which --adaptive has not: leave one of them out",
-        { NeedsPasses: true, Layers.Count: > 0 } => "layers of light are of one rendering, which .rtfilm, --checkpoint and --time may cut in pieces: leave one of them out",
+        { NeedsPasses: true, Layers.Count: > 0 } => "layers of light are of one rendering, which .rtfilm, --exr-film, --checkpoint and --time may cut in pieces: leave one of them out",
         { Adaptive: true, Layers.Count: > 0 } => "layers of light are of equal samples, which --adaptive has not: leave one of them out",
         { Outputs.Count: > 0 } and ({ Aovs.Count: > 0 } or { Denoise: true }) when request.Outputs.All(FilmFile.IsNamed) =>
             "--aov and --denoise write images, but there are only films to write: give -o FILE.png or another image too",

@@ -9,7 +9,7 @@ namespace RayTracer.Cli;
 /// <summary><c>raytracer resume FILE</c>: goes on with a film that was not finished, or gives it more samples.</summary>
 internal sealed class ResumeVerb
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "The film (.rtfilm), of --checkpoint or -o. It is brought up to date itself, now and then and at the end." };
+    private readonly Argument<string> _file = new("FILE") { Description = "The film: .rtfilm, of --checkpoint or -o; or an .exr image that carries it (--exr-film). It is brought up to date itself, now and then and at the end." };
     private readonly ParsedOption<long?> _samples = OptionValues.Parameter("--spp", nameof(RenderDescription.SamplesPerPixel));
     private readonly Option<string?> _scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
     private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
@@ -21,7 +21,7 @@ internal sealed class ResumeVerb
     {
         command.Arguments.Add(_file);
         _writing = new(command);
-        foreach (Option option in new Option[] { _samples.Symbol, _scene, _threads.Symbol }.Concat(_writing.Looks))
+        foreach (Option option in new Option[] { _samples.Symbol, _scene, _threads.Symbol }.Concat(_writing.Looks).Append(_writing.ExrFilm))
         {
             command.Options.Add(option);
         }
@@ -50,7 +50,7 @@ internal sealed class ResumeVerb
     private int Run(ParseResult result, Streams streams)
     {
         string file = result.GetValue(_file)!;
-        (FilmHeader header, Film film) = FilmFile.Read(file);
+        (FilmHeader header, Film film) = CarriedFilm.Read(file);
         SampleRange wanted = Wanted(header, (int?)_samples.Value(result));
         int total = Math.Max(header.Total, wanted.End);
         if (_samples.Value(result) is not null)
@@ -65,7 +65,7 @@ internal sealed class ResumeVerb
         {
             ScenePath = scene,
             Outputs = _writing.Files(result),
-            Writing = _writing.Writing(result),
+            Writing = Writing(result, file),
             Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
             Crop = header.Crop is { } c ? [c.X, c.Y, c.Width, c.Height] : null,
             Samples = wanted,
@@ -77,13 +77,33 @@ internal sealed class ResumeVerb
             OverrideWords = words,
             CommandText = Shell.Command(["render", scene, .. words, .. FilmTexts.CropWords(header)]),
         }));
-        if (!FilmFile.IsNamed(request.Checkpoint!))
+        if (request.Checkpoint == file && FilmExr.Is(file))
+        {
+            CheckLayers(file);
+        }
+        else if (!FilmFile.IsNamed(request.Checkpoint!))
         {
             throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");
         }
 
         _writing.WarnOfUnused(result, request.Outputs, streams, isSeen: request.Preview);
         return new RenderRun(DisplayOptions.ForTerminal(request, streams), overrides, streams).Run();
+    }
+
+    // Whoever goes on with an image that carries the film does not lose it.
+    private ImageWriteOptions Writing(ParseResult result, string file)
+    {
+        ImageWriteOptions writing = _writing.Writing(result, [.. _writing.Files(result), file]);
+        return writing with { ExrFilm = writing.ExrFilm || FilmExr.Is(file) };
+    }
+
+    private static void CheckLayers(string file)
+    {
+        if (FilmExr.OtherLayers(file) is { Count: > 0 } layers)
+        {
+            throw new CommandException(
+                ExitStatus.Usage, $"'{file}' has layers that are not made again when more samples come ({string.Join(", ", layers)}): with --checkpoint FILE.rtfilm (and -o) it stays as it is");
+        }
     }
 
     // The samples that the film shall come to hold.

@@ -89,9 +89,9 @@ internal static class VerifyVerb
 
     private static Claim Of(string file, string? scene)
     {
-        if (FilmFile.IsNamed(file))
+        if (CarriedFilm.Is(file))
         {
-            (FilmHeader header, Film film) = FilmFile.Read(file);
+            (FilmHeader header, Film film) = CarriedFilm.Read(file);
             if (header.Samples.Count == 0)
             {
                 throw new CommandException(ExitStatus.InputOutput, $"'{file}' holds no samples yet");

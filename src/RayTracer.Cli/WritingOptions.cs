@@ -36,6 +36,9 @@ internal sealed class WritingOptions
     /// <summary>The options of how pictures look.</summary>
     public IReadOnlyList<Option> Looks { get; }
 
+    /// <summary>The option of verbs that have the film itself: whether .exr files carry it. It is none of <see cref="Looks"/>.</summary>
+    public Option<bool> ExrFilm { get; } = new("--exr-film") { Description = "OpenEXR: the image carries the film itself, from which resume goes on, as from .rtfilm." };
+
     /// <summary>The files.</summary>
     public IReadOnlyList<string> Files(ParseResult result) => result.GetValue(_outputs) ?? [];
 
@@ -69,12 +72,23 @@ internal sealed class WritingOptions
     public IEnumerable<string> Words(ParseResult result) => Looks.Where(o => result.GetResult(o) is { Implicit: false }).SelectMany(o => new[] { o.Name, result.GetResult(o)!.Tokens[^1].Value });
 
     /// <summary>How they are written.</summary>
-    public ImageWriteOptions Writing(ParseResult result) => new()
+    /// <param name="result">What was given.</param>
+    /// <param name="files">The files to write; null for those of -o.</param>
+    /// <exception cref="CommandException">The film shall go into an OpenEXR image, but there is none.</exception>
+    public ImageWriteOptions Writing(ParseResult result, IEnumerable<string>? files = null) => new()
     {
+        ExrFilm = TakesFilm(result, files ?? Files(result)),
         BitDepth = _bitDepth.Value(result) ?? 8,
         Exposure = (float)(_exposure.Value(result) ?? 0),
         ToneMap = _toneMap.Value(result) ?? ToneMap.Clamp,
         JpegQuality = (int)(_quality.Value(result) ?? JpegWriter.StandardQuality),
         JpegChroma = _chroma.Value(result),
     };
+
+    private bool TakesFilm(ParseResult result, IEnumerable<string> files)
+    {
+        bool isWanted = result.GetValue(ExrFilm);
+        return !isWanted || files.Any(FilmExr.IsNamed) ? isWanted
+            : throw new CommandException(ExitStatus.Usage, $"{ExrFilm.Name} is for OpenEXR images, but there are none to write: give -o FILE.exr");
+    }
 }

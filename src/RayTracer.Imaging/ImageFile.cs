@@ -232,23 +232,30 @@ public static class ImageFile
 
     private static PictureException Unknown() => new($"its first bytes are those of no picture format that is read ({Formats})");
 
-    private static T OfFile<T>(string path, Func<byte[], T> read)
+    /// <summary>Reads something from a file, or from its beginning.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="read">Reads it.</param>
+    /// <param name="what">What messages call it.</param>
+    /// <param name="atMost">How many bytes to take of it.</param>
+    /// <exception cref="PictureException">It cannot be read; the message names it.</exception>
+    internal static T OfFile<T>(string path, Func<byte[], T> read, string what = "picture", int? atMost = null)
     {
         try
         {
-            return read(Content(path));
+            return read(Content(path, atMost));
         }
         catch (PictureException e)
         {
-            throw new PictureException($"Cannot read the picture '{path}': {e.Message}.", e);
+            throw new PictureException($"Cannot read the {what} '{path}': {e.Message}.", e);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
-            throw new PictureException($"Cannot read the picture '{path}': {Reason(e)}.", e);
+            throw new PictureException($"Cannot read the {what} '{path}': {Reason(e)}.", e);
         }
     }
 
-    private static byte[] Content(string path)
+    /// <summary>The bytes of a file, or the first ones.</summary>
+    internal static byte[] Content(string path, int? atMost = null)
     {
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
         if (!stream.CanSeek)
@@ -258,12 +265,12 @@ public static class ImageFile
             return all.ToArray();
         }
 
-        if (stream.Length > Array.MaxLength)
+        if (stream.Length > Array.MaxLength && atMost is null)
         {
             throw new PictureException($"it has {stream.Length} bytes, more than 2 GiB");
         }
 
-        var content = new byte[stream.Length];
+        var content = new byte[Math.Min(stream.Length, atMost ?? Array.MaxLength)];
         stream.ReadExactly(content);
         return content;
     }

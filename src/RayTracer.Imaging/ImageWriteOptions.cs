@@ -27,6 +27,12 @@ public sealed record ImageWriteOptions
     /// <summary>PNG, JPEG and OpenEXR: texts to keep in the file, such as the command that made it; see <see cref="PngWriter"/> for what a key may be. PFM has no place for them.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Metadata { get; init; } = [];
 
+    /// <summary>OpenEXR: whether the film itself goes along, as <see cref="FilmExr"/> writes it.</summary>
+    public bool ExrFilm { get; init; }
+
+    /// <summary>Whether a file of some name shall carry the film.</summary>
+    public bool TakesFilm(string path) => FilmFile.IsNamed(path) || (ExrFilm && FilmExr.IsNamed(path));
+
     /// <summary>OpenEXR: channels to write beside those of the image.</summary>
     public IReadOnlyList<ExrLayerChannel> ExrLayers { get; init; } = [];
 }

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Runtime.InteropServices;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
@@ -61,6 +62,40 @@ public static class ExrReader
             }
         });
         return all;
+    }
+
+    /// <summary>Reads channels of unsigned integers, row by row; rows may come in any order.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <param name="header">Its header.</param>
+    /// <param name="names">The channels' names.</param>
+    /// <param name="take">Takes a row's number, from the top, and the values of each channel in it, which do not stay.</param>
+    /// <exception cref="PictureException">The file is damaged or one of tiles, or a channel is missing.</exception>
+    internal static void ReadWords(ReadOnlySpan<byte> file, ExrHeader header, string[] names, Action<int, uint[][]> take)
+    {
+        if (header.IsTiled)
+        {
+            throw new PictureException("another program has written it anew, with tiles, from which its integers are not read");
+        }
+
+        if (names.FirstOrDefault(n => !header.Channels.Any(c => c is { StepX: 1, StepY: 1, Type: ExrPixelType.Uint } && c.Name == n)) is { } missing)
+        {
+            throw new PictureException($"it has no channel {missing} with an unsigned integer for every pixel: another program has written it anew");
+        }
+
+        int[] targets = [.. header.Channels.Select(c => Array.IndexOf(names, c.Name))];
+        uint[][] row = [.. names.Select(_ => new uint[header.Width])];
+        ReadRows(file, header, ExrBlock.Find(file, header), (values, channel, _, y) =>
+        {
+            if (targets[channel] >= 0)
+            {
+                MemoryMarshal.Cast<byte, uint>(values).CopyTo(row[targets[channel]]);
+            }
+
+            if (channel == targets.Length - 1)
+            {
+                take(y, row);
+            }
+        });
     }
 
     /// <summary>The names of the channels of a file that have a value for every pixel.</summary>

@@ -201,7 +201,7 @@ public sealed class SceneFiles
 
     private void OpenPicture(string path)
     {
-        FilmStart? start = FilmFile.IsNamed(path) ? FilmStart.Read(path) : null;
+        FilmStart? start = CarriedFilm.Is(path) ? FilmStart.Read(path) : null;
         PictureOrigin origin = start is null ? PictureOrigin.OfImage(path) : PictureOrigin.Of(start.Header, path);
         if (!File.Exists(origin.Scene))
         {

@@ -28,7 +28,7 @@ public sealed class FilmMerge
     /// <param name="paths">Their files, at least one.</param>
     /// <exception cref="SessionException">They do not go together; the message is a clause.</exception>
     /// <exception cref="PictureException">One cannot be read.</exception>
-    public static FilmMerge Of(IEnumerable<string> paths) => new([.. paths.Select(p => (p, FilmFile.ReadHeader(p)))]);
+    public static FilmMerge Of(IEnumerable<string> paths) => new([.. paths.Select(p => (p, CarriedFilm.ReadHeader(p)))]);
 
     /// <summary>Adds them up. Several at once: checksums take longer than a disk to read what they are of. More than a few only make the disk's way longer.</summary>
     /// <exception cref="PictureException">One cannot be read.</exception>
@@ -41,7 +41,7 @@ public sealed class FilmMerge
         {
             Parallel.ForEach(_parts, new() { MaxDegreeOfParallelism = Math.Min(MostAtOnce, Environment.ProcessorCount), CancellationToken = cancellation }, part =>
             {
-                FilmHeader header = FilmFile.AddTo(part.Path, film, adding);
+                FilmHeader header = CarriedFilm.AddTo(part.Path, film, adding);
                 if (header.Content != part.Header.Content || !header.Samples.SequenceEqual(part.Header.Samples))
                 {
                     throw new PictureException($"Cannot read the film '{part.Path}': it was changed meanwhile.");

@@ -19,7 +19,7 @@ internal static class PictureOptions
         ["--time"] = null,
     };
 
-    private static readonly string[] WithoutValue = ["--denoise", "--adaptive"];
+    private static readonly string[] WithoutValue = ["--denoise", "--adaptive", "--exr-film"];
 
     /// <summary>Whether two commands say the same. Scene, files to write, and all options that the content tells do not count.</summary>
     public static bool AreSame(string command, string other) => Of(command).SetEquals(Of(other));

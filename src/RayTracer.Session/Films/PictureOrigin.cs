@@ -10,7 +10,7 @@ namespace RayTracer.Session;
 /// <param name="Options">The options that replace what it says, and the part: names and values.</param>
 public sealed record PictureOrigin(string Scene, IReadOnlyList<KeyValuePair<string, string>> Options)
 {
-    private static readonly string[] WithoutValue = ["--denoise", "--adaptive", "--quiet", "--verbose", "--json", "--preview"];
+    private static readonly string[] WithoutValue = ["--denoise", "--adaptive", "--quiet", "--verbose", "--json", "--preview", "--exr-film"];
 
     /// <summary>The number of samples; null for the scene's.</summary>
     public int? Samples => Last("--spp") is { } word && int.TryParse(word, CultureInfo.InvariantCulture, out int samples) && samples > 0 ? samples : null;

@@ -43,6 +43,25 @@ public sealed class FilmTests
     }
 
     [Fact]
+    public async Task An_image_that_carries_its_film_is_gone_on_with_as_that_film()
+    {
+        using TestSession test = new();
+        string scene = await Written(test);
+        await OpenFile(test, scene);
+        await test.Done();
+        string whole = await test.FilmHash();
+        (FilmHeader header, Film film) = FilmFile.Read(await Film(test, "part.rtfilm", stopAt: 3));
+        string image = Path.Combine(test.Folder, "part.exr");
+        FilmExr.Write(image, film, header, new());
+        FilmStart? begun = null;
+        test.Session.Files.Opened += (_, start) => begun = start;
+        await OpenFile(test, image);
+        Assert.Equal("0..2", begun?.Header.SamplesText);
+        await test.Done();
+        Assert.Equal(whole, await test.FilmHash());
+    }
+
+    [Fact]
     public async Task A_share_of_the_samples_is_gone_on_with_as_a_share()
     {
         using TestSession test = new();

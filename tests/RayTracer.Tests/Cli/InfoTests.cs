@@ -101,6 +101,15 @@ public sealed class InfoTests : IDisposable
     }
 
     [Fact]
+    public void Of_an_image_that_carries_its_film_both_are_told()
+    {
+        string hash = Text(Json("render", _scene, "-o", _folder["a.exr"], "--exr-film", "--json", "--quiet"), "filmHash");
+        JsonElement json = Json("info", _folder["a.exr"], "--json", "--hash");
+        Assert.Equal(("image", "0..3", hash), (Text(json, "kind"), Text(json.GetProperty("film"), "samples"), Text(json.GetProperty("film"), "filmHash")));
+        Assert.Contains("samples    0..3: 4 of 4 wanted (0..3), complete", CliRun.Of("info", _folder["a.exr"]).Output, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void An_animation_tells_its_frames()
     {
         AnimatedPng animation = new([], 0.1);

@@ -1,0 +1,71 @@
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>Films in any file that carries one: film files (<see cref="FilmFile"/>), and OpenEXR images with the sums as layers (<see cref="FilmExr"/>).</summary>
+public static class CarriedFilm
+{
+    private static readonly Lock s_reading = new();
+
+    /// <summary>Whether a file is named as a film, or is an image that carries one.</summary>
+    public static bool Is(string path) => FilmFile.IsNamed(path) || FilmExr.Is(path);
+
+    /// <inheritdoc cref="FilmFile.ReadHeader"/>
+    public static FilmHeader ReadHeader(string path) => FilmExr.IsImage(path) ? FilmExr.ReadHeader(path) : FilmFile.ReadHeader(path);
+
+    /// <inheritdoc cref="FilmFile.Read(string)"/>
+    public static (FilmHeader Header, Film Film) Read(string path) => FilmExr.IsImage(path) ? FilmExr.Read(path) : FilmFile.Read(path);
+
+    /// <inheritdoc cref="FilmFile.AddTo"/>
+    public static FilmHeader AddTo(string path, Film film, params Lock[] adding)
+    {
+        if (!FilmExr.IsImage(path))
+        {
+            return FilmFile.AddTo(path, film, adding);
+        }
+
+        // One after another: each takes the memory of a film meanwhile.
+        lock (s_reading)
+        {
+            (FilmHeader header, Film more) = FilmExr.Read(path);
+            if ((more.Width, more.Height) != (film.Width, film.Height))
+            {
+                throw new ArgumentException($"it has {more.Width}×{more.Height} pixels, not {film.Width}×{film.Height}", nameof(film));
+            }
+
+            Int128[] sums = new Int128[more.Width * (Film.BytesPerPixel / 16)];
+            uint[] counts = new uint[more.Width];
+            for (int y = 0; y < more.Height; y++)
+            {
+                more.ReadSums(y, sums, counts);
+                lock (adding.Length > 0 ? adding[y % adding.Length] : s_reading)
+                {
+                    film.AddSums(y, sums, counts);
+                }
+            }
+
+            return header;
+        }
+    }
+
+    /// <inheritdoc cref="FilmFile.Unfinished"/>
+    public static FilmHeader? Unfinished(string path)
+    {
+        if (!FilmExr.IsImage(path))
+        {
+            return FilmFile.Unfinished(path);
+        }
+
+        try
+        {
+            FilmHeader header = FilmExr.ReadHeader(path);
+            return header.Samples.Count > 0 && header.Samples[^1].End < header.Wanted.End ? header : null;
+        }
+        catch (PictureException)
+        {
+            // An image without a film, or a damaged one.
+            return null;
+        }
+    }
+}

@@ -1,0 +1,187 @@
+using System.Security.Cryptography;
+using System.Text;
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging;
+
+/// <summary>
+/// OpenEXR images that carry their film to the bit, so that samples can be added to it as to a <see cref="FilmFile"/>. Sums and numbers of samples are channels of
+/// 32-bit unsigned integers, which none of the format's compressions changes. docs/long-renders.md describes them.
+/// </summary>
+public static class FilmExr
+{
+    /// <summary>The largest number of pixels that is written with the film, 2²⁵ (a picture of 8K): files of more than 2 GiB could not be read again.</summary>
+    public const long MaxPixels = 1L << 25;
+
+    private const string Extension = ".exr";
+    private const string Layer = "film.";
+    private const string Count = $"{Layer}count";
+    private const string HeaderKey = "Film";
+    private const string ChecksumKey = "FilmChecksum";
+    private const string HashKey = "FilmHash";
+    private const int WordsOf64Bits = 2;
+    private const int WordsOf128Bits = 4;
+    private const int LongestHead = 1 << 23;
+    private static readonly string[] s_sums = ["red", "green", "blue", "square"];
+
+    /// <summary>Whether a file's name is one of an OpenEXR image.</summary>
+    public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
+
+    /// <summary>Whether a file is named as an OpenEXR image, and is one that carries its film; false also where there is no file, or a damaged one.</summary>
+    public static bool Is(string path)
+    {
+        try
+        {
+            return IsNamed(path) && IsImage(path) && Head(path).Texts.Any(t => t.Key == HeaderKey);
+        }
+        catch (PictureException)
+        {
+            return false;
+        }
+    }
+
+    /// <summary>Whether a file is there and begins as an OpenEXR image.</summary>
+    internal static bool IsImage(string path)
+    {
+        try
+        {
+            // A pipe has no length, and must not be waited for.
+            return new FileInfo(path) is { Exists: true, Length: > 0 } && ImageFile.Content(path, ExrReader.Signature.Length).AsSpan().SequenceEqual(ExrReader.Signature);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            return false;
+        }
+    }
+
+    /// <summary>Writes a picture with its film. The file is there whole or not at all, and what was there before stays until then (<see cref="AtomicFile"/>).</summary>
+    /// <param name="path">Where to; the name ends with .exr.</param>
+    /// <param name="film">The film.</param>
+    /// <param name="header">What to say of it.</param>
+    /// <param name="options">Further texts and layers.</param>
+    /// <exception cref="ImageWriteException">It cannot be written.</exception>
+    public static void Write(string path, Film film, FilmHeader header, ImageWriteOptions options)
+    {
+        if ((long)film.Width * film.Height > MaxPixels)
+        {
+            throw new ImageWriteException($"Cannot write '{path}': {TooLarge}.");
+        }
+
+        string text = Encoding.UTF8.GetString(header.ToBytes());
+        ImageFile.Write(path, film, options with
+        {
+            Metadata = [.. options.Metadata.Where(t => t.Key != HashKey), new(HashKey, film.ComputeHash()), new(HeaderKey, text), new(ChecksumKey, Checksum(text))],
+            ExrLayers = [.. options.ExrLayers, .. Channels(film)],
+        });
+    }
+
+    /// <summary>Why larger pictures are refused, as a clause.</summary>
+    public static string TooLarge => $"an OpenEXR image carries films of at most {MaxPixels} pixels; an .rtfilm file has no such limit";
+
+    /// <summary>Reads what a file says about its film.</summary>
+    /// <exception cref="PictureException">It cannot be read, is damaged, or carries no film.</exception>
+    public static FilmHeader ReadHeader(string path) => ImageFile.OfFile(path, file => HeaderOf(ExrHeader.Parse(file)), "film", LongestHead);
+
+    /// <summary>Reads a film.</summary>
+    /// <inheritdoc cref="ReadHeader"/>
+    public static (FilmHeader Header, Film Film) Read(string path) => ImageFile.OfFile(path, file => Read(file), "film");
+
+    /// <summary>Whether a channel is one of those that are the film.</summary>
+    public static bool IsOfFilm(string channel) => channel.StartsWith(Layer, StringComparison.Ordinal);
+
+    /// <summary>The names of a file's layers beside picture and film.</summary>
+    /// <exception cref="PictureException">It cannot be read, or is damaged.</exception>
+    public static IReadOnlyList<string> OtherLayers(string path) =>
+        [.. Head(path).Channels.Select(c => c.Name).Where(n => n is not ("R" or "G" or "B") && !IsOfFilm(n)).Select(n => n.Split('.')[0]).Distinct()];
+
+    /// <summary>Reads a film from a whole file.</summary>
+    /// <exception cref="PictureException">It is damaged, or carries no film; the message is a clause.</exception>
+    internal static (FilmHeader Header, Film Film) Read(ReadOnlySpan<byte> file)
+    {
+        ExrHeader exr = ExrHeader.Parse(file);
+        FilmHeader header = HeaderOf(exr);
+        int words = exr.Channels.Any(c => c.Name == Word(0, WordsOf128Bits - 1)) ? WordsOf128Bits : WordsOf64Bits;
+        string[] names = [Count, .. s_sums.SelectMany((_, sum) => Enumerable.Range(0, words).Select(word => Word(sum, word)))];
+        Film? film = null;
+        Int128[] sums = new Int128[s_sums.Length * exr.Width];
+        ExrReader.ReadWords(file, exr, names, (y, row) =>
+        {
+            for (int i = 0; i < sums.Length; i++)
+            {
+                int sum = i % s_sums.Length;
+                sums[i] = Sum(row.AsSpan(1 + (sum * words), words), i / s_sums.Length);
+            }
+
+            film ??= new(header.Width, header.Height);
+            film.AddSums(y, sums, row[0]);
+        });
+        return film!.ComputeHash() == TextOf(exr, HashKey) ? (header, film)
+            : throw new PictureException($"the sums of its film are damaged: their hash is not the one that its text {HashKey} says");
+    }
+
+    private static ExrHeader Head(string path) => ImageFile.OfFile(path, file => ExrHeader.Parse(file), "film", LongestHead);
+
+    private static FilmHeader HeaderOf(ExrHeader exr)
+    {
+        string text = TextOf(exr, HeaderKey) ?? throw new PictureException("it is an image that does not carry its film: those that are written with --exr-film do");
+        if (TextOf(exr, ChecksumKey) != Checksum(text))
+        {
+            throw new PictureException($"its text {HeaderKey}, which says what its film is, is damaged: its checksum is that of another one");
+        }
+
+        FilmHeader header = FilmHeader.Of(Encoding.UTF8.GetBytes(text));
+        return (header.Width, header.Height) != (exr.Width, exr.Height) ? throw new PictureException($"its film has {header.Width}×{header.Height} pixels, but its picture {exr.Width}×{exr.Height}")
+            : (long)header.Width * header.Height > MaxPixels ? throw new PictureException(TooLarge) : header;
+    }
+
+    private static string? TextOf(ExrHeader exr, string key) => exr.Texts.FirstOrDefault(t => t.Key == key).Value;
+
+    private static string Checksum(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)));
+
+    // The name of the channel of 32 bits of a sum, the lowest ones first.
+    private static string Word(int sum, int word) => $"{Layer}{s_sums[sum]}.{word}";
+
+    private static Int128 Sum(ReadOnlySpan<uint[]> words, int x)
+    {
+        ulong low = words[0][x] | ((ulong)words[1][x] << 32);
+        return words.Length == WordsOf64Bits ? unchecked((long)low) : new Int128(words[2][x] | ((ulong)words[3][x] << 32), low);
+    }
+
+    private static List<ExrLayerChannel> Channels(Film film)
+    {
+        Int128[] sums = new Int128[s_sums.Length * film.Width];
+        uint[] counts = new uint[film.Width];
+        int words = WordsOf64Bits;
+        for (int y = 0; y < film.Height; y++)
+        {
+            film.ReadSums(y, sums, counts);
+            words = Array.Exists(sums, s => s < long.MinValue || s > long.MaxValue) ? WordsOf128Bits : words;
+        }
+
+        // The writer asks for one row's channels after another.
+        int read = -1;
+        ExrLayerChannel Channel(string name, Func<int, uint> value) => new(name, ExrPixelType.Uint, (y, values) =>
+        {
+            if (read != y)
+            {
+                film.ReadSums(y, sums, counts);
+                read = y;
+            }
+
+            for (int x = 0; x < film.Width; x++)
+            {
+                values.Span[x] = value(x);
+            }
+        });
+
+        List<ExrLayerChannel> channels = [Channel(Count, x => counts[x])];
+        for (int i = 0; i < s_sums.Length * words; i++)
+        {
+            (int sum, int word) = (i / words, i % words);
+            channels.Add(Channel(Word(sum, word), x => unchecked((uint)(sums[(s_sums.Length * x) + sum] >> (32 * word)))));
+        }
+
+        return channels;
+    }
+}
