@@ -25,10 +25,11 @@ internal static class BenchVerb
         command.Options.Add(repeat.Symbol);
         command.Options.Add(json);
         SettingOption settings = new(command);
-        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Values(result), (int?)samples.Value(result), (int)(repeat.Value(result) ?? 3), result.GetValue(json), streams));
+        VerboseOption verbose = new(command);
+        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Values(result), (int?)samples.Value(result), (int)(repeat.Value(result) ?? 3), result.GetValue(json), verbose.Times(result, streams), streams));
     }
 
-    private static int Run(string[] scenes, IReadOnlyList<SceneSetting> settings, int? samples, int repeat, bool json, Streams streams)
+    private static int Run(string[] scenes, IReadOnlyList<SceneSetting> settings, int? samples, int repeat, bool json, StageTimes stages, Streams streams)
     {
         IReadOnlyList<string> paths = scenes.Length > 0 ? scenes : ReportScenes.FindMeasured();
         List<Measurement> all = [];
@@ -39,14 +40,21 @@ internal static class BenchVerb
 
         foreach (string path in paths)
         {
-            Scene? scene = SceneFile.Load(path, streams, s => samples is { } n ? s with { Render = s.Render with { SamplesPerPixel = n } } : s, settings);
+            Scene? scene = SceneFile.Load(path, streams, s =>
+            {
+                stages.EndLoad();
+                return samples is { } n ? s with { Render = s.Render with { SamplesPerPixel = n } } : s;
+            }, settings);
             if (scene is null)
             {
                 return SceneFile.FailureStatus(path);
             }
 
+            stages.EndBuild();
+
             Measurement one = Best(path, scene, 1, repeat);
             Measurement many = Best(path, scene, Environment.ProcessorCount, repeat);
+            stages.EndRender();
             all.AddRange(one, many);
             if (!json)
             {
@@ -59,6 +67,7 @@ internal static class BenchVerb
             WriteJson(all, streams);
         }
 
+        stages.EndAll();
         return ExitStatus.Fine;
     }
 

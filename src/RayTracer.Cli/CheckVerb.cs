@@ -14,15 +14,16 @@ internal static class CheckVerb
         command.Arguments.Add(scenes);
         command.Options.Add(format.Symbol);
         SettingOption settings = new(command);
-        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Values(result), format.Value(result) ?? CheckFormat.Text, streams));
+        VerboseOption verbose = new(command);
+        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Values(result), format.Value(result) ?? CheckFormat.Text, verbose.Times(result, streams), streams));
     }
 
-    private static int Run(string[] paths, IReadOnlyList<SceneSetting> settings, CheckFormat format, Streams streams)
+    private static int Run(string[] paths, IReadOnlyList<SceneSetting> settings, CheckFormat format, StageTimes stages, Streams streams)
     {
         List<CheckedScene> all = [];
         foreach (string path in paths)
         {
-            SceneLoadResult result = SceneFile.Load(path, settings: settings);
+            SceneLoadResult result = SceneFile.Load(path, stages, settings: settings);
             CheckedScene scene = new(path, result.Diagnostics, result.Scene is null ? SceneFile.FailureStatus(path) : ExitStatus.Fine);
             all.Add(scene);
             if (format == CheckFormat.Text)
@@ -40,6 +41,7 @@ internal static class CheckVerb
             JsonText.Write(streams, json => SarifLog.Write(json, all));
         }
 
+        stages.EndAll();
         return all.Max(s => s.Status);
     }
 

@@ -30,7 +30,7 @@ internal static class CommandLine
         ("cluster", "Writes the jobs of a cluster that render the parts of a picture, and merge them.", ClusterVerb.Build),
         ("verify", "Renders what an image or film says it is once more, and compares.", VerifyVerb.Build),
         ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
-        ("info", "Says what is in a scene and how much memory it takes.", InfoVerb.Build),
+        ("info", "Says what is in a scene or model and how much memory it takes; and what a film or image says of itself.", InfoVerb.Build),
         ("explain", "Says what a part of scene files means: its unit, range and default.", ExplainVerb.Build),
         ("convert", "Writes a scene of another format in the native one, and images and films as other images.", ConvertVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),
@@ -55,9 +55,10 @@ internal static class CommandLine
         {
             ParseResult result = Root(args.FirstOrDefault(), streams).Parse(args, new() { ResponseFileTokenReplacer = null });
             string? stray = Stray(result);
-            if ((stray is not null || result.Errors.Count > 0) && result.Action is not HelpAction)
+            string? empty = EmptyWord(result);
+            if ((stray is not null || empty is not null || result.Errors.Count > 0) && result.Action is not HelpAction)
             {
-                return WrongUsage(result, stray, streams);
+                return WrongUsage(result, stray, empty, streams);
             }
 
             return result.Invoke(new() { Output = streams.Output, Error = streams.Error, EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
@@ -76,11 +77,11 @@ internal static class CommandLine
     }
 
     /// <summary>All verbs with all of their options.</summary>
-    public static IReadOnlyList<VerbHelp> Help(Streams streams) => [.. Verbs.Select(v =>
+    public static IReadOnlyList<VerbHelp> Help(Streams streams) => [.. Verbs.SelectMany(v =>
     {
         Command command = new(v.Name, v.Summary);
         v.Build(command, streams);
-        return VerbHelp.Of(command, Synopsis(command));
+        return VerbHelp.Of(command, Synopsis);
     })];
 
     private static Command Root(string? verb, Streams streams)
@@ -120,16 +121,36 @@ internal static class CommandLine
         return result.UnmatchedTokens.Concat(arguments).FirstOrDefault(t => t is ['-', _, ..] && !names.Contains(t)) ?? (result.UnmatchedTokens is [var first, ..] ? first : null);
     }
 
+    /// <summary>The complaint about an empty word, as shells make them of variables that are not set; null where there is none. No verb has a use for one.</summary>
+    public static string? EmptyWord(ParseResult result)
+    {
+        foreach (SymbolResult part in result.CommandResult.Children)
+        {
+            string? name = part switch
+            {
+                ArgumentResult argument => argument.Argument.Name,
+                OptionResult option => $"{option.IdentifierToken?.Value ?? option.Option.Name} {option.Option.HelpName}".TrimEnd(),
+                _ => null,
+            };
+            if (name is not null && part.Tokens.Any(t => t.Value.Length == 0))
+            {
+                return $"{name}: the word is empty (is a variable of the shell not set?)";
+            }
+        }
+
+        return null;
+    }
+
     private static HashSet<string> Names(ParseResult result) => [.. result.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Select(t => t.Value)];
 
-    private static int WrongUsage(ParseResult result, string? stray, Streams streams)
+    private static int WrongUsage(ParseResult result, string? stray, string? empty, Streams streams)
     {
         Command command = result.CommandResult.Command;
         IEnumerable<string> verbs = Verbs.Select(v => v.Name);
         bool isRoot = command.Name == "raytracer";
         streams.Fail(stray switch
         {
-            null => OneLine(result.Errors[0].Message),
+            null => empty ?? OneLine(result.Errors[0].Message),
             ['-', ..] when !Names(result).Contains(stray) => UnknownOption(stray, command),
             _ when isRoot => $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
             _ when OwnComplaint(result) is { } complaint => complaint,
@@ -160,7 +181,7 @@ internal static class CommandLine
             { MaximumNumberOfValues: > 1 } => $"{a.Name}…",
             _ => a.Name,
         });
-        return string.Join(' ', words.Append("[options]"));
+        return command.Subcommands.Count > 0 ? string.Join('|', command.Subcommands.Select(c => c.Name)) : string.Join(' ', words.Append("[options]"));
     }
 
     private static int Report(Exception e, Streams streams)

@@ -24,16 +24,18 @@ internal static class CompareVerb
         command.Options.Add(density.Symbol);
         command.Options.Add(tolerance.Symbol);
         command.Options.Add(json);
+        VerboseOption verbose = new(command);
         command.SetAction(result => Compare(
             result.GetValue(images)!,
             new(result.GetValue(output), result.GetValue(map), result.GetValue(sheet)),
             density.Value(result) ?? FlipError.StandardPixelsPerDegree,
             tolerance.Value(result),
             result.GetValue(json),
+            verbose.Times(result, streams),
             streams));
     }
 
-    private static int Compare(string[] paths, Files files, double pixelsPerDegree, double? tolerance, bool json, Streams streams)
+    private static int Compare(string[] paths, Files files, double pixelsPerDegree, double? tolerance, bool json, StageTimes stages, Streams streams)
     {
         foreach (string file in new[] { files.Difference, files.Map, files.Sheet }.OfType<string>())
         {
@@ -42,6 +44,7 @@ internal static class CompareVerb
 
         Picture image = ImageFile.Read(paths[0]);
         Picture reference = ImageFile.Read(paths[1]);
+        stages.EndLoad();
         if (image.Width != reference.Width || image.Height != reference.Height)
         {
             throw new CommandException(
@@ -50,9 +53,11 @@ internal static class CompareVerb
 
         ImageComparison comparison = ImageComparison.Compare(image, reference);
         FlipError flip = FlipError.Compare(image, reference, pixelsPerDegree);
+        stages.End("compare");
         Write(files.Difference, () => new DifferenceRows(image, reference));
         Write(files.Map, () => ComparisonSheet.Draw(flip));
         Write(files.Sheet, () => ComparisonSheet.Draw(image, Path.GetFileName(paths[0]), reference, Path.GetFileName(paths[1]), flip));
+        stages.EndWrite();
 
         bool isDifferent = tolerance is { } limit && !(comparison.Rmse <= limit && comparison.NotFinite == 0);
         if (json)

@@ -29,6 +29,7 @@ internal static class ComposeVerb
             command.Options.Add(option);
         }
 
+        VerboseOption verbose = new(command);
         command.SetAction(result =>
         {
             ImageWriteOptions writing = output.Writing(result) with
@@ -36,11 +37,11 @@ internal static class ComposeVerb
                 Metadata = [new("Software", CommandLine.Version), new("Command", CommandLine.Text(result))],
             };
             output.WarnOfUnused(result, output.Files(result), streams);
-            return Compose(result.GetValue(image)!, output.Files(result), result.GetValue(lights) ?? [], (float)(others.Value(result) ?? 1), writing, streams);
+            return Compose(result.GetValue(image)!, output.Files(result), result.GetValue(lights) ?? [], (float)(others.Value(result) ?? 1), writing, verbose.Times(result, streams), streams);
         });
     }
 
-    private static int Compose(string path, IReadOnlyList<string> outputs, string[] words, float others, ImageWriteOptions writing, Streams streams)
+    private static int Compose(string path, IReadOnlyList<string> outputs, string[] words, float others, ImageWriteOptions writing, StageTimes stages, Streams streams)
     {
         (string Word, string Light, Rgb Factor)[] factors = [.. words.Select(Parse)];
         foreach (string file in outputs)
@@ -51,6 +52,7 @@ internal static class ComposeVerb
         Picture? composed = OfFile<Picture?>(path, file =>
         {
             LightMix mix = LightMix.Open(file);
+            stages.EndLoad();
             Dictionary<string, Rgb> byLight = ByLight(factors, mix.Lights, path);
             if (outputs.Count == 0 && words.Length == 0)
             {
@@ -70,7 +72,15 @@ internal static class ComposeVerb
 
             return mix.Compose(light => byLight.GetValueOrDefault(light, new(others, others, others)));
         });
-        return composed is null ? ExitStatus.Fine : ImageOutputs.Write(outputs, composed, writing, streams).Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+        if (composed is null)
+        {
+            return ExitStatus.Fine;
+        }
+
+        stages.End("compose");
+        int written = ImageOutputs.Write(outputs, composed, writing, streams).Count;
+        stages.EndWrite();
+        return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
 
     private static T OfFile<T>(string path, Func<byte[], T> read)

@@ -19,6 +19,7 @@ internal sealed class ConvertVerb
     private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>("--exr-type", "OpenEXR: what its numbers are; float without it, which loses nothing.", ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
     private readonly SettingOption _settings;
     private readonly WritingOptions _writing;
+    private readonly VerboseOption _verbose;
 
     private ConvertVerb(Command command)
     {
@@ -31,6 +32,7 @@ internal sealed class ConvertVerb
         }
 
         _settings = new(command);
+        _verbose = new(command);
     }
 
     public static void Build(Command command, Streams streams)
@@ -55,7 +57,10 @@ internal sealed class ConvertVerb
             throw new CommandException(ExitStatus.Usage, $"{option.Name} is for images: a scene's values are set as in --set render.width=800");
         }
 
-        return isScene ? ConvertScene(from, to, _settings.Values(result), streams) : ConvertImage(from, to, result, streams);
+        StageTimes stages = _verbose.Times(result, streams);
+        int status = isScene ? ConvertScene(from, to, _settings.Values(result), stages, streams) : ConvertImage(from, to, result, stages, streams);
+        stages.EndAll();
+        return status;
     }
 
     private string Target(ParseResult result) => (result.GetValue(_to), result.GetValue(_output)) switch
@@ -65,9 +70,9 @@ internal sealed class ConvertVerb
         (var to, var output) => to ?? output!,
     };
 
-    private static int ConvertScene(string path, string target, IReadOnlyList<SceneSetting> settings, Streams streams)
+    private static int ConvertScene(string path, string target, IReadOnlyList<SceneSetting> settings, StageTimes stages, Streams streams)
     {
-        SceneLoadResult result = SceneFile.Load(path, settings: settings);
+        SceneLoadResult result = SceneFile.Load(path, stages, settings: settings);
         SceneFile.Show(result, streams);
         if (result.Scene is null)
         {
@@ -77,10 +82,11 @@ internal sealed class ConvertVerb
         // The names of files in the scene are meant from where it was.
         string text = FileNames.Move(SceneWriter.Write(result.Description!), Folder(path), Folder(target));
         AtomicFile.Write(target, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+        stages.End("write");
         return ExitStatus.Fine;
     }
 
-    private int ConvertImage(string path, string target, ParseResult result, Streams streams)
+    private int ConvertImage(string path, string target, ParseResult result, StageTimes stages, Streams streams)
     {
         if (_settings.Values(result) is [var setting, ..])
         {
@@ -93,10 +99,11 @@ internal sealed class ConvertVerb
         ImageWriteOptions writing = _writing.Writing(result, [target]) with { ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float };
         if (writing.TakesFilm(target))
         {
-            return ConvertFilm(path, target, writing, result);
+            return ConvertFilm(path, target, writing, result, stages);
         }
 
         (IImageRows image, IEnumerable<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = Read(path);
+        stages.EndLoad();
         (int width, int height) = Size(image, (int?)_width.Value(result), (int?)_height.Value(result));
         bool isWhole = (width, height) == (image.Width, image.Height);
         if (layers.Count > 0 && !isWhole && Path.GetExtension(target).Equals(".exr", StringComparison.OrdinalIgnoreCase))
@@ -105,10 +112,11 @@ internal sealed class ConvertVerb
         }
 
         ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), writing with { Metadata = isWhole ? [.. texts] : [], ExrLayers = isWhole ? layers : [] });
+        stages.End("write");
         return ExitStatus.Fine;
     }
 
-    private int ConvertFilm(string path, string target, ImageWriteOptions writing, ParseResult result)
+    private int ConvertFilm(string path, string target, ImageWriteOptions writing, ParseResult result, StageTimes stages)
     {
         if (new[] { _width.Symbol, _height.Symbol }.FirstOrDefault(o => result.GetResult(o) is { Implicit: false }) is { } scaled)
         {
@@ -116,7 +124,9 @@ internal sealed class ConvertVerb
         }
 
         (FilmHeader header, Film film) = CarriedFilm.Read(path);
+        stages.EndLoad();
         ImageOutputs.WriteFilm(target, film, header, writing with { Metadata = FilmTexts.Of(header, film.ComputeHash()), ExrLayers = LayersBeside(path) });
+        stages.End("write");
         return ExitStatus.Fine;
     }
 

@@ -7,16 +7,18 @@ internal sealed class DisplayOptions
 {
     private readonly Option<bool> _preview = new("--preview") { Description = "Shows the picture in the terminal while it is rendered, as view does." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
-    private readonly Option<bool> _verbose = new("--verbose") { Description = "Tells how long each stage takes (load, build, render, write), and the most memory used." };
+    private readonly VerboseOption _verbose;
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
 
     /// <summary>Gives a command the options.</summary>
     public DisplayOptions(Command command)
     {
-        foreach (Option option in new Option[] { _preview, _quiet, _verbose, _json })
+        foreach (Option option in new Option[] { _preview, _quiet, _json })
         {
             command.Options.Add(option);
         }
+
+        _verbose = new(command);
     }
 
     /// <summary>A request with what was asked for.</summary>
@@ -24,7 +26,7 @@ internal sealed class DisplayOptions
     {
         Preview = result.GetValue(_preview),
         Quiet = result.GetValue(_quiet),
-        Verbose = result.GetValue(_verbose),
+        Verbose = _verbose.Value(result),
         Json = result.GetValue(_json),
     };
 

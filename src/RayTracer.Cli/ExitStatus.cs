@@ -10,12 +10,13 @@ internal static class ExitStatus
     public const int InputOutput = 4;
     public const int Noisy = 5;
     public const int Internal = 70;
+    public const int HungUp = 129;
     public const int Interrupted = 130;
     public const int Terminated = 143;
 
     /// <summary>The list for <c>--help</c>.</summary>
     public const string Help = """
         Exit status: 0 fine, 1 comparison differs, 2 wrong usage, 3 bad scene, 4 input, output or memory,
-        5 limit before the wanted noise, 70 internal error, 130 Ctrl-C, 143 SIGTERM.
+        5 limit before the wanted noise, 70 internal error, 129 SIGHUP, 130 Ctrl-C, 143 SIGTERM.
         """;
 }

@@ -11,25 +11,63 @@ using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer info SCENE</c></summary>
+/// <summary><c>raytracer info FILE</c>, of a scene or model here, of a film in <see cref="FilmInfo"/>, of a picture in <see cref="ImageInfo"/>.</summary>
 internal static class InfoVerb
 {
     private const int MostTrees = 6;
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string> scene = new("SCENE") { Description = "The scene file." };
+        Argument<string> file = new("FILE") { Description = "The file: a scene, a model, a film (.rtfilm) or an image." };
+        Option<bool> hash = new("--hash") { Description = "Of a film: reads all of it and tells its hash, or what is damaged." };
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
-        command.Arguments.Add(scene);
+        command.Arguments.Add(file);
+        command.Options.Add(hash);
         command.Options.Add(json);
         SettingOption settings = new(command);
-        command.SetAction(result => Show(result.GetValue(scene)!, settings.Values(result), result.GetValue(json), streams));
+        VerboseOption verbose = new(command);
+        command.SetAction(result =>
+        {
+            string path = result.GetValue(file)!;
+            string? format = ImageFile.FormatOf(path);
+            bool isFilm = format == ImageFile.FilmFormat || FilmFile.IsNamed(path);
+            bool isImage = !isFilm && (format is not null || ImageFile.Written.Contains(Path.GetExtension(path).ToLowerInvariant()));
+            if ((isFilm || isImage) && settings.Values(result) is [var setting, ..])
+            {
+                throw new CommandException(ExitStatus.Usage, $"{SettingOption.Name} {setting.Text}: films and images have no settings");
+            }
+
+            if (result.GetValue(hash) && !isFilm && !FilmExr.Is(path))
+            {
+                throw new CommandException(ExitStatus.Usage, "--hash is for films (.rtfilm); an image says its film's hash in a text, where it has one");
+            }
+
+            StageTimes stages = verbose.Times(result, streams);
+            int status = ExitStatus.Fine;
+            if (isFilm)
+            {
+                FilmInfo.Show(path, result.GetValue(hash), result.GetValue(json), streams);
+                stages.EndLoad();
+            }
+            else if (isImage)
+            {
+                ImageInfo.Show(path, result.GetValue(hash), result.GetValue(json), streams);
+                stages.EndLoad();
+            }
+            else
+            {
+                status = Show(path, settings.Values(result), result.GetValue(json), stages, streams);
+            }
+
+            stages.EndAll();
+            return status;
+        });
     }
 
-    private static int Show(string path, IReadOnlyList<SceneSetting> settings, bool json, Streams streams)
+    private static int Show(string path, IReadOnlyList<SceneSetting> settings, bool json, StageTimes stages, Streams streams)
     {
         Dictionary<string, long> pictures = [];
-        SceneLoadResult result = SceneFile.Load(path, readPicture: (file, raw) =>
+        SceneLoadResult result = SceneFile.Load(path, stages, readPicture: (file, raw) =>
         {
             Picture picture = ImageFile.Read(file, raw);
             pictures[file] = sizeof(float) * picture.Pixels.LongLength;
@@ -108,6 +146,7 @@ internal static class InfoVerb
 
     private static void WriteJson(Scene scene, SceneContent content, SceneStatistics statistics, long textures, Streams streams) => JsonText.Write(streams, json =>
     {
+        json.WriteString("kind", "scene");
         WriteCounts(json, "shapes", content.Shapes);
         WriteCounts(json, "materials", content.Materials);
         WriteCounts(json, "textures", content.Textures);

@@ -23,6 +23,18 @@ internal static class JsonText
         streams.Output.WriteLine(Encoding.UTF8.GetString(text.GetBuffer(), 0, (int)text.Length));
     }
 
+    /// <summary>Writes a list of texts.</summary>
+    public static void Strings(Utf8JsonWriter json, string key, IEnumerable<string> texts)
+    {
+        json.WriteStartArray(key);
+        foreach (string text in texts)
+        {
+            json.WriteStringValue(text);
+        }
+
+        json.WriteEndArray();
+    }
+
     /// <summary>Writes a number; NaN and infinities, which JSON has not, as null.</summary>
     public static void Number(Utf8JsonWriter json, string key, double value)
     {

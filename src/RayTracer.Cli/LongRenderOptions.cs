@@ -5,11 +5,11 @@ namespace RayTracer.Cli;
 /// <summary>The options of verbs that render for long.</summary>
 internal sealed class LongRenderOptions
 {
-    private const double StandardInterval = 30;
-    private readonly ParsedOption<TimeSpan?> _time = Durations.Option("--time", "Stops after the pass over the picture under way at this time: 90s, 10m, 1.5h. At most --spp samples are taken (65,536 without it).");
+    private static readonly TimeSpan s_standardInterval = TimeSpan.FromSeconds(30);
+    private readonly ParsedOption<TimeSpan?> _time = Durations.Option("--time", "Stops after the pass over the picture under way at this time: 90s, 10m, 1.5h, 1h30m. At most --spp samples are taken (65,536 without it).");
     private readonly Option<string?> _checkpoint = new("--checkpoint") { HelpName = "FILE" };
-    private readonly ParsedOption<double?> _interval = OptionValues.Number(
-        "--checkpoint-interval", "Seconds between checkpoints; 30 without it. Longer where writing would take more than 1 % of the time.", 0, 1e7);
+    private readonly ParsedOption<TimeSpan?> _interval = Durations.Option(
+        "--checkpoint-interval", "The time between checkpoints; 30s without it. Longer where writing would take more than 1 % of the time.", allowsZero: true);
 
     /// <summary>Gives a command the options.</summary>
     /// <param name="command">The command.</param>
@@ -39,6 +39,6 @@ internal sealed class LongRenderOptions
     {
         Time = _time.Value(result),
         Checkpoint = result.GetValue(_checkpoint) ?? request.Checkpoint,
-        CheckpointInterval = TimeSpan.FromSeconds(_interval.Value(result) ?? StandardInterval),
+        CheckpointInterval = _interval.Value(result) ?? s_standardInterval,
     };
 }

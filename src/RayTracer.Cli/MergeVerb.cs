@@ -13,6 +13,7 @@ internal sealed class MergeVerb
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object." };
     private readonly WritingOptions _writing;
+    private readonly VerboseOption _verbose;
 
     private MergeVerb(Command command)
     {
@@ -22,6 +23,8 @@ internal sealed class MergeVerb
         {
             command.Options.Add(option);
         }
+
+        _verbose = new(command);
     }
 
     public static void Build(Command command, Streams streams)
@@ -44,6 +47,7 @@ internal sealed class MergeVerb
         }
 
         _writing.WarnOfUnused(result, outputs, streams);
+        StageTimes stages = _verbose.Times(result, streams);
         FilmMerge merge = Open(result.GetValue(_parts)!);
         if (DecisionCheckpoint.Is(merge.Header))
         {
@@ -61,8 +65,12 @@ internal sealed class MergeVerb
         }
 
         ImageOutputs.CheckUnfinished(outputs, replacement: merge.Header);
-
-        return Write(result, merge.Add(), merge.Header, outputs, streams);
+        stages.End("headers");
+        Film film = merge.Add();
+        stages.EndLoad();
+        int status = Write(result, film, merge.Header, outputs, streams);
+        stages.EndWrite();
+        return status;
     }
 
     private static FilmMerge Open(IEnumerable<string> paths)

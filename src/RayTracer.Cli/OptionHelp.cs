@@ -8,8 +8,11 @@ namespace RayTracer.Cli;
 internal sealed record OptionHelp(IReadOnlyList<string> Names, string? Form, string Summary, bool IsRepeatable)
 {
     /// <summary>The words that its value is one of; empty where it is something else.</summary>
-    public IReadOnlyList<string> Choices { get; } = Form is not null && Form.Contains('|', StringComparison.Ordinal) ? Form.Split('|') : [];
+    public IReadOnlyList<string> Choices { get; } = WordsOf(Form ?? "");
 
     /// <summary>Whether its value is the name of a file or folder.</summary>
     public bool TakesFile => Form is "FILE" or "SCENE" or "FOLDER" or "IMAGE";
+
+    /// <summary>The words that a value is one of, by its form: <c>full|half</c>. Capital letters stand for something else, as in <c>N|A..B</c>.</summary>
+    public static IReadOnlyList<string> WordsOf(string form) => form.Contains('|', StringComparison.Ordinal) && !form.Any(char.IsAsciiLetterUpper) ? form.Split('|') : [];
 }

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using RayTracer.Description;
+using RayTracer.Imaging;
 using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
@@ -78,6 +79,12 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         if (outcome.Plan is { } plan)
         {
             output.WriteLine($"estimated relative error {100 * plan.Error:G3} %, decided with {plan.Statistics.Paths:N0} of these paths");
+        }
+
+        if (outcome.Header is { IsComplete: false } header && !_statistics.Cancelled)
+        {
+            string film = (request.Checkpoint ?? written.FirstOrDefault(FilmFile.IsNamed)) is { } file ? $": \"raytracer resume {file}\" goes on" : "";
+            output.WriteLine($"the time ended at {header.Samples.Sum(r => r.Count)} of {header.Wanted.Count} samples{film}");
         }
 
         output.WriteLine($"film {outcome.Hash}");

@@ -77,7 +77,15 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
 
         RenderReport report = new(request, outcome, written, _stages, _total.Elapsed.TotalSeconds);
-        report.Write(streams);
+        try
+        {
+            report.Write(streams);
+        }
+        catch (IOException) when (ended() == ExitStatus.HungUp)
+        {
+            // Nobody reads it any more: the terminal is gone.
+        }
+
         Done?.Invoke(outcome, written);
         return ended() is not 0 and var status ? status
             : written.Count < request.Outputs.Count + aovs.Files.Count || outcome.Checkpoints is { HasFailed: true } ? ExitStatus.InputOutput

@@ -70,8 +70,8 @@ internal sealed class RenderVerb
         Command command = new("render");
         RenderVerb verb = new(command);
         ParseResult result = command.Parse(words, new() { ResponseFileTokenReplacer = null });
-        return result.Errors.Count > 0
-            ? throw new CommandException(ExitStatus.Usage, result.Errors[0].Message)
+        return (CommandLine.EmptyWord(result) ?? (result.Errors.Count > 0 ? result.Errors[0].Message : null)) is { } complaint
+            ? throw new CommandException(ExitStatus.Usage, complaint)
             : (verb.Request(result), s => verb._overrides.Apply(result, s));
     }
 
@@ -129,7 +129,6 @@ internal sealed class RenderVerb
         { Preview: true, Pixel: not null } => "--pixel prints numbers: leave --preview out",
         { Preview: true, Adaptive: true } or { Preview: true, Denoise: true } or { Preview: true, Layers.Count: > 0 } =>
             "--preview shows passes over the whole picture, which --adaptive, --denoise and layers of light have not: leave it out",
-        { Quiet: true, Verbose: true } => "--quiet and --verbose cannot go together",
         { Adaptive: true, NeedsPasses: true } => "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot go on from: leave it out",
         { Noise: not null } and ({ Samples: not null } or { Part: not null }) => "--noise decides how many samples there are: leave --samples and --part out",
         { Samples: not null, Part: not null } => "--samples and --part cannot go together",

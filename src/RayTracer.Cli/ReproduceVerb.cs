@@ -14,7 +14,7 @@ internal static class ReproduceVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string> what = new("WHAT") { Description = $"What is reproduced: {Report}, the figures and tables of its section 6.3, or {Complexity}, time a ray against the number of triangles." };
+        Argument<string> what = new($"{Report}|{Complexity}") { Description = $"What is reproduced: {Report}, the figures and tables of its section 6.3, or {Complexity}, time a ray against the number of triangles." };
         Option<string?> output = new("-o", "--output") { Description = "The folder for pictures, charts and pages; made if it is missing.", HelpName = "FOLDER" };
         Option<bool> quick = new("--quick") { Description = "Smaller pictures, fewer samples and triangles: some seconds." };
         command.Arguments.Add(what);

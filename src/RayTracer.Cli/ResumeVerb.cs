@@ -132,11 +132,6 @@ internal sealed class ResumeVerb
 
     private int Run(ParseResult result, RenderRequest request, Func<SceneDescription, SceneDescription> overrides, Streams streams)
     {
-        if (request is { Quiet: true, Verbose: true })
-        {
-            throw new CommandException(ExitStatus.Usage, "--quiet and --verbose cannot go together");
-        }
-
         if (result.GetValue(_file)! is var file && request.Checkpoint == file && FilmExr.Is(file))
         {
             CheckLayers(file);

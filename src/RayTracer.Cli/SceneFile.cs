@@ -20,6 +20,32 @@ internal static class SceneFile
         int? frame = null) =>
         SceneLoader.Load(path, overrides, readPicture, settings, frame);
 
+    /// <summary>Loads a scene without a word, but of how long it takes.</summary>
+    /// <param name="path">The scene file.</param>
+    /// <param name="stages">Told when the file has been read, and when the scene has been built.</param>
+    /// <param name="readPicture">Reads pictures; null for <see cref="ImageFile.Read"/>.</param>
+    /// <param name="settings">Values to put in the place of the file's; may be null.</param>
+    public static SceneLoadResult Load(string path, StageTimes stages, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null)
+    {
+        bool isRead = false;
+        SceneLoadResult result = Load(path, scene =>
+        {
+            isRead = true;
+            stages.EndLoad();
+            return scene;
+        }, readPicture, settings);
+        if (isRead)
+        {
+            stages.EndBuild();
+        }
+        else
+        {
+            stages.EndLoad();
+        }
+
+        return result;
+    }
+
     /// <summary>Loads a scene and shows what is wrong with it.</summary>
     /// <param name="path">The scene file.</param>
     /// <param name="streams">Where the diagnostics go.</param>

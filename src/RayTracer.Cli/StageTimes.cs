@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace RayTracer.Cli;
 
-/// <summary>How long the stages of a rendering take.</summary>
+/// <summary>How long the stages of the work take.</summary>
 /// <param name="spoken">Where each stage is told when it ends; null for nowhere.</param>
 internal sealed class StageTimes(Streams? spoken)
 {
@@ -40,17 +40,26 @@ internal sealed class StageTimes(Streams? spoken)
     public void EndWrite()
     {
         Write = End("write");
-        if (PeakMemory is { } bytes)
+        EndAll();
+    }
+
+    /// <summary>All is done: tells the most memory used.</summary>
+    public void EndAll()
+    {
+        if (spoken is not null && PeakMemory is { } bytes)
         {
-            spoken?.Error.WriteLine($"{"memory",-6} {FilmMemory.Text(bytes)} at most");
+            spoken.Error.WriteLine($"{"memory",-8} {FilmMemory.Text(bytes)} at most");
         }
     }
 
-    private double End(string stage)
+    /// <summary>A stage has come to its end.</summary>
+    /// <param name="stage">What is told of it.</param>
+    /// <returns>How many seconds it took.</returns>
+    public double End(string stage)
     {
         double seconds = Stopwatch.GetElapsedTime(_last).TotalSeconds;
         _last = Stopwatch.GetTimestamp();
-        spoken?.Error.WriteLine($"{stage,-6} {seconds:F3} s");
+        spoken?.Error.WriteLine($"{stage,-8} {seconds:F3} s");
         return seconds;
     }
 }

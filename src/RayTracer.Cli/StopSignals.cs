@@ -3,8 +3,8 @@ using System.Runtime.InteropServices;
 namespace RayTracer.Cli;
 
 /// <summary>
-/// While it lives, the first Ctrl-C (SIGINT) or SIGTERM only asks for the end, so that what is done so far can be written;
-/// a second one ends the process at once.
+/// While it lives, the first Ctrl-C (SIGINT), SIGTERM, or SIGHUP (the terminal was closed) only asks for the end, so that what is done so far can be
+/// written; a second one ends the process at once.
 /// </summary>
 internal sealed class StopSignals : IDisposable
 {
@@ -20,6 +20,7 @@ internal sealed class StopSignals : IDisposable
         [
             PosixSignalRegistration.Create(PosixSignal.SIGINT, c => Handle(c, ExitStatus.Interrupted)),
             PosixSignalRegistration.Create(PosixSignal.SIGTERM, c => Handle(c, ExitStatus.Terminated)),
+            PosixSignalRegistration.Create(PosixSignal.SIGHUP, c => Handle(c, ExitStatus.HungUp)),
         ];
     }
 

@@ -20,6 +20,7 @@ internal sealed class SweepVerb
     private readonly ParsedOption<long?> _cell = OptionValues.Integer("--cell", $"Columns of each picture, its rows by the scene's shape; without it (and --width and --height), at most {StandardCell}.", 8, 1 << 16);
     private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
+    private readonly VerboseOption _verbose;
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of the axes and films." };
 
     private SweepVerb(Command command)
@@ -31,6 +32,8 @@ internal sealed class SweepVerb
         {
             command.Options.Add(option);
         }
+
+        _verbose = new(command);
     }
 
     public static void Build(Command command, Streams streams)
@@ -53,6 +56,7 @@ internal sealed class SweepVerb
         }
 
         _writing.WarnOfUnused(result, outputs, streams, isSeen: true);
+        StageTimes stages = _verbose.Times(result, streams);
         string path = result.GetValue(_scene)!;
         SweepAxes axes = new(_overrides.Settings(result));
         SceneDescription Changed(SceneDescription scene) => Fit(_overrides.Apply(result, scene), result);
@@ -72,6 +76,7 @@ internal sealed class SweepVerb
             }
         }
 
+        stages.End("check");
         using StopSignals signals = new(streams);
         ImageWriteOptions writing = _writing.Writing(result);
         ContactSheet? sheet = null;
@@ -89,6 +94,7 @@ internal sealed class SweepVerb
                 OverrideWords = [],
                 CommandText = "",
                 Quiet = true,
+                Verbose = _verbose.Value(result),
             };
             if (new RenderRun(request, Changed, streams).Compute(signals.Token) is not { } outcome)
             {
@@ -116,7 +122,9 @@ internal sealed class SweepVerb
             }
         }
 
+        stages.End("pictures");
         IReadOnlyList<string> written = sheet is null ? [] : ImageOutputs.Write(outputs, sheet.Picture, writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = Texts(path, result) }, streams);
+        stages.EndWrite();
         Report(result, axes, films, written, streams);
         return signals.Status != 0 ? signals.Status : failed != ExitStatus.Fine ? failed : written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }

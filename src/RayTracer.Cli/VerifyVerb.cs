@@ -11,7 +11,7 @@ internal static class VerifyVerb
 {
     public static void Build(Command command, Streams streams)
     {
-        Argument<string> file = new("FILE") { Description = "The film (.rtfilm), or the image (.png, .jpg or .exr) that this program wrote." };
+        Argument<string> file = new("FILE") { Description = "The film (.rtfilm), or the image (.png, .jpg, .exr or .hdr) that this program wrote." };
         Option<string?> scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
         ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
@@ -21,20 +21,26 @@ internal static class VerifyVerb
             command.Options.Add(option);
         }
 
+        VerboseOption verbose = new(command);
+
         command.SetAction(result =>
         {
+            StageTimes stages = verbose.Times(result, streams);
             Claim claim = Of(result.GetValue(file)!, result.GetValue(scene));
-            return Verify(claim, (int)(threads.Value(result) ?? Environment.ProcessorCount), result.GetValue(json), streams);
+            stages.End("file");
+            int status = Verify(claim, (int)(threads.Value(result) ?? Environment.ProcessorCount), verbose.Value(result), result.GetValue(json), streams);
+            stages.EndAll();
+            return status;
         });
     }
 
-    private static int Verify(Claim claim, int threads, bool json, Streams streams)
+    private static int Verify(Claim claim, int threads, bool verbose, bool json, Streams streams)
     {
         using StopSignals signals = new(streams);
         Film? whole = null;
         foreach (SampleRange? range in claim.Samples)
         {
-            RenderRequest request = claim.Request with { Outputs = [], Aovs = [], Denoise = false, Checkpoint = null, Threads = threads, Quiet = true, Verbose = false, Preview = false };
+            RenderRequest request = claim.Request with { Outputs = [], Aovs = [], Denoise = false, Checkpoint = null, Threads = threads, Quiet = true, Verbose = verbose, Preview = false };
             if (range is not null)
             {
                 // Whatever decided on the number of samples: these they are.
@@ -104,7 +110,7 @@ internal static class VerifyVerb
         Dictionary<string, string> texts = ImageFile.ReadText(file).GroupBy(t => t.Key).ToDictionary(g => g.Key, g => g.First().Value, StringComparer.Ordinal);
         if (!texts.TryGetValue("FilmHash", out string? hash) || !texts.TryGetValue("Command", out string? line) || Shell.Words(line) is not [_, "render", .. var words])
         {
-            throw new CommandException(ExitStatus.InputOutput, $"'{file}' does not say how it was made: only .rtfilm, .png, .jpg and .exr files of render, resume and merge do");
+            throw new CommandException(ExitStatus.InputOutput, $"'{file}' does not say how it was made: only .rtfilm, .png, .jpg, .exr and .hdr files of render, resume and merge do");
         }
 
         if (texts.ContainsKey("Aov") || texts.ContainsKey("Layer") || texts.ContainsKey("Denoised"))

@@ -79,29 +79,56 @@ public static class ImageFile
 
     /// <summary>Whether a file is there and its first bytes are those of a picture or film.</summary>
     /// <param name="path">The file.</param>
-    public static bool IsImage(string path)
+    public static bool IsImage(string path) => FormatOf(path) is not null;
+
+    /// <summary>The format that the first bytes of a file are those of, with the article: "a PNG picture", or "a film"; null for any other file, or none.</summary>
+    /// <param name="path">The file.</param>
+    public static string? FormatOf(string path)
     {
         try
         {
-            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
-            if (!stream.CanSeek)
+            // Who looks into a pipe, whose length is 0, takes from it.
+            FileInfo file = new(path);
+            if ((file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true)) is not FileInfo { Exists: true, Length: > 0 })
             {
-                // Who looks into a pipe takes from it.
-                return false;
+                return null;
             }
 
+            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
             Span<byte> bytes = stackalloc byte[16];
             ReadOnlySpan<byte> head = bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
-            return head.StartsWith(PngReader.Signature) || head.StartsWith(JpegReader.Signature) || head.StartsWith(ExrReader.Signature) || head.StartsWith(HdrReader.Signature)
-                || head.StartsWith(FilmFile.Signature) || PfmReader.IsPfm(head);
+            return head.StartsWith(PngReader.Signature) ? "a PNG picture"
+                : head.StartsWith(JpegReader.Signature) ? "a JPEG picture"
+                : head.StartsWith(ExrReader.Signature) ? "an OpenEXR picture"
+                : head.StartsWith(HdrReader.Signature) ? "a Radiance HDR picture"
+                : head.StartsWith(FilmFile.Signature) ? FilmFormat
+                : PfmReader.IsPfm(head) ? "a PFM picture" : null;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
-            return false;
+            return null;
         }
     }
 
-    /// <summary>Reads the texts that a picture file carries, in their order; of a PFM or Radiance HDR, none. Comments of a JPEG that name no key are called "Comment".</summary>
+    /// <summary>What <see cref="FormatOf"/> calls a film.</summary>
+    public const string FilmFormat = "a film";
+
+    /// <summary>Reads what a picture file says of itself, without its pixels.</summary>
+    /// <param name="path">The file.</param>
+    /// <exception cref="PictureException">As for <see cref="Read"/>; a film is none.</exception>
+    public static ImageDescription Describe(string path) => OfFile(path, file => Describe(file) with { FileBytes = file.Length });
+
+    /// <summary>Reads what a picture file in memory says of itself, without its pixels.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <exception cref="PictureException">As for <see cref="Decode"/>; a film is none.</exception>
+    public static ImageDescription Describe(ReadOnlySpan<byte> file) =>
+        file.StartsWith(PngReader.Signature) ? PngReader.Describe(file)
+        : file.StartsWith(JpegReader.Signature) ? JpegReader.Describe(file)
+        : file.StartsWith(ExrReader.Signature) ? ExrReader.Describe(file)
+        : file.StartsWith(HdrReader.Signature) ? HdrReader.Describe(file)
+        : PfmReader.IsPfm(file) ? PfmReader.Describe(file) : throw Unknown();
+
+    /// <summary>Reads the texts that a picture file carries, in their order; of a PFM, none. Comments of a JPEG that name no key are called "Comment".</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, TextOf);
@@ -110,7 +137,8 @@ public static class ImageFile
         file.StartsWith(PngReader.Signature) ? PngReader.ReadText(file)
         : file.StartsWith(ExrReader.Signature) ? ExrReader.ReadText(file)
         : file.StartsWith(JpegReader.Signature) ? JpegReader.ReadText(file)
-        : PfmReader.IsPfm(file) || file.StartsWith(FilmFile.Signature) || file.StartsWith(HdrReader.Signature) ? []
+        : file.StartsWith(HdrReader.Signature) ? HdrReader.ReadText(file)
+        : PfmReader.IsPfm(file) || file.StartsWith(FilmFile.Signature) ? []
         : throw Unknown();
 
     /// <summary>
@@ -174,7 +202,7 @@ public static class ImageFile
                 PfmWriter.Write(stream, image);
                 break;
             case ".hdr":
-                HdrWriter.Write(stream, image);
+                HdrWriter.Write(stream, image, options.Metadata);
                 break;
             default:
                 ExrWriter.Write(stream, image, options.ExrPixelType, options.ExrCompression, options.Metadata, options.ExrLayers);

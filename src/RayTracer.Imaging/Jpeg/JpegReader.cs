@@ -83,6 +83,43 @@ public static class JpegReader
         return texts;
     }
 
+    /// <summary>Reads what a file says of itself.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
+    internal static ImageDescription Describe(ReadOnlySpan<byte> file)
+    {
+        Require(file.StartsWith(Signature), "it does not begin as a JPEG file does");
+        State state = new();
+        int position = 2;
+        while (NextMarker(file, ref position) is int marker && marker is not (EndOfImage or StartOfScan))
+        {
+            ReadSegment(state, marker, Segment(file, marker, ref position));
+        }
+
+        JpegFrame frame = state.Frame ?? throw new PictureException("it has no frame header: there is no picture in it");
+        string[] names = state.ColourSpace() switch
+        {
+            JpegColourSpace.Grey => ["Y"],
+            JpegColourSpace.Rgb => ["R", "G", "B"],
+            JpegColourSpace.YCbCr => ["Y", "Cb", "Cr"],
+            JpegColourSpace.Ycck => ["Y", "Cb", "Cr", "K"],
+            _ => ["C", "M", "Y", "K"],
+        };
+        string compression = $"{(frame.IsProgressive ? "progressive" : "baseline")} DCT{(names.Length == 3 ? $", chroma {Chroma(frame.Components)}" : "")}";
+        return new("JPEG", frame.Width, frame.Height, compression, ImageChannel.Of(ImageChannel.Integer, 8, names), ReadText(file));
+    }
+
+    private static string Chroma(JpegComponent[] components) =>
+        (components[0].Horizontal / (double)components[1].Horizontal, components[0].Vertical / (double)components[1].Vertical) switch
+        {
+            (1, 1) => "4:4:4",
+            (2, 1) => "4:2:2",
+            (2, 2) => "4:2:0",
+            (4, 1) => "4:1:1",
+            (1, 2) => "4:4:0",
+            _ => $"of {string.Join(", ", components.Select(c => $"{c.Horizontal}×{c.Vertical}"))}",
+        };
+
     // What stands before a scan and holds for it.
     private sealed class State
     {

@@ -34,6 +34,16 @@ internal static class ExrFormat
     /// <summary>The four bytes that an OpenEXR file begins with.</summary>
     public static ReadOnlySpan<byte> Magic => [0x76, 0x2F, 0x31, 0x01];
 
+    /// <summary>A compression's name in the format's own documents.</summary>
+    public static string NameOf(ExrCompression compression) => compression switch
+    {
+        Piz => "PIZ",
+        Pxr24 => "PXR24",
+        B44 => "B44",
+        B44A => "B44A",
+        _ => compression.ToString().ToUpperInvariant(),
+    };
+
     /// <summary>Rows that are compressed together.</summary>
     public static int RowsOfBlock(ExrCompression compression) => compression switch
     {

@@ -160,6 +160,20 @@ public static class ExrReader
     /// <exception cref="PictureException">The header is damaged or not of the kind that is read.</exception>
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(ReadOnlySpan<byte> file) => ExrHeader.Parse(file).Texts;
 
+    /// <summary>Reads what a file says of itself.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <exception cref="PictureException">The header is damaged or not of the kind that is read.</exception>
+    internal static ImageDescription Describe(ReadOnlySpan<byte> file)
+    {
+        ExrHeader header = ExrHeader.Parse(file);
+        string tiles = header.IsTiled ? $", tiles of {header.BlockWidth}×{header.BlockHeight}" : "";
+        string parts = header.IsMultiPart ? ", first of several parts" : "";
+        return new("OpenEXR", header.Width, header.Height, $"{ExrFormat.NameOf(header.Compression)}{tiles}{parts}", [.. header.Channels.Select(Channel)], header.Texts);
+
+        static ImageChannel Channel(ExrChannel channel) => new(
+            channel.Name, channel.Type switch { ExrPixelType.Half => "half", ExrPixelType.Float => "float", _ => ImageChannel.Integer }, 8 * channel.ValueBytes);
+    }
+
     // Where each channel goes: 0, 1, 2 red, green, blue; 3 all three; -1 nowhere.
     private static int[] Targets(ExrHeader header)
     {

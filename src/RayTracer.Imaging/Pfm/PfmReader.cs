@@ -20,22 +20,7 @@ public static class PfmReader
     /// <exception cref="PictureException">The file is no PFM, is cut off, or is beyond <see cref="PictureLimits"/>.</exception>
     public static Picture Read(ReadOnlySpan<byte> file)
     {
-        if (!IsPfm(file))
-        {
-            throw new PictureException("it does not begin as a PFM file does");
-        }
-
-        int channels = file[1] == 'F' ? 3 : 1;
-        ReadOnlySpan<byte> rest = file[2..];
-        int width = Size(Word(ref rest), "width");
-        int height = Size(Word(ref rest), "height");
-        PictureLimits.CheckSize(width, height);
-        string scale = Word(ref rest);
-        if (!float.TryParse(scale, NumberStyles.Float, CultureInfo.InvariantCulture, out float factor) || factor == 0 || !float.IsFinite(factor))
-        {
-            throw new PictureException($"its scale '{Shown(scale)}' is not a number other than 0");
-        }
-
+        (int channels, int width, int height, float factor) = Header(file, out ReadOnlySpan<byte> rest);
         rest = rest.IsEmpty ? rest : rest[1..];
         long needed = 4L * channels * width * height;
         if (rest.Length < needed)
@@ -52,6 +37,33 @@ public static class PfmReader
         }
 
         return picture;
+    }
+
+    /// <summary>Reads what a file says of itself.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <exception cref="PictureException">Its header is damaged.</exception>
+    internal static ImageDescription Describe(ReadOnlySpan<byte> file)
+    {
+        (int channels, int width, int height, float factor) = Header(file, out _);
+        string[] names = channels == 3 ? ["R", "G", "B"] : ["Y"];
+        return new("PFM", width, height, factor > 0 ? "none, big-endian" : "none, little-endian", ImageChannel.Of("float", 32, names), []);
+    }
+
+    private static (int Channels, int Width, int Height, float Factor) Header(ReadOnlySpan<byte> file, out ReadOnlySpan<byte> rest)
+    {
+        if (!IsPfm(file))
+        {
+            throw new PictureException("it does not begin as a PFM file does");
+        }
+
+        rest = file[2..];
+        int width = Size(Word(ref rest), "width");
+        int height = Size(Word(ref rest), "height");
+        PictureLimits.CheckSize(width, height);
+        string scale = Word(ref rest);
+        return float.TryParse(scale, NumberStyles.Float, CultureInfo.InvariantCulture, out float factor) && factor != 0 && float.IsFinite(factor)
+            ? (file[1] == 'F' ? 3 : 1, width, height, factor)
+            : throw new PictureException($"its scale '{Shown(scale)}' is not a number other than 0");
     }
 
     private static void ReadRow(ReadOnlySpan<byte> bytes, int channels, bool bigEndian, Span<float> row)

@@ -1,3 +1,4 @@
+using System.Buffers.Binary;
 using System.IO.Compression;
 using RayTracer.Textures;
 
@@ -72,6 +73,34 @@ public static class PngReader
         }
 
         return texts;
+    }
+
+    /// <summary>Reads what a file says of itself.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <exception cref="PictureException">As for <see cref="ReadText"/>.</exception>
+    internal static ImageDescription Describe(ReadOnlySpan<byte> file)
+    {
+        PngHeader? header = null;
+        int frames = 1;
+        PngChunks chunks = new(file);
+        while (chunks.Next())
+        {
+            header ??= chunks.Type == "IHDR" ? PngHeader.Parse(chunks.Data) : throw new PictureException($"its first chunk is {chunks.Type} instead of IHDR");
+            frames = chunks.Type == "acTL" && chunks.Data.Length == 8 ? BinaryPrimitives.ReadInt32BigEndian(chunks.Data) : frames;
+        }
+
+        (string type, string[] names) = header!.Value.ColourType switch
+        {
+            PngColourType.Grey => (ImageChannel.Integer, ["Y"]),
+            PngColourType.GreyAlpha => (ImageChannel.Integer, ["Y", "A"]),
+            PngColourType.Palette => ("index of a palette", new[] { "RGB" }),
+            PngColourType.Rgb => (ImageChannel.Integer, ["R", "G", "B"]),
+            _ => (ImageChannel.Integer, ["R", "G", "B", "A"]),
+        };
+        return new("PNG", header.Value.Width, header.Value.Height, header.Value.Interlaced ? "Deflate, interlaced" : "Deflate", ImageChannel.Of(type, header.Value.BitDepth, names), ReadText(file))
+        {
+            Frames = Math.Max(frames, 1),
+        };
     }
 
     // Reads all chunks after IHDR; returns the palette, if any.

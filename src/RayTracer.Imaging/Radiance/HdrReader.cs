@@ -10,7 +10,9 @@ namespace RayTracer.Imaging;
 /// </summary>
 public static class HdrReader
 {
-    private const int LongestLine = 4096;
+    /// <summary>Bytes of the longest line of a header, with its end.</summary>
+    internal const int LongestLine = 1 << 16;
+
     private const int LongestHeader = 1 << 20;
 
     // A run of 127 equal bytes takes two; four bytes repeat a pixel 255 times.
@@ -25,13 +27,8 @@ public static class HdrReader
     /// <exception cref="PictureException">The file is no Radiance picture, is cut off or damaged, or is beyond <see cref="PictureLimits"/>.</exception>
     public static Picture Read(ReadOnlySpan<byte> file)
     {
-        if (!file.StartsWith(Signature))
-        {
-            throw new PictureException("it does not begin as a Radiance picture does");
-        }
-
         ReadOnlySpan<byte> rest = file;
-        float scale = 1 / Exposure(ref rest);
+        float scale = 1 / Exposure(Header(ref rest));
         (int width, int height, bool isUpsideDown, bool isMirrored) = Size(Line(ref rest));
         PictureLimits.CheckSize(width, height);
         if ((long)width * height > rest.Length * MostPixelsPerByte)
@@ -54,18 +51,60 @@ public static class HdrReader
         return picture;
     }
 
-    // The lines up to an empty one; returns the product of all exposures.
-    private static float Exposure(ref ReadOnlySpan<byte> rest)
+    /// <summary>Reads the texts that a file carries: comments, <c># key: value</c> in UTF-8 or a text that is called "Comment", and variables, <c>KEY=value</c>.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <exception cref="PictureException">The header is damaged.</exception>
+    public static IReadOnlyList<KeyValuePair<string, string>> ReadText(ReadOnlySpan<byte> file) => [.. Header(ref file).Skip(1).Select(Text).OfType<KeyValuePair<string, string>>()];
+
+    /// <summary>Reads what a file says of itself.</summary>
+    /// <param name="file">The whole file.</param>
+    /// <exception cref="PictureException">The header is damaged.</exception>
+    internal static ImageDescription Describe(ReadOnlySpan<byte> file)
     {
-        float exposure = 1;
+        ReadOnlySpan<byte> rest = file;
+        Exposure(Header(ref rest));
+        (int width, int height, _, _) = Size(Line(ref rest));
+        PictureLimits.CheckSize(width, height);
+        bool isCoded = width is >= 8 and < 32768 && rest is [2, 2, ..];
+        return new("Radiance HDR", width, height, isCoded ? "run lengths" : "none, or old run lengths", ImageChannel.Of("mantissa, with a common exponent of 8 bits", 8, "R", "G", "B"), ReadText(file));
+    }
+
+    // The lines up to an empty one.
+    private static List<string> Header(ref ReadOnlySpan<byte> rest)
+    {
+        if (!rest.StartsWith(Signature))
+        {
+            throw new PictureException("it does not begin as a Radiance picture does");
+        }
+
+        List<string> lines = [];
         int before = rest.Length;
         for (string line = Line(ref rest); line.Length > 0; line = Line(ref rest))
         {
-            if (before - rest.Length > LongestHeader)
-            {
-                throw new PictureException("its header has no end");
-            }
+            lines.Add(before - rest.Length <= LongestHeader ? line : throw new PictureException("its header has no end"));
+        }
 
+        return lines;
+    }
+
+    private static KeyValuePair<string, string>? Text(string line)
+    {
+        // Lines are read byte for byte.
+        line = Encoding.UTF8.GetString(Encoding.Latin1.GetBytes(line));
+        bool isComment = line[0] == '#';
+        line = isComment ? line[1..].TrimStart() : line;
+        int end = line.IndexOf(isComment ? ": " : "=", StringComparison.Ordinal);
+        return end > 0 && isComment ? new(line[..end], line[(end + 2)..])
+            : isComment ? new("Comment", line)
+            : end > 0 && line[..end] is not "FORMAT" and var key ? new(key, line[(end + 1)..]) : null;
+    }
+
+    // The product of all exposures.
+    private static float Exposure(List<string> lines)
+    {
+        float exposure = 1;
+        foreach (string line in lines)
+        {
             if (line.StartsWith("FORMAT=", StringComparison.Ordinal) && line.Trim() != "FORMAT=32-bit_rle_rgbe")
             {
                 throw new PictureException($"its colours are '{Shown(line["FORMAT=".Length..])}', and only 32-bit_rle_rgbe is read");

@@ -18,10 +18,14 @@ public static class HdrWriter
     /// <summary>Writes an image.</summary>
     /// <param name="output">Where to.</param>
     /// <param name="image">Linear RGB.</param>
-    public static void Write(Stream output, IImageRows image)
+    /// <param name="metadata">Texts to keep as comments, <c># key: value</c> in UTF-8; may be null. One that has line ends, or some 65,000 bytes, is left out.</param>
+    public static void Write(Stream output, IImageRows image, IReadOnlyList<KeyValuePair<string, string>>? metadata = null)
     {
         int width = image.Width;
-        output.Write(Encoding.ASCII.GetBytes($"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {image.Height} +X {width}\n"));
+
+        // Ward's own reader wants nothing between FORMAT and the empty line.
+        IEnumerable<string> comments = (metadata ?? []).Select(t => $"# {t.Key}: {t.Value}\n").Where(c => !c.AsSpan(0, c.Length - 1).ContainsAny('\n', '\r') && Encoding.UTF8.GetByteCount(c) <= HdrReader.LongestLine);
+        output.Write(Encoding.UTF8.GetBytes($"#?RADIANCE\n{string.Concat(comments)}FORMAT=32-bit_rle_rgbe\n\n-Y {image.Height} +X {width}\n"));
         float[] row = new float[3 * width];
         byte[] channels = new byte[4 * width];
         List<byte> coded = [];

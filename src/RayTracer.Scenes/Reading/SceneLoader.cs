@@ -21,6 +21,12 @@ public static class SceneLoader
         string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null,
         int? frame = null)
     {
+        if (ImageFile.FormatOf(path) is { } format)
+        {
+            string advice = format == ImageFile.FilmFormat ? $"\"raytracer resume {path}\" goes on with it, \"raytracer convert {path} FILE.png\" makes an image of it" : $"\"raytracer view {path}\" shows it";
+            return new(null, null, [new(path, 0, 0, Severity.Error, $"this is {format} and no scene: {advice}") { Rule = DiagnosticRule.Unreadable }]);
+        }
+
         string folder = Path.GetDirectoryName(path) ?? "";
         ModelFolder models = new(folder);
         return Build(Read(path, models, settings, frame), folder, models, AtFrame(overrides, frame), readPicture, keepsSources: false);

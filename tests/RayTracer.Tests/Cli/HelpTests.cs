@@ -20,7 +20,7 @@ public class HelpTests
         Assert.Equal((0, ""), (run.Status, run.Error));
         foreach (VerbHelp verb in s_verbs)
         {
-            string[] lines = [.. run.Output.Split('\n').Where(l => Regex.IsMatch(l, $@"\b{verb.Name}\b", RegexOptions.None, TimeSpan.FromSeconds(10)))];
+            string[] lines = [.. run.Output.Split('\n').Where(l => Regex.IsMatch(l, $@"\b{verb.Name.Split(' ')[^1]}\b", RegexOptions.None, TimeSpan.FromSeconds(10)))];
             Assert.NotEmpty(lines);
             Assert.All(verb.Options.SelectMany(o => o.Names), name => Assert.Contains(shell == "fish" ? $" -{(name[1] == '-' ? "l " + name[2..] : "s " + name[1..])} " : name, run.Output + " ", StringComparison.Ordinal));
         }
@@ -37,8 +37,35 @@ public class HelpTests
             source '{{folder["c.bash"]}}'
             t() { COMP_WORDS=(raytracer "$@"); COMP_CWORD=$#; COMPREPLY=(); _raytracer; echo "${COMPREPLY[*]}"; }
             t ren; t render --integ; t render --integrator vol; t render -o ''; t completion p; t check --format s
+            t cluster ''; t cluster slurm --pa; t cluster slurm --tonemap re; t render --frames ''; t reproduce ''
+            t render --tonemap = a; t render --chroma =
             """;
-        Assert.Equal((0, "render\n--integrator\nvolpath\n\npwsh\nsarif\n"), ProgramFactAttribute.Run("bash", "-c", script));
+        string[] words = ["render", "--integrator", "volpath", "", "pwsh", "sarif", "slurm", "--partition", "reinhard", "", "report complexity", "aces agx", "full half"];
+        Assert.Equal((0, string.Concat(words.Select(w => w + "\n"))), ProgramFactAttribute.Run("bash", "-c", script));
+    }
+
+    [ProgramFact("fish")]
+    public void Fish_completes()
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder["c.fish"], CliRun.Of("completion", "fish").Output);
+        string script = $$"""
+            source '{{folder["c.fish"]}}'
+            for line in 'cluster ' 'cluster slurm --pa' 'render --tonemap=ag' 'reproduce '
+                complete -C "raytracer $line" | string replace -r '\t.*' ''
+            end
+            true
+            """;
+        Assert.Equal((0, "slurm\n--partition\n--tonemap=agx\ncomplexity\nreport\n"), ProgramFactAttribute.Run("fish", "--no-config", "-c", script));
+    }
+
+    [Fact]
+    public void Only_words_that_can_be_typed_are_offered()
+    {
+        IEnumerable<string> words = s_verbs.SelectMany(v => v.Choices.Concat(v.Options.SelectMany(o => o.Choices)));
+        Assert.All(words, w => Assert.DoesNotContain(w, char.IsAsciiLetterUpper));
+        Assert.Contains(s_verbs, v => v is { Name: "cluster slurm", Options.Count: > 10 });
+        Assert.Contains("--tonemap=[", CliRun.Of("completion", "zsh").Output, StringComparison.Ordinal);
     }
 
     [ProgramFact("zsh")]

@@ -43,6 +43,10 @@ public sealed class ProcessTests : IDisposable
         Assert.Single(error.TrimEnd().Split('\n'));
     }
 
+    [ProgramFact("bash")]
+    public void A_scene_comes_through_a_pipe() =>
+        Assert.Equal((0, "/dev/stdin: fine\n"), ProgramFactAttribute.Run("bash", "-c", $"cat '{_scene}' | '{Program}' check /dev/stdin"));
+
     [LinuxFact]
     public void Full_standard_error_costs_no_picture()
     {
@@ -95,6 +99,9 @@ public sealed class ProcessTests : IDisposable
 
     [LinuxFact]
     public void Termination_writes_the_image_so_far() => SignalWritesTheImage("TERM", 143);
+
+    [LinuxFact]
+    public void A_closed_terminal_leaves_the_image_so_far() => SignalWritesTheImage("HUP", 129, "> /dev/full");
 
     [LinuxFact]
     public void Ctrl_C_leaves_the_reproduced_pictures_so_far()
@@ -169,9 +176,10 @@ public sealed class ProcessTests : IDisposable
         return (process.ExitCode, error.Result);
     }
 
-    private void SignalWritesTheImage(string signal, int status)
+    private void SignalWritesTheImage(string signal, int status, string redirection = "")
     {
-        using Process process = Start("render", _scene, "-o", _folder["a.png"], "-o", _folder["a.pfm"], "--spp", "16777216");
+        string[] words = ["-c", $"exec \"$0\" \"$@\" {redirection}", Program, "render", _scene, "-o", _folder["a.png"], "-o", _folder["a.pfm"], "--spp", "16777216"];
+        using Process process = Process.Start(new ProcessStartInfo("/bin/sh", words) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
         try
         {
             // The first line of progress is proof that samples are in the film.
@@ -180,7 +188,7 @@ public sealed class ProcessTests : IDisposable
             ProgramFactAttribute.Run("kill", $"-{signal}", $"{process.Id}");
             (int actual, string error) = End(process, process.StandardError.ReadToEndAsync());
             Assert.Equal(status, actual);
-            Assert.Contains("the image so far is in", error, StringComparison.Ordinal);
+            Assert.Equal(redirection.Length == 0, error.Contains("the image so far is in", StringComparison.Ordinal));
             Assert.True(ImageFile.Read(_folder["a.pfm"]).Pixels.Max() > 0);
             Assert.Equal(24, ImageFile.Read(_folder["a.png"]).Width);
         }

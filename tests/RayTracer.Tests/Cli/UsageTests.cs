@@ -38,13 +38,26 @@ public sealed class UsageTests : IDisposable
     [InlineData("render SCENE -o a.png --noise little", "--noise little: expected a number, as in 1% or 0.01, not \"little\"")]
     [InlineData("render SCENE -o a.png --noise 0", "--noise 0: must be above 0 and below 100%, but is 0")]
     [InlineData("render SCENE -o a.png --noise 1", "--noise 1: must be above 0 and below 100%, but is 1")]
+    [InlineData("render SCENE -o a.png --time 1h30", "--time 1h30: expected a time, as in 90s, 10m, 1.5h or 1h30m, not \"1h30\"")]
+    [InlineData("render SCENE -o a.png --time 0m", "--time 0m: must be above 0")]
+    [InlineData("render SCENE -o a.png --checkpoint-interval 5x", "--checkpoint-interval 5x: expected a time")]
+    [InlineData("render SCENE -o a.png --quiet --verbose", "--quiet and --verbose cannot go together")]
+    [InlineData("merge a.rtfilm -o a.png --quiet --verbose", "--quiet and --verbose cannot go together")]
+    [InlineData("render SCENE -o EMPTY", "-o FILE: the word is empty")]
+    [InlineData("resume EMPTY", "FILE: the word is empty")]
+    [InlineData("resume a.rtfilm -o EMPTY", "-o FILE: the word is empty")]
+    [InlineData("cluster slurm EMPTY", "SCENE: the word is empty")]
+    [InlineData("cluster slurm SCENE --tasks 2 -o a.png --folder EMPTY", "--folder FOLDER: the word is empty")]
+    [InlineData("verify EMPTY", "FILE: the word is empty")]
+    [InlineData("view EMPTY", "IMAGE: the word is empty")]
+    [InlineData("convert SCENE EMPTY", "TO: the word is empty")]
     [InlineData("render SCENE -o a.png --crop 1,2,3", "--crop 1,2,3: expected x,y,w,h")]
     [InlineData("render SCENE -o a.png --crop 1,2,3,-4", "--crop 1,2,3,-4: expected x,y,w,h")]
     [InlineData("render SCENE --set -o v.png", "--set -o: expected \"=\" and a value")]
     [InlineData("render -- -x.json --width 9", "unexpected argument \"--width\": options stand before the word --")]
     public void Wrong_words_get_one_line_and_the_usage(string line, string message)
     {
-        CliRun run = CliRun.Of(line.Replace("SCENE", _scene, StringComparison.Ordinal).Split(' '));
+        CliRun run = CliRun.Of([.. line.Replace("SCENE", _scene, StringComparison.Ordinal).Split(' ').Select(w => w == "EMPTY" ? "" : w)]);
         string[] lines = run.Error.TrimEnd().Split(Environment.NewLine);
         Assert.Equal(2, run.Status);
         Assert.StartsWith("raytracer: error: ", lines[0]);
@@ -137,7 +150,7 @@ public sealed class UsageTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--help", "70 internal error, 130 Ctrl-C")]
+    [InlineData("--help", "70 internal error, 129 SIGHUP, 130 Ctrl-C")]
     [InlineData("render --help", "--max-specular-depth")]
     [InlineData("--version", "lanes)")]
     [InlineData("schema", "https://json-schema.org/draft/2020-12/schema")]

@@ -33,6 +33,20 @@ public sealed class HdrWriterTests : IDisposable
         Assert.Equal([0, 0, 0.5f, 255 * MathF.Pow(2, 119), 0, 0, 0, 0, 0, 256, 0, 254], read.Pixels.Select(v => v == 0 ? 0 : v));
     }
 
+    [Fact]
+    public void Texts_are_comments_that_are_read_again()
+    {
+        string longest = new('x', 65_000);
+        KeyValuePair<string, string>[] texts = [new("Command", "raytracer render 'a b.json'"), new("Key", "λ: μ"), new("Long", longest), new("Lines", "1\n\n2"), new("TooLong", longest + longest), new("Last", "")];
+        Picture picture = TestPictures.Noise(9, 4);
+        ImageFile.Write(_folder["plain.hdr"], picture);
+        ImageFile.Write(_folder["a.hdr"], picture, new() { Metadata = texts });
+        Assert.Equal(texts.Where(t => t.Key is not ("Lines" or "TooLong")), ImageFile.ReadText(_folder["a.hdr"]));
+        TestPictures.AssertSameBits(ImageFile.Read(_folder["plain.hdr"]), ImageFile.Read(_folder["a.hdr"]));
+        File.WriteAllText(_folder["b.hdr"], "#?RADIANCE\n#by hand\nSOFTWARE=pfilt\npfilt -x 2\nFORMAT=32-bit_rle_rgbe\n\n");
+        Assert.Equal([new("Comment", "by hand"), new("SOFTWARE", "pfilt")], ImageFile.ReadText(_folder["b.hdr"]));
+    }
+
     [SkippableFact]
     public void ImageMagick_reads_what_is_written()
     {
@@ -41,7 +55,7 @@ public sealed class HdrWriterTests : IDisposable
 
         // There are no numbers below zero in the format.
         picture = new(picture.Width, picture.Height, [.. picture.Pixels.Select(v => MathF.Max(v, 0))]);
-        ImageFile.Write(_folder["a.hdr"], picture);
+        ImageFile.Write(_folder["a.hdr"], picture, new() { Metadata = [new("Command", new string('x', 300)), new("Scene", "λ")] });
         ImageMagick.Convert(_folder["a.hdr"], "-strip", "+set", "comment", _folder["a.pfm"]);
         AssertClose(picture, ImageFile.Read(_folder["a.pfm"]));
     }

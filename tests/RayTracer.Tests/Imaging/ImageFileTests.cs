@@ -71,6 +71,8 @@ public sealed class ImageFileTests : IDisposable
     [Theory]
     [InlineData("a.png", "λ")]
     [InlineData("a.exr", "λ")]
+    [InlineData("a.jpg", "λ")]
+    [InlineData("a.hdr", "λ")]
     [InlineData("a.pfm", null)]
     public void Metadata_is_kept_where_the_format_can(string name, string? expected)
     {

@@ -57,6 +57,15 @@ internal static class TestPictures
             long before = GC.GetAllocatedBytesForCurrentThread();
             try
             {
+                ImageFile.Describe(damaged);
+            }
+            catch (PictureException e)
+            {
+                Assert.DoesNotContain('\n', e.Message);
+            }
+
+            try
+            {
                 read(damaged);
             }
             catch (PictureException e)
