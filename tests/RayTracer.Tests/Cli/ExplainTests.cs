@@ -32,7 +32,7 @@ public class ExplainTests
     [InlineData("camera.xyzzy", "there is no \"xyzzy\" in \"camera\": there are ")]
     [InlineData("spher", "nothing is called \"spher\" (did you mean \"sphere\"?)")]
     [InlineData("camera.fieldOfView.x", "\"camera.fieldOfView\" has no parts")]
-    [InlineData("", "nothing is called \"\"")]
+    [InlineData("", "TOPIC: the word is empty")]
     public void A_miss_has_the_nearest_right_word(string topic, string message)
     {
         CliRun run = CliRun.Of("explain", topic);
