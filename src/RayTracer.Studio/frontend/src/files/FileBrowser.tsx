@@ -26,6 +26,7 @@ export function FileBrowser({ start, onFolder, onPick, onChoose, picked, named }
   const [typed, setTyped] = useState("");
   const asked = useRef(0);
   const isTyping = useRef(false);
+  const shown = useRef("");
 
   // Only the folder asked for last is shown, and its path never takes the place of what is being typed.
   const go = (path: string | undefined) => {
@@ -35,7 +36,10 @@ export function FileBrowser({ start, onFolder, onPick, onChoose, picked, named }
       if (turn !== asked.current) return;
       setListing(answer);
       if (!isTyping.current) setTyped(answer.path);
-      onFolder(answer.path);
+
+      // What is picked stays so when the same folder is read again.
+      if (answer.path !== shown.current) onFolder(answer.path);
+      shown.current = answer.path;
     }, complain);
   };
   const type = (text: string) => {
