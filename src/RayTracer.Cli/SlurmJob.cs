@@ -140,7 +140,8 @@ internal sealed record SlurmJob
 
     private void Write(string file, string text) => AtomicFile.Write(Path.Combine(Folder, file), stream => stream.Write(Encoding.UTF8.GetBytes(text.ReplaceLineEndings("\n"))));
 
-    // $done is there once a task has done its work. Each run has a name of its own for what is not whole: a node that was taken for dead may still be rendering.
+    // $done is there once a task has done its work. Each run has a name of its own for what becomes $done: a node that was taken for dead may still be rendering. What is begun
+    // may be of either: its bits are those of the part's first samples, whoever wrote it. Five minutes, so that many tasks do not keep a file system busy.
     private string ArrayScript(string name)
     {
         string work = HasFrames
@@ -150,9 +151,11 @@ internal sealed record SlurmJob
               """
             : $$"""
               film={{Quote(Folder)}}/.{{name}}-$SLURM_ARRAY_TASK_ID.${SLURMD_NODENAME:-$(hostname)}-$$.rtfilm
+              begun={{Quote(Folder)}}/.{{name}}-$SLURM_ARRAY_TASK_ID.rtfilm
               trap 'rm -f "$film"' EXIT
-              raytracer render {{Words(Render)}} --part "$SLURM_ARRAY_TASK_ID/{{Tasks}}" --threads {{Threads}} --quiet -o "$film"
+              raytracer render {{Words(Render)}} --part "$SLURM_ARRAY_TASK_ID/{{Tasks}}" --threads {{Threads}} --quiet --checkpoint "$begun" --checkpoint-interval 5m --resume -o "$film"
               mv -f "$film" "$done"
+              rm -f "$begun"
               """;
         return $$"""
             #!/bin/bash

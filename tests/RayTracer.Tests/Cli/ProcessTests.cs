@@ -138,7 +138,7 @@ public sealed class ProcessTests : IDisposable
         Assert.Equal(Hash(null), Hash("256"));
     }
 
-    private static string Program { get; } = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raytracer.exe" : "raytracer");
+    internal static string Program { get; } = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raytracer.exe" : "raytracer");
 
     internal static Process Start(params string[] args) => Start(null, args);
 
