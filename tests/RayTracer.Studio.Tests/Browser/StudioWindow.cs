@@ -101,8 +101,17 @@ internal sealed class StudioWindow : IAsyncDisposable
     }
 
     /// <summary>Waits until a full picture of so many samples is painted.</summary>
-    public async Task Painted(int samples = 1) => await Until($"{samples} samples are painted", async () =>
-        await Canvas.GetAttributeAsync("data-preview") == "false" && await Data("samples") >= samples);
+    public async Task Painted(int samples = 1)
+    {
+        try
+        {
+            await Until($"{samples} samples are painted", async () => await Canvas.CountAsync() > 0 && await Canvas.GetAttributeAsync("data-preview") == "false" && await Data("samples") >= samples);
+        }
+        catch (Xunit.Sdk.XunitException e)
+        {
+            throw new Xunit.Sdk.XunitException($"{e.Message} The page:{Environment.NewLine}{await Page.Locator("body").InnerTextAsync()}", e);
+        }
+    }
 
     /// <summary>A number that the canvas tells.</summary>
     public async Task<int> Data(string name) => int.Parse(await Canvas.GetAttributeAsync("data-" + name) ?? "0", CultureInfo.InvariantCulture);

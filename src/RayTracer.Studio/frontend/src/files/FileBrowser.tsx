@@ -59,10 +59,11 @@ export function FileBrowser({ start, onFolder, onPick, onChoose, picked, named }
           aria-label={texts.dialogs.path}
           value={typed}
           spellcheck={false}
+          onFocus={() => (isTyping.current = true)}
           onInput={(e) => type(e.currentTarget.value)}
-          onKeyDown={(e) => e.key === "Enter" && go(typed)}
+          onKeyDown={(e) => e.key === "Enter" && go(typed || listing?.path)}
         />
-        <Button label={texts.dialogs.go} showLabel kind="plain" onClick={() => go(typed)} />
+        <Button label={texts.dialogs.go} showLabel kind="plain" onClick={() => go(typed || listing?.path)} />
       </div>
       <ul class="listing" aria-label={listing?.path ?? texts.dialogs.folder}>
         {listing?.folders.map((name) => (

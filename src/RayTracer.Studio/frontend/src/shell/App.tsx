@@ -1,4 +1,4 @@
-import { useEffect } from "preact/hooks";
+import { useLayoutEffect } from "preact/hooks";
 import { ExportDialog } from "../files/ExportDialog";
 import { OpenDialog, SaveSceneDialog, WantedFileDialog } from "../files/FileDialogs";
 import { Gallery } from "../files/Gallery";
@@ -66,7 +66,8 @@ function BottomPane() {
 
 /** The whole window. */
 export function App() {
-  useEffect(listenToShortcuts, []);
+  // From the first frame on: nobody waits for the second to press a key.
+  useLayoutEffect(listenToShortcuts, []);
   const Shown = dialog.value && dialogs[dialog.value];
   // A fresh Studio asks what to do, and nothing else; but the tour needs something to point at.
   const hasPanes = !isFresh.value || tourStep.value !== null;
