@@ -49,22 +49,18 @@ public static class CarriedFilm
         }
     }
 
-    /// <inheritdoc cref="FilmFile.Unfinished"/>
+    /// <summary>The header of a film that shall come to hold more samples than it does; null where there is no such film.</summary>
+    /// <param name="path">The file.</param>
     public static FilmHeader? Unfinished(string path)
     {
-        if (!FilmExr.IsImage(path))
-        {
-            return FilmFile.Unfinished(path);
-        }
-
         try
         {
-            FilmHeader header = FilmExr.ReadHeader(path);
+            FilmHeader header = ReadHeader(path);
             return header.Samples.Count > 0 && !header.IsComplete ? header : null;
         }
         catch (PictureException)
         {
-            // An image without a film, or a damaged one.
+            // No film, or none that could be gone on with.
             return null;
         }
     }

@@ -156,7 +156,7 @@ public static class FilmExr
         for (int y = 0; y < film.Height; y++)
         {
             film.ReadSums(y, sums, counts);
-            words = Array.Exists(sums, s => s < long.MinValue || s > long.MaxValue) ? WordsOf128Bits : words;
+            words = FilmFile.AreWide(sums) ? WordsOf128Bits : words;
         }
 
         // The writer asks for one row's channels after another.

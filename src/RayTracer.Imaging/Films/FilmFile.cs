@@ -102,27 +102,14 @@ public static class FilmFile
         return header;
     });
 
-    /// <summary>The header of a film that shall come to hold more samples than it does; null where there is no such film.</summary>
-    /// <param name="path">The file.</param>
-    public static FilmHeader? Unfinished(string path)
-    {
-        try
-        {
-            FilmHeader header = ReadHeader(path);
-            return header.Samples.Count > 0 && !header.IsComplete ? header : null;
-        }
-        catch (PictureException)
-        {
-            // No film, or none that could be gone on with.
-            return null;
-        }
-    }
+    /// <summary>Whether sums need more than 64 bits.</summary>
+    internal static bool AreWide(Int128[] sums) => Array.Exists(sums, s => s < long.MinValue || s > long.MaxValue);
 
     // A row is a byte of flags, the counts (one where all are equal), and the sums (of 8 bytes where all fit into them, else of 16).
     private static int EncodeRow(Int128[] sums, uint[] counts, byte[] row)
     {
         bool equal = !counts.AsSpan().ContainsAnyExcept(counts[0]);
-        bool wide = Array.Exists(sums, s => s < long.MinValue || s > long.MaxValue);
+        bool wide = AreWide(sums);
         row[0] = (byte)((equal ? EqualCounts : 0) | (wide ? WideSums : 0));
         int length = 1;
         Copy(MemoryMarshal.AsBytes(counts.AsSpan(0, equal ? 1 : counts.Length)));

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using RayTracer.Cli;
 
 namespace RayTracer.Tests.Cli;
@@ -24,6 +25,25 @@ internal sealed record CliRun(int Status, string Output, string Error)
 
     /// <summary>Runs the command within this process, as if standard error were a terminal.</summary>
     public static CliRun OnTerminal(params string[] args) => Of(args, hasTerminal: true);
+
+    /// <summary>Runs a command that must succeed.</summary>
+    public static CliRun Fine(params string[] args)
+    {
+        CliRun run = Of(args);
+        Assert.True(run.Status == 0, run.Error);
+        return run;
+    }
+
+    /// <summary>Runs a command that must fail with a status, and a message that holds a text.</summary>
+    public static void Refused(int status, string message, params string[] args)
+    {
+        CliRun run = Of(args);
+        Assert.Equal(status, run.Status);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+    }
+
+    /// <summary>The hash of the film that a command with <c>--json</c> comes to.</summary>
+    public static string FilmHash(params string[] args) => JsonDocument.Parse(Fine(args).Output).RootElement.GetProperty("filmHash").GetString()!;
 
     private static CliRun Of(string[] args, bool hasTerminal)
     {

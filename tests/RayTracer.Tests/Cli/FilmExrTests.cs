@@ -1,5 +1,4 @@
 using System.Text;
-using System.Text.Json;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Tests.Imaging;
@@ -26,79 +25,79 @@ public sealed class FilmExrTests : IDisposable
     [Fact]
     public void An_image_that_carries_an_unfinished_film_is_gone_on_with_to_the_bits_of_one_render()
     {
-        string whole = Hash("render", _scene, "--spp", "16", "-o", _folder["whole.exr"], "--json", "--quiet");
-        Fine("render", _scene, "--spp", "16", "--samples", "0..6", "--exr-film", "-o", _image, "--quiet");
+        string whole = CliRun.FilmHash("render", _scene, "--spp", "16", "-o", _folder["whole.exr"], "--json", "--quiet");
+        CliRun.Fine("render", _scene, "--spp", "16", "--samples", "0..6", "--exr-film", "-o", _image, "--quiet");
         (FilmHeader header, Film film) = CarriedFilm.Read(_image);
         FilmExr.Write(_image, film, header with { Wanted = new(0, 16) }, new());
 
-        Refused(4, $"'{_image}' holds samples 0..6 of an unfinished rendering: \"raytracer resume {_image}\" goes on with it", "render", _scene, "--spp", "1", "-o", _image);
-        Fine("resume", _image, "--quiet");
+        CliRun.Refused(4, $"'{_image}' holds samples 0..6 of an unfinished rendering: \"raytracer resume {_image}\" goes on with it", "render", _scene, "--spp", "1", "-o", _image);
+        CliRun.Fine("resume", _image, "--quiet");
         Assert.Equal(whole, CarriedFilm.Read(_image).Film.ComputeHash());
         Assert.True(CarriedFilm.ReadHeader(_image).IsComplete);
         Assert.Contains(new("FilmHash", whole), ImageFile.ReadText(_image));
         TestPictures.AssertSameBits(ImageFile.Read(_folder["whole.exr"]), ImageFile.Read(_image));
 
         // With more samples, and over itself as an image.
-        string more = Hash("render", _scene, "--spp", "20", "--json", "--quiet");
-        Fine("resume", _image, "--spp", "20", "-o", _image, "-o", _folder["b.png"], "--quiet");
+        string more = CliRun.FilmHash("render", _scene, "--spp", "20", "--json", "--quiet");
+        CliRun.Fine("resume", _image, "--spp", "20", "-o", _image, "-o", _folder["b.png"], "--quiet");
         Assert.Equal(more, CarriedFilm.Read(_image).Film.ComputeHash());
-        Fine("verify", _image);
-        Fine("verify", _folder["b.png"]);
-        Fine("render", _scene, "--spp", "1", "-o", _image);
+        CliRun.Fine("verify", _image);
+        CliRun.Fine("verify", _folder["b.png"]);
+        CliRun.Fine("render", _scene, "--spp", "1", "-o", _image);
         Assert.False(CarriedFilm.Is(_image));
     }
 
     [Fact]
     public void Parts_in_files_of_either_kind_are_merged_to_the_single_render()
     {
-        string whole = Hash("render", _scene, "--spp", "16", "--json", "--quiet");
+        string whole = CliRun.FilmHash("render", _scene, "--spp", "16", "--json", "--quiet");
         string[] parts = [_image, _folder["b.rtfilm"], _folder["c.exr"], _folder["d.rtfilm"]];
         for (int i = 0; i < parts.Length; i++)
         {
             string[] carry = FilmExr.IsNamed(parts[i]) ? ["--exr-film"] : [];
-            Fine(["render", _scene, "--spp", "16", "--part", $"{i + 1}/4", "-o", parts[i], "--quiet", .. carry]);
+            CliRun.Fine(["render", _scene, "--spp", "16", "--part", $"{i + 1}/4", "-o", parts[i], "--quiet", .. carry]);
         }
 
-        Assert.Equal(whole, Hash(["merge", .. parts.Reverse(), "--json", "--exr-film", "-o", _folder["whole.exr"]]));
-        Assert.Equal(whole, Hash("merge", _folder["whole.exr"], "--json"));
-        Refused(4, $"samples 8..11 are in both '{_folder["whole.exr"]}' and '{_folder["c.exr"]}'", "merge", _folder["whole.exr"], _folder["c.exr"], "--json");
+        Assert.Equal(whole, CliRun.FilmHash(["merge", .. parts.Reverse(), "--json", "--exr-film", "-o", _folder["whole.exr"]]));
+        Assert.Equal(whole, CliRun.FilmHash("merge", _folder["whole.exr"], "--json"));
+        CliRun.Refused(4, $"samples 8..11 are in both '{_folder["whole.exr"]}' and '{_folder["c.exr"]}'", "merge", _folder["whole.exr"], _folder["c.exr"], "--json");
     }
 
     [Fact]
     public void Films_are_converted_from_either_kind_of_file_to_the_other()
     {
-        Fine("render", _scene, "--samples", "1..2", "-o", _folder["a.rtfilm"], "--quiet");
-        Fine("convert", _folder["a.rtfilm"], _image, "--exr-film");
-        Fine("convert", _image, _folder["b.rtfilm"]);
+        CliRun.Fine("render", _scene, "--samples", "1..2", "-o", _folder["a.rtfilm"], "--quiet");
+        CliRun.Fine("convert", _folder["a.rtfilm"], _image, "--exr-film");
+        CliRun.Fine("convert", _image, _folder["b.rtfilm"]);
         Assert.Equal(File.ReadAllBytes(_folder["a.rtfilm"]), File.ReadAllBytes(_folder["b.rtfilm"]));
-        Fine("convert", _image, _folder["plain.exr"]);
+        CliRun.Fine("convert", _image, _folder["plain.exr"]);
         Assert.False(CarriedFilm.Is(_folder["plain.exr"]));
         TestPictures.AssertSameBits(ImageFile.Read(_image), ImageFile.Read(_folder["plain.exr"]));
-        Refused(2, "--width is for images", "convert", _image, _folder["b.rtfilm"], "--width", "3");
-        Refused(4, "does not carry its film: those that are written with --exr-film do", "convert", _folder["plain.exr"], _folder["b.rtfilm"]);
+        CliRun.Refused(2, "--width is for images", "convert", _image, _folder["b.rtfilm"], "--width", "3");
+        CliRun.Refused(4, "does not carry its film: those that are written with --exr-film do", "convert", _folder["plain.exr"], _folder["b.rtfilm"]);
     }
 
     [Fact]
     public void What_cannot_go_with_a_film_in_an_image_is_refused()
     {
-        Fine("render", _scene, "-o", _image, "--aov", "depth,normal", "--exr-film", "--quiet");
+        CliRun.Fine("render", _scene, "-o", _image, "--aov", "depth,normal", "--exr-film", "--quiet");
         Assert.Contains("depth.Z", ExrReader.ChannelNames(File.ReadAllBytes(_image)));
         byte[] before = File.ReadAllBytes(_image);
-        Fine("convert", _image, _folder["plain.exr"]);
+        CliRun.Fine("convert", _image, _folder["plain.exr"]);
         Assert.Equal(["B", "G", "R", "depth.Z", "normal.X", "normal.Y", "normal.Z"], ExrReader.ChannelNames(File.ReadAllBytes(_folder["plain.exr"])));
-        Fine("convert", _image, _folder["b.exr"], "--exr-film", "--exr-type", "half");
+        CliRun.Fine("convert", _image, _folder["b.exr"], "--exr-film", "--exr-type", "half");
         Assert.Equal(ExrReader.ChannelNames(before), ExrReader.ChannelNames(File.ReadAllBytes(_folder["b.exr"])));
-        Refused(2, $"'{_image}' has layers that are not made again when more samples come (depth, normal)", "resume", _image, "--spp", "8");
-        Fine("resume", _image, "--spp", "8", "--checkpoint", _folder["a.rtfilm"], "-o", _folder["b.exr"], "--quiet");
+        CliRun.Refused(2, $"'{_image}' has layers that are not made again when more samples come (depth, normal)", "resume", _image, "--spp", "8");
+        CliRun.Fine("resume", _image, "--spp", "8", "--checkpoint", _folder["a.rtfilm"], "-o", _folder["b.exr"], "--quiet");
         Assert.Equal(before, File.ReadAllBytes(_image));
         Assert.Equal("0..7", CarriedFilm.ReadHeader(_folder["b.exr"]).SamplesText);
-        Refused(2, "--exr-film is for OpenEXR images, but there are none to write", "render", _scene, "-o", _folder["a.png"], "--exr-film");
-        Refused(2, "leave it out", "render", _scene, "-o", _image, "--adaptive", "--exr-film");
-        Refused(2, $"{_image}: an OpenEXR image carries films of at most {FilmExr.MaxPixels} pixels", "render", _scene, "-o", _image, "--exr-film", "--width", "8192", "--height", "4097");
-        Fine("render", _scene, "-o", _folder["plain.exr"], "--quiet");
+        CliRun.Refused(2, "--exr-film is for OpenEXR images, but there are none to write", "render", _scene, "-o", _folder["a.png"], "--exr-film");
+        CliRun.Refused(2, "leave it out", "render", _scene, "-o", _image, "--adaptive", "--exr-film");
+        CliRun.Refused(2, $"{_image}: an OpenEXR image carries films of at most {FilmExr.MaxPixels} pixels", "render", _scene, "-o", _image, "--exr-film", "--width", "8192", "--height", "4097");
+        CliRun.Fine("render", _scene, "-o", _folder["plain.exr"], "--quiet");
         foreach (string[] words in (string[][])[["resume"], ["merge", "--json"]])
         {
-            Refused(4, "does not carry its film: those that are written with --exr-film do", [.. words, _folder["plain.exr"]]);
+            CliRun.Refused(4, "does not carry its film: those that are written with --exr-film do", [.. words, _folder["plain.exr"]]);
         }
     }
 
@@ -106,8 +105,8 @@ public sealed class FilmExrTests : IDisposable
     public void Frames_that_are_there_without_their_films_are_not_those_with_them()
     {
         string[] words = ["render", _scene, "--frames", "0..1", "-o", _folder["f-#.exr"], "--spp", "1"];
-        Fine(words);
-        Fine([.. words, "--exr-film"]);
+        CliRun.Fine(words);
+        CliRun.Fine([.. words, "--exr-film"]);
         Assert.All(["f-0.exr", "f-1.exr"], f => Assert.True(CarriedFilm.Is(_folder[f])));
         Assert.Contains("there already", CliRun.Of([.. words, "--exr-film"]).Output, StringComparison.Ordinal);
     }
@@ -171,7 +170,7 @@ public sealed class FilmExrTests : IDisposable
         {
             byte[] file = (byte[])good.Clone();
             damage(file);
-            Refused(4, reason, "merge", Written(file), "--json");
+            CliRun.Refused(4, reason, "merge", Written(file), "--json");
         }
     }
 
@@ -192,7 +191,7 @@ public sealed class FilmExrTests : IDisposable
     [ProgramFact("exrheader", "exrinfo", "exrmaketiled")]
     public void The_reference_implementation_reads_the_image()
     {
-        Fine("render", _scene, "-o", _image, "--exr-film", "--quiet");
+        CliRun.Fine("render", _scene, "-o", _image, "--exr-film", "--quiet");
         (int status, string output) = ProgramFactAttribute.Run("exrheader", _image);
         Assert.Equal(0, status);
         Assert.Contains("film.square.1, 32-bit unsigned integer, sampling 1 1", output, StringComparison.Ordinal);
@@ -202,7 +201,7 @@ public sealed class FilmExrTests : IDisposable
         Assert.Equal(0, ProgramFactAttribute.Run("exrmaketiled", "-o", "-z", "piz", _image, _folder["b.exr"]).ExitCode);
         TestPictures.AssertSameBits(ImageFile.Read(_image), ImageFile.Read(_folder["b.exr"]));
         Assert.Equal(ExrReader.ReadChannel(File.ReadAllBytes(_image), "film.red.0"), ExrReader.ReadChannel(File.ReadAllBytes(_folder["b.exr"]), "film.red.0"));
-        Refused(4, "another program has written it anew, with tiles", "merge", _folder["b.exr"], "--json");
+        CliRun.Refused(4, "another program has written it anew, with tiles", "merge", _folder["b.exr"], "--json");
     }
 
     [ProgramFact("mkfifo")]
@@ -230,25 +229,5 @@ public sealed class FilmExrTests : IDisposable
         }
 
         return (film, new() { Width = width, Height = height, Content = "c", Samples = [new(0, 3)], Wanted = new(0, 3), Total = 3, Scene = "ä" });
-    }
-
-    private static void Fine(params string[] args)
-    {
-        CliRun run = CliRun.Of(args);
-        Assert.True(run.Status == 0, run.Error);
-    }
-
-    private static void Refused(int status, string message, params string[] args)
-    {
-        CliRun run = CliRun.Of(args);
-        Assert.Equal(status, run.Status);
-        Assert.Contains(message, run.Error, StringComparison.Ordinal);
-    }
-
-    private static string Hash(params string[] args)
-    {
-        CliRun run = CliRun.Of(args);
-        Assert.True(run.Status == 0, run.Error);
-        return JsonDocument.Parse(run.Output).RootElement.GetProperty("filmHash").GetString()!;
     }
 }

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Text.Json;
 using RayTracer.Imaging;
 using RayTracer.Tests.Imaging;
 
@@ -50,8 +49,8 @@ public sealed class KilledRenderTests : IDisposable
             samples = header.Samples[0].End;
         }
 
-        string resumed = Hash("resume", _film, "--spp", $"{samples + 3}", "--json", "--quiet");
-        Assert.Equal(Hash("render", _scene, "--spp", $"{samples + 3}", "--json", "--quiet"), resumed);
+        string resumed = CliRun.FilmHash("resume", _film, "--spp", $"{samples + 3}", "--json", "--quiet");
+        Assert.Equal(CliRun.FilmHash("render", _scene, "--spp", $"{samples + 3}", "--json", "--quiet"), resumed);
     }
 
     [RootFact]
@@ -82,12 +81,5 @@ public sealed class KilledRenderTests : IDisposable
         {
             ProgramFactAttribute.Run("umount", disk);
         }
-    }
-
-    private static string Hash(params string[] args)
-    {
-        CliRun run = CliRun.Of(args);
-        Assert.True(run.Status == 0, run.Error);
-        return JsonDocument.Parse(run.Output).RootElement.GetProperty("filmHash").GetString()!;
     }
 }

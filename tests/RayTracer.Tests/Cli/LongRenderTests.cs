@@ -24,7 +24,7 @@ public sealed class LongRenderTests : IDisposable
     [InlineData("jittered")]
     public void Parts_merged_in_any_order_are_the_single_render_to_the_bit(string sampler)
     {
-        string whole = Hash("render", _scene, "--spp", "16", "--sampler", sampler, "--json", "--quiet");
+        string whole = CliRun.FilmHash("render", _scene, "--spp", "16", "--sampler", sampler, "--json", "--quiet");
         string[] parts = [.. Enumerable.Range(1, TestSettings.Scale(5, 16)).Select(i => _folder[$"part{i}.rtfilm"])];
         for (int i = 0; i < parts.Length; i++)
         {
@@ -35,15 +35,15 @@ public sealed class LongRenderTests : IDisposable
         for (int i = 0; i < TestSettings.Scale(3, 20); i++)
         {
             random.Shuffle(parts);
-            Assert.Equal(whole, Hash(["merge", .. parts, "--json"]));
+            Assert.Equal(whole, CliRun.FilmHash(["merge", .. parts, "--json"]));
         }
     }
 
     [Fact]
     public void Films_are_written_as_every_kind_of_image()
     {
-        Fine("render", _scene, "--samples", "0..3", "-o", _folder["a.rtfilm"], "-o", _folder["direct.pfm"], "-o", _folder["direct.png"]);
-        Fine("merge", _folder["a.rtfilm"], "-o", _folder["a.pfm"], "-o", _folder["a.png"], "-o", _folder["a.exr"], "-o", _folder["b.rtfilm"]);
+        CliRun.Fine("render", _scene, "--samples", "0..3", "-o", _folder["a.rtfilm"], "-o", _folder["direct.pfm"], "-o", _folder["direct.png"]);
+        CliRun.Fine("merge", _folder["a.rtfilm"], "-o", _folder["a.pfm"], "-o", _folder["a.png"], "-o", _folder["a.exr"], "-o", _folder["b.rtfilm"]);
         Assert.Equal(File.ReadAllBytes(_folder["direct.pfm"]), File.ReadAllBytes(_folder["a.pfm"]));
         Assert.Equal(0, ImageComparison.Compare(ImageFile.Read(_folder["a.png"]), ImageFile.Read(_folder["direct.png"])).LargestDifference);
         Assert.Equal(0, ImageComparison.Compare(ImageFile.Read(_folder["b.rtfilm"]), ImageFile.Read(_folder["a.pfm"])).LargestDifference);
@@ -54,11 +54,11 @@ public sealed class LongRenderTests : IDisposable
     public void An_unfinished_checkpoint_is_not_written_over()
     {
         string film = _folder["a.rtfilm"];
-        Fine("render", _scene, "--spp", "16", "--samples", "0..3", "-o", film);
-        Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" goes on with it; delete it to begin anew", "render", _scene, "--spp", "16", "--part", "1/2", "--checkpoint", Unfinished(film));
-        Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" goes on with it; delete it to begin anew", "render", _scene, "--spp", "1", "-o", film);
-        Fine("resume", film, "--quiet");
-        Fine("render", _scene, "--spp", "16", "--checkpoint", film, "--quiet");
+        CliRun.Fine("render", _scene, "--spp", "16", "--samples", "0..3", "-o", film);
+        CliRun.Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" goes on with it; delete it to begin anew", "render", _scene, "--spp", "16", "--part", "1/2", "--checkpoint", Unfinished(film));
+        CliRun.Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" goes on with it; delete it to begin anew", "render", _scene, "--spp", "1", "-o", film);
+        CliRun.Fine("resume", film, "--quiet");
+        CliRun.Fine("render", _scene, "--spp", "16", "--checkpoint", film, "--quiet");
     }
 
     [Fact]
@@ -66,33 +66,33 @@ public sealed class LongRenderTests : IDisposable
     {
         string film = _folder["none.rtfilm"];
         FilmFile.Write(film, new(4, 3), new FilmHeader { Width = 4, Height = 3, Content = "", Samples = [], Wanted = new(0, 8), Total = 8, Scene = _scene, Overrides = [], Software = "" });
-        Refused(4, $"'{film}' holds no samples yet", "merge", film, "--partial", "--json");
-        Refused(4, $"'{film}' holds no samples yet", "verify", film);
+        CliRun.Refused(4, $"'{film}' holds no samples yet", "merge", film, "--partial", "--json");
+        CliRun.Refused(4, $"'{film}' holds no samples yet", "verify", film);
     }
 
     [Fact]
     public void What_follows_a_films_end_is_told()
     {
         string film = _folder["a.rtfilm"];
-        Fine("render", _scene, "--spp", "4", "-o", film);
+        CliRun.Fine("render", _scene, "--spp", "4", "-o", film);
         File.AppendAllText(film, "!");
-        Refused(4, "something follows its end", "merge", film, "--json");
+        CliRun.Refused(4, "something follows its end", "merge", film, "--json");
     }
 
     [Fact]
     public void A_cropped_film_that_was_gone_on_with_is_verified()
     {
         string film = _folder["a.rtfilm"];
-        Fine("render", _scene, "--spp", "4", "--crop", "1,1,3,2", "-o", film);
-        Fine("resume", film, "--spp", "8", "-o", _folder["a.png"], "--quiet");
-        Fine("verify", _folder["a.png"]);
+        CliRun.Fine("render", _scene, "--spp", "4", "--crop", "1,1,3,2", "-o", film);
+        CliRun.Fine("resume", film, "--spp", "8", "-o", _folder["a.png"], "--quiet");
+        CliRun.Fine("verify", _folder["a.png"]);
     }
 
     [Fact]
     public void Only_the_picture_itself_is_verified()
     {
-        Fine("render", _scene, "--spp", "4", "--aov", "depth", "-o", _folder["a.png"]);
-        Refused(4, "is an image beside the picture", "verify", _folder["a.depth.png"]);
+        CliRun.Fine("render", _scene, "--spp", "4", "--aov", "depth", "-o", _folder["a.png"]);
+        CliRun.Refused(4, "is an image beside the picture", "verify", _folder["a.depth.png"]);
     }
 
     [Fact]
@@ -103,9 +103,9 @@ public sealed class LongRenderTests : IDisposable
         File.WriteAllText(_folder["model/a.obj"], "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
         File.WriteAllText(_folder["m.json"], """{ "render": { "width": 4, "height": 3 }, "shapes": [ { "type": "model", "file": "model/a.obj" } ] }""");
         ImageFile.Write(_folder["up.png"], new Picture(1, 1, [1, 0, 0]));
-        Fine("render", _folder["m.json"], "--spp", "4", "--samples", "0..1", "-o", _folder["a.rtfilm"]);
+        CliRun.Fine("render", _folder["m.json"], "--spp", "4", "--samples", "0..1", "-o", _folder["a.rtfilm"]);
         ImageFile.Write(_folder["up.png"], new Picture(1, 1, [0, 1, 0]));
-        Refused(4, "the film is not of", "resume", _folder["a.rtfilm"]);
+        CliRun.Refused(4, "the film is not of", "resume", _folder["a.rtfilm"]);
     }
 
     // A film of some samples, as a checkpoint of more.
@@ -121,17 +121,17 @@ public sealed class LongRenderTests : IDisposable
     {
         string a = _folder["a.rtfilm"];
         string b = _folder["b.rtfilm"];
-        Fine("render", _scene, "--spp", "16", "--samples", "0..6", "-o", a);
-        Fine("render", _scene, "--spp", "16", "--samples", "5..9", "-o", b);
-        Refused(4, $"samples 5..6 are in both '{a}' and '{b}'", "merge", b, a, "--json");
-        Fine("render", _scene, "--spp", "16", "--samples", "8..14", "-o", b);
-        Refused(4, "samples 7..7, 15..15 are missing of 16 (--partial merges what there is)", "merge", b, a, "--json");
+        CliRun.Fine("render", _scene, "--spp", "16", "--samples", "0..6", "-o", a);
+        CliRun.Fine("render", _scene, "--spp", "16", "--samples", "5..9", "-o", b);
+        CliRun.Refused(4, $"samples 5..6 are in both '{a}' and '{b}'", "merge", b, a, "--json");
+        CliRun.Fine("render", _scene, "--spp", "16", "--samples", "8..14", "-o", b);
+        CliRun.Refused(4, "samples 7..7, 15..15 are missing of 16 (--partial merges what there is)", "merge", b, a, "--json");
         CliRun partial = CliRun.Of("merge", b, a, "--partial", "-o", _folder["c.rtfilm"]);
         Assert.Equal(0, partial.Status);
         Assert.Contains("samples 7..7, 15..15 are missing of 16", partial.Error, StringComparison.Ordinal);
         Assert.Equal("0..6, 8..14", FilmFile.ReadHeader(_folder["c.rtfilm"]).SamplesText);
-        Fine("render", _scene, "--spp", "16", "--seed", "5", "--samples", "7..15", "-o", b);
-        Refused(4, $"'{b}' is not of the same picture as '{a}'", "merge", a, b, "--json");
+        CliRun.Fine("render", _scene, "--spp", "16", "--seed", "5", "--samples", "7..15", "-o", b);
+        CliRun.Refused(4, $"'{b}' is not of the same picture as '{a}'", "merge", a, b, "--json");
     }
 
     [Fact]
@@ -143,7 +143,7 @@ public sealed class LongRenderTests : IDisposable
         string Content(string scene, params string[] more)
         {
             File.WriteAllText(_scene, scene);
-            Fine(["render", _scene, "-o", _folder["a.rtfilm"], "--quiet", .. more]);
+            CliRun.Fine(["render", _scene, "-o", _folder["a.rtfilm"], "--quiet", .. more]);
             return FilmFile.ReadHeader(_folder["a.rtfilm"]).Content;
         }
 
@@ -164,38 +164,38 @@ public sealed class LongRenderTests : IDisposable
     public void A_film_is_gone_on_with_and_can_have_more_samples_than_were_asked_for()
     {
         string film = _folder["a.rtfilm"];
-        Fine("render", _scene, "--spp", "4", "--checkpoint", film, "-o", _folder["a.pfm"], "--quiet");
+        CliRun.Fine("render", _scene, "--spp", "4", "--checkpoint", film, "-o", _folder["a.pfm"], "--quiet");
         Assert.True(FilmFile.ReadHeader(film).IsComplete);
         CliRun run = CliRun.Of("resume", film, "--spp", "11", "-o", _folder["b.pfm"], "--json", "--quiet");
         Assert.Equal((0, ""), (run.Status, run.Error));
         JsonElement json = JsonDocument.Parse(run.Output).RootElement;
         Assert.Equal(24 * 16 * 7, json.GetProperty("paths").GetInt32());
         Assert.Equal(("0..10", 11), (json.GetProperty("samples").GetString(), json.GetProperty("samplesPerPixel").GetInt32()));
-        Fine("render", _scene, "--spp", "11", "-o", _folder["c.pfm"], "--quiet");
+        CliRun.Fine("render", _scene, "--spp", "11", "-o", _folder["c.pfm"], "--quiet");
         Assert.Equal(File.ReadAllBytes(_folder["c.pfm"]), File.ReadAllBytes(_folder["b.pfm"]));
         Assert.Equal("0..10", FilmFile.ReadHeader(film).SamplesText);
-        Refused(2, "--spp 6: the film has 11 samples a pixel already", "resume", film, "--spp", "6");
+        CliRun.Refused(2, "--spp 6: the film has 11 samples a pixel already", "resume", film, "--spp", "6");
     }
 
     [Fact]
     public void A_film_whose_scene_was_changed_is_not_gone_on_with()
     {
         string film = _folder["a.rtfilm"];
-        Fine("render", _scene, "-o", film, "--quiet");
+        CliRun.Fine("render", _scene, "-o", film, "--quiet");
         File.WriteAllText(_scene, CliRun.Scene.Replace("skyblue", "tomato", StringComparison.Ordinal));
-        Refused(4, $"the film is not of '{_scene}'", "resume", film, "--spp", "8", "--quiet");
+        CliRun.Refused(4, $"the film is not of '{_scene}'", "resume", film, "--spp", "8", "--quiet");
         File.WriteAllText(_scene, CliRun.Scene.Replace("\"width\": 24", "\"width\": 25", StringComparison.Ordinal));
-        Refused(4, $"the film is not of '{_scene}'", "resume", film, "--spp", "8", "--quiet");
+        CliRun.Refused(4, $"the film is not of '{_scene}'", "resume", film, "--spp", "8", "--quiet");
     }
 
     [Fact]
     public void A_film_of_a_pattern_of_so_many_samples_is_not_given_more()
     {
         string film = _folder["a.rtfilm"];
-        Fine("render", _scene, "--spp", "9", "--sampler", "jittered", "-o", film, "--quiet");
-        Refused(2, "--spp 16: the places of the jittered sampler's samples depend on how many there are", "resume", film, "--spp", "16", "--quiet");
+        CliRun.Fine("render", _scene, "--spp", "9", "--sampler", "jittered", "-o", film, "--quiet");
+        CliRun.Refused(2, "--spp 16: the places of the jittered sampler's samples depend on how many there are", "resume", film, "--spp", "16", "--quiet");
         File.WriteAllText(_scene, CliRun.Scene.Replace("skyblue", "tomato", StringComparison.Ordinal));
-        Refused(4, $"the film is not of '{_scene}'", "resume", film, "--quiet");
+        CliRun.Refused(4, $"the film is not of '{_scene}'", "resume", film, "--quiet");
     }
 
     [Fact]
@@ -211,10 +211,10 @@ public sealed class LongRenderTests : IDisposable
     public void A_film_finds_its_scene_beside_it_on_another_machine()
     {
         string there = Directory.CreateDirectory(_folder["there"]).FullName;
-        Fine("render", _scene, "-o", _folder["a.rtfilm"], "--quiet");
+        CliRun.Fine("render", _scene, "-o", _folder["a.rtfilm"], "--quiet");
         File.Move(_scene, Path.Combine(there, "scene.json"));
         File.Move(_folder["a.rtfilm"], Path.Combine(there, "a.rtfilm"));
-        Fine("resume", Path.Combine(there, "a.rtfilm"), "--spp", "5", "--quiet");
+        CliRun.Fine("resume", Path.Combine(there, "a.rtfilm"), "--spp", "5", "--quiet");
         Assert.Equal(5, FilmFile.ReadHeader(Path.Combine(there, "a.rtfilm")).Samples[0].End);
     }
 
@@ -226,14 +226,14 @@ public sealed class LongRenderTests : IDisposable
         int samples = JsonDocument.Parse(run.Output).RootElement.GetProperty("samplesPerPixel").GetInt32();
         Assert.InRange(samples, 1, 65535);
         Assert.Equal($"{samples}", ImageFile.ReadText(_folder["a.png"]).First(t => t.Key == "Samples").Value);
-        Assert.Equal(Hash("render", _scene, "--spp", $"{samples}", "--json", "--quiet"), Hash("merge", _folder["a.rtfilm"], "--json"));
+        Assert.Equal(CliRun.FilmHash("render", _scene, "--spp", $"{samples}", "--json", "--quiet"), CliRun.FilmHash("merge", _folder["a.rtfilm"], "--json"));
     }
 
     [Fact]
     public void Verify_tells_the_same_picture_from_another()
     {
-        Fine("render", _scene, "-o", _folder["a b.png"], "-o", _folder["a.exr"], "-o", _folder["a.rtfilm"], "--spp", "5", "--crop", "2,3,10,9", "--quiet");
-        Fine("render", _scene, "-o", _folder["c.png"], "--noise", "20%", "--adaptive", "--quiet");
+        CliRun.Fine("render", _scene, "-o", _folder["a b.png"], "-o", _folder["a.exr"], "-o", _folder["a.rtfilm"], "--spp", "5", "--crop", "2,3,10,9", "--quiet");
+        CliRun.Fine("render", _scene, "-o", _folder["c.png"], "--noise", "20%", "--adaptive", "--quiet");
         foreach (string file in new[] { "a b.png", "a.exr", "a.rtfilm", "c.png" })
         {
             CliRun run = CliRun.Of("verify", _folder[file]);
@@ -248,14 +248,14 @@ public sealed class LongRenderTests : IDisposable
         }
 
         ImageFile.Write(_folder["plain.png"], new Picture(1, 1));
-        Refused(4, "does not say how it was made", "verify", _folder["plain.png"]);
+        CliRun.Refused(4, "does not say how it was made", "verify", _folder["plain.png"]);
     }
 
     [Fact]
     public void Films_that_are_damaged_cut_off_or_none_are_refused()
     {
         string film = _folder["a.rtfilm"];
-        Fine("render", _scene, "-o", film, "--quiet");
+        CliRun.Fine("render", _scene, "-o", film, "--quiet");
         byte[] good = File.ReadAllBytes(film);
         Random random = new(TestSettings.Seed);
         for (int i = 0; i < 300; i++)
@@ -286,25 +286,5 @@ public sealed class LongRenderTests : IDisposable
         (FilmHeader read, Film again) = FilmFile.Read(_folder["a.rtfilm"]);
         Assert.Equal(film.ComputeHash(), again.ComputeHash());
         Assert.True(read.IsComplete);
-    }
-
-    private static void Fine(params string[] args)
-    {
-        CliRun run = CliRun.Of(args);
-        Assert.True(run.Status == 0, run.Error);
-    }
-
-    private static void Refused(int status, string message, params string[] args)
-    {
-        CliRun run = CliRun.Of(args);
-        Assert.Equal(status, run.Status);
-        Assert.Contains(message, run.Error, StringComparison.Ordinal);
-    }
-
-    private static string Hash(params string[] args)
-    {
-        CliRun run = CliRun.Of(args);
-        Assert.True(run.Status == 0, run.Error);
-        return JsonDocument.Parse(run.Output).RootElement.GetProperty("filmHash").GetString()!;
     }
 }

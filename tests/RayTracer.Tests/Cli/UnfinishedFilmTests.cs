@@ -52,7 +52,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         Assert.False(File.Exists(_folder["a.depth.png"]));
         Assert.False(File.ReadAllBytes(_folder["a.exr"]).AsSpan().IndexOf("depth.Z"u8) >= 0);
         Assert.Contains("unfinished", ImageFile.ReadText(_folder["a.png"]).First(t => t.Key == "Samples").Value, StringComparison.Ordinal);
-        Fine("verify", _folder["a.png"]);
+        CliRun.Fine("verify", _folder["a.png"]);
     }
 
     [Fact]
@@ -61,7 +61,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         string image = _folder["a.png"];
         KeyValuePair<string, string>[] texts = [new("FilmHash", "0"), new("Command", $"raytracer render {_scene} -o a.png"), new("Samples", "4, unfinished: 7 paths")];
         ImageFile.Write(image, new Picture(1, 1), new() { Metadata = texts });
-        Refused(4, $"'{image}' is unfinished", "verify", image);
+        CliRun.Refused(4, $"'{image}' is unfinished", "verify", image);
     }
 
     [Fact]
@@ -85,16 +85,16 @@ public sealed class UnfinishedFilmTests : IDisposable
     public void Merging_does_not_write_over_films_that_it_does_not_hold()
     {
         string group = _folder["group.rtfilm"];
-        Fine("render", _scene, "--spp", "8", "--samples", "0..1", "-o", _film);
-        Fine("render", _scene, "--spp", "8", "--samples", "4..7", "-o", _folder["b.rtfilm"]);
+        CliRun.Fine("render", _scene, "--spp", "8", "--samples", "0..1", "-o", _film);
+        CliRun.Fine("render", _scene, "--spp", "8", "--samples", "4..7", "-o", _folder["b.rtfilm"]);
         WriteOther(group);
-        Refused(4, $"'{group}' holds samples 0..0 of an unfinished rendering", "merge", "--partial", _film, "-o", group);
+        CliRun.Refused(4, $"'{group}' holds samples 0..0 of an unfinished rendering", "merge", "--partial", _film, "-o", group);
         File.Delete(group);
-        Fine("merge", "--partial", _film, "-o", group);
-        Fine("merge", "--partial", group, _folder["b.rtfilm"], "-o", group);
+        CliRun.Fine("merge", "--partial", _film, "-o", group);
+        CliRun.Fine("merge", "--partial", group, _folder["b.rtfilm"], "-o", group);
         Assert.Equal("0..1, 4..7", FilmFile.ReadHeader(group).SamplesText);
-        Refused(4, $"'{group}' holds samples 0..1, 4..7 of an unfinished rendering: merge the missing samples in; delete it to begin anew", "merge", "--partial", _film, "-o", group);
-        Refused(4, "merge the missing samples in", "render", _scene, "-o", group);
+        CliRun.Refused(4, $"'{group}' holds samples 0..1, 4..7 of an unfinished rendering: merge the missing samples in; delete it to begin anew", "merge", "--partial", _film, "-o", group);
+        CliRun.Refused(4, "merge the missing samples in", "render", _scene, "-o", group);
     }
 
     [Fact]
@@ -102,35 +102,35 @@ public sealed class UnfinishedFilmTests : IDisposable
     {
         WriteOther(_folder["f-1.rtfilm"]);
         string[] command = ["render", _scene, "--frames", "0..1", "--spp", "2", "-o", _folder["f-#.rtfilm"]];
-        Refused(4, $"'{_folder["f-1.rtfilm"]}' holds samples 0..0 of an unfinished rendering", command);
+        CliRun.Refused(4, $"'{_folder["f-1.rtfilm"]}' holds samples 0..0 of an unfinished rendering", command);
         Assert.Equal("other", FilmFile.ReadHeader(_folder["f-1.rtfilm"]).Content);
 
         // The same frame with fewer samples.
         FilmHeader header = FilmFile.ReadHeader(_folder["f-0.rtfilm"]);
         FilmFile.Write(_folder["f-0.rtfilm"], new(header.Width, header.Height), header with { Samples = [new(0, 1)] });
         File.Delete(_folder["f-1.rtfilm"]);
-        Fine(command);
+        CliRun.Fine(command);
         Assert.True(FilmFile.ReadHeader(_folder["f-0.rtfilm"]).IsComplete);
     }
 
     [Fact]
     public void A_part_is_not_made_the_whole_picture()
     {
-        Fine("render", _scene, "--spp", "12", "--part", "1/3", "--checkpoint", _film, "--quiet");
-        Refused(2, "--spp 12: the film is a part of a picture, samples 0..3 of 12: render the others and merge", "resume", _film, "--spp", "12");
+        CliRun.Fine("render", _scene, "--spp", "12", "--part", "1/3", "--checkpoint", _film, "--quiet");
+        CliRun.Refused(2, "--spp 12: the film is a part of a picture, samples 0..3 of 12: render the others and merge", "resume", _film, "--spp", "12");
         Assert.Contains("has all samples of its part, 0..3", CliRun.Of("resume", _film).Error, StringComparison.Ordinal);
     }
 
     [Fact]
     public void A_film_of_some_time_is_given_more_time_and_stays_whole()
     {
-        Fine("render", _scene, "--time", "0.01", "-o", _film, "--quiet");
+        CliRun.Fine("render", _scene, "--time", "0.01", "-o", _film, "--quiet");
         int before = FilmFile.ReadHeader(_film).Total;
-        Fine("resume", _film, "--time", "0.01", "-o", _folder["a.png"], "--quiet");
+        CliRun.Fine("resume", _film, "--time", "0.01", "-o", _folder["a.png"], "--quiet");
         FilmHeader header = FilmFile.ReadHeader(_film);
         Assert.True(header.IsComplete);
         Assert.InRange(header.Total, before + 1, 65536);
-        Fine("verify", _folder["a.png"]);
+        CliRun.Fine("verify", _folder["a.png"]);
         CliRun again = CliRun.Of("resume", _film, "--quiet");
         Assert.Equal(0, again.Status);
         Assert.Contains($"'{_film}' has all {header.Total} samples: give --spp or --time for more; nothing is rendered", again.Error, StringComparison.Ordinal);
@@ -140,19 +140,19 @@ public sealed class UnfinishedFilmTests : IDisposable
     public void The_same_command_goes_on_from_its_checkpoint()
     {
         string[] command = ["render", _scene, "--spp", "9", "--checkpoint", _film, "--resume", "--json", "--quiet"];
-        Refused(2, "--resume goes on from a checkpoint: give --checkpoint FILE", "render", _scene, "--resume", "--json");
+        CliRun.Refused(2, "--resume goes on from a checkpoint: give --checkpoint FILE", "render", _scene, "--resume", "--json");
         string whole = Text(CliRun.Of("render", _scene, "--spp", "9", "--json", "--quiet"), "filmHash");
         Assert.Equal(whole, Text(CliRun.Of(command), "filmHash"));
         File.Delete(_film);
-        Fine("render", _scene, "--spp", "9", "--samples", "0..4", "-o", _film, "--quiet");
+        CliRun.Fine("render", _scene, "--spp", "9", "--samples", "0..4", "-o", _film, "--quiet");
         (FilmHeader header, Film film) = FilmFile.Read(_film);
         FilmFile.Write(_film, film, header with { Wanted = new(0, 9) });
         CliRun run = CliRun.Of(command);
         Assert.Equal((0, "", whole, $"{4 * 24 * 16}"), (run.Status, run.Error, Text(run, "filmHash"), Text(run, "paths")));
         CliRun again = CliRun.Of(command);
         Assert.Equal((0, "", whole, "0"), (again.Status, again.Error, Text(again, "filmHash"), Text(again, "paths")));
-        Refused(4, $"'{_film}' holds samples 0..8, which are not the first of 0..4, which are asked for", [.. command, "--samples", "0..4"]);
-        Refused(4, $"the film is not of '{_scene}'", [.. command, "--seed", "5"]);
+        CliRun.Refused(4, $"'{_film}' holds samples 0..8, which are not the first of 0..4, which are asked for", [.. command, "--samples", "0..4"]);
+        CliRun.Refused(4, $"the film is not of '{_scene}'", [.. command, "--seed", "5"]);
     }
 
     [Fact]
@@ -166,11 +166,11 @@ public sealed class UnfinishedFilmTests : IDisposable
         Assert.Equal(Stopped, (await deciding).Status);
         FilmHeader decision = FilmFile.ReadHeader(_film);
         Assert.Equal((120 * 80, 2), (decision.Width, decision.Height));
-        Refused(4, $"'{_film}' holds no samples of the picture yet", "merge", _film, "--json");
-        Refused(4, $"'{_film}' holds no samples of the picture yet", "verify", _film);
-        Refused(4, $"\"raytracer resume {_film}\" goes on with it", command);
-        Refused(2, "--spp 9: it is being decided how many samples", "resume", _film, "--spp", "9");
-        Refused(4, $"the film is not of '{_scene}'", [.. command, "--resume", "--seed", "3"]);
+        CliRun.Refused(4, $"'{_film}' holds no samples of the picture yet", "merge", _film, "--json");
+        CliRun.Refused(4, $"'{_film}' holds no samples of the picture yet", "verify", _film);
+        CliRun.Refused(4, $"\"raytracer resume {_film}\" goes on with it", command);
+        CliRun.Refused(2, "--spp 9: it is being decided how many samples", "resume", _film, "--spp", "9");
+        CliRun.Refused(4, $"the film is not of '{_scene}'", [.. command, "--resume", "--seed", "3"]);
 
         CliRun hasty = CliRun.Of("resume", _film, "--time", "0.001", "--json", "--quiet");
         Assert.Equal(5, hasty.Status);
@@ -208,19 +208,6 @@ public sealed class UnfinishedFilmTests : IDisposable
 
     // An unfinished film of something else.
     private static void WriteOther(string path) => FilmFile.Write(path, new(4, 3), new FilmHeader { Width = 4, Height = 3, Content = "other", Samples = [new(0, 1)], Wanted = new(0, 8), Total = 8 });
-
-    private static void Fine(params string[] args)
-    {
-        CliRun run = CliRun.Of(args);
-        Assert.True(run.Status == 0, run.Error);
-    }
-
-    private static void Refused(int status, string message, params string[] args)
-    {
-        CliRun run = CliRun.Of(args);
-        Assert.Equal(status, run.Status);
-        Assert.Contains(message, run.Error, StringComparison.Ordinal);
-    }
 
     private static string Text(CliRun run, string key) => JsonDocument.Parse(run.Output).RootElement.GetProperty(key).ToString();
 
