@@ -20,7 +20,7 @@ internal sealed record FrameRange(int First, int Last, int Step)
 
     /// <summary>The option.</summary>
     public static ParsedOption<FrameRange?> Option() => new(
-        "--frames", "N|A..B|A..B:STEP", "Renders these frames of the animation, both included, each to its own file: -o frame-####.png. Frames that are there already are left as they are.", Parse);
+        "--frames", "N|A..B|A..B:STEP", "Renders these frames of the animation, both ends included, each to its own file: -o frame-####.png. Frames that already exist are kept.", Parse);
 
     /// <summary>A file's name with a frame's number in place of its last signs #, with zeros before it.</summary>
     public static string Name(string pattern, int frame)

@@ -34,7 +34,7 @@ internal static class OptionValues
     public static ParsedOption<long?> Parameter(string name, string property)
     {
         RecordParameter parameter = RecordType.Of(typeof(RenderDescription)).Parameters.First(p => p.PropertyName == property);
-        return new(name, "N", $"{parameter.Summary} Replaces the scene's.", word =>
+        return new(name, "N", $"{parameter.Summary} Overrides the scene's.", word =>
             !long.TryParse(word, out long value) ? throw new FormatException($"expected a whole number, not {Quotation.Of(word)}")
             : parameter.RangeComplaint(value) is { } complaint ? throw new FormatException(complaint)
             : value);

@@ -11,9 +11,9 @@ internal static class StudioVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string?> scene = new("SCENE") { Description = "The scene (native, or of Mitsuba) or model file to open; without it, a new scene.", Arity = ArgumentArity.ZeroOrOne };
-        ParsedOption<long?> port = OptionValues.Integer("--port", "The port to listen on; without it, a free one.", 0, 65535);
-        Option<bool> noBrowser = new("--no-browser") { Description = "Opens no window, and prints the address only." };
+        Argument<string?> scene = new("SCENE") { Description = "The scene (native or Mitsuba) or model file to open. Default: a new scene.", Arity = ArgumentArity.ZeroOrOne };
+        ParsedOption<long?> port = OptionValues.Integer("--port", "The port to listen on. Default: a free one.", 0, 65535);
+        Option<bool> noBrowser = new("--no-browser") { Description = "Opens no window; only prints the address." };
         command.Arguments.Add(scene);
         command.Options.Add(port.Symbol);
         command.Options.Add(noBrowser);
@@ -47,7 +47,7 @@ internal static class StudioVerb
         bool isHosted = File.Exists(program);
         if (!isHosted && !File.Exists(single))
         {
-            throw new CommandException(ExitStatus.InputOutput, $"the Studio is not beside the command: there is no '{program}'");
+            throw new CommandException(ExitStatus.InputOutput, $"the Studio is not installed beside the command: there is no '{program}'");
         }
 
         using StopSignals signals = new(streams);

@@ -63,7 +63,7 @@ public sealed class AovPicture : IImageRows
         Aov.Albedo => "red, green and blue from 0 to 1",
         Aov.Uv => "the fractions of u and v from 0 to 1 are red and green from 0 to 1",
         Aov.Primitive => "a colour for each shape or triangle; black where nothing is hit",
-        Aov.BvhCost => $"0 to {Text(_top)} and more nodes and triangles a ray: {HeatMap.Legend}; at most {Text(_most)}",
+        Aov.BvhCost => $"0 to {Text(_top)} and more nodes and triangles per ray: {HeatMap.Legend}; at most {Text(_most)}",
         _ => $"0 (black) to {Text(_most)} (white) samples",
     };
 

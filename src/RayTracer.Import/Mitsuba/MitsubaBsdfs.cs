@@ -92,7 +92,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
                 return isOpaque ? Sided(bsdf, principled, isTwoSided) : principled;
             default:
                 string[] known = ["diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric", "principled", "twosided", "mask", "blendbsdf", "normalmap", "bumpmap", "null"];
-                reading.Log.Unknown(bsdf.TypePlace, $"BSDFs of the type {Quotation.Of(bsdf.Type)} are not read here", bsdf.Type, known);
+                reading.Log.Unknown(bsdf.TypePlace, $"BSDFs of type {Quotation.Of(bsdf.Type)} are not supported", bsdf.Type, known);
                 return Standard;
         }
     }

@@ -23,7 +23,7 @@ internal static class MitsubaFilms
 
         if (film.Type != "hdrfilm")
         {
-            film.Log.Unknown(film.TypePlace, $"films of the type {Quotation.Of(film.Type)} are not read here", film.Type, ["hdrfilm"]);
+            film.Log.Unknown(film.TypePlace, $"films of type {Quotation.Of(film.Type)} are not supported", film.Type, ["hdrfilm"]);
         }
 
         film.Ignore("file_format", "pixel_format", "component_format", "sample_border", "compensate", "banner");
@@ -72,7 +72,7 @@ internal static class MitsubaFilms
                 read = new() { Shape = FilterShape.Mitchell, B = 0, C = 0.5f };
                 break;
             default:
-                filter.Log.Unknown(filter.TypePlace, $"filters of the type {Quotation.Of(filter.Type)} are not read here", filter.Type, ["box", "tent", "gaussian", "mitchell", "catmullrom"]);
+                filter.Log.Unknown(filter.TypePlace, $"filters of type {Quotation.Of(filter.Type)} are not supported", filter.Type, ["box", "tent", "gaussian", "mitchell", "catmullrom"]);
                 return read;
         }
 

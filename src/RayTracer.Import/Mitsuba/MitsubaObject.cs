@@ -164,7 +164,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
             return choice;
         }
 
-        log.Unknown(_properties[name].PlaceOf("value"), $"{Quotation.Of(text)} is nothing that {Quotation.Of(name)} may be here", text, [.. words.Keys]);
+        log.Unknown(_properties[name].PlaceOf("value"), $"{Quotation.Of(text)} is not a value that {Quotation.Of(name)} may have here", text, [.. words.Keys]);
         return standard;
     }
 

@@ -49,7 +49,7 @@ internal static class MitsubaXml
         }
         catch (XmlException e)
         {
-            log.Error(new(path, e.LineNumber, e.LinePosition), $"this is no XML: {Reason(e)}");
+            log.Error(new(path, e.LineNumber, e.LinePosition), $"this is not XML: {Reason(e)}");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {

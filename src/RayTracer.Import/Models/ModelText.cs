@@ -343,5 +343,5 @@ internal ref struct ModelText
     private readonly ModelException ExpectedAt(int begin, string what) => ErrorAt(begin, Otherwise(what, _text[begin..Position]));
 
     private static string Otherwise(string what, ReadOnlySpan<byte> found) =>
-        found.IsEmpty ? $"expected {what}, and nothing more is there" : $"expected {what} instead of {Quotation.Of(Decode(found[..Math.Min(found.Length, 200)]))}";
+        found.IsEmpty ? $"expected {what}, but the file ends" : $"expected {what} instead of {Quotation.Of(Decode(found[..Math.Min(found.Length, 200)]))}";
 }

@@ -53,7 +53,7 @@ public sealed class SourceText
         {
             string message = bytes is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..]
                 ? "the file is in UTF-16: save it as UTF-8"
-                : $"the file is not UTF-8: its byte 0x{bytes[read]:X2} begins no character";
+                : $"the file is not UTF-8: its byte 0x{bytes[read]:X2} does not start a character";
             error = source.Error(source.Text.Length, message);
         }
 

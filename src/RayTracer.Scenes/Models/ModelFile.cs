@@ -26,7 +26,7 @@ public static class ModelFile
     {
         string extension = Path.GetExtension(path);
         return Readers.TryGetValue(extension, out Func<string, ImportedModel>? read) ? read(path) : throw new ModelException(
-            $"{(extension.Length > 0 ? Quotation.Of(extension) : "a file without an extension")} is no format of models that is read here: "
+            $"{(extension.Length > 0 ? Quotation.Of(extension) : "a file without an extension")} is not a model format that can be read:  "
             + (Extensions.Count > 0 ? string.Join(", ", Extensions) : "programs register the formats of RayTracer.Import by Importers.Register()"));
     }
 }

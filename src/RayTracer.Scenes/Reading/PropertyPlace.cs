@@ -45,7 +45,7 @@ internal sealed class PropertyPlace
     public static PropertyPlace Find(JsonNode root, PropertyPath path)
     {
         PropertyPlace place = new(root, path);
-        place.Complaint = path.Complaint is null ? null : $"{Quotation.Of(path.Text)} is no path of a property: {path.Complaint}";
+        place.Complaint = path.Complaint is null ? null : $"{Quotation.Of(path.Text)} is not a property path: {path.Complaint}";
         for (int i = 0; place.Complaint is null && i < path.Steps.Count; i++)
         {
             (place.Complaint, int step) = place.Missing() is { } missing ? (missing, i - 1) : (place.Enter(path.Steps[i]), i);
@@ -88,7 +88,7 @@ internal sealed class PropertyPlace
 
     // Of what the file leaves out, only a record has parts: the defaults. All else must be there before something in it can change.
     private string? Missing() => Node is not null || Parameter is { Kind: ParameterKind.Record } or { HasNames: true } ? null
-        : $"the scene does not give {Here}: nothing in it can change unless it is given as a whole";
+        : $"the scene does not set {Here}: nothing in it can change unless all of it is set";
 
     private string? Enter(PathStep step) => Node?.Kind switch
     {
@@ -116,7 +116,7 @@ internal sealed class PropertyPlace
         RecordType? type = Type();
         Parameter = type?.Find(step.Key);
         IsElement = false;
-        string? complaint = type is null ? $"{Here} is of no known type" : Parameter is null && !type.IsExtra(step.Key) ? type.Refusal(step.Key) : null;
+        string? complaint = type is null ? $"{Here} has no known type" : Parameter is null && !type.IsExtra(step.Key) ? type.Refusal(step.Key) : null;
         IsUnknownKey = complaint is not null;
         return Go(new(step.Key, null, false), Node?.Find(step.Key)) ?? complaint;
     }
@@ -127,7 +127,7 @@ internal sealed class PropertyPlace
         int[] called = step.Index is null ? [.. Enumerable.Range(0, items.Count).Where(i => items[i].Find("name")?.Text == step.Key)] : [];
         if (called.Length > 1)
         {
-            return $"{called.Length} in {Here} are called {Quotation.Of(step.Key)}: use a number, as in [{called[0]}]";
+            return $"{called.Length} elements of {Here} are called {Quotation.Of(step.Key)}: use a number, as in [{called[0]}]";
         }
 
         bool isNamed = called.Length == 1;

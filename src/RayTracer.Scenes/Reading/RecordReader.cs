@@ -154,7 +154,7 @@ internal sealed class RecordReader
 
         if (node.Text.Length == 0 || node.Text.Contains('\0', StringComparison.Ordinal))
         {
-            _bag.Error(node, $"{Quotation.Of(node.Text)} is no path of a file");
+            _bag.Error(node, $"{Quotation.Of(node.Text)} is not a file path");
             return null;
         }
 
@@ -253,7 +253,7 @@ internal sealed class RecordReader
 
         if (_nesting == MaximumNesting)
         {
-            _bag.Error(node, $"things within things are nested more than {_nesting} deep");
+            _bag.Error(node, $"records are nested more than {_nesting} deep");
             return null;
         }
 

@@ -20,7 +20,7 @@ public static partial class SceneExplanation
         }
 
         IEnumerable<string> parts = SceneTypes.Parts.Where(p => p != SceneTypes.Scene).Select(p => p.Name).Distinct(StringComparer.Ordinal);
-        return text.Append($"\nParts: {string.Join(", ", parts)}\n\nEach of these words can be explained, and what is in it: camera.fieldOfView, sphere.radius, materials.glass.refractiveIndex\n").ToString();
+        return text.Append($"\nParts: {string.Join(", ", parts)}\n\nEach of these words and its parts can be explained: camera.fieldOfView, sphere.radius, materials.glass.refractiveIndex\n").ToString();
     }
 
     /// <summary>Explains a key, a type, or a path of them.</summary>

@@ -7,11 +7,11 @@ namespace RayTracer.Description;
 public abstract record EnvironmentDescription
 {
     /// <summary>How it is turned; empty where it is not.</summary>
-    [Parameter("How the environment is turned: steps, the first one applied first. Moving it changes nothing, for it is infinitely far away; stretching it is an error.")]
+    [Parameter("How the environment is turned: steps, the first one applied first. Moving it changes nothing, because it is infinitely far away; stretching it is an error.")]
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
     /// <summary>The layer of light that has the environment's.</summary>
-    [Parameter("Which layer has the environment's light, where lights are written as layers (--aov lights). Without it, that is called environment.")]
+    [Parameter("The layer for the environment's light when lights are written as layers (--aov lights). Without it, the layer is called environment.")]
     public string LightGroup { get; init; } = "";
 
     /// <summary>Makes the light that this record describes, or reports why it cannot be made and returns null.</summary>

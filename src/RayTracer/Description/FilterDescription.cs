@@ -27,7 +27,7 @@ public sealed record FilterDescription
     public FilterShape Shape { get; init; } = FilterShape.Box;
 
     /// <summary>Where the curve ends; zero for what is usual.</summary>
-    [Parameter("How far from the pixel's middle the curve ends. 0 means what is usual: 0.5 for box, 1 for tent, 1.5 for gaussian and blackmanHarris, 2 for mitchell.", Unit = "pixels", Minimum = 0, Maximum = 16)]
+    [Parameter("The distance from the pixel's middle at which the curve ends. 0 means the usual one: 0.5 for box, 1 for tent, 1.5 for gaussian and blackmanHarris, 2 for mitchell.", Unit = "pixels", Minimum = 0, Maximum = 16)]
     public float Radius { get; init; }
 
     /// <summary>Standard deviation of the bell; zero for a third of the radius.</summary>

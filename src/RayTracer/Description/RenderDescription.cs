@@ -85,19 +85,19 @@ public sealed record RenderDescription
     public const int LongestPath = 30000;
 
     /// <summary>How the light that arrives at a pixel is computed.</summary>
-    [Parameter("How the light is computed: as in the report, by path tracing without bias, direct light only, ambient occlusion, or a view of the surfaces alone.")]
+    [Parameter("How the light is computed: as in the report, by unbiased path tracing, direct light only, ambient occlusion, or a view of the surfaces alone.")]
     public Integrator Integrator { get; init; } = Integrator.Report;
 
     /// <summary>How many edges a path may have after the camera, with the path integrator; −1 for no limit.</summary>
-    [Parameter("With the path integrator: how many edges a path may have. 1 shows lamps only, 2 direct light, and each more one bounce more; -1 sets no limit.", Minimum = -1, Maximum = LongestPath)]
+    [Parameter("With the path integrator: how many edges a path may have. 1 shows lamps only, 2 adds direct light, and each further edge one more bounce; -1 sets no limit.", Minimum = -1, Maximum = LongestPath)]
     public int MaxDepth { get; init; } = -1;
 
     /// <summary>After how many edges paths may end at random, with the path integrator.</summary>
-    [Parameter("With the path integrator: after how many edges paths that carry little light may end at random. That changes the noise, not the picture.", Minimum = 1, Maximum = LongestPath)]
+    [Parameter("With the path integrator: the number of edges after which paths that carry little light may end at random. It changes the noise, not the picture.", Minimum = 1, Maximum = LongestPath)]
     public int RouletteDepth { get; init; } = 5;
 
     /// <summary>Beyond which distance nothing occludes, with the ambient occlusion integrator; 0 for no limit.</summary>
-    [Parameter("With the ao integrator: surfaces further away than this do not darken; 0 sets no limit.", Unit = "scene units", Minimum = 0)]
+    [Parameter("With the ao integrator: surfaces farther away than this do not darken; 0 sets no limit.", Unit = "scene units", Minimum = 0)]
     public float OcclusionDistance { get; init; }
 
     /// <summary>How many diffuse bounces a path may have.</summary>
@@ -109,11 +109,11 @@ public sealed record RenderDescription
     public int MaxSpecularDepth { get; init; } = 4;
 
     /// <summary>Whether transparent things weaken the light of sources that they stand before, with the report integrator.</summary>
-    [Parameter("With the report integrator: whether glass, panes and masks between a surface and a light weaken the light, in place of a dark shadow with bright spots of refracted light (the report's section 4.3.1). Light is not bent on that way: quiet, but not what glass really does.")]
+    [Parameter("With the report integrator: whether glass, panes and masks between a surface and a light weaken the light, instead of casting a dark shadow with bright spots of refracted light (the report's section 4.3.1). That light is not bent: less noise, but not what real glass does.")]
     public bool WeakenedShadows { get; init; }
 
     /// <summary>What is done where normals that are interpolated say otherwise than the surface itself.</summary>
-    [Parameter("With the path, direct and volPath integrators: what is done near the outlines of meshes, where interpolated normals turn away from the ray. \"mended\" mirrors them into view and drops light that would pass through the surface; \"literal\" shows the surface from behind there, as other renderers do.")]
+    [Parameter("With the path, direct and volPath integrators: what happens near the outlines of meshes, where interpolated normals turn away from the ray. \"mended\" mirrors them into view and drops light that would pass through the surface; \"literal\" shows the surface from behind there, as other renderers do.")]
     public ShadingNormals ShadingNormals { get; init; } = ShadingNormals.Mended;
 
     /// <summary>How the samples of a pixel are placed.</summary>
@@ -121,22 +121,22 @@ public sealed record RenderDescription
     public SamplerKind Sampler { get; init; } = SamplerKind.Sobol;
 
     /// <summary>How much the surroundings of a pixel's middle count in its colour.</summary>
-    [Parameter("How much the surroundings of a pixel's middle count in its colour. Without it, a pixel is the mean of what its square shows.")]
+    [Parameter("How much the surroundings of a pixel's middle contribute to its colour. Without it, a pixel is the mean over its square.")]
     public FilterDescription Filter { get; init; } = new();
 
     /// <summary>How sphere lights are sampled.</summary>
-    [Parameter("How spheres that shine are sampled: within the cone in which they are seen, or over the whole surface as the report did (noisier).")]
+    [Parameter("How spheres that shine are sampled: within the cone that they fill as seen from the surface, or over the whole surface as in the report (noisier).")]
     public SphereLightSampling SphereLightSampling { get; init; } = SphereLightSampling.Cone;
 
     /// <summary>When the shutter opens and closes, in seconds.</summary>
-    [Parameter("When the shutter opens and closes: what moves in between is blurred. Equal times give a sharp picture of that instant.", Unit = "seconds")]
+    [Parameter("The times at which the shutter opens and closes: what moves in between is blurred. Equal times give a sharp picture of that instant.", Unit = "seconds")]
     public Vector2 Shutter { get; init; }
 
     /// <summary>Pictures a second of an animation.</summary>
-    [Parameter("Pictures a second of an animation. A single picture does not depend on it.", Unit = "1/second", Minimum = 0, MinimumIsExclusive = true)]
+    [Parameter("Pictures per second of an animation. A single picture does not depend on it.", Unit = "1/second", Minimum = 0, MinimumIsExclusive = true)]
     public float FramesPerSecond { get; init; } = 24;
 
     /// <summary>Selects the random numbers.</summary>
-    [Parameter("Selects the random numbers: another seed gives another noise of the same picture.", Minimum = 0, Maximum = 4294967295)]
+    [Parameter("Selects the random numbers: another seed gives the same picture with different noise.", Minimum = 0, Maximum = 4294967295)]
     public long Seed { get; init; }
 }

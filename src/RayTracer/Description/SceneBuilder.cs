@@ -94,7 +94,7 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
         Texture texture = Texture(description);
         if ((texture.Inputs & TextureInputs.BeyondUv) != TextureInputs.None)
         {
-            Error(subject, property, "what shines must have a texture over uv: neither noise, marble and wood nor the colours of vertices");
+            Error(subject, property, "the texture of a light must depend on uv: not noise, marble, wood or the colours of vertices");
         }
 
         return texture;
@@ -124,7 +124,7 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
     {
         try
         {
-            return (loadModel ?? throw new ModelException("there is nothing that reads model files here"))(path);
+            return (loadModel ?? throw new ModelException("no reader for model files is registered"))(path);
         }
         catch (ModelException e)
         {

@@ -10,11 +10,11 @@ public abstract record ShapeDescription
     public string Name { get; init; } = "";
 
     /// <summary>The layer of light that has what shines here.</summary>
-    [Parameter("Which layer has the light of what shines here, where lights are written as layers (--aov lights). Without it: that of the group around it, or else the name.")]
+    [Parameter("The layer for the light of what shines here when lights are written as layers (--aov lights). Without it: that of the enclosing group, or else the name.")]
     public string LightGroup { get; init; } = "";
 
     /// <summary>What the shape is made of; the same object as <see cref="DefaultMaterial"/> where nothing is said.</summary>
-    [Parameter("What the shape is made of: a material, or the name of one. Without it, what the group around it is made of.")]
+    [Parameter("The shape's material, or the name of one. Without it, that of the enclosing group.")]
     public MaterialDescription Material { get; init; } = DefaultMaterial;
 
     /// <summary>How the shape is moved from where its own numbers put it; empty where it is not.</summary>
@@ -22,7 +22,7 @@ public abstract record ShapeDescription
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
     /// <summary>How the shape moves in time, after its transform; empty where it rests.</summary>
-    [Parameter("How the shape moves in time, from where it stands otherwise: keyframes in the order of their times. It is blurred by what it moves while the shutter is open.")]
+    [Parameter("How the shape moves in time, from where it is otherwise: keyframes in the order of their times. It is blurred by its movement while the shutter is open.")]
     public IReadOnlyList<KeyframeDescription> Motion { get; init; } = [];
 
     /// <summary>What shapes are made of about which nothing is said: grey, matt.</summary>

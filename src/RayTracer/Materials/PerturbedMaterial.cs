@@ -26,7 +26,7 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
     /// <inheritdoc/>
     public override ScatteringProperties Scattering => IsPlain ? Inner.Scattering : Inner.Scattering with
     {
-        ReciprocityException = "what a map turns away depends on the ray, and light is weakened by the angle at which it arrives",
+        ReciprocityException = "what a map turns away depends on the ray, and light is weakened by its angle of arrival",
         KeepsEnergy = false,
 
         // What is left of light depends on where it comes from, which sampling of lights for a BRDF that is the same for all directions does not know.

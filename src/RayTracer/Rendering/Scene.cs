@@ -193,7 +193,7 @@ public sealed class Scene
         Scene scene = new(render, camera, description.Background, builder.Environment(description), description.Ambient, world);
         if (scene._interiors.Length > MediumStack.MaxMedia)
         {
-            builder.Error(description, nameof(SceneDescription.Materials), $"the materials have {scene._interiors.Length} different insides (media, and dielectrics with a priority), but there can be {MediumStack.MaxMedia}");
+            builder.Error(description, nameof(SceneDescription.Materials), $"the materials have {scene._interiors.Length} different insides (media, and dielectrics with a priority), but at most {MediumStack.MaxMedia} are possible");
             return null;
         }
 
@@ -215,7 +215,7 @@ public sealed class Scene
     {
         if (!Ambient.IsBlack && Render.Integrator != Integrator.Report)
         {
-            builder.Warn(description, nameof(Ambient), "only the report integrator knows ambient light: here it has no effect");
+            builder.Warn(description, nameof(Ambient), "only the report integrator supports ambient light: here it has no effect");
         }
 
         if (Render.WeakenedShadows && Render.Integrator != Integrator.Report)
@@ -225,7 +225,7 @@ public sealed class Scene
 
         if (HasInterior(static i => i.Nesting is not null) && Render.Integrator == Integrator.Report)
         {
-            builder.Warn(description.Render, nameof(Render.Integrator), "there are dielectrics with priorities, which only the path, direct and volPath integrators know");
+            builder.Warn(description.Render, nameof(Render.Integrator), "there are dielectrics with priorities, which only the path, direct and volPath integrators support");
         }
 
         if (HasInterior(static i => i.Medium is not null) && Render.Integrator is (Integrator.Report or Integrator.Path or Integrator.Direct))

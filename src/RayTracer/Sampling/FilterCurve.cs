@@ -48,7 +48,7 @@ public sealed class FilterCurve
         const float mostDeviations = 8;
         if (filter.Radius is > 0 and < smallest)
         {
-            return (nameof(FilterDescription.Radius), $"a pixel filter's radius must be 0, for what is usual, or at least {smallest}, but it is {filter.Radius}");
+            return (nameof(FilterDescription.Radius), $"a pixel filter's radius must be 0, for the usual one, or at least {smallest}, but it is {filter.Radius}");
         }
 
         float radius = filter.Radius > 0 ? filter.Radius : UsualRadius(filter.Shape);

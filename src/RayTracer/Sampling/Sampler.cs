@@ -34,7 +34,7 @@ public abstract class Sampler(int samplesPerPixel)
 
         int below = (int)double.Sqrt(samplesPerPixel);
         string name = kind == SamplerKind.Jittered ? "jittered" : "regular";
-        return $"the {name} sampler needs a square number of samples, but {samplesPerPixel} is none: take {below * below} or {(below + 1) * (below + 1)}";
+        return $"the {name} sampler needs a square number of samples, but {samplesPerPixel} is not one: use {below * below} or {(below + 1) * (below + 1)}";
     }
 
     /// <summary>Prepares a group of pairs for each lane.</summary>

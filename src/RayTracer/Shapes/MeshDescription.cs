@@ -17,11 +17,11 @@ public enum MeshShading
 }
 
 /// <summary>Describes a mesh of triangles, from a file, from numbers in the scene file, or from a program.</summary>
-[SceneType("mesh", "Triangles that share corners, from a model file or from numbers written here. Their front, which shines if they are a luminaire, is where the corners are seen counter-clockwise. What is wrong with a mesh is mended where possible, and reported.")]
+[SceneType("mesh", "Triangles that share corners, from a model file or from numbers written here. Their front, which shines if they are a luminaire, is where the corners are seen counter-clockwise. Faults of a mesh are repaired where possible, and reported.")]
 public sealed record MeshDescription : ShapeDescription
 {
     /// <summary>A model file, of which only the triangles are taken.</summary>
-    [Parameter("A model file, of which only the triangles are taken: not its materials, lights and cameras (a model takes all).", IsFile = true)]
+    [Parameter("A model file, of which only the triangles are used, not its materials, lights and cameras (the shape model uses them all).", IsFile = true)]
     public string File { get; init; } = "";
 
     /// <summary>The corners.</summary>
@@ -29,11 +29,11 @@ public sealed record MeshDescription : ShapeDescription
     public IReadOnlyList<Vector3> Positions { get; init; } = [];
 
     /// <summary>Three corners a triangle.</summary>
-    [Parameter("The triangles: for each, the numbers of three corners, from 0, counter-clockwise as seen from its front.")]
+    [Parameter("The triangles: for each, the indices of three corners, from 0, counter-clockwise as seen from its front.")]
     public IReadOnlyList<TriangleIndices> Triangles { get; init; } = [];
 
     /// <summary>A shading normal for each corner; empty for flat triangles.</summary>
-    [Parameter("A normal for each corner, of any length, with which the surface is shaded as if it were smooth. Without them each triangle is flat.")]
+    [Parameter("A normal for each corner, of any length; they shade the surface as if it were smooth. Without them each triangle is flat.")]
     public IReadOnlyList<Vector3> Normals { get; init; } = [];
 
     /// <summary>uv for each corner.</summary>
@@ -41,7 +41,7 @@ public sealed record MeshDescription : ShapeDescription
     public IReadOnlyList<Vector2> Uv { get; init; } = [];
 
     /// <summary>A colour for each corner; empty where the mesh has none of its own.</summary>
-    [Parameter("A colour for each corner, linear red, green and blue: diffuse colours are multiplied by it, unless the material shows it by a texture of the type vertexColor.", Minimum = 0)]
+    [Parameter("A colour for each corner, linear red, green and blue: diffuse colours are multiplied by it, unless the material shows it with a texture of type vertexColor.", Minimum = 0)]
     public IReadOnlyList<Vector3> Colors { get; init; } = [];
 
     /// <summary>Materials for <see cref="MaterialOfTriangle"/>; empty where all triangles are of the mesh's material.</summary>
@@ -49,15 +49,15 @@ public sealed record MeshDescription : ShapeDescription
     public IReadOnlyList<MaterialDescription> Materials { get; init; } = [];
 
     /// <summary>Which of <see cref="Materials"/> each triangle is made of; empty where all are made of the first.</summary>
-    [Parameter("For each triangle, which of the materials it is made of, from 0.")]
+    [Parameter("For each triangle, the index of its material, from 0.")]
     public IReadOnlyList<int> MaterialOfTriangle { get; init; } = [];
 
     /// <summary>Which of the meshes of <see cref="File"/>, from 0; −1 for all.</summary>
-    [Parameter("Which of the meshes of the file, from 0; −1 takes all of them.", Minimum = -1)]
+    [Parameter("The index of the mesh in the file, from 0; −1 uses all of them.", Minimum = -1)]
     public int Part { get; init; } = -1;
 
     /// <summary>Which normals the mesh is shaded with.</summary>
-    [Parameter("Which normals the mesh is shaded with: its own (flat triangles where it has none), none at all, or its own and where it has none the mean of the triangles around each corner, weighted by their angles there.")]
+    [Parameter("Which normals the mesh is shaded with: its own (flat triangles where it has none), none at all, or its own and, where it has none, the mean of the triangles around each corner, weighted by their angles there.")]
     public MeshShading Shading { get; init; } = MeshShading.Own;
 
     /// <summary>Whether the mesh is turned inside out.</summary>
@@ -65,11 +65,11 @@ public sealed record MeshDescription : ShapeDescription
     public bool FlipNormals { get; init; }
 
     /// <summary>Whether v is counted from the other end.</summary>
-    [Parameter("Whether v is counted from the other end: 1 − v takes its place.")]
+    [Parameter("Whether v is counted from the other end: 1 − v replaces it.")]
     public bool FlipV { get; init; }
 
     /// <summary>Whether the colours of corners are left out.</summary>
-    [Parameter("Whether the colours that a file gives its corners are left out. Otherwise the material's colour is multiplied by them.")]
+    [Parameter("Whether the colours that a file gives its corners are ignored. Otherwise the material's colour is multiplied by them.")]
     public bool IgnoreColors { get; init; }
 
     /// <summary>The triangles as a program gives them, instead of the file or the lists; null where there are none.</summary>

@@ -8,7 +8,7 @@ using RayTracer.Sampling;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Sphere"/>.</summary>
-[SceneType("sphere", "A sphere. u goes once around the y axis (u = 0.5 faces +z) and grows to the right for whoever looks from outside with y up, v from the bottom (0) to the top (1) in proportion to the angle.")]
+[SceneType("sphere", "A sphere. u goes once around the y axis (u = 0.5 faces +z) and grows to the right when seen from outside with y up, v from the bottom (0) to the top (1) in proportion to the angle.")]
 public sealed record SphereDescription : ShapeDescription
 {
     /// <summary>The centre.</summary>

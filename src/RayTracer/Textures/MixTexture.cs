@@ -16,7 +16,7 @@ public sealed record MixTextureDescription : TextureDescription
     public TextureDescription Second { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>How much of the second there is.</summary>
-    [Parameter("How much of the second texture there is: the red channel of this one, whose pictures are read raw.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("The weight of the second texture: the red channel of this one, whose pictures are read raw.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Weight { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <inheritdoc/>

@@ -17,7 +17,7 @@ public enum TextureSpace
 public abstract record SpaceTextureDescription : TextureDescription
 {
     /// <summary>Whose coordinates are used.</summary>
-    [Parameter("Whose coordinates are used: the object's (those in which the shape's own numbers are given, before any transform, so that the texture goes with it) or the world's.")]
+    [Parameter("Whose coordinates are used: the object's (those of the shape's own numbers, before any transform, so that the texture moves with it) or the world's.")]
     public TextureSpace Space { get; init; } = TextureSpace.Object;
 
     /// <summary>How the texture is moved in these coordinates; empty where it is not.</summary>

@@ -192,15 +192,15 @@ public sealed class FramesTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--frames 0..4 -o out.exr", "5 frames need as many files: put #### where their numbers shall stand")]
+    [InlineData("--frames 0..4 -o out.exr", "5 frames need as many files: put #### where their numbers should go")]
     [InlineData("--frames 4..0 -o f#.png", "expected frames, from 0, as in 7, 0..239 or 0..239:2")]
-    [InlineData("--frames 0..4 --part 1/6 -o f#.png", "5 make 5 parts at most")]
+    [InlineData("--frames 0..4 --part 1/6 -o f#.png", "5 frames make at most 5 parts")]
     [InlineData("--frames 3 --part 1/2 -o f.png", "give --samples")]
     [InlineData("--frames 0..4 --checkpoint c.rtfilm -o f#.png", "--checkpoint is for one picture")]
     [InlineData("-o f.apng", "an animated PNG is made of --frames")]
     [InlineData("--fps 12 -o f.png", "give --frames")]
-    [InlineData("--frames 0..2 -o f.png --denoise", "--denoise writes images beside every frame, and there is only an animated PNG to write")]
-    [InlineData("--frames 0..2 -o f.png --aov depth", "--aov writes images beside every frame, and there is only an animated PNG to write")]
+    [InlineData("--frames 0..2 -o f.png --denoise", "--denoise writes images beside every frame, and only an animated PNG is written")]
+    [InlineData("--frames 0..2 -o f.png --aov depth", "--aov writes images beside every frame, and only an animated PNG is written")]
     [InlineData("--frames 0..2 -o f.png -o g.apng --aov direct", "give -o frame-####.png too")]
     public void Wrong_words_are_told(string words, string message)
     {

@@ -107,7 +107,7 @@ public class AovFilesTests
         AovFilm film = new(new(16, 16), [Aov.BvhCost]);
         new FirstHitPass(scene).Render(film);
         AovPicture picture = new(film, Aov.BvhCost);
-        Assert.Equal("0 to 3 and more nodes and triangles a ray: black, violet, red, orange, white; at most 3", picture.Range);
+        Assert.Equal("0 to 3 and more nodes and triangles per ray: black, violet, red, orange, white; at most 3", picture.Range);
         float[] row = new float[48];
         picture.ReadRow(8, row);
         Assert.Equal((float)SrgbCurve.Decode(HeatMap.Color(1 / 3.0).R), row[0]);

@@ -49,7 +49,7 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
 
             if (primitive.Has("targets"))
             {
-                document.Notes.Add("morph targets are left out: meshes are shown as they were modelled");
+                document.Notes.Add("morph targets are ignored: meshes are shown as they were modelled");
             }
         }
 

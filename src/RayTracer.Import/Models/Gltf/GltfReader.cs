@@ -67,7 +67,7 @@ public static class GltfReader
     {
         if (!memory.TryUse((json.Count((byte)',') + json.Count((byte)'[') + json.Count((byte)'{')) * BytesPerValue))
         {
-            throw new ModelException("the JSON has far too many values for its size: large data belong into buffers");
+            throw new ModelException("the JSON has far too many values for its size: large data belongs in buffers");
         }
     }
 

@@ -40,7 +40,7 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
 
         if (use.UvSet != uvSet)
         {
-            document.Notes.Add("a normal map that uses another set of uv than the base colour is left out");
+            document.Notes.Add("a normal map with a different uv set from the base colour is ignored");
             return null;
         }
 
@@ -83,7 +83,7 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
 
         if (use.UvSet != uvSet)
         {
-            document.Notes.Add("a texture that uses another set of uv than the base colour is averaged");
+            document.Notes.Add("a texture with a different uv set from the base colour is averaged");
             return new SolidTextureDescription { Color = factor * GltfImages.Mean(picture) };
         }
 
@@ -108,7 +108,7 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
         int? source = document.Reference(described, "source", "images");
         if (source is null)
         {
-            document.Notes.Add("a texture without a PNG or JPEG picture is left out");
+            document.Notes.Add("a texture without a PNG or JPEG picture is ignored");
         }
 
         return source;

@@ -101,7 +101,7 @@ internal sealed class PlyHeader
             throw new ModelException($"expected {meant} instead of {Quotation.Of(keyword)}", line);
         }
 
-        Notes.Add($"line {line} of its header is no statement of PLY, and taken for a comment");
+        Notes.Add($"line {line} of its header is not a PLY statement and is taken for a comment");
     }
 
     private static PlyFormat ParseFormat(ref ModelText text)
@@ -119,7 +119,7 @@ internal sealed class PlyHeader
         ReadOnlySpan<byte> word = text.Word();
         return long.TryParse(word, System.Globalization.NumberStyles.None, null, out long count) && name.Length > 0
             ? new PlyElement(name, count, text.Line)
-            : throw text.Expected("an element's name and how many there are", word);
+            : throw text.Expected("an element's name and count", word);
     }
 
     private static PlyProperty ParseProperty(ref ModelText text, PlyElement element)

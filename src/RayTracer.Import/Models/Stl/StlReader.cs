@@ -39,7 +39,7 @@ internal static class StlReader
         bool isBinary = claimed >= 0 && (end == file.Length || !IsText(file));
         if (!isBinary)
         {
-            return IsText(file) ? ParseText(file) : throw new ModelException("it is no STL file: it neither begins with \"solid\" nor has a binary file's 84 bytes");
+            return IsText(file) ? ParseText(file) : throw new ModelException("it is not an STL file: it neither starts with \"solid\" nor has the 84 bytes of a binary file");
         }
 
         if (end > file.Length)
@@ -49,7 +49,7 @@ internal static class StlReader
 
         if (end < file.Length)
         {
-            notes.Add($"{file.Length - end} bytes behind the last triangle are left out");
+            notes.Add($"{file.Length - end} bytes after the last triangle are ignored");
         }
 
         return ParseBinary(file.Slice(FirstTriangle, (int)(claimed * TriangleBytes)));
