@@ -15,8 +15,13 @@ internal sealed class RenderVerb
     private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
     private readonly ParsedOption<int[]?> _pixel = OptionValues.Integers("--pixel", "x,y", "Renders only this pixel and prints its radiance.");
     private readonly ParsedOption<long?> _sample = OptionValues.Integer("--sample", "With --pixel: renders only this sample, from 0.", 0, int.MaxValue - 1);
-    private readonly ParsedOption<Enum[]?> _aovs = OptionValues.Words<Enum>(
-        "--aov", "Also writes auxiliary images: of the first hits of camera rays (depth to samples), or of parts of the light (emission to lights, which gives one for each light). They become layers of .exr files, and otherwise files beside the output (out.depth.png). One or more, separated by commas.", kind => kind is Aov aov ? AovFiles.Name(aov) : $"{kind}".ToLowerInvariant(), [.. Enum.GetValues<Aov>(), .. Enum.GetValues<LightLayer>()]);
+    private readonly ParsedOption<object[]?> _aovs = OptionValues.Words<object>(
+        "--aov",
+        $"Also writes auxiliary images: of pixels ({AuxiliaryImage.Known.All[0].Name} to {AuxiliaryImage.Known.All[^1].Name}), "
+            + "or of parts of the light (emission to lights, which gives one for each light). They become layers of .exr files, and otherwise files beside them "
+            + "(out.depth.png). One or more, separated by commas.",
+        kind => kind is AuxiliaryImage image ? image.Name : $"{kind}".ToLowerInvariant(),
+        [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightLayer>()]);
     private readonly Option<bool> _denoise = new("--denoise") { Description = "Also writes a denoised picture: as a layer of .exr files, otherwise as a file beside the output (out.denoised.png)." };
     private readonly ParsedOption<double?> _noise = OptionValues.Fraction(
         "--noise", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (default 65,536). The estimate is conservative: stratified samplers (sobol) do better.");
@@ -96,7 +101,7 @@ internal sealed class RenderVerb
             Crop = _crop.Value(result),
             Pixel = _pixel.Value(result),
             Sample = _sample.Value(result),
-            Aovs = [.. _aovs.Value(result)?.OfType<Aov>() ?? []],
+            Aovs = [.. _aovs.Value(result)?.OfType<AuxiliaryImage>() ?? []],
             Layers = [.. _aovs.Value(result)?.OfType<LightLayer>() ?? []],
             Denoise = result.GetValue(_denoise),
             Noise = _noise.Value(result),
