@@ -51,7 +51,7 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
         sun *= ConeHeight(SunRadius) / height;
         if (!(sun.R <= ImageEnvironment.Brightest) || !(Scale * 1000 <= ImageEnvironment.Brightest))
         {
-            builder.Error(this, nameof(Scale), "the the sky and sun become too bright to compute with");
+            builder.Error(this, nameof(Scale), "the sky and sun become too bright to compute with");
             return null;
         }
 
