@@ -107,7 +107,7 @@ public sealed class FilmExrTests : IDisposable
         CliRun.Fine(words);
         CliRun.Fine([.. words, "--exr-film"]);
         Assert.All(["f-0.exr", "f-1.exr"], f => Assert.True(CarriedFilm.Is(_folder[f])));
-        Assert.Contains("there already", CliRun.Of([.. words, "--exr-film"]).Output, StringComparison.Ordinal);
+        Assert.Contains("exists already", CliRun.Of([.. words, "--exr-film"]).Output, StringComparison.Ordinal);
     }
 
     public static TheoryData<ExrCompression> Compressions => [.. Enum.GetValues<ExrCompression>()];

@@ -33,7 +33,7 @@ public sealed class FramesTests : IDisposable
         File.WriteAllText(_folder["f-004.png"], "something else");
         CliRun again = CliRun.Of([.. command, "--threads", "1"]);
         Assert.Equal(0, again.Status);
-        Assert.Equal(["there already", "f-002.png", "f-004.png"], again.Output.TrimEnd().Split('\n').Select(l => l.Contains("there", StringComparison.Ordinal) ? "there already" : l[^9..]));
+        Assert.Equal(["exists already", "f-002.png", "f-004.png"], again.Output.TrimEnd().Split('\n').Select(l => l.Contains("exists", StringComparison.Ordinal) ? "exists already" : l[^9..]));
         Assert.Equal(kept, File.ReadAllBytes(_folder["f-000.png"]));
         Assert.Equal(0, CliRun.Of("verify", _folder["f-002.png"]).Status);
 
@@ -101,7 +101,7 @@ public sealed class FramesTests : IDisposable
         string[] command = ["render", _scene, "--frames", "0..1", "-o", _folder[files], "--noise", "20%", "--spp", samples];
         Assert.Equal(status, CliRun.Of(command).Status);
         CliRun again = CliRun.Of(command);
-        Assert.Equal(2, again.Output.Split("there already").Length - 1);
+        Assert.Equal(2, again.Output.Split("exists already").Length - 1);
         Assert.Equal(status, again.Status);
     }
 

@@ -99,7 +99,7 @@ public sealed class SettingTests : IDisposable
         const string globe = "{ \"type\": \"sphere\", \"name\": \"globe\"";
         File.WriteAllText(_scene, Scene.Replace(globe, $"{globe}, \"center\": [3, 0, 0] }}, {globe}", StringComparison.Ordinal));
         CliRun run = CliRun.Of("check", _scene, "--set", "shapes.globe.radius=2");
-        Assert.StartsWith("the option --set shapes.globe.radius=2, column 8: error: 2 in \"shapes\" are called \"globe\": use a number, as in [0]", run.Output, StringComparison.Ordinal);
+        Assert.StartsWith("the option --set shapes.globe.radius=2, column 8: error: 2 elements of \"shapes\" are called \"globe\": use a number, as in [0]", run.Output, StringComparison.Ordinal);
     }
 
     [Fact]

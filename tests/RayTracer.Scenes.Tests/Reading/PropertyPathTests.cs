@@ -71,7 +71,7 @@ public class PropertyPathTests
     [InlineData("lights[0].radius", 7, "\"lights\" has no elements: there is no [0]")]
     [InlineData("objects.tree.transform[1].translate", 23, "\"objects.tree.transform\" has one element, [0]: there is no [1]")]
     [InlineData("shapes.glob.radius", 8, "nothing in \"shapes\" has the name \"glob\" (did you mean \"globe\"?)")]
-    [InlineData("shapes.twin.radius", 8, "2 in \"shapes\" are called \"twin\": use a number, as in [2]")]
+    [InlineData("shapes.twin.radius", 8, "2 elements of \"shapes\" are called \"twin\": use a number, as in [2]")]
     [InlineData("camera.position.x", 17, "\"camera.position\" has 3 elements, [0] to [2], and none has the name \"x\"")]
     [InlineData("camera.position[3]", 16, "\"camera.position\" has 3 elements, [0] to [2]: there is no [3]")]
     [InlineData("camera.position[1].x", 20, "\"camera.position[1]\" is 2, which has no parts")]

@@ -24,7 +24,7 @@ internal static class GltfExtensions
         string[] unknown = [.. document.Root.Texts("extensionsRequired").Where(e => !All.Contains(e)).Distinct(StringComparer.Ordinal)];
         if (unknown.Length > 0)
         {
-            throw document.Root.Error("extensionsRequired", $"the file requires {string.Join(", ", unknown.Take(5).Select(Quotation.Of))}, which {(unknown.Length > 1 ? "are" : "is")} not understood here");
+            throw document.Root.Error("extensionsRequired", $"the file cannot be shown without {string.Join(", ", unknown.Take(5).Select(Quotation.Of))}, which {(unknown.Length > 1 ? "are" : "is")} not understood here");
         }
     }
 }

@@ -170,10 +170,10 @@ public class ObjReaderTests
         Assert.Equal(plain, ((LuminaireMaterialDescription)materials[3]).Color);
         Assert.Equal(
             [
+                "emission (Ke) becomes a luminaire with Ke as its radiance, on the side that the normal points to",
                 "the picture \"missing.png\" is not there: its colour is used instead",
                 "the picture \"nothing.png\" is not there: its colour is used instead",
                 "the picture \"picture.tga\" has no readable format (.png, .jpg, .pfm, .exr or .hdr): its colour is used instead",
-                "emission (Ke) becomes a luminaire with Ke as its radiance, on the side that the normal points to",
                 "these material statements are ignored: Tf, refl",
             ],
             model.Notes);
@@ -185,7 +185,7 @@ public class ObjReaderTests
         ImportedModel model = Parse(Square + "l 1 2\np 1\ncurv 0 1 2\nf 1 2\nf 1 2 3\nf 3\nnonsense 1\nrubbish\nv 3.1+e2 0 0\n");
         Assert.Equal(
             ["line 13: a number is followed by stray characters, which are ignored", "line 8: faces with fewer than three corners are ignored",
-                "left out: \"nonsense\" in line 11 and other lines that are not OBJ statements; curves and curved surfaces; lines and points"],
+                "ignored: \"nonsense\" in line 11 and other lines that are not OBJ statements; curves and curved surfaces; lines and points"],
             model.Notes);
     }
 
