@@ -88,7 +88,7 @@ internal sealed unsafe class FirstHits
 
     private void AddPacket(ShadingGroup group, uint* index, int count)
     {
-        SurfaceShader.Describe(_scene, group, _rays, index, group.UsesUv || _film.Has(Aov.Uv), out SurfaceW surface);
+        SurfaceShader.Describe(_scene, group, _rays, index, group.Traits.UsesUv || _film.Has(Aov.Uv), out SurfaceW surface);
         group.Material.Albedo(surface, out RgbW albedo);
         for (int lane = 0; lane < count; lane++)
         {
