@@ -23,6 +23,35 @@ public class MitsubaReaderTests
         Assert.Equal((2, new(0.5f, 12, 0)), (sphere.Radius, sphere.Center));
     }
 
+    [Theory]
+    [InlineData("\n<shape type=\"sphere\"><float name=\"radius\" value=\"-1\"/></shape>", "scene.xml:4:1: error: \"radius\" must be greater than 0, but is -1")]
+    [InlineData(
+        "<shape type=\"cube\"><bsdf type=\"null\"/>\n<medium name=\"interior\" type=\"homogeneous\"><phase type=\"hg\"><float name=\"g\" value=\"0.999\"/></phase></medium></shape>",
+        "scene.xml:3:1: error: \"anisotropy\" must be from -0.99 to 0.99, but is 0.999")]
+    public void Values_out_of_range_are_errors_at_the_place_of_what_has_them(string things, string message)
+    {
+        using TestScene scene = new();
+        SceneLoadResult load = SceneLoader.Load(scene.Write("scene.xml", things));
+        Diagnostic error = Assert.Single(load.Diagnostics, d => d.Severity == Severity.Error);
+        Assert.EndsWith(message, error.ToString(), StringComparison.Ordinal);
+        Assert.Equal(DiagnosticRule.OutOfRange, error.Rule);
+        Assert.Null(load.Scene);
+    }
+
+    [Fact]
+    public void Spectra_beyond_the_three_primaries_are_brought_into_range_with_a_warning()
+    {
+        using TestScene scene = new();
+        string path = scene.Write("scene.xml", """
+            <shape type="sphere"><bsdf type="diffuse"><spectrum name="reflectance" value="400:0, 515:0, 520:1, 525:0, 700:0"/></bsdf></shape>
+            """);
+        SceneLoadResult load = SceneLoader.Load(path);
+        Assert.Equal(
+            "the spectrum of \"reflectance\" is a colour beyond the three primaries: its channels are brought into range, from 0 to 1",
+            Assert.Single(load.Diagnostics).Message);
+        Assert.NotNull(load.Scene);
+    }
+
     [Fact]
     public void References_reach_forward_and_share_what_they_name()
     {
