@@ -1,3 +1,5 @@
+using RayTracer.Jobs;
+
 namespace RayTracer.Session;
 
 /// <summary>

@@ -1,5 +1,6 @@
 using System.IO.Compression;
 using System.Text;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
 
 namespace RayTracer.Session;

@@ -1,4 +1,4 @@
-using RayTracer.Session;
+using RayTracer.Jobs;
 using RayTracer.Tests.Imaging;
 
 namespace RayTracer.Tests.Cli;
