@@ -5,6 +5,7 @@ using RayTracer.Acceleration;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Shapes;

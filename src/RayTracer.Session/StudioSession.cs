@@ -1,3 +1,4 @@
+using RayTracer.Import;
 using RayTracer.Jobs;
 
 namespace RayTracer.Session;
@@ -15,6 +16,7 @@ public sealed class StudioSession : IDisposable
     /// <param name="time">The clock; null for the system's.</param>
     public StudioSession(UserFolders? folders = null, string? scenes = null, TimeProvider? time = null)
     {
+        Importers.Register();
         _document = new(folders, scenes, time);
         Edits = new(Document, Selection, Notices);
         Jobs = new(Notices);

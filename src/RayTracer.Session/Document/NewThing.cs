@@ -1,5 +1,6 @@
 using System.Numerics;
 using System.Text.Json.Nodes;
+using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Scenes;
 using Json = System.Text.Json.Nodes.JsonNode;

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Numerics;
 using System.Text.Json.Nodes;
+using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Scenes;
 using JsonNode = RayTracer.Scenes.JsonNode;
