@@ -100,7 +100,7 @@ public static class AtomicFile
         }
     }
 
-    /// <summary>A name for a temporary file in the folder of the file that it becomes: one of its own for every writer.</summary>
+    /// <summary>A name for a temporary file in the folder of the file that it becomes: a different one for every writer.</summary>
     public static string Temporary(string target) => Path.Combine(Path.GetDirectoryName(target)!, $"{Start(target)}.{Guid.NewGuid():N}{Ending}");
 
     // The rights that the owner of the old file gave: what nobody else may read stays so.

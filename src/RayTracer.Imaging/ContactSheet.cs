@@ -46,7 +46,7 @@ public sealed class ContactSheet
         }
     }
 
-    /// <summary>What has been drawn: linear RGB.</summary>
+    /// <summary>The pixels drawn so far: linear RGB.</summary>
     public Picture Picture => _canvas.Picture;
 
     /// <summary>Width of each image.</summary>

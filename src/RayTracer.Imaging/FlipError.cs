@@ -83,7 +83,7 @@ public sealed class FlipError : IImageRows
         }
     }
 
-    // A distance of colours as an error: up to the knee it takes nearly all of the range, for people hardly tell large differences apart.
+    // A distance of colours as an error: up to the knee it takes nearly all of the range, because people hardly distinguish large differences.
     private static double Error(double distance)
     {
         double power = Power(distance, ColorExponent);

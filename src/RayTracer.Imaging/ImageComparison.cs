@@ -32,7 +32,7 @@ public sealed record ImageComparison
     /// <summary>Channel of the largest difference: 0 red, 1 green, 2 blue.</summary>
     public required int LargestChannel { get; init; }
 
-    /// <summary>How many values were left out because they are NaN or infinite in one or both images.</summary>
+    /// <summary>The number of values that were left out because they are NaN or infinite in one or both images.</summary>
     public required long NotFinite { get; init; }
 
     /// <summary>Compares two images of one size, row by row.</summary>

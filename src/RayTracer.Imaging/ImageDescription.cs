@@ -1,6 +1,6 @@
 namespace RayTracer.Imaging;
 
-/// <summary>What a picture file says of itself, but for the pixels.</summary>
+/// <summary>The contents of a picture file except for its pixels.</summary>
 /// <param name="Format">Its format's name.</param>
 /// <param name="Width">Columns of pixels.</param>
 /// <param name="Height">Rows of pixels.</param>
@@ -10,7 +10,7 @@ namespace RayTracer.Imaging;
 public sealed record ImageDescription(
     string Format, int Width, int Height, string Compression, IReadOnlyList<ImageChannel> Channels, IReadOnlyList<KeyValuePair<string, string>> Texts)
 {
-    /// <summary>How many pictures it shows one after the other.</summary>
+    /// <summary>The number of pictures that it shows one after the other.</summary>
     public int Frames { get; init; } = 1;
 
     /// <summary>The size of the file in bytes.</summary>

@@ -4,7 +4,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>A picture whose lights are layers of their own, so that each can be made brighter, darker or coloured after rendering.</summary>
+/// <summary>A picture whose lights are separate layers, so that each can be brightened, dimmed or tinted after rendering.</summary>
 public sealed class LightMix
 {
     private const string Channels = "RGB";

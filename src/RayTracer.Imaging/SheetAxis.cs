@@ -1,6 +1,6 @@
 namespace RayTracer.Imaging;
 
-/// <summary>What changes along an axis of a <see cref="ContactSheet"/>.</summary>
+/// <summary>The values along an axis of a <see cref="ContactSheet"/>.</summary>
 /// <param name="Name">What it is called.</param>
 /// <param name="Values">What it is at each step.</param>
 public sealed record SheetAxis(string Name, IReadOnlyList<string> Values)

@@ -4,10 +4,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>How a terminal can show pictures.</summary>
+/// <summary>The ways in which a terminal can show pictures.</summary>
 public enum TerminalGraphics
 {
-    /// <summary>Upper half blocks, whose two halves have 24-bit colours of their own.</summary>
+    /// <summary>Upper half blocks, whose two halves have separate 24-bit colours.</summary>
     Blocks,
 
     /// <summary>Letters of growing darkness, without colours.</summary>
@@ -27,12 +27,12 @@ public static class TerminalPicture
     private const string Darkness = " .:-=+*#%@";
     private const int KittyChunk = 4096;
 
-    // Levels of red, green and blue of the palette for sixels: eyes tell more greens.
+    // Levels of red, green and blue of the palette for sixels: eyes distinguish more greens.
     private const int Reds = 6;
     private const int Greens = 7;
     private const int Blues = 6;
 
-    /// <summary>What the variables of an environment say about the terminal.</summary>
+    /// <summary>The way that the variables of an environment call for.</summary>
     /// <param name="variable">The value of a variable; null where there is none.</param>
     public static TerminalGraphics Of(Func<string, string?> variable)
     {
@@ -165,7 +165,7 @@ public static class TerminalPicture
         }
     }
 
-    // Nearest colours of the palette; what is off goes on to the pixels around (Floyd & Steinberg 1976).
+    // Nearest colours of the palette; the error is passed to the pixels around (Floyd & Steinberg 1976).
     private static int[] Dithered(Picture picture)
     {
         int[] levels = [Reds, Greens, Blues];

@@ -1,6 +1,6 @@
 namespace RayTracer.Imaging;
 
-/// <summary>How linear light of any strength is brought into the [0, 1] that a display can show.</summary>
+/// <summary>The maps that bring linear light of any strength into the [0, 1] that a display can show.</summary>
 public enum ToneMap
 {
     /// <summary>As it is; what lies outside [0, 1] is cut off. The only choice under which a PNG is exactly the film.</summary>

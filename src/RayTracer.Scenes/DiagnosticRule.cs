@@ -1,6 +1,6 @@
 namespace RayTracer.Scenes;
 
-/// <summary>What kind of thing a diagnostic is about, for tools that count and filter.</summary>
+/// <summary>The category of a diagnostic, for tools that count and filter.</summary>
 /// <param name="Id">A word of small letters and hyphens, the same in all versions.</param>
 /// <param name="Summary">What is wrong.</param>
 public sealed record DiagnosticRule(string Id, string Summary)

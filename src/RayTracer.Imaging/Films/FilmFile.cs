@@ -24,7 +24,7 @@ public static class FilmFile
     /// <summary>The first bytes; as in PNG, line ends that are changed on the way show at once.</summary>
     public static ReadOnlySpan<byte> Signature => "RTFILM\r\n"u8;
 
-    /// <summary>Whether a file's name says that it holds a film.</summary>
+    /// <summary>True where a file's name says that it holds a film.</summary>
     public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
 
     /// <summary>Writes a film. The file is there whole or not at all, and what was there before stays until then (<see cref="AtomicFile"/>).</summary>
@@ -102,7 +102,7 @@ public static class FilmFile
         return header;
     });
 
-    /// <summary>Whether sums need more than 64 bits.</summary>
+    /// <summary>True where sums need more than 64 bits.</summary>
     internal static bool AreWide(Int128[] sums) => Array.Exists(sums, s => s < long.MinValue || s > long.MaxValue);
 
     // A row is a byte of flags, the counts (one where all are equal), and the sums (of 8 bytes where all fit into them, else of 16).

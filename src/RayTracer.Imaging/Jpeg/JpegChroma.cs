@@ -1,6 +1,6 @@
 namespace RayTracer.Imaging;
 
-/// <summary>How many differences of colour a JPEG file keeps.</summary>
+/// <summary>The resolution of the colour differences in a JPEG file.</summary>
 public enum JpegChroma
 {
     /// <summary>One of each for every pixel (4:4:4).</summary>

@@ -12,7 +12,7 @@ public static class JpegWriter
     /// <summary>The largest width and height of a JPEG file.</summary>
     public const int MaxSide = 65_535;
 
-    /// <summary>What follows a text's key where the text goes on.</summary>
+    /// <summary>The suffix of a text's key where the text continues.</summary>
     internal const string Continued = " (continued)";
 
     // What a segment holds behind its own length.
@@ -26,7 +26,7 @@ public static class JpegWriter
     /// <param name="image">Linear RGB; what lies outside [0, 1] is cut off, NaN becomes 0.</param>
     /// <param name="quality">1 to 100, on libjpeg's scale.</param>
     /// <param name="chroma">How many differences of colour are kept; null for all from quality 90 on, below it a quarter.</param>
-    /// <param name="metadata">Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes goes on in further ones, called <c>key (continued)</c>.</param>
+    /// <param name="metadata">Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes continues in further ones, called <c>key (continued)</c>.</param>
     /// <exception cref="ArgumentException">A quality outside its range, or an image that is too large for the format.</exception>
     public static void Write(Stream output, IImageRows image, int quality = StandardQuality, JpegChroma? chroma = null, IEnumerable<KeyValuePair<string, string>>? metadata = null)
     {

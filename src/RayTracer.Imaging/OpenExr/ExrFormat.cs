@@ -1,6 +1,6 @@
 namespace RayTracer.Imaging;
 
-/// <summary>What reader and writer of OpenEXR agree on ("Technical Introduction to OpenEXR" and "OpenEXR File Layout", openexr.com).</summary>
+/// <summary>The constants that reader and writer of OpenEXR share ("Technical Introduction to OpenEXR" and "OpenEXR File Layout", openexr.com).</summary>
 internal static class ExrFormat
 {
     public const int Version = 2;
@@ -52,6 +52,6 @@ internal static class ExrFormat
         _ => 1,
     };
 
-    /// <summary>How many times fewer bytes there can be at most; of four bytes, PXR24 packs three.</summary>
+    /// <summary>The largest possible compression ratio; of four bytes, PXR24 packs three.</summary>
     public static long MaxRatio(ExrCompression compression) => PictureLimits.MaxDeflateRatio * (compression == Pxr24 ? 2 : 1);
 }

@@ -40,10 +40,10 @@ internal sealed class ExrHeader
     /// <summary>The string attributes that are not the format's own, in their order.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Texts => _texts;
 
-    /// <summary>Whether the file is one of several parts, even if there is only one.</summary>
+    /// <summary>True where the file is one of several parts, even if there is only one.</summary>
     public bool IsMultiPart { get; private set; }
 
-    /// <summary>Whether blocks are tiles rather than rows.</summary>
+    /// <summary>True where blocks are tiles rather than rows.</summary>
     public bool IsTiled { get; private set; }
 
     /// <summary>Columns of a block; fewer at the right edge.</summary>
@@ -58,7 +58,7 @@ internal sealed class ExrHeader
     /// <summary>Blocks one above the other.</summary>
     public int BlocksDown => (int)(((long)Height + BlockHeight - 1) / BlockHeight);
 
-    /// <summary>Where the table of blocks begins.</summary>
+    /// <summary>The offset of the table of blocks.</summary>
     public int End { get; private set; }
 
     public static ExrHeader Parse(ReadOnlySpan<byte> file)

@@ -1,6 +1,6 @@
 namespace RayTracer.Imaging;
 
-/// <summary>What a PNG pixel consists of, with the specification's numbers.</summary>
+/// <summary>The components of a PNG pixel, with the specification's numbers.</summary>
 internal enum PngColourType
 {
     Grey = 0,

@@ -15,14 +15,14 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
     private readonly MitsubaDielectrics _dielectrics = new(textures);
     private readonly MitsubaWrappers _wrappers = new(reading, textures);
 
-    /// <summary>What surfaces are made of about which nothing is said.</summary>
+    /// <summary>The material of surfaces that give none.</summary>
     public static MaterialDescription Standard { get; } =
         new OneSidedMaterialDescription { Material = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(s_half) } };
 
-    /// <summary>What shining surfaces are made of about which nothing is said.</summary>
+    /// <summary>The material of emitting surfaces that give none.</summary>
     public static MaterialDescription Black { get; } = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(Rgb.Black) };
 
-    /// <summary>Whether the integrator shows media: then boundaries of nothing do not count as edges of paths.</summary>
+    /// <summary>True where the integrator shows media: then boundaries of nothing do not count as edges of paths.</summary>
     public bool IsVolumetric { get; set; }
 
     /// <summary>The materials that have names.</summary>

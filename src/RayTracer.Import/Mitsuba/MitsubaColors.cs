@@ -72,7 +72,7 @@ internal static class MitsubaColors
         }
     }
 
-    /// <summary>The colour of a spectrum that is a thing of its own.</summary>
+    /// <summary>The colour of a spectrum that is a separate object.</summary>
     public static Rgb Plugin(MitsubaObject plugin, Rgb standard, bool isLight)
     {
         Rgb color = standard;

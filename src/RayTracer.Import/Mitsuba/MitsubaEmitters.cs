@@ -74,7 +74,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
         return scene;
     }
 
-    /// <summary>Whether an emitter shines from all around.</summary>
+    /// <summary>True where an emitter shines from all around.</summary>
     public static bool IsEnvironment(MitsubaObject emitter) => emitter.Type is "constant" or "envmap";
 
     private ImageEnvironmentDescription? Picture(MitsubaObject emitter)

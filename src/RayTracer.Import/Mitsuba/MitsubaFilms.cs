@@ -2,7 +2,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Import;
 
-/// <summary>What a film says about a picture.</summary>
+/// <summary>The settings of a film for a picture.</summary>
 /// <param name="Render">Size and filter.</param>
 /// <param name="Window">The part of the whole film that is shown, as <see cref="CameraDescription.Window"/>; empty for all of it.</param>
 internal sealed record FilmRead(RenderDescription Render, IReadOnlyList<float> Window);
@@ -13,7 +13,7 @@ internal static class MitsubaFilms
     private const int StandardWidth = 768;
     private const int StandardHeight = 576;
 
-    /// <summary>What a film says; null stands for the film that they have where none is given.</summary>
+    /// <summary>The settings of a film; null stands for the default film.</summary>
     public static FilmRead Read(MitsubaObject? film, RenderDescription render)
     {
         if (film is null)

@@ -5,7 +5,7 @@ namespace RayTracer.Import;
 /// <summary>Chooses the integrator.</summary>
 internal static class MitsubaIntegrators
 {
-    /// <summary>How a scene is rendered by an integrator.</summary>
+    /// <summary>The render settings for an integrator.</summary>
     public static RenderDescription Read(MitsubaObject integrator, RenderDescription render)
     {
         switch (integrator.Type)

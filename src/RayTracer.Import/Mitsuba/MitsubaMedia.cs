@@ -36,7 +36,7 @@ internal static class MitsubaMedia
         return material;
     }
 
-    /// <summary>Takes the medium of a camera as known: what the camera stands in is told here by the shapes around it.</summary>
+    /// <summary>Takes the medium of a camera as known: the medium around the camera follows from the shapes around it.</summary>
     public static void Around(MitsubaObject sensor)
     {
         if (sensor.Only("medium") is { } medium)
@@ -46,7 +46,7 @@ internal static class MitsubaMedia
         }
     }
 
-    /// <summary>What a medium is.</summary>
+    /// <summary>The properties of a medium.</summary>
     public static MediumDescription Read(MitsubaObject medium)
     {
         medium.Ignore("has_spectral_extinction", "sample_emitters");

@@ -8,7 +8,7 @@ internal static class MitsubaSamplers
     /// <summary>Samples a pixel where nothing is said.</summary>
     public const int StandardCount = 4;
 
-    /// <summary>How a scene is rendered with a sampler.</summary>
+    /// <summary>The render settings for a sampler.</summary>
     public static RenderDescription Read(MitsubaObject sampler, RenderDescription render)
     {
         sampler.Ignore("jitter");

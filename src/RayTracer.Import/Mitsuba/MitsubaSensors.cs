@@ -120,7 +120,7 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
         return camera with { Projection = Projection.Orthographic, ViewSize = 2 * scale.X, FieldOfViewAxis = FieldOfViewAxis.Horizontal };
     }
 
-    // The sensor looks along z of its own frame, has y up and x to the left.
+    // The sensor looks along z of its frame, has y up and x to the left.
     private CameraDescription Placed(MitsubaObject sensor, out Vector3 scale)
     {
         Transform place = sensor.Transform();

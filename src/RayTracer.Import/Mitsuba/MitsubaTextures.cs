@@ -97,7 +97,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         return uv.IsStraight ? image : uv.Place(image);
     }
 
-    // Of what meshes may tell beside uv, the colours of their corners are known.
+    // Of the attributes of meshes besides uv, only the colours of their corners are supported.
     private TextureDescription Attribute(MitsubaObject texture)
     {
         if (texture.Text("name") != "vertex_color")

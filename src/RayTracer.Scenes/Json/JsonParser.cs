@@ -5,11 +5,11 @@ namespace RayTracer.Scenes;
 
 /// <summary>
 /// Parses JSON (RFC 8259) with <c>//</c> and <c>/* */</c> comments and trailing commas. It ends at the first error of
-/// syntax; doubled keys are reported and parsing goes on.
+/// syntax; duplicate keys are reported and parsing continues.
 /// </summary>
 public sealed class JsonParser
 {
-    /// <summary>How deep objects and arrays may be nested.</summary>
+    /// <summary>The maximum depth of nested objects and arrays.</summary>
     public const int MaximumDepth = 64;
 
     private readonly SourceText _source;

@@ -32,7 +32,7 @@ public sealed class SourceText
         _end = Text.Length;
     }
 
-    /// <summary>How messages call the file.</summary>
+    /// <summary>The name of the file in messages.</summary>
     public string FileName { get; }
 
     /// <summary>The text, without a byte order mark.</summary>

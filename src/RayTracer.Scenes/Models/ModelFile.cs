@@ -15,7 +15,7 @@ public static class ModelFile
     /// <param name="read">Reads the file of a path; throws <see cref="ModelException"/> where something is wrong with it.</param>
     public static void Register(string extension, Func<string, ImportedModel> read) => Readers[extension] = read;
 
-    /// <summary>Whether a path has the extension of a format that is read.</summary>
+    /// <summary>True where a path has the extension of a format that is read.</summary>
     public static bool IsModel(string path) => Readers.ContainsKey(Path.GetExtension(path));
 
     /// <summary>Reads a model.</summary>

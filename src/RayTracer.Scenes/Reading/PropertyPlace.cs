@@ -3,7 +3,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Where a <see cref="PropertyPath"/> leads to in a scene. The property itself need not be written in the file, nor a part such as the camera.</summary>
+/// <summary>The place in a scene that a <see cref="PropertyPath"/> leads to. Neither the property itself nor a part such as the camera needs to be in the file.</summary>
 internal sealed class PropertyPlace
 {
     private readonly JsonNode _root;
@@ -18,19 +18,19 @@ internal sealed class PropertyPlace
     /// <summary>Why there is no such property; null where there is one.</summary>
     public string? Complaint { get; private set; }
 
-    /// <summary>Where in the path the step stands that the complaint is about.</summary>
+    /// <summary>The place in the path of the step that the complaint is about.</summary>
     public int ComplaintStart { get; private set; }
 
-    /// <summary>Whether the complaint is one that reading the scene with the property in its place would bring up too.</summary>
+    /// <summary>True where the complaint is one that reading the scene with the property in its place would bring up too.</summary>
     public bool IsUnknownKey { get; private set; }
 
     /// <summary>The parameter that the path leads to, or an element of which it leads to; null after a complaint, and for "type".</summary>
     public RecordParameter? Parameter { get; private set; }
 
-    /// <summary>Whether the path leads to an element of the parameter: a number of a vector, a thing of a list, a thing by its name.</summary>
+    /// <summary>True where the path leads to an element of the parameter: a number of a vector, a thing of a list, a thing by its name.</summary>
     public bool IsElement { get; private set; }
 
-    /// <summary>What the file has there; null where it has nothing.</summary>
+    /// <summary>The value in the file; null where there is none.</summary>
     public JsonNode? Node { get; private set; }
 
     /// <summary>The path that was followed, as it is written.</summary>

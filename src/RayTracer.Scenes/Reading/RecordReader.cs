@@ -8,7 +8,7 @@ namespace RayTracer.Scenes;
 /// <summary>Turns the values of a scene file into description records, by reflection over their parameters.</summary>
 internal sealed class RecordReader
 {
-    /// <summary>How deep textures, materials and shapes may be nested within one another. Each level may double the work of shading a point.</summary>
+    /// <summary>The maximum depth of nested textures, materials and shapes. Each level may double the work of shading a point.</summary>
     public const int MaximumNesting = 16;
 
     private readonly DiagnosticBag _bag;

@@ -9,7 +9,7 @@ public static partial class SceneExplanation
 {
     private const int Indent = 2;
 
-    /// <summary>What can be explained, with what each part may hold.</summary>
+    /// <summary>The topics that can be explained, with the contents of each part.</summary>
     public static string Topics()
     {
         StringBuilder text = new("A scene file has these keys:\n");

@@ -6,7 +6,7 @@ namespace RayTracer.Description;
 /// <summary>Describes what surrounds a scene: light from infinitely far away, in all directions.</summary>
 public abstract record EnvironmentDescription
 {
-    /// <summary>How it is turned; empty where it is not.</summary>
+    /// <summary>The rotation; empty for none.</summary>
     [Parameter("How the environment is turned: steps, the first one applied first. Moving it changes nothing, because it is infinitely far away; stretching it is an error.")]
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
@@ -18,7 +18,7 @@ public abstract record EnvironmentDescription
     /// <param name="builder">Gives access to pictures and takes diagnostics.</param>
     public abstract EnvironmentLight? Build(SceneBuilder builder);
 
-    /// <summary>How it is turned, as a map whose lengths all change by one factor; reports what is wrong and returns the identity.</summary>
+    /// <summary>Returns the rotation, as a map that scales all lengths by one factor; reports errors and then returns the identity.</summary>
     private protected Transform Turn(SceneBuilder builder)
     {
         Transform place = TransformSteps.Place(this, Transform, builder);

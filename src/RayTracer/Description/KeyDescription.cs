@@ -1,6 +1,6 @@
 namespace RayTracer.Description;
 
-/// <summary>How a property goes from one key to the next.</summary>
+/// <summary>The way a property changes from one key to the next.</summary>
 public enum Ease
 {
     /// <summary>In proportion to time.</summary>
@@ -13,7 +13,7 @@ public enum Ease
     Step,
 }
 
-/// <summary>What a property is at one time.</summary>
+/// <summary>The value of a property at one time.</summary>
 public sealed record KeyDescription
 {
     /// <summary>The time.</summary>
@@ -24,7 +24,7 @@ public sealed record KeyDescription
     [Parameter("The value at that time: a number, a list of numbers, or a colour, within the property's range.", IsNumber = true, Required = true)]
     public IReadOnlyList<float> Value { get; init; } = [];
 
-    /// <summary>How the property goes on to the next key.</summary>
+    /// <summary>The way the property changes until the next key.</summary>
     [Parameter("How the value changes until the next key: evenly, slowly at the start and end, or all at once when that key is reached.")]
     public Ease Ease { get; init; } = Ease.Linear;
 }

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayTracer.Description;
 
-/// <summary>How the points of a lens are spread.</summary>
+/// <summary>The distribution of points on a lens.</summary>
 public enum LensShape
 {
     /// <summary>A uniform disk of the aperture radius.</summary>
@@ -21,7 +21,7 @@ public enum LensShape
 /// <summary>Describes a thin lens (report, section 6.2.3, "depth of field").</summary>
 public sealed record LensDescription
 {
-    /// <summary>How the points of the lens are spread.</summary>
+    /// <summary>The distribution of points on the lens.</summary>
     [Parameter("How points on the lens are distributed: over a disk, over a square, over the regular polygon of a bladed diaphragm, or as the report's jitter of the eye within a box.")]
     public LensShape Shape { get; init; } = LensShape.Disk;
 

@@ -8,7 +8,7 @@ namespace RayTracer.Description;
 
 /// <summary>
 /// Takes descriptions of shapes apart into what rays meet: transforms are worked into the numbers of triangles, and of other shapes where that
-/// makes a shape of the same kind; what cannot be so placed, moves, or is shown as an instance, gets a space of its own.
+/// makes a shape of the same kind; what cannot be so placed, moves, or is shown as an instance, gets its own space.
 /// </summary>
 internal sealed class SceneAssembler(SceneBuilder builder)
 {
@@ -298,7 +298,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         target.Meshes.Add(new(data, materials, place, builder.SourceOf(mesh), _label));
     }
 
-    // Triangles of one luminaire are one source: those of another light group get one of their own.
+    // Triangles of one luminaire are one source: those of another light group get their own.
     private Material InLightGroup(Material material)
     {
         if (material is not LuminaireMaterial luminaire || _label?.Group is not { } group)

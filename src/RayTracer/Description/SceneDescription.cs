@@ -20,7 +20,7 @@ public sealed record SceneDescription
     [Parameter("The colour seen where a ray hits nothing; it also lights the scene.", Minimum = 0)]
     public Rgb Background { get; init; }
 
-    /// <summary>What surrounds the scene, instead of <see cref="Background"/>; null where that does.</summary>
+    /// <summary>The surroundings of the scene, instead of <see cref="Background"/>; null where that is used.</summary>
     [Parameter("Light from all around, infinitely far away: a picture, or a sky. It replaces the background.")]
     public EnvironmentDescription? Environment { get; init; }
 
@@ -48,7 +48,7 @@ public sealed record SceneDescription
     [Parameter("Shapes that shine: as under shapes, but each must have a luminaire material.")]
     public IReadOnlyList<ShapeDescription> Lights { get; init; } = [];
 
-    /// <summary>What changes from frame to frame; a scene that was read at a frame has its values there already.</summary>
+    /// <summary>The tracks of values that change from frame to frame; a scene that was read at a frame already has its values there.</summary>
     [Parameter("What changes from frame to frame in an animation (--frames), besides shapes with a motion: numbers, vectors and colours anywhere in the scene.")]
     public IReadOnlyList<TrackDescription> Animation { get; init; } = [];
 }

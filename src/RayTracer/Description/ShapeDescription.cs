@@ -13,19 +13,19 @@ public abstract record ShapeDescription
     [Parameter("The layer for the light of what shines here when lights are written as layers (--aov lights). Without it: that of the enclosing group, or else the name.")]
     public string LightGroup { get; init; } = "";
 
-    /// <summary>What the shape is made of; the same object as <see cref="DefaultMaterial"/> where nothing is said.</summary>
+    /// <summary>The material of the shape; the same object as <see cref="DefaultMaterial"/> where none is given.</summary>
     [Parameter("The shape's material, or the name of one. Without it, that of the enclosing group.")]
     public MaterialDescription Material { get; init; } = DefaultMaterial;
 
-    /// <summary>How the shape is moved from where its own numbers put it; empty where it is not.</summary>
+    /// <summary>The transform of the shape from where its own numbers put it; empty for none.</summary>
     [Parameter("How the shape is moved from where its numbers put it: steps, the first one applied first.")]
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
-    /// <summary>How the shape moves in time, after its transform; empty where it rests.</summary>
+    /// <summary>The motion of the shape in time, after its transform; empty where it rests.</summary>
     [Parameter("How the shape moves in time, from where it is otherwise: keyframes in the order of their times. It is blurred by its movement while the shutter is open.")]
     public IReadOnlyList<KeyframeDescription> Motion { get; init; } = [];
 
-    /// <summary>What shapes are made of about which nothing is said: grey, matt.</summary>
+    /// <summary>The material of shapes that give none: grey, matt.</summary>
     public static MaterialDescription DefaultMaterial { get; } = new Materials.DiffuseMaterialDescription();
 
     /// <summary>

@@ -10,7 +10,7 @@ public sealed record MediumDescription
     [Parameter("How much of the light is scattered or absorbed on its way, per channel: after a distance d, the fraction e^(−extinction·d) is left. Black is empty space.", Unit = "1/scene unit", Minimum = 0)]
     public Rgb Extinction { get; init; }
 
-    /// <summary>What part of that is scattered; the rest is absorbed.</summary>
+    /// <summary>The part of it that is scattered; the rest is absorbed.</summary>
     [Parameter("The part of that light that is scattered, per channel; the rest is absorbed.", Minimum = 0, Maximum = 1)]
     public Rgb Albedo { get; init; }
 

@@ -24,7 +24,7 @@ public sealed class FilterCurve
         SignChange = hasNegativeLobe ? 0.5 * Radius * ((2.0 * filter.B) + (6.0 * filter.C)) / (filter.B + (6.0 * filter.C)) : Radius;
     }
 
-    /// <summary>Where the curve ends, in pixels.</summary>
+    /// <summary>The radius at which the curve ends, in pixels.</summary>
     public double Radius { get; }
 
     /// <summary>Beyond it, up to the radius, the curve is negative; the radius where it is not.</summary>

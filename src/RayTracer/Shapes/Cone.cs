@@ -25,7 +25,7 @@ public sealed record ConeDescription : ShapeDescription
     [Parameter("The radius of the top: 0 for a cone, more for a frustum.", Unit = "scene units", Minimum = 0)]
     public float TopRadius { get; init; }
 
-    /// <summary>Whether the ends are closed.</summary>
+    /// <summary>True where the ends are closed.</summary>
     [Parameter("Whether the ends are closed by disks. Without them the inside is visible, but does not shine.")]
     public bool Caps { get; init; } = true;
 

@@ -21,7 +21,7 @@ public sealed record CylinderDescription : ShapeDescription
     [Parameter("The radius.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
     public float Radius { get; init; } = 1;
 
-    /// <summary>Whether the ends are closed.</summary>
+    /// <summary>True where the ends are closed.</summary>
     [Parameter("Whether the ends are closed by disks. Without them it is a pipe, whose inside is visible but does not shine.")]
     public bool Caps { get; init; } = true;
 

@@ -3,7 +3,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Shapes;
 
-/// <summary>Which normals a mesh is shaded with.</summary>
+/// <summary>The normals that a mesh is shaded with.</summary>
 public enum MeshShading
 {
     /// <summary>Its own, and none where it has none.</summary>
@@ -40,7 +40,7 @@ public sealed record MeshDescription : ShapeDescription
     [Parameter("uv for each corner.")]
     public IReadOnlyList<Vector2> Uv { get; init; } = [];
 
-    /// <summary>A colour for each corner; empty where the mesh has none of its own.</summary>
+    /// <summary>A colour for each corner; empty where the mesh has none.</summary>
     [Parameter("A colour for each corner, linear red, green and blue: diffuse colours are multiplied by it, unless the material shows it with a texture of type vertexColor.", Minimum = 0)]
     public IReadOnlyList<Vector3> Colors { get; init; } = [];
 
@@ -48,27 +48,27 @@ public sealed record MeshDescription : ShapeDescription
     [Parameter("Materials to choose from for each triangle. Without them, all are made of the mesh's material.")]
     public IReadOnlyList<MaterialDescription> Materials { get; init; } = [];
 
-    /// <summary>Which of <see cref="Materials"/> each triangle is made of; empty where all are made of the first.</summary>
+    /// <summary>The index of each triangle's material in <see cref="Materials"/>; empty where all are made of the first.</summary>
     [Parameter("For each triangle, the index of its material, from 0.")]
     public IReadOnlyList<int> MaterialOfTriangle { get; init; } = [];
 
-    /// <summary>Which of the meshes of <see cref="File"/>, from 0; −1 for all.</summary>
+    /// <summary>The index of the mesh in <see cref="File"/>, from 0; −1 for all.</summary>
     [Parameter("The index of the mesh in the file, from 0; −1 uses all of them.", Minimum = -1)]
     public int Part { get; init; } = -1;
 
-    /// <summary>Which normals the mesh is shaded with.</summary>
+    /// <summary>The normals that the mesh is shaded with.</summary>
     [Parameter("Which normals the mesh is shaded with: its own (flat triangles where it has none), none at all, or its own and, where it has none, the mean of the triangles around each corner, weighted by their angles there.")]
     public MeshShading Shading { get; init; } = MeshShading.Own;
 
-    /// <summary>Whether the mesh is turned inside out.</summary>
+    /// <summary>True where the mesh is turned inside out.</summary>
     [Parameter("Whether the mesh is turned inside out: its front becomes its back.")]
     public bool FlipNormals { get; init; }
 
-    /// <summary>Whether v is counted from the other end.</summary>
+    /// <summary>True where v is counted from the other end.</summary>
     [Parameter("Whether v is counted from the other end: 1 − v replaces it.")]
     public bool FlipV { get; init; }
 
-    /// <summary>Whether the colours of corners are left out.</summary>
+    /// <summary>True where the colours of corners are left out.</summary>
     [Parameter("Whether the colours that a file gives its corners are ignored. Otherwise the material's colour is multiplied by them.")]
     public bool IgnoreColors { get; init; }
 

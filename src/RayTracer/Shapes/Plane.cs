@@ -55,7 +55,7 @@ public sealed unsafe class Plane : FlatShape
         Normal = normal;
         Size = size;
 
-        // u runs to the right for whoever looks at the plane with y up; on a floor, with −z up.
+        // u runs to the right as seen from the front with y up; on a floor, with −z up.
         bool isLevel = normal.X * normal.X + normal.Z * normal.Z < 1e-6f;
         Tangent = (isLevel ? new Vector3(0, 0, -1) : new Vector3(0, 1, 0)).Cross(normal).Unit();
         Bitangent = normal.Cross(Tangent);

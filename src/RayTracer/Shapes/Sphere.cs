@@ -37,7 +37,7 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
     /// <summary>The radius.</summary>
     public float Radius => radius;
 
-    /// <summary>How it is sampled where it shines.</summary>
+    /// <summary>The way it is sampled where it shines.</summary>
     public SphereLightSampling LightSampling { get; init; }
 
     /// <inheritdoc/>

@@ -19,7 +19,7 @@ public sealed record MarbleTextureDescription : SpaceTextureDescription
     [Parameter("Layers per unit along x; the noise has as many cells.", Unit = "1/scene unit", Minimum = 0)]
     public float Scale { get; init; } = 1;
 
-    /// <summary>How much the layers are bent.</summary>
+    /// <summary>The amount by which the layers are bent.</summary>
     [Parameter("How much the layers are bent by noise.", Unit = "layers", Minimum = 0)]
     public float Turbulence { get; init; } = 2;
 

@@ -27,7 +27,7 @@ public sealed record NoiseTextureDescription : SpaceTextureDescription
     [Parameter("Amplitude of each octave relative to the one before: larger numbers make it rougher.", Minimum = 0, Maximum = 1)]
     public float Gain { get; init; } = 0.5f;
 
-    /// <summary>Whether magnitudes are summed.</summary>
+    /// <summary>True where magnitudes are summed.</summary>
     [Parameter("Whether the magnitudes of the octaves are summed, which gives billows with creases.")]
     public bool Turbulent { get; init; }
 
@@ -55,7 +55,7 @@ public sealed class NoiseTexture(TexturePlace place, Texture first, Texture seco
     /// <summary>Height of each octave over that of the one before.</summary>
     public float Gain { get; init; } = 0.5f;
 
-    /// <summary>Whether magnitudes are summed.</summary>
+    /// <summary>True where magnitudes are summed.</summary>
     public bool IsTurbulent { get; init; }
 
     /// <summary>Selects the noise.</summary>

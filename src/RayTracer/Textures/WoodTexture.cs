@@ -19,7 +19,7 @@ public sealed record WoodTextureDescription : SpaceTextureDescription
     [Parameter("Rings per unit of the radius.", Unit = "1/scene unit", Minimum = 0)]
     public float Rings { get; init; } = 8;
 
-    /// <summary>How much the rings are distorted.</summary>
+    /// <summary>The amount by which the rings are distorted.</summary>
     [Parameter("How much the rings are distorted by noise.", Unit = "rings", Minimum = 0)]
     public float Turbulence { get; init; } = 1;
 

@@ -4,13 +4,13 @@ using RayTracer.Textures;
 
 namespace RayTracer.Import;
 
-/// <summary>What a glTF material says about reflection, whichever of its models it uses.</summary>
+/// <summary>The reflection parameters of a glTF material, whichever of its models it uses.</summary>
 internal sealed record GltfSurface
 {
     /// <summary>The base colour, linear.</summary>
     public required TextureDescription Color { get; init; }
 
-    /// <summary>Which set of uv the colour uses.</summary>
+    /// <summary>The set of uv that the colour uses.</summary>
     public required int UvSet { get; init; }
 
     /// <summary>0 for dielectrics, 1 for metals.</summary>
@@ -28,7 +28,7 @@ internal sealed record GltfSurface
     /// <summary>Fraction of the light that a dielectric lets through; null for none.</summary>
     public TextureDescription? Transmission { get; init; }
 
-    /// <summary>How opaque the surface is, where the file says that this counts; null where it does not.</summary>
+    /// <summary>The opacity of the surface, where the file says that it counts; null where it does not.</summary>
     public TextureDescription? Opacity { get; init; }
 
     /// <summary>Reads a material.</summary>

@@ -47,7 +47,7 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
         return Described(use, image, GltfChannel.All);
     }
 
-    /// <summary>Where a surface is cut out: the opacity, or 1 and 0 as it reaches a threshold or not.</summary>
+    /// <summary>The cut-out of a surface: the opacity, or 1 and 0 as it reaches a threshold or not.</summary>
     /// <param name="factor">Factor on the opacity.</param>
     /// <param name="use">The texture whose alpha it is; may be null.</param>
     /// <param name="threshold">The threshold; null for none.</param>

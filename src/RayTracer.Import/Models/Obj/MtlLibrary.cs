@@ -264,7 +264,7 @@ internal sealed class MtlLibrary(string folder)
         return name;
     }
 
-    // Authors work on other systems: with backslashes, with folders of their own, without regard to case.
+    // Authors work on other systems: with backslashes, with other folders, without regard to case.
     private string? Find(string name)
     {
         string relative = name.Replace('\\', '/').Trim('"');

@@ -34,7 +34,7 @@ internal sealed class MtlMaterial
     /// <summary>illum: which of ten ways of lighting is meant; null where it is not said.</summary>
     public int? Illumination { get; set; }
 
-    /// <summary>Pr: roughness; null where only <see cref="Exponent"/> tells.</summary>
+    /// <summary>Pr: roughness; null where only <see cref="Exponent"/> gives it.</summary>
     public float? Roughness { get; set; }
 
     /// <summary>Pm: 1 for metal.</summary>

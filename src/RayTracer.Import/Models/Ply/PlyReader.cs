@@ -203,7 +203,7 @@ internal static class PlyReader
         }
     }
 
-    // Every corner but the first two ends a triangle, whose order around alternates; −1 begins anew.
+    // Every corner but the first two ends a triangle, whose order around alternates; −1 starts over.
     private static void AddStrips(ReadOnlySpan<int> corners, List<int> indices)
     {
         int begin = 0;

@@ -35,7 +35,7 @@ internal static class StlReader
         long claimed = file.Length < FirstTriangle ? -1 : BinaryPrimitives.ReadUInt32LittleEndian(file[HeaderBytes..]);
         long end = FirstTriangle + (claimed * TriangleBytes);
 
-        // Some binary files begin with "solid", too: so a size that fits to the byte tells more.
+        // Some binary files begin with "solid", too: so a size that fits to the byte is better evidence.
         bool isBinary = claimed >= 0 && (end == file.Length || !IsText(file));
         if (!isBinary)
         {
@@ -79,7 +79,7 @@ internal static class StlReader
 
     private static float Coordinate(ReadOnlySpan<byte> bytes) => BinaryPrimitives.ReadSingleLittleEndian(bytes);
 
-    // Of the words between, only those that tell triangles apart count: programs differ in the rest.
+    // Of the words between, only those that separate triangles count: programs differ in the rest.
     private static MeshData ParseText(ReadOnlySpan<byte> file)
     {
         // The shortest triangle, "vertex 0 0 0" thrice and "endloop", has more than 32 bytes.
