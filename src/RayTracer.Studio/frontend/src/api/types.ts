@@ -121,8 +121,8 @@ export interface RecordType {
   name: string;
   summary: string;
   parameters: Parameter[];
-  /** Whether it is a light without extent. */
-  isLight: boolean;
+  /** The families among which it is offered to be added. */
+  addedAs: string[];
 }
 
 export interface SchemaAnswer {
