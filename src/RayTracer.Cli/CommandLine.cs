@@ -3,7 +3,9 @@ using System.CommandLine.Help;
 using System.CommandLine.Parsing;
 using System.Numerics;
 using System.Reflection;
+using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Import;
 using RayTracer.Scenes;
 using RayTracer.Session;
 using RayTracer.Textures;
@@ -51,6 +53,7 @@ internal static class CommandLine
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public static int Run(string[] args, Streams streams)
     {
+        Importers.Register();
         try
         {
             ParseResult result = Root(args.FirstOrDefault(), streams).Parse(args, new() { ResponseFileTokenReplacer = null });

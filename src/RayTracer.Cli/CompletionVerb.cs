@@ -13,7 +13,7 @@ internal static class CompletionVerb
         {
             string name = result.GetValue(shell)!;
             streams.Output.Write(ShellCompletion.Script(name, CommandLine.Help(streams)) ?? throw new CommandException(
-                ExitStatus.Usage, $"unknown shell {Scenes.Quotation.Of(name)}{Scenes.Spelling.DidYouMean(name, ShellCompletion.Shells)}, expected one of {string.Join(", ", ShellCompletion.Shells)}"));
+                ExitStatus.Usage, $"unknown shell {Description.Quotation.Of(name)}{Description.Spelling.DidYouMean(name, ShellCompletion.Shells)}, expected one of {string.Join(", ", ShellCompletion.Shells)}"));
         });
     }
 }

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Globalization;
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Numerics;
 using RayTracer.Rendering;

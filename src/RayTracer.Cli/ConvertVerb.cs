@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Text;
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;

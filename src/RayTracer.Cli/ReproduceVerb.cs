@@ -1,6 +1,7 @@
 using System.CommandLine;
 using RayTracer.Cli.Complexity;
 using RayTracer.Cli.Reproduce;
+using RayTracer.Description;
 using RayTracer.Scenes;
 using RayTracer.Session;
 

@@ -1,3 +1,5 @@
+using RayTracer.Import;
+
 namespace RayTracer.Session;
 
 /// <summary>
@@ -13,6 +15,7 @@ public sealed class StudioSession : IDisposable
     /// <param name="time">The clock; null for the system's.</param>
     public StudioSession(UserFolders? folders = null, string? scenes = null, TimeProvider? time = null)
     {
+        Importers.Register();
         _document = new(folders, scenes, time);
         Edits = new(Document, Selection, Notices);
         Jobs = new(Notices);

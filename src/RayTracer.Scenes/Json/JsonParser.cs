@@ -1,4 +1,5 @@
 using System.Text;
+using RayTracer.Description;
 
 namespace RayTracer.Scenes;
 

@@ -2,21 +2,18 @@ using RayTracer.Description;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Reads model files, by their extension.</summary>
+/// <summary>The formats of model files, by their extensions; RayTracer.Import registers those that it reads.</summary>
 public static class ModelFile
 {
-    private static readonly Dictionary<string, Func<string, ImportedModel>> Readers = new(StringComparer.OrdinalIgnoreCase)
-    {
-        [".glb"] = GltfReader.Read,
-        [".gltf"] = GltfReader.Read,
-        [".obj"] = ObjReader.Read,
-        [".ply"] = PlyReader.Read,
-        [".serialized"] = SerializedReader.Read,
-        [".stl"] = StlReader.Read,
-    };
+    private static readonly Dictionary<string, Func<string, ImportedModel>> Readers = new(StringComparer.OrdinalIgnoreCase);
 
     /// <summary>The extensions of the formats that are read, with their dots.</summary>
     public static IReadOnlyCollection<string> Extensions => Readers.Keys;
+
+    /// <summary>Adds a format, before the first scene is read.</summary>
+    /// <param name="extension">The extension, with its dot; upper and lower case are the same.</param>
+    /// <param name="read">Reads the file of a path; throws <see cref="ModelException"/> where something is wrong with it.</param>
+    public static void Register(string extension, Func<string, ImportedModel> read) => Readers[extension] = read;
 
     /// <summary>Whether a path has the extension of a format that is read.</summary>
     public static bool IsModel(string path) => Readers.ContainsKey(Path.GetExtension(path));
@@ -28,8 +25,8 @@ public static class ModelFile
     public static ImportedModel Read(string path)
     {
         string extension = Path.GetExtension(path);
-        return Readers.TryGetValue(extension, out Func<string, ImportedModel>? read)
-            ? read(path)
-            : throw new ModelException($"{(extension.Length > 0 ? Quotation.Of(extension) : "a file without an extension")} is no format of models that is read here: {string.Join(", ", Extensions)}");
+        return Readers.TryGetValue(extension, out Func<string, ImportedModel>? read) ? read(path) : throw new ModelException(
+            $"{(extension.Length > 0 ? Quotation.Of(extension) : "a file without an extension")} is no format of models that is read here: "
+            + (Extensions.Count > 0 ? string.Join(", ", Extensions) : "programs register the formats of RayTracer.Import by Importers.Register()"));
     }
 }

@@ -1,3 +1,5 @@
+using RayTracer.Description;
+
 namespace RayTracer.Scenes;
 
 /// <summary>

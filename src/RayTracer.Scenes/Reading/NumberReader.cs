@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Numerics;
+using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
 

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Textures;
 
 namespace RayTracer.Scenes;

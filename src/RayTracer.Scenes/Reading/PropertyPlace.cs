@@ -1,4 +1,5 @@
 using System.Globalization;
+using RayTracer.Description;
 
 namespace RayTracer.Scenes;
 

@@ -5,7 +5,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Reads a scene file, native or of Mitsuba, or a model file as a scene of its own, and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
+/// <summary>Reads a scene file, native or of another <see cref="SceneFormat"/>, or a model file as a scene by itself, and builds the scene that it describes. Bad content never throws: it becomes diagnostics.</summary>
 public static class SceneLoader
 {
     /// <summary>Loads a scene, or a model, which gets a camera and light where it has none.</summary>
@@ -80,7 +80,7 @@ public static class SceneLoader
 
     private static SceneReadResult Read(string path, ModelFolder models, IReadOnlyList<SceneSetting>? settings, int? frame) =>
         ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models), settings)
-        : MitsubaReader.IsScene(path) ? Set(MitsubaReader.Read(path), settings) : SceneReader.Read(path, settings, frame);
+        : SceneFormat.Of(path) is { } format ? Set(format.Read(path), settings) : SceneReader.Read(path, settings, frame);
 
     // What moves does so by the time of the frame: the shutter opens then.
     private static Func<SceneDescription, SceneDescription>? AtFrame(Func<SceneDescription, SceneDescription>? overrides, int? frame) => frame is not { } number ? overrides : scene =>

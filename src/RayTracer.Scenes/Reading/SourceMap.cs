@@ -1,3 +1,5 @@
+using RayTracer.Description;
+
 namespace RayTracer.Scenes;
 
 /// <summary>Where in a scene file each description record was read from.</summary>

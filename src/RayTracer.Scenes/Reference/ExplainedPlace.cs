@@ -1,3 +1,5 @@
+using RayTracer.Description;
+
 namespace RayTracer.Scenes;
 
 /// <summary>A place in scene files, as <see cref="SceneExplanation"/> finds it.</summary>

@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.RegularExpressions;
+using RayTracer.Description;
 
 namespace RayTracer.Scenes;
 

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using RayTracer.Description;
 using RayTracer.Scenes;
 using Json = System.Text.Json.Nodes.JsonNode;
 

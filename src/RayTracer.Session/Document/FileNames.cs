@@ -1,4 +1,5 @@
 using System.Text.Json.Nodes;
+using RayTracer.Description;
 using RayTracer.Scenes;
 
 namespace RayTracer.Session;

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Scenes;
 using Json = System.Text.Json.Nodes.JsonNode;
 

@@ -42,7 +42,7 @@ public sealed class SceneFiles
     public static bool CanOpen(string name) => IsScene(name) || IsImage(name);
 
     private static bool IsScene(string name) =>
-        Path.GetExtension(name).ToLowerInvariant() is ".json" or ".zip" || FilmFile.IsNamed(name) || ModelFile.IsModel(name) || MitsubaReader.IsScene(name);
+        Path.GetExtension(name).ToLowerInvariant() is ".json" or ".zip" || FilmFile.IsNamed(name) || ModelFile.IsModel(name) || SceneFormat.Of(name) is not null;
 
     // Those that say which scene they show.
     private static bool IsImage(string name) => Path.GetExtension(name).ToLowerInvariant() is ".png" or ".exr";
@@ -184,7 +184,7 @@ public sealed class SceneFiles
             return;
         }
 
-        if (MitsubaReader.IsScene(path))
+        if (SceneFormat.Of(path) is not null)
         {
             Show(SceneTextFile.ReadMitsuba(path), new(Path.GetFileNameWithoutExtension(path) + ".json", null, folder), isSaved: true);
             return;

@@ -1,6 +1,7 @@
 using System.Text;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Import;
 using RayTracer.Scenes;
 
 namespace RayTracer.Session;

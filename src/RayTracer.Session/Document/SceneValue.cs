@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Numerics;
+using RayTracer.Description;
 using RayTracer.Scenes;
 
 namespace RayTracer.Session;

@@ -51,7 +51,7 @@ internal static class FilmHeaders
     {
         try
         {
-            return File.Exists(file) && !MitsubaReader.IsScene(file) && !ModelFile.IsModel(file) && SceneTextFile.Read(file).Text == text;
+            return File.Exists(file) && SceneFormat.Of(file) is null && !ModelFile.IsModel(file) && SceneTextFile.Read(file).Text == text;
         }
         catch (DocumentException)
         {

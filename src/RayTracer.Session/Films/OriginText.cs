@@ -41,7 +41,7 @@ internal static class OriginText
 
     // Only the words of the options that stand in the text itself can be put into it, and leave its comments where they are.
     private static bool NeedsWriting(PictureOrigin origin) =>
-        ModelFile.IsModel(origin.Scene) || MitsubaReader.IsScene(origin.Scene) || origin.Options.Any(o => o.Key is "--set" or "--frames");
+        ModelFile.IsModel(origin.Scene) || SceneFormat.Of(origin.Scene) is not null || origin.Options.Any(o => o.Key is "--set" or "--frames");
 
     private static string Written(PictureOrigin origin)
     {

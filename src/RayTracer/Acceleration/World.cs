@@ -1,7 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
-using RayTracer.Rendering;
 using RayTracer.Shapes;
 
 namespace RayTracer.Acceleration;
@@ -59,36 +58,9 @@ internal sealed unsafe class World
     /// <summary>Whether there is nothing but shapes in the world itself.</summary>
     public bool IsPlain => Itself.Tree is null && Instances is null;
 
-    /// <summary>How many numbers <see cref="ClosestHit"/> needs room for.</summary>
+    /// <summary>The room for numbers that a search for the nearest hits of streams needs.</summary>
     /// <param name="rays">The largest number of rays.</param>
     public int RoomForHits(int rays) => IsPlain ? 1 : rays + 16;
-
-    /// <summary>Finds the nearest hit of each ray.</summary>
-    /// <param name="paths">The rays.</param>
-    /// <param name="hits">Room to work in.</param>
-    public void ClosestHit(PathStream paths, int* hits)
-    {
-        MeetShapes(paths);
-        if (Itself.Tree is not null)
-        {
-            Itself.Tree.ClosestHit(paths.Rays(hits));
-            uint first = (uint)Itself.Mesh!.FirstPrimitive;
-            for (int i = 0; i < paths.Count; i++)
-            {
-                paths.Primitive[i] = hits[i] >= 0 ? first + (uint)hits[i] : paths.Primitive[i];
-            }
-        }
-
-        if (Instances is not null)
-        {
-            for (int i = 0; i < paths.Count; i++)
-            {
-                InstanceHit hit = new(paths.Distance[i], (int)paths.Primitive[i], 0);
-                Instances.ClosestHit(paths.Ray(i), Instances.Moves ? paths.Time[i] : 0, ref hit);
-                (paths.Distance[i], paths.Primitive[i], paths.Instance[i]) = (hit.Distance, (uint)hit.Primitive, (uint)hit.Instance);
-            }
-        }
-    }
 
     /// <summary>What it costs a ray by itself to find its nearest hit: nodes visited plus triangles tested, in all trees together.</summary>
     /// <param name="ray">The ray.</param>
@@ -104,18 +76,5 @@ internal sealed unsafe class World
         }
 
         return cost;
-    }
-
-    private void MeetShapes(PathStream s)
-    {
-        ref RayW ray = ref s.Packet;
-        for (int i = 0; i < s.Count; i += FloatW.Count)
-        {
-            ray.Origin = new(FloatW.Load(s.OriginX + i), FloatW.Load(s.OriginY + i), FloatW.Load(s.OriginZ + i));
-            ray.Direction = new(FloatW.Load(s.DirectionX + i), FloatW.Load(s.DirectionY + i), FloatW.Load(s.DirectionZ + i));
-            Itself.Primitives.ClosestHit(ray.Origin, ray.Direction, out ray.Distance, out ray.Primitive, s.Count - i);
-            ray.Distance.Store(s.Distance + i);
-            ray.Primitive.Store(s.Primitive + i);
-        }
     }
 }

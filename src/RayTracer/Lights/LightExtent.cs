@@ -1,3 +1,4 @@
+using RayTracer.Numerics;
 using RayTracer.Shapes;
 
 namespace RayTracer.Lights;

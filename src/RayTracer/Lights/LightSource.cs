@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;

@@ -1,4 +1,3 @@
-using RayTracer.Shapes;
 
 namespace RayTracer.Numerics;
 

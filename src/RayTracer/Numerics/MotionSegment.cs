@@ -1,5 +1,4 @@
 using System.Numerics;
-using RayTracer.Shapes;
 
 namespace RayTracer.Numerics;
 

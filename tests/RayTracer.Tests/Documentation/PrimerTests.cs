@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using RayTracer.Description;
 using RayTracer.Scenes;
 using RayTracer.Tests.Scenes;
 

@@ -43,13 +43,13 @@ public class HdrTests
         Assert.Equal([4, 8, 16], HdrReader.Read(file).Pixels);
     }
 
-    [ProgramFact("convert")]
+    [ImageMagickFact]
     public void What_ImageMagick_writes_is_read()
     {
         using TemporaryFolder folder = new();
         Picture picture = TestPictures.Noise(37, 23);
         ImageFile.Write(folder["a.png"], picture, new() { BitDepth = 16 });
-        (int exitCode, string output) = ProgramFactAttribute.Run("convert", folder["a.png"], "-set", "colorspace", "RGB", folder["a.hdr"]);
+        (int exitCode, string output) = ProgramFactAttribute.Run(ImageMagickFactAttribute.Program!, folder["a.png"], "-set", "colorspace", "RGB", folder["a.hdr"]);
         Assert.True(exitCode == 0, output);
         Picture read = ImageFile.Read(folder["a.hdr"]);
         Picture codes = ImageFile.Read(folder["a.png"], raw: true);

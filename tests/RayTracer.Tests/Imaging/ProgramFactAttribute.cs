@@ -31,3 +31,22 @@ public sealed class ProgramFactAttribute : FactAttribute
         .Split(Path.PathSeparator)
         .Any(folder => File.Exists(Path.Combine(folder, program)) || File.Exists(Path.Combine(folder, program + ".exe")));
 }
+
+/// <summary>A test that needs ImageMagick, and is skipped where it is missing. Other programs are called <c>convert</c> too (on Windows, one for file systems).</summary>
+[AttributeUsage(AttributeTargets.Method)]
+public sealed class ImageMagickFactAttribute : FactAttribute
+{
+    /// <summary>The name of its converter; null where it is missing.</summary>
+    public static string? Program { get; } = new[] { "magick", "convert-im6.q16hdri", "convert-im6.q16", "convert" }.FirstOrDefault(IsImageMagick);
+
+    public ImageMagickFactAttribute()
+    {
+        if (Program is null)
+        {
+            Skip = "ImageMagick is not installed: no program magick or convert says that it is a part of it";
+        }
+    }
+
+    private static bool IsImageMagick(string program) =>
+        ProgramFactAttribute.IsThere(program) && ProgramFactAttribute.Run(program, "-version").Output.StartsWith("Version: ImageMagick", StringComparison.Ordinal);
+}

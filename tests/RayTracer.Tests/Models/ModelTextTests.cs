@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using RayTracer.Import;
 using RayTracer.Scenes;
 
 namespace RayTracer.Tests.Models;

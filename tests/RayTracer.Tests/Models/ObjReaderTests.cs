@@ -2,6 +2,7 @@ using System.Numerics;
 using System.Text;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Import;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Scenes;

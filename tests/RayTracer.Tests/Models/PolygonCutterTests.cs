@@ -1,4 +1,5 @@
 using System.Numerics;
+using RayTracer.Import;
 using RayTracer.Scenes;
 
 namespace RayTracer.Tests.Models;

@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Text;
 using RayTracer.Description;
+using RayTracer.Import;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
 

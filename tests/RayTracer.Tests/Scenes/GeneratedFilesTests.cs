@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Scenes;
 
 namespace RayTracer.Tests.Scenes;

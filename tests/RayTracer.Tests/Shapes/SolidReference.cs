@@ -1,4 +1,5 @@
 using System.Numerics;
+using RayTracer.Numerics;
 using RayTracer.Shapes;
 
 namespace RayTracer.Tests.Shapes;

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Import;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Scenes;

@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Import;
 using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;

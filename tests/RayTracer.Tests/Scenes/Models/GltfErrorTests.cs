@@ -1,5 +1,6 @@
 using System.Text;
 using RayTracer.Description;
+using RayTracer.Import;
 using RayTracer.Scenes;
 using JsonNode = System.Text.Json.Nodes.JsonNode;
 

@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Import;
 using RayTracer.Numerics;
 using RayTracer.Scenes;
 using RayTracer.Shapes;

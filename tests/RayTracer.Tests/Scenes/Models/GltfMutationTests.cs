@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.RegularExpressions;
+using RayTracer.Import;
 using RayTracer.Scenes;
 using RayTracer.Tests.Imaging;
 

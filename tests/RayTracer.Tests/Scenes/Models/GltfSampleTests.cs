@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Import;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
 

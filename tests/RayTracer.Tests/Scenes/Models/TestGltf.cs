@@ -6,6 +6,7 @@ using System.Text;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using RayTracer.Description;
+using RayTracer.Import;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
 using JsonNode = System.Text.Json.Nodes.JsonNode;

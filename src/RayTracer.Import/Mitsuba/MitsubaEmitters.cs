@@ -1,0 +1,132 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Lights;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Import;
+
+/// <summary>Makes lights.</summary>
+internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures textures)
+{
+    private static readonly string[] s_known = ["area", "point", "spot", "directional", "constant", "envmap"];
+
+    /// <summary>A material that shines, and reflects as the surface would without.</summary>
+    /// <param name="emitter">The emitter of a shape.</param>
+    /// <param name="material">What the surface is made of.</param>
+    public MaterialDescription Area(MitsubaObject emitter, MaterialDescription material)
+    {
+        if (emitter.Type != "area")
+        {
+            reading.Log.Unknown(emitter.TypePlace, $"a shape may have an emitter of the type \"area\", but not of the type {Quotation.Of(emitter.Type)}", emitter.Type, ["area"]);
+            return material;
+        }
+
+        emitter.Ignore("sampling_weight");
+        LuminaireMaterialDescription luminaire = new() { Color = textures.Read(emitter, "radiance", Rgb.White, isLight: true), Material = material };
+        emitter.Finish();
+        return reading.At(emitter.Place, luminaire);
+    }
+
+    /// <summary>A light without extent; null where the emitter is an environment, or after an error.</summary>
+    public ShapeDescription? Punctual(MitsubaObject emitter)
+    {
+        emitter.Ignore("sampling_weight");
+        ShapeDescription? light = emitter.Type switch
+        {
+            "point" => Point(emitter),
+            "spot" => Spot(emitter),
+            "directional" => Directional(emitter),
+            _ => null,
+        };
+        if (light is not null)
+        {
+            emitter.Finish();
+            return reading.At(emitter.Place, light);
+        }
+
+        if (emitter.Type == "area")
+        {
+            reading.Log.Error(emitter.Place, "an area emitter must stand in the shape that shines");
+        }
+        else if (!s_known.Contains(emitter.Type))
+        {
+            reading.Log.Unknown(emitter.TypePlace, $"emitters of the type {Quotation.Of(emitter.Type)} are not read here", emitter.Type, s_known);
+        }
+
+        return null;
+    }
+
+    /// <summary>A scene with the light that comes from all around.</summary>
+    public SceneDescription Environment(MitsubaObject emitter, SceneDescription scene)
+    {
+        emitter.Ignore("sampling_weight", "mis_compensation");
+        if (emitter.Type == "constant")
+        {
+            scene = scene with { Background = MitsubaColors.Read(emitter, "radiance", Rgb.White, isLight: true) };
+        }
+        else if (Picture(emitter) is { } picture)
+        {
+            scene = scene with { Environment = reading.At(emitter.Place, picture) };
+        }
+
+        emitter.Finish();
+        return scene;
+    }
+
+    /// <summary>Whether an emitter shines from all around.</summary>
+    public static bool IsEnvironment(MitsubaObject emitter) => emitter.Type is "constant" or "envmap";
+
+    private ImageEnvironmentDescription? Picture(MitsubaObject emitter)
+    {
+        Transform place = emitter.Transform();
+        if (place.UniformScale() is null)
+        {
+            reading.Log.Error(emitter.PlaceOf("to_world"), "an environment can be turned, but not stretched");
+            place = Transform.Identity;
+        }
+
+        float scale = emitter.Float("scale", 1, 0);
+        return emitter.FileName() is not { } file ? null : new()
+        {
+            File = file,
+            Scale = scale,
+            Transform = MitsubaSurfaces.Steps(place),
+        };
+    }
+
+    private static PointLightDescription Point(MitsubaObject emitter) => new()
+    {
+        Position = emitter.Vector("position") ?? emitter.Transform().Point(Vector3.Zero),
+        Intensity = MitsubaColors.Read(emitter, "intensity", Rgb.White, isLight: true),
+        Name = emitter.Id,
+    };
+
+    private SpotLightDescription Spot(MitsubaObject emitter)
+    {
+        if (emitter.HasChild("texture"))
+        {
+            reading.Log.Error(emitter.Place, "a picture in a spot light is not read here");
+            _ = emitter.Child("texture", "texture");
+        }
+
+        Transform place = emitter.Transform();
+        float cutoff = emitter.Float("cutoff_angle", 20);
+        return new()
+        {
+            Position = place.Point(Vector3.Zero),
+            Direction = place.Vector(Vector3.UnitZ).Unit(),
+            Intensity = MitsubaColors.Read(emitter, "intensity", Rgb.White, isLight: true),
+            CutoffAngle = cutoff,
+            BeamWidth = emitter.Float("beam_width", 0.75f * cutoff),
+            Name = emitter.Id,
+        };
+    }
+
+    private static DirectionalLightDescription Directional(MitsubaObject emitter) => new()
+    {
+        Direction = emitter.Vector("direction") ?? emitter.Transform().Vector(Vector3.UnitZ).Unit(),
+        Irradiance = MitsubaColors.Read(emitter, "irradiance", Rgb.White, isLight: true),
+        Name = emitter.Id,
+    };
+}

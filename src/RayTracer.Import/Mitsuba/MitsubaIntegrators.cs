@@ -1,0 +1,58 @@
+using RayTracer.Description;
+
+namespace RayTracer.Import;
+
+/// <summary>Chooses the integrator.</summary>
+internal static class MitsubaIntegrators
+{
+    /// <summary>How a scene is rendered by an integrator.</summary>
+    public static RenderDescription Read(MitsubaObject integrator, RenderDescription render)
+    {
+        switch (integrator.Type)
+        {
+            case "path" or "volpath" or "volpathmis":
+                Integrator kind = integrator.Type == "path" ? Integrator.Path : Integrator.VolPath;
+                render = render with { Integrator = kind, MaxDepth = Depth(integrator), RouletteDepth = int.Min(integrator.Integer("rr_depth", 5, 1), RenderDescription.LongestPath) };
+                break;
+            case "direct":
+                integrator.Ignore("shading_samples", "emitter_samples", "bsdf_samples");
+                render = render with { Integrator = Integrator.Path, MaxDepth = 2 };
+                break;
+            case "aov":
+                return Aov(integrator, render);
+            default:
+                integrator.Log.Unknown(integrator.TypePlace, $"integrators of the type {Quotation.Of(integrator.Type)} are not read here", integrator.Type, ["path", "direct", "volpath", "volpathmis", "aov"]);
+                return render;
+        }
+
+        if (integrator.Boolean("hide_emitters", false))
+        {
+            integrator.Log.Error(integrator.PlaceOf("hide_emitters"), "emitters that the camera does not see are not known here");
+        }
+
+        integrator.Finish();
+        return render;
+    }
+
+    // Edges of a path, without limit below 0. Paths longer than ours are of no weight.
+    private static int Depth(MitsubaObject integrator)
+    {
+        int depth = integrator.Integer("max_depth", -1, -1);
+        if (depth == 0)
+        {
+            integrator.Log.Error(integrator.PlaceOf("max_depth"), "paths without an edge see nothing: expected at least 1, or -1 for no limit");
+            return 1;
+        }
+
+        return int.Min(depth, RenderDescription.LongestPath);
+    }
+
+    private static RenderDescription Aov(MitsubaObject integrator, RenderDescription render)
+    {
+        integrator.Ignore("aovs");
+        integrator.Log.Warn(integrator.TypePlace, "which auxiliary images are written is said with --aov, and not in the scene");
+        RenderDescription inner = integrator.Only("integrator") is { } nested ? Read(nested, render) : render;
+        integrator.Finish();
+        return inner;
+    }
+}

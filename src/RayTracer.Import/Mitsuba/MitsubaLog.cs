@@ -1,0 +1,39 @@
+using RayTracer.Description;
+using RayTracer.Scenes;
+
+namespace RayTracer.Import;
+
+/// <summary>Collects what is wrong in a scene of XML files.</summary>
+internal sealed class MitsubaLog
+{
+    // Nobody reads more, and a hostile file could make millions.
+    private const int Most = 2000;
+
+    private readonly List<Diagnostic> _diagnostics = [];
+    private readonly HashSet<Diagnostic> _said = [];
+
+    /// <summary>What is wrong so far.</summary>
+    public IReadOnlyList<Diagnostic> Diagnostics => _diagnostics;
+
+    /// <summary>Takes an error: the picture would be another one.</summary>
+    public void Error(SourcePlace place, string message) => Add(place.At(Severity.Error, message));
+
+    /// <summary>Takes a warning: the picture is right, but something is not as it says there.</summary>
+    public void Warn(SourcePlace place, string message) => Add(place.At(Severity.Warning, message));
+
+    /// <summary>Takes an error about a word that is unknown, with the nearest of those that are known, or else all of them.</summary>
+    public void Unknown(SourcePlace place, string message, string word, IReadOnlyCollection<string> known)
+    {
+        string hint = Spelling.DidYouMean(word, known);
+        Error(place, message + (hint.Length > 0 || known.Count == 0 ? hint : $": known are {string.Join(", ", known)}"));
+    }
+
+    private void Add(Diagnostic diagnostic)
+    {
+        // What is referred to from several places is asked about there.
+        if (_diagnostics.Count < Most && _said.Add(diagnostic))
+        {
+            _diagnostics.Add(diagnostic);
+        }
+    }
+}

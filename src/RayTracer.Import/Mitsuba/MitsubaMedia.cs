@@ -1,0 +1,111 @@
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Media;
+using RayTracer.Numerics;
+
+namespace RayTracer.Import;
+
+/// <summary>Fills shapes.</summary>
+internal static class MitsubaMedia
+{
+    private static readonly Rgb s_albedo = new(0.75f, 0.75f, 0.75f);
+
+    /// <summary>The material of a shape with what is inside; the material itself where nothing is.</summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="material">What its surface is made of.</param>
+    public static MaterialDescription Fill(MitsubaObject shape, MaterialDescription material)
+    {
+        if (shape.Child("medium", "exterior") is { } outside)
+        {
+            shape.Log.Warn(outside.Place, "what is outside a shape is told here by the shapes around it: this has no effect");
+            _ = Read(outside);
+        }
+
+        if (shape.Child("medium", "interior") is not { } inside)
+        {
+            return material;
+        }
+
+        MediumDescription medium = Read(inside);
+        if (Filled(material, medium) is { } filled)
+        {
+            return filled;
+        }
+
+        shape.Log.Warn(inside.Place, "nothing is seen of a medium in a shape that lets no light in");
+        return material;
+    }
+
+    /// <summary>Takes the medium of a camera as known: what the camera stands in is told here by the shapes around it.</summary>
+    public static void Around(MitsubaObject sensor)
+    {
+        if (sensor.Only("medium") is { } medium)
+        {
+            sensor.Log.Warn(medium.Place, "what the camera stands in is told here by the shapes around it: this has no effect");
+            _ = Read(medium);
+        }
+    }
+
+    /// <summary>What a medium is.</summary>
+    public static MediumDescription Read(MitsubaObject medium)
+    {
+        medium.Ignore("has_spectral_extinction", "sample_emitters");
+        if (medium.Type == "heterogeneous")
+        {
+            medium.Log.Error(medium.TypePlace, "media that vary in space (heterogeneous) are not read here: only \"homogeneous\" ones");
+            return new();
+        }
+
+        if (medium.Type != "homogeneous")
+        {
+            medium.Log.Unknown(medium.TypePlace, $"media of the type {Quotation.Of(medium.Type)} are not read here", medium.Type, ["homogeneous"]);
+            return new();
+        }
+
+        Rgb extinction = MitsubaColors.Read(medium, "sigma_t", Rgb.White) * medium.Float("scale", 1, 0);
+        MediumDescription read = new()
+        {
+            Extinction = extinction,
+            Albedo = MitsubaColors.Read(medium, "albedo", s_albedo, maximum: 1),
+            Anisotropy = medium.Only("phase") is { } phase ? Anisotropy(phase) : 0,
+        };
+        medium.Finish();
+        return read;
+    }
+
+    // What lets light in, with a medium inside; null where nothing does.
+    private static MaterialDescription? Filled(MaterialDescription material, MediumDescription medium) => material switch
+    {
+        InvisibleMaterialDescription boundary => boundary with { Interior = medium },
+        GlassDescription glass => glass with { Interior = medium },
+        ThinDielectricMaterialDescription pane => pane with { Interior = medium },
+        PrincipledMaterialDescription principled => principled with { Interior = medium },
+        MaskMaterialDescription mask => mask with { Interior = medium },
+        NormalMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
+        BumpMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
+        MixMaterialDescription mix => FilledMix(mix, Filled(mix.First, medium), Filled(mix.Second, medium)),
+        _ => null,
+    };
+
+    private static MixMaterialDescription? FilledMix(MixMaterialDescription mix, MaterialDescription? first, MaterialDescription? second) =>
+        (first ?? second) is null ? null : mix with { First = first ?? mix.First, Second = second ?? mix.Second };
+
+    private static float Anisotropy(MitsubaObject phase)
+    {
+        float g = 0;
+        switch (phase.Type)
+        {
+            case "isotropic":
+                break;
+            case "hg":
+                g = phase.Float("g", 0.8f, -0.99f, 0.99f);
+                break;
+            default:
+                phase.Log.Unknown(phase.TypePlace, $"phase functions of the type {Quotation.Of(phase.Type)} are not read here", phase.Type, ["isotropic", "hg"]);
+                return 0;
+        }
+
+        phase.Finish();
+        return g;
+    }
+}

@@ -1,0 +1,63 @@
+using RayTracer.Description;
+
+namespace RayTracer.Import;
+
+/// <summary>The parameters of a scene (<c>default</c>), whose values stand for <c>$name</c> in attributes.</summary>
+internal sealed class MitsubaParameters(MitsubaLog log)
+{
+    // With values that name parameters, a few lines could make a text without end.
+    private const int LongestValue = 1 << 20;
+
+    private readonly SortedDictionary<string, string> _values = new(Comparer<string>.Create(LongestFirst));
+
+    /// <summary>Gives a parameter a value, unless it has one.</summary>
+    public void SetDefault(string name, string value) => _values.TryAdd(name, value);
+
+    /// <summary>The element with values in place of names; those within it stay as they are.</summary>
+    public MitsubaElement Substitute(MitsubaElement element)
+    {
+        if (!element.Attributes.Values.Any(a => a.Value.Contains('$', StringComparison.Ordinal)))
+        {
+            return element;
+        }
+
+        MitsubaElement substituted = new(element.Name, element.Place) { Children = element.Children };
+        foreach ((string name, MitsubaAttribute attribute) in element.Attributes)
+        {
+            substituted.Attributes[name] = attribute with { Value = Substitute(attribute) };
+        }
+
+        return substituted;
+    }
+
+    // Where a name begins with another one, the longer one is meant.
+    private static int LongestFirst(string? a, string? b) =>
+        a!.Length != b!.Length ? b.Length.CompareTo(a.Length) : string.CompareOrdinal(a, b);
+
+    private string Substitute(MitsubaAttribute attribute)
+    {
+        string text = attribute.Value;
+        for (int at = text.IndexOf('$', StringComparison.Ordinal); at >= 0; at = text.IndexOf('$', at))
+        {
+            string? name = _values.Keys.FirstOrDefault(n => string.CompareOrdinal(text, at + 1, n, 0, n.Length) == 0);
+            if (name is null)
+            {
+                string word = new([.. text[(at + 1)..].TakeWhile(c => char.IsLetterOrDigit(c) || c is '_' or '.')]);
+                log.Unknown(attribute.Place, $"there is no parameter {Quotation.Of("$" + word)}, which a <default> would give a value", word, _values.Keys);
+                return text;
+            }
+
+            string value = _values[name];
+            if (text.Length + value.Length > LongestValue)
+            {
+                log.Error(attribute.Place, "with the values of its parameters, this attribute is too long");
+                return "";
+            }
+
+            text = string.Concat(text.AsSpan(0, at), value, text.AsSpan(at + 1 + name.Length));
+            at += value.Length;
+        }
+
+        return text;
+    }
+}

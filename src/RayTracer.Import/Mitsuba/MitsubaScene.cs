@@ -1,0 +1,77 @@
+using RayTracer.Description;
+
+namespace RayTracer.Import;
+
+/// <summary>Makes a scene of the things in a file.</summary>
+internal sealed class MitsubaScene
+{
+    private readonly MitsubaReading _reading;
+    private readonly MitsubaTextures _textures;
+    private readonly MitsubaBsdfs _bsdfs;
+    private readonly MitsubaEmitters _emitters;
+    private readonly MitsubaShapes _shapes;
+
+    public MitsubaScene(MitsubaReading reading)
+    {
+        _reading = reading;
+        _textures = new(reading);
+        _bsdfs = new(reading, _textures);
+        _emitters = new(reading, _textures);
+        _shapes = new(reading, _bsdfs, _emitters);
+    }
+
+    /// <summary>The scene that a file's outermost thing is.</summary>
+    public SceneDescription Read(MitsubaObject root)
+    {
+        // What is referred to is read where it is; the names of all that stands by itself are kept.
+        MitsubaObject[] bsdfs = [.. root.Children("bsdf")];
+        MitsubaObject[] textures = [.. root.Children("texture")];
+        MitsubaObject[] media = [.. root.Children("medium")];
+        SceneDescription scene = new();
+        scene = scene with { Render = scene.Render with { Sampler = SamplerKind.Independent, Integrator = Integrator.Path, ShadingNormals = ShadingNormals.Literal } };
+        if (root.Only("integrator") is { } integrator)
+        {
+            scene = scene with { Render = MitsubaIntegrators.Read(integrator, scene.Render) };
+        }
+
+        _bsdfs.IsVolumetric = scene.Render.Integrator == Integrator.VolPath;
+        scene = Sensor(root, scene);
+        scene = Emitters(root, scene);
+        ShapeDescription[] shapes = [.. root.Children("shape").Select(_shapes.Read).OfType<ShapeDescription>()];
+        Array.ForEach(bsdfs, b => _ = _bsdfs.Read(b));
+        Array.ForEach(textures, t => _ = _textures.Read(t));
+        Array.ForEach(media, m => _ = MitsubaMedia.Read(m));
+        root.Finish();
+        return scene with { Shapes = shapes, Objects = _shapes.Groups, Materials = _bsdfs.Named, Textures = _textures.Named };
+    }
+
+    private SceneDescription Sensor(MitsubaObject root, SceneDescription scene)
+    {
+        MitsubaObject[] sensors = [.. root.Children("sensor")];
+        if (sensors.Length == 0)
+        {
+            _reading.Log.Error(root.Place, "the scene has no sensor");
+            return scene;
+        }
+
+        foreach (MitsubaObject other in sensors.Skip(1))
+        {
+            _reading.Log.Warn(other.Place, "the picture is that of the first sensor: this one is left out");
+        }
+
+        return new MitsubaSensors(_reading).Read(sensors[0], scene);
+    }
+
+    private SceneDescription Emitters(MitsubaObject root, SceneDescription scene)
+    {
+        MitsubaObject[] all = [.. root.Children("emitter")];
+        MitsubaObject[] around = [.. all.Where(MitsubaEmitters.IsEnvironment)];
+        foreach (MitsubaObject second in around.Skip(1))
+        {
+            _reading.Log.Error(second.Place, "a scene may have only one emitter that shines from all around");
+        }
+
+        scene = around.Length > 0 ? _emitters.Environment(around[0], scene) : scene;
+        return scene with { Lights = [.. all.Except(around).Select(_emitters.Punctual).OfType<ShapeDescription>()] };
+    }
+}

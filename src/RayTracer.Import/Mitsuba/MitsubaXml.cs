@@ -1,0 +1,127 @@
+using System.Xml;
+using RayTracer.Description;
+using RayTracer.Scenes;
+
+namespace RayTracer.Import;
+
+/// <summary>Reads XML files into elements. There are no document types and no entities of files, so nothing else is ever opened.</summary>
+internal static class MitsubaXml
+{
+    /// <summary>How deep elements may be nested within one another.</summary>
+    public const int MaximumNesting = 64;
+
+    /// <summary>Reads a file.</summary>
+    /// <param name="path">The file's path, by which diagnostics call it too.</param>
+    /// <param name="log">Takes what is wrong.</param>
+    /// <returns>The outermost element; null where there is something wrong with the XML.</returns>
+    public static MitsubaElement? Read(string path, MitsubaLog log)
+    {
+        SourcePlace file = new(path, 0, 0);
+        try
+        {
+            if (FileSearch.Complaint(path) is { } complaint)
+            {
+                log.Error(file, complaint);
+                return null;
+            }
+
+            using FileStream stream = File.OpenRead(path);
+            if (stream.Length > SceneReader.MaximumBytes)
+            {
+                log.Error(file, $"larger than {SceneReader.MaximumBytes >> 20} MiB");
+                return null;
+            }
+
+            XmlReaderSettings settings = new()
+            {
+                DtdProcessing = DtdProcessing.Prohibit,
+                XmlResolver = null,
+                IgnoreComments = true,
+                IgnoreProcessingInstructions = true,
+                IgnoreWhitespace = true,
+            };
+            using XmlReader reader = XmlReader.Create(stream, settings);
+            return ReadRoot(reader, path, log);
+        }
+        catch (XmlException e) when (e.LineNumber == 0 && e.Message.Contains("DTD", StringComparison.Ordinal))
+        {
+            log.Error(file, "a document type (<!DOCTYPE …>) is not read: leave it out");
+        }
+        catch (XmlException e)
+        {
+            log.Error(new(path, e.LineNumber, e.LinePosition), $"this is no XML: {Reason(e)}");
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            log.Error(file, $"cannot be read: {e.Message.TrimEnd('.')}");
+        }
+
+        return null;
+    }
+
+    private static MitsubaElement? ReadRoot(XmlReader reader, string path, MitsubaLog log)
+    {
+        MitsubaElement? root = null;
+        Stack<MitsubaElement> open = [];
+        while (reader.Read())
+        {
+            switch (reader.NodeType)
+            {
+                case XmlNodeType.Element:
+                    if (open.Count == MaximumNesting)
+                    {
+                        log.Error(Place(reader, path), $"elements are nested more than {MaximumNesting} deep");
+                        return null;
+                    }
+
+                    bool isClosed = reader.IsEmptyElement;
+                    MitsubaElement element = ReadElement(reader, path);
+                    root ??= element;
+                    if (open.TryPeek(out MitsubaElement? parent))
+                    {
+                        parent.Children.Add(element);
+                    }
+
+                    if (!isClosed)
+                    {
+                        open.Push(element);
+                    }
+
+                    break;
+                case XmlNodeType.EndElement:
+                    open.Pop();
+                    break;
+                case XmlNodeType.Text or XmlNodeType.CDATA:
+                    log.Error(Place(reader, path), $"text has no meaning here: {Quotation.Of(reader.Value.Trim())}");
+                    break;
+            }
+        }
+
+        return root;
+    }
+
+    private static MitsubaElement ReadElement(XmlReader reader, string path)
+    {
+        MitsubaElement element = new(reader.Name, Place(reader, path));
+        while (reader.MoveToNextAttribute())
+        {
+            element.Attributes[reader.Name] = new(reader.Value, Place(reader, path));
+        }
+
+        reader.MoveToElement();
+        return element;
+    }
+
+    private static SourcePlace Place(XmlReader reader, string path)
+    {
+        var lines = (IXmlLineInfo)reader;
+        return new(path, lines.LineNumber, lines.LinePosition);
+    }
+
+    // The message without the line and position at its end, which are told in front.
+    private static string Reason(XmlException e)
+    {
+        int end = e.Message.LastIndexOf(" Line ", StringComparison.Ordinal);
+        return (end > 0 ? e.Message[..end] : e.Message).TrimEnd('.');
+    }
+}

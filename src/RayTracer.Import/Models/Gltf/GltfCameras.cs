@@ -1,0 +1,78 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+
+namespace RayTracer.Import;
+
+/// <summary>Describes the cameras of a glTF file (glTF 2.0, section 3.10): they look along −z, with y up.</summary>
+internal sealed class GltfCameras(GltfDocument document)
+{
+    private const float NarrowestDegrees = 0.001f;
+    private const float WidestDegrees = 179;
+    private const float LargestRatio = 16;
+
+    /// <summary>A node's camera; null where it has none, or one that there is none like here.</summary>
+    /// <param name="node">The node.</param>
+    /// <param name="world">Its place.</param>
+    /// <param name="aspectRatio">Width over height of the picture that the camera is meant for; null where it says nothing.</param>
+    public CameraDescription? Describe(GltfObject node, Transform world, out float? aspectRatio)
+    {
+        aspectRatio = null;
+        if (document.Reference(node, "camera", "cameras") is not { } index)
+        {
+            return null;
+        }
+
+        GltfObject camera = document.List("cameras")[index];
+        switch (camera.Text("type"))
+        {
+            case "perspective":
+                GltfObject perspective = camera.RequiredChild("perspective");
+                aspectRatio = perspective.Has("aspectRatio") ? perspective.Number("aspectRatio", 1, 0) : null;
+                float degrees = float.Clamp(perspective.RequiredNumber("yfov", float.Epsilon) * (180 / float.Pi), NarrowestDegrees, WidestDegrees);
+                return At(node, world) is { } eye ? eye with { FieldOfView = degrees } : null;
+            case "orthographic":
+                GltfObject orthographic = camera.RequiredChild("orthographic");
+                (float across, float along) = (float.Abs(orthographic.RequiredNumber("xmag")), float.Abs(orthographic.RequiredNumber("ymag")));
+                if (!(across > 0 && along > 0 && float.IsFinite(2 * along)))
+                {
+                    throw orthographic.Error("ymag", "an orthographic camera must show something");
+                }
+
+                aspectRatio = across / along;
+                return At(node, world) is { } placed ? placed with { Projection = Projection.Orthographic, ViewSize = 2 * along } : null;
+            default:
+                throw camera.Error("type", "expected \"perspective\" or \"orthographic\"");
+        }
+    }
+
+    /// <summary>The size of a picture of so many times its height in width; the default where nothing is said.</summary>
+    public static RenderDescription PictureSize(float? aspectRatio)
+    {
+        RenderDescription render = new();
+        return aspectRatio is { } ratio && ratio > 0
+            ? render with { Width = (int)(render.Height * float.Clamp(ratio, 1 / LargestRatio, LargestRatio)) }
+            : render;
+    }
+
+    // A node's camera in the middle of its space; null where that is nowhere.
+    private CameraDescription? At(GltfObject node, Transform world)
+    {
+        // The point looked at is as far away as the coordinates are large, so that their rounding does not turn the view.
+        Vector3 position = world.Point(Vector3.Zero);
+        Vector3 lookAt = position - (world.Vector(Vector3.UnitZ).Unit() * float.Max(1, position.Norm()));
+        CameraDescription camera = new()
+        {
+            Position = position,
+            LookAt = lookAt,
+            Up = world.Vector(Vector3.UnitY).Unit(),
+        };
+        if (camera.Position.IsFinite() && camera.LookAt.IsFinite() && camera.Up.IsFinite())
+        {
+            return camera;
+        }
+
+        document.Notes.Add($"the camera at {node.Path} is left out: its node is scaled to nothing, or too far away");
+        return null;
+    }
+}

@@ -1,0 +1,23 @@
+namespace RayTracer.Import;
+
+/// <summary>What of a picture's pixels a texture shows.</summary>
+internal enum GltfChannel
+{
+    /// <summary>Red as a number.</summary>
+    Red,
+
+    /// <summary>Green as a number.</summary>
+    Green,
+
+    /// <summary>Blue as a number.</summary>
+    Blue,
+
+    /// <summary>How opaque they are.</summary>
+    Alpha,
+
+    /// <summary>The colours, decoded from sRGB.</summary>
+    Color,
+
+    /// <summary>All three numbers as they are.</summary>
+    All,
+}

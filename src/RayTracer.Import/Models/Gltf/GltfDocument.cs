@@ -1,0 +1,78 @@
+using RayTracer.Scenes;
+
+namespace RayTracer.Import;
+
+/// <summary>A glTF file that is open: its JSON, the lists that indices refer to, and what the whole import shares.</summary>
+internal sealed class GltfDocument(GltfSource source, JsonNode root, string folder, ReadOnlyMemory<byte>? binaryChunk, ModelMemory memory)
+{
+    private readonly Dictionary<string, IReadOnlyList<GltfObject>> _lists = new(StringComparer.Ordinal);
+
+    /// <summary>The file's root object.</summary>
+    public GltfObject Root { get; } = new(source, root, "");
+
+    /// <summary>Where the JSON stands.</summary>
+    public GltfSource Source => source;
+
+    /// <summary>The folder that relative paths start from.</summary>
+    public string Folder => folder;
+
+    /// <summary>The binary chunk of a .glb file; null where there is none.</summary>
+    public ReadOnlyMemory<byte>? BinaryChunk => binaryChunk;
+
+    /// <summary>How much may be allocated.</summary>
+    public ModelMemory Memory => memory;
+
+    /// <summary>What to tell the user.</summary>
+    public ModelNotes Notes { get; } = new();
+
+    /// <summary>One of the root's lists.</summary>
+    public IReadOnlyList<GltfObject> List(string name)
+    {
+        if (!_lists.TryGetValue(name, out IReadOnlyList<GltfObject>? list))
+        {
+            list = Root.Children(name);
+            _lists.Add(name, list);
+        }
+
+        return list;
+    }
+
+    /// <summary>What an index refers to; null where the object has no such property.</summary>
+    /// <param name="from">The object that holds the index.</param>
+    /// <param name="key">The property that is the index.</param>
+    /// <param name="listName">The root's list that it points into.</param>
+    public int? Reference(GltfObject from, string key, string listName)
+    {
+        if (from.Integer(key) is not { } index)
+        {
+            return null;
+        }
+
+        Check(from, key, index, listName);
+        return index;
+    }
+
+    /// <summary>What an index refers to that must be there.</summary>
+    public int RequiredReference(GltfObject from, string key, string listName) => Reference(from, key, listName) ?? throw from.Missing(key);
+
+    /// <summary>A list of indices into one of the root's lists.</summary>
+    public IReadOnlyList<int> References(GltfObject from, string key, string listName)
+    {
+        IReadOnlyList<int> indices = from.Integers(key);
+        foreach (int index in indices)
+        {
+            Check(from, key, index, listName);
+        }
+
+        return indices;
+    }
+
+    private void Check(GltfObject from, string key, int index, string listName)
+    {
+        int count = List(listName).Count;
+        if (index >= count)
+        {
+            throw from.Error(key, $"there is no {listName}[{index}]: {(count == 0 ? "the file has none" : $"the last is [{count - 1}]")}");
+        }
+    }
+}

@@ -1,0 +1,50 @@
+using RayTracer.Description;
+using RayTracer.Scenes;
+
+namespace RayTracer.Import;
+
+/// <summary>Reads what a glTF file's URIs name: data within the URI, or a file beside it.</summary>
+internal sealed class GltfFiles(GltfDocument document)
+{
+    /// <summary>The bytes that a property named "uri" refers to.</summary>
+    /// <param name="from">The object that holds the URI.</param>
+    /// <param name="uri">The URI.</param>
+    /// <exception cref="ModelException">There is no such file, or it cannot be read.</exception>
+    public ReadOnlyMemory<byte> Read(GltfObject from, string uri)
+    {
+        if (DataUri.Is(uri))
+        {
+            return DataUri.Decode(uri) ?? throw from.Error("uri", "the embedded data is not base64, or is damaged");
+        }
+
+        int colon = uri.IndexOf(':', StringComparison.Ordinal);
+        if (colon > 1 && uri.AsSpan(0, colon).IndexOfAny("/.%") < 0)
+        {
+            throw from.Error("uri", $"{Quotation.Of(uri)} is not beside the file: only relative paths and embedded data are read");
+        }
+
+        try
+        {
+            string path = Path.Combine(document.Folder, Uri.UnescapeDataString(uri));
+            if (FileSearch.Complaint(path) is { } complaint)
+            {
+                throw from.Error("uri", $"cannot read {Quotation.Of(uri)}: {complaint}");
+            }
+
+            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
+            if (stream.Length > Array.MaxLength)
+            {
+                throw from.Error("uri", $"{Quotation.Of(uri)} is larger than 2 GiB");
+            }
+
+            byte[] bytes = new byte[stream.Length];
+            stream.ReadExactly(bytes);
+            document.Memory.AddFile(bytes.Length);
+            return bytes;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw from.Error("uri", $"cannot read {Quotation.Of(uri)}: {e.Message.ReplaceLineEndings(" ").TrimEnd('.')}");
+        }
+    }
+}

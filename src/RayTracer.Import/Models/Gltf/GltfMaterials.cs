@@ -1,0 +1,193 @@
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Textures;
+
+namespace RayTracer.Import;
+
+/// <summary>Maps a glTF file's materials to the nearest ones that there are; docs/gltf.md has the table.</summary>
+internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures)
+{
+    // Below this roughness (α = 0.01), glass is shown clear.
+    private const float ClearRoughness = 0.1f;
+
+    private readonly Dictionary<int, GltfMaterial> _described = [];
+    private readonly GltfMaterial _default = new(new DiffuseMaterialDescription { Color = new SolidTextureDescription { Color = new(0.8f, 0.8f, 0.8f) } }, 0, false);
+
+    /// <summary>The material of a primitive.</summary>
+    /// <param name="index">Which of the file's materials: an index that has been checked; null for none, which is light grey and matt here.</param>
+    public GltfMaterial Describe(int? index)
+    {
+        if (index is not { } known)
+        {
+            return _default;
+        }
+
+        if (!_described.TryGetValue(known, out GltfMaterial? material))
+        {
+            material = Describe(document.List("materials")[known]);
+            _described.Add(known, material);
+        }
+
+        return material;
+    }
+
+    private GltfMaterial Describe(GltfObject material)
+    {
+        GltfSurface surface = GltfSurface.Of(document, textures, material);
+        MaterialDescription description = CutOut(Embossed(material, surface, Scattering(material, surface)), surface);
+        NoteWhatIsLeftOut(material);
+        Rgb emission = material.Color("emissiveFactor", Rgb.Black);
+        if (emission.IsBlack)
+        {
+            return new(description, surface.UvSet, false);
+        }
+
+        float strength = material.Extension("KHR_materials_emissive_strength")?.Number("emissiveStrength", 1, 0) ?? 1;
+        LuminaireMaterialDescription shining = new()
+        {
+            Color = textures.Colour(emission, GltfTextureUse.Of(document, material, "emissiveTexture"), surface.UvSet),
+            Multiplier = strength,
+            Material = description,
+        };
+        return new(shining, surface.UvSet, strength > 1);
+    }
+
+    private MaterialDescription Scattering(GltfObject material, GltfSurface surface)
+    {
+        if (material.Extension("KHR_materials_unlit") is not null)
+        {
+            document.Notes.Add("a material that is to be shown without light is shown matt");
+            return new DiffuseMaterialDescription { Color = surface.Color };
+        }
+
+        PrincipledMaterialDescription opaque = Opaque(material, surface);
+        return surface.Transmission is null || IsOne(surface.Metallic) ? opaque : Transparent(material, surface, opaque);
+    }
+
+    private PrincipledMaterialDescription Opaque(GltfObject material, GltfSurface surface)
+    {
+        PrincipledMaterialDescription opaque = new()
+        {
+            BaseColor = surface.Color,
+            Metallic = surface.Metallic,
+            Roughness = surface.Roughness,
+            RefractiveIndex = surface.ReflectiveIndex,
+        };
+        if (material.Extension("KHR_materials_clearcoat") is { } coat)
+        {
+            float roughness = coat.Fraction("clearcoatRoughnessFactor", 0);
+            if (coat.Has("clearcoatRoughnessTexture") || coat.Has("clearcoatNormalTexture"))
+            {
+                document.Notes.Add("textures of the roughness and the normals of a clear coat are left out");
+            }
+
+            // The coat's α is from 0.001 to 0.1 here, and roughness² there.
+            opaque = opaque with
+            {
+                Clearcoat = textures.Number(coat.Fraction("clearcoatFactor", 0), GltfTextureUse.Of(document, coat, "clearcoatTexture"), GltfChannel.Red, surface.UvSet),
+                ClearcoatRoughness = Number(float.Clamp(((roughness * roughness) - 0.001f) / 0.099f, 0, 1)),
+            };
+        }
+
+        return material.Extension("KHR_materials_sheen") is { } sheen ? WithSheen(opaque, sheen) : opaque;
+    }
+
+    private PrincipledMaterialDescription WithSheen(PrincipledMaterialDescription opaque, GltfObject sheen)
+    {
+        Rgb color = sheen.Color("sheenColorFactor", Rgb.Black);
+        if (sheen.Has("sheenColorTexture") || sheen.Has("sheenRoughnessTexture"))
+        {
+            document.Notes.Add("textures of sheen are left out");
+        }
+
+        float most = float.Max(color.R, float.Max(color.G, color.B));
+        bool isGrey = float.Min(color.R, float.Min(color.G, color.B)) > 0.9f * most;
+        return opaque with { Sheen = Number(most), SheenTint = Number(isGrey ? 0 : 1) };
+    }
+
+    // Walls without thickness let light straight through; volumes refract it.
+    private MaterialDescription Transparent(GltfObject material, GltfSurface surface, PrincipledMaterialDescription opaque)
+    {
+        GltfObject? volume = material.Extension("KHR_materials_volume");
+        bool isThin = volume is null || volume.Number("thicknessFactor", 0, 0) == 0;
+        bool isClear = surface.Roughness is SolidTextureDescription { Color.R: <= ClearRoughness };
+        if (!isThin && !isClear)
+        {
+            if (volume!.Has("attenuationDistance"))
+            {
+                document.Notes.Add("what the volume of rough glass absorbs is left out");
+            }
+
+            return opaque with { Transmission = surface.Transmission!, RefractiveIndex = float.Max(surface.RefractiveIndex, 1.001f) };
+        }
+
+        if (!isClear)
+        {
+            document.Notes.Add("a rough transparent wall is shown clear");
+        }
+
+        MaterialDescription glass = isThin
+            ? new ThinDielectricMaterialDescription { RefractiveIndex = surface.RefractiveIndex, SpecularTransmittance = surface.Color }
+            : Glass(surface, volume!);
+        return IsOne(surface.Transmission!) && surface.Metallic is SolidTextureDescription { Color.R: 0 }
+            ? glass
+            : new MixMaterialDescription { First = opaque, Second = glass, Weight = surface.Transmission! };
+    }
+
+    private DielectricMaterialDescription Glass(GltfSurface surface, GltfObject volume)
+    {
+        if (surface.Color is not SolidTextureDescription { Color: var color } || color != Rgb.White)
+        {
+            document.Notes.Add("the colour of a transparent surface is left out: only its volume absorbs light");
+        }
+
+        float distance = volume.Number("attenuationDistance", float.PositiveInfinity, float.Epsilon);
+        Rgb left = volume.Color("attenuationColor", Rgb.White);
+        return new() { RefractiveIndex = surface.RefractiveIndex, Extinction = new(Extinction(left.R, distance), Extinction(left.G, distance), Extinction(left.B, distance)) };
+    }
+
+    private MaterialDescription Embossed(GltfObject material, GltfSurface surface, MaterialDescription inner)
+    {
+        if (textures.Normals(GltfTextureUse.Of(document, material, "normalTexture"), surface.UvSet) is not { } normals)
+        {
+            return inner;
+        }
+
+        float scale = material.Child("normalTexture")!.Number("scale", 1);
+        if (scale is < 0 or > 100)
+        {
+            document.Notes.Add("the scale of a normal map is brought into 0 to 100");
+        }
+
+        return new NormalMapMaterialDescription { Map = normals, Strength = float.Clamp(scale, 0, 100), GreenAlongV = true, Material = inner };
+    }
+
+    private static MaterialDescription CutOut(MaterialDescription inner, GltfSurface surface) => surface.Opacity is { } opacity && !IsOne(opacity)
+        ? new MaskMaterialDescription { Material = inner, Opacity = opacity }
+        : inner;
+
+    private static bool IsOne(TextureDescription number) => number is SolidTextureDescription { Color.R: 1 };
+
+    private static SolidTextureDescription Number(float value) => new() { Color = new(value, value, value) };
+
+    // Beer's law: after the distance, the fraction is left. A black fraction would need an infinite coefficient.
+    private static float Extinction(float fraction, float distance) =>
+        float.Clamp(-LaneMath.Log(float.Max(fraction, 1e-6f)) / distance, 0, 1e6f);
+
+    private void NoteWhatIsLeftOut(GltfObject material)
+    {
+        if (material.Has("occlusionTexture"))
+        {
+            document.Notes.Add("an occlusion map is left out: the shadows are computed");
+        }
+
+        foreach (string name in material.Child("extensions")?.Node.Members.Select(m => m.Key) ?? [])
+        {
+            if (!GltfExtensions.Materials.Contains(name))
+            {
+                document.Notes.Add($"the extension {Quotation.Of(name)} of a material is left out");
+            }
+        }
+    }
+}

@@ -1,0 +1,192 @@
+using System.Numerics;
+using System.Runtime.InteropServices;
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Import;
+
+/// <summary>Makes triangles of a glTF file's primitives; primitives that are alike share them.</summary>
+internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
+{
+    // What one triangle takes besides its three indices: its share of the tree over the mesh, roughly.
+    private const int TriangleBytes = 12;
+
+    private readonly Dictionary<string, MeshData?> _built = new(StringComparer.Ordinal);
+    private readonly Dictionary<int, GltfAccessor> _accessors = [];
+    private readonly Dictionary<(int Accessor, Type Element), Array> _vertices = [];
+
+    /// <summary>The triangles of a primitive; null where it has none: points and lines are left out.</summary>
+    /// <param name="primitive">The primitive in the file.</param>
+    /// <param name="uvSet">Which set of uv its material uses.</param>
+    /// <exception cref="ModelException">It refers to what is not there.</exception>
+    public MeshData? Build(GltfObject primitive, int uvSet)
+    {
+        int mode = primitive.Integer("mode", 0, TriangleAssembly.Fan) ?? TriangleAssembly.Triangles;
+        if (mode < TriangleAssembly.Triangles)
+        {
+            document.Notes.Add(mode == 0 ? "points are left out: only triangles are shown" : "lines are left out: only triangles are shown");
+            return null;
+        }
+
+        if (primitive.Extension("KHR_draco_mesh_compression") is not null)
+        {
+            document.Notes.Add("meshes compressed with KHR_draco_mesh_compression are read from their uncompressed copy");
+        }
+
+        GltfObject attributes = primitive.RequiredChild("attributes");
+        string key = Key(primitive, attributes, mode, uvSet);
+        if (!_built.TryGetValue(key, out MeshData? data))
+        {
+            data = Build(primitive, attributes, mode, uvSet);
+            _built.Add(key, data);
+        }
+
+        return data;
+    }
+
+    private string Key(GltfObject primitive, GltfObject attributes, int mode, int uvSet)
+    {
+        IEnumerable<string> used = ((string[])["POSITION", "NORMAL", "TANGENT", "COLOR_0", $"TEXCOORD_{uvSet}"])
+            .Select(name => $"{document.Reference(attributes, name, "accessors")}");
+        return $"{mode} {document.Reference(primitive, "indices", "accessors")} {string.Join(' ', used)}";
+    }
+
+    private MeshData? Build(GltfObject primitive, GltfObject attributes, int mode, int uvSet)
+    {
+        if (!attributes.Has("POSITION"))
+        {
+            document.Notes.Add("a primitive without positions is left out");
+            return null;
+        }
+
+        Vector3[] positions = Vertices<Vector3>(attributes, "POSITION", null)!;
+        int[] indices = Indices(primitive, mode, positions.Length);
+        if (indices.Length == 0)
+        {
+            document.Notes.Add("a primitive with less than three vertices is left out");
+            return null;
+        }
+
+        MeshData whole = new(positions, indices)
+        {
+            Normals = Vertices<Vector3>(attributes, "NORMAL", positions.Length),
+            Tangents = Vertices<Vector4>(attributes, "TANGENT", positions.Length),
+            Colors = Vertices<Rgb>(attributes, "COLOR_0", positions.Length),
+            Uv = Vertices<Vector2>(attributes, $"TEXCOORD_{uvSet}", positions.Length),
+        };
+
+        // Exporters let many primitives share one long list of vertices, of which each uses a few.
+        return indices.Length < positions.Length / 2 ? MeshCompaction.Compact(whole) : whole;
+    }
+
+    // One array for each accessor and kind of element, so that primitives share it.
+    private T[]? Vertices<T>(GltfObject attributes, string name, int? expected)
+        where T : struct
+    {
+        if (document.Reference(attributes, name, "accessors") is not { } index)
+        {
+            return null;
+        }
+
+        GltfAccessor accessor = Accessor(index);
+        if (accessor.Count != (expected ?? accessor.Count))
+        {
+            throw attributes.Error(name, $"it has {accessor.Count} elements, but there are {expected} positions");
+        }
+
+        if (_vertices.TryGetValue((index, typeof(T)), out Array? known))
+        {
+            return (T[])known;
+        }
+
+        int taken = Marshal.SizeOf<T>() / sizeof(float);
+        if (accessor.Components < taken || accessor.Components > 4)
+        {
+            throw attributes.Error(name, $"its accessor has {accessor.Components} numbers an element: {taken} are needed");
+        }
+
+        T[] elements = new T[Ask(accessor, (long)accessor.Count * taken * sizeof(float))];
+        accessor.Read(MemoryMarshal.Cast<T, float>(elements.AsSpan()), taken);
+        if (elements is Vector2[] uv)
+        {
+            // The origin of uv is the picture's upper left corner in glTF, its lower left one here.
+            for (int i = 0; i < uv.Length; i++)
+            {
+                uv[i].Y = 1 - uv[i].Y;
+            }
+        }
+
+        _vertices.Add((index, typeof(T)), elements);
+        return elements;
+    }
+
+    private int[] Indices(GltfObject primitive, int mode, int vertexCount)
+    {
+        GltfAccessor? accessor = document.Reference(primitive, "indices", "accessors") is { } index ? Accessor(index) : null;
+        uint[]? list = accessor is null ? null : Listed(primitive, accessor, vertexCount);
+        int count = list?.Length ?? vertexCount;
+        if (mode == TriangleAssembly.Triangles && count % 3 != 0)
+        {
+            document.Notes.Add("vertices left over after the last whole triangle are left out");
+        }
+
+        int triangles = TriangleAssembly.Count(mode, count);
+        Ask(accessor, (long)triangles * (3 * sizeof(int) + TriangleBytes), primitive);
+        int[] indices = new int[3 * triangles];
+        for (int t = 0; t < triangles; t++)
+        {
+            (int a, int b, int c) = TriangleAssembly.Corners(mode, t);
+            indices[3 * t] = list is null ? a : (int)list[a];
+            indices[(3 * t) + 1] = list is null ? b : (int)list[b];
+            indices[(3 * t) + 2] = list is null ? c : (int)list[c];
+        }
+
+        return indices;
+    }
+
+    private uint[] Listed(GltfObject primitive, GltfAccessor accessor, int vertexCount)
+    {
+        if (accessor.Components != 1 || accessor.Type is not (GltfComponentType.UnsignedByte or GltfComponentType.UnsignedShort or GltfComponentType.UnsignedInt))
+        {
+            throw primitive.Error("indices", $"{accessor.Object.Path} must be a SCALAR of unsigned whole numbers (5121, 5123 or 5125)");
+        }
+
+        uint[] list = new uint[Ask(accessor, (long)accessor.Count * sizeof(uint))];
+        accessor.Read(list);
+        for (int i = 0; i < list.Length; i++)
+        {
+            if (list[i] >= vertexCount)
+            {
+                throw primitive.Error("indices", $"{accessor.Place(i)} of {accessor.Object.Path} is {list[i]}, but there are only {vertexCount} vertices");
+            }
+        }
+
+        return list;
+    }
+
+    private GltfAccessor Accessor(int index)
+    {
+        if (!_accessors.TryGetValue(index, out GltfAccessor? accessor))
+        {
+            accessor = new(document, buffers, index);
+            _accessors.Add(index, accessor);
+        }
+
+        return accessor;
+    }
+
+    private int Ask(GltfAccessor accessor, long bytes)
+    {
+        Ask(accessor, bytes, accessor.Object);
+        return accessor.Count;
+    }
+
+    private void Ask(GltfAccessor? accessor, long bytes, GltfObject about)
+    {
+        if (!document.Memory.TryUse(bytes))
+        {
+            throw (accessor?.Object ?? about).Error("the meshes need far more memory than a file of this size can account for");
+        }
+    }
+}

@@ -1,0 +1,61 @@
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Shapes;
+
+namespace RayTracer.Import;
+
+/// <summary>Describes a glTF file's meshes, so that nodes that show the same one share it.</summary>
+internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, GltfMaterials materials)
+{
+    private readonly Dictionary<int, ShapeDescription?> _described = [];
+    private readonly Dictionary<string, ShapeDescription> _shared = new(StringComparer.Ordinal);
+
+    /// <summary>What several nodes show, by name.</summary>
+    public IReadOnlyDictionary<string, ShapeDescription> Shared => _shared;
+
+    /// <summary>A mesh for a node to show; null where it has no triangles.</summary>
+    /// <param name="mesh">Which mesh: an index that has been checked.</param>
+    /// <param name="isShared">Whether other nodes show it too.</param>
+    public ShapeDescription? Place(int mesh, bool isShared)
+    {
+        if (!_described.TryGetValue(mesh, out ShapeDescription? shape))
+        {
+            shape = Describe(mesh);
+            _described.Add(mesh, shape);
+        }
+
+        // Every lamp is sampled for itself.
+        if (shape is null || !isShared || Shines(shape))
+        {
+            return shape;
+        }
+
+        _shared[$"mesh {mesh}"] = shape;
+        return new InstanceDescription { Name = shape.Name, Of = shape };
+    }
+
+    private ShapeDescription? Describe(int index)
+    {
+        GltfObject mesh = document.List("meshes")[index];
+        string name = mesh.Text("name") ?? "";
+        List<ShapeDescription> parts = [];
+        foreach (GltfObject primitive in mesh.Children("primitives"))
+        {
+            GltfMaterial material = materials.Describe(document.Reference(primitive, "material", "materials"));
+            if (meshes.Build(primitive, material.UvSet) is { } data)
+            {
+                parts.Add(new MeshDescription { Name = name, Data = data, Material = material.Description });
+            }
+
+            if (primitive.Has("targets"))
+            {
+                document.Notes.Add("morph targets are left out: meshes are shown as they were modelled");
+            }
+        }
+
+        return parts.Count > 1 ? new GroupDescription { Name = name, Shapes = parts } : parts.FirstOrDefault();
+    }
+
+    private static bool Shines(ShapeDescription shape) =>
+        shape is GroupDescription group ? group.Shapes.Any(Shines) : shape.Material is LuminaireMaterialDescription;
+}

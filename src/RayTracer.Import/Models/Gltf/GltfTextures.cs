@@ -1,0 +1,157 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Textures;
+
+namespace RayTracer.Import;
+
+/// <summary>Describes the textures that a glTF file's materials use.</summary>
+internal sealed class GltfTextures(GltfDocument document, GltfImages images)
+{
+    private const int Nearest = 9728;
+    private const int NearestMipmapNearest = 9984;
+    private const int NearestMipmapLinear = 9986;
+    private const int ClampToEdge = 33071;
+    private const int MirroredRepeat = 33648;
+    private const int Repeat = 10497;
+
+    private readonly Dictionary<(GltfTextureUse Use, GltfChannel Channel), TextureDescription> _described = [];
+
+    /// <summary>A colour times a texture; the colour alone where there is none, or none that can be shown.</summary>
+    /// <param name="factor">The colour, linear.</param>
+    /// <param name="use">The texture; may be null.</param>
+    /// <param name="uvSet">The set of uv that the mesh has; a texture on another one is averaged.</param>
+    public TextureDescription Colour(Rgb factor, GltfTextureUse? use, int uvSet) => Times(factor, use, GltfChannel.Color, uvSet);
+
+    /// <summary>A number times a channel of a texture; the number alone where there is none, or none that can be shown.</summary>
+    /// <param name="factor">The number.</param>
+    /// <param name="use">The texture; may be null.</param>
+    /// <param name="channel">The channel.</param>
+    /// <param name="uvSet">The set of uv that the mesh has; a texture on another one is averaged.</param>
+    public TextureDescription Number(float factor, GltfTextureUse? use, GltfChannel channel, int uvSet) => Times(new(factor, factor, factor), use, channel, uvSet);
+
+    /// <summary>The directions of a normal map; null where there are none that can be shown.</summary>
+    public TextureDescription? Normals(GltfTextureUse? use, int uvSet)
+    {
+        if (use is null || Source(use.Texture) is not { } image)
+        {
+            return null;
+        }
+
+        if (use.UvSet != uvSet)
+        {
+            document.Notes.Add("a normal map that uses another set of uv than the base colour is left out");
+            return null;
+        }
+
+        return Described(use, image, GltfChannel.All);
+    }
+
+    /// <summary>Where a surface is cut out: the opacity, or 1 and 0 as it reaches a threshold or not.</summary>
+    /// <param name="factor">Factor on the opacity.</param>
+    /// <param name="use">The texture whose alpha it is; may be null.</param>
+    /// <param name="threshold">The threshold; null for none.</param>
+    /// <param name="uvSet">The set of uv that the mesh has.</param>
+    public TextureDescription Opacity(float factor, GltfTextureUse? use, float? threshold, int uvSet)
+    {
+        TextureDescription opacity = Number(factor, use, GltfChannel.Alpha, uvSet);
+        if (threshold is not { } least)
+        {
+            return opacity;
+        }
+
+        if (opacity is SolidTextureDescription { Color.R: var value })
+        {
+            return Solid(value >= least ? 1 : 0);
+        }
+
+        int image = Source(use!.Texture)!.Value;
+        Picture alpha = images.Picture(image, GltfChannel.Alpha)!;
+        Picture cut = new(alpha.Width, alpha.Height, [.. alpha.Pixels.Select(a => a * factor >= least ? 1f : 0)]);
+        return Placed(Image(use.Texture, cut), use);
+    }
+
+    private static SolidTextureDescription Solid(float value) => new() { Color = new(value, value, value) };
+
+    private TextureDescription Times(Rgb factor, GltfTextureUse? use, GltfChannel channel, int uvSet)
+    {
+        TextureDescription solid = new SolidTextureDescription { Color = factor };
+        if (use is null || factor.IsBlack || Source(use.Texture) is not { } image || images.Picture(image, channel) is not { } picture)
+        {
+            return solid;
+        }
+
+        if (use.UvSet != uvSet)
+        {
+            document.Notes.Add("a texture that uses another set of uv than the base colour is averaged");
+            return new SolidTextureDescription { Color = factor * GltfImages.Mean(picture) };
+        }
+
+        TextureDescription texture = Described(use, image, channel);
+        return factor == Rgb.White ? texture : new ProductTextureDescription { First = texture, Second = solid };
+    }
+
+    private TextureDescription Described(GltfTextureUse use, int image, GltfChannel channel)
+    {
+        if (!_described.TryGetValue((use, channel), out TextureDescription? description))
+        {
+            description = Placed(Image(use.Texture, images.Picture(image, channel)!), use);
+            _described.Add((use, channel), description);
+        }
+
+        return description;
+    }
+
+    private int? Source(int texture)
+    {
+        GltfObject described = document.List("textures")[texture];
+        int? source = document.Reference(described, "source", "images");
+        if (source is null)
+        {
+            document.Notes.Add("a texture without a PNG or JPEG picture is left out");
+        }
+
+        return source;
+    }
+
+    private ImageTextureDescription Image(int texture, Picture picture)
+    {
+        GltfObject described = document.List("textures")[texture];
+        GltfObject? sampler = document.Reference(described, "sampler", "samplers") is { } index ? document.List("samplers")[index] : null;
+        int filter = sampler?.Integer("magFilter") ?? sampler?.Integer("minFilter") ?? 0;
+        return new()
+        {
+            Picture = picture,
+            Interpolation = filter is Nearest or NearestMipmapNearest or NearestMipmapLinear ? Interpolation.Nearest : Interpolation.Bilinear,
+            Wrapping = Wrap(sampler, "wrapS"),
+            VerticalWrapping = Wrap(sampler, "wrapT"),
+        };
+    }
+
+    private static Wrapping Wrap(GltfObject? sampler, string key) => (sampler?.Integer(key) ?? Repeat) switch
+    {
+        ClampToEdge => Wrapping.Clamp,
+        MirroredRepeat => Wrapping.Mirror,
+        Repeat => Wrapping.Repeat,
+        _ => throw sampler!.Error(key, "expected 33071 (clamp to edge), 33648 (mirrored repeat) or 10497 (repeat)"),
+    };
+
+    // In glTF, s′ = offset + R·(scale·(s, t)), with t downwards; with u = s and v = 1 − t, the same turn is counter-clockwise.
+    private static TextureDescription Placed(ImageTextureDescription image, GltfTextureUse use)
+    {
+        if (use.Scale == Vector2.One && use.Rotation == 0 && use.Offset == Vector2.Zero)
+        {
+            return image;
+        }
+
+        float turns = use.Rotation / (2 * float.Pi);
+        LaneMath.SinCosTurn(turns - float.Floor(turns), out float sin, out float cos);
+        return new PlacedTextureDescription
+        {
+            Texture = image,
+            Scale = use.Scale,
+            Rotate = 360 * turns,
+            Offset = new(use.Offset.X + (sin * use.Scale.Y), 1 - use.Offset.Y - (cos * use.Scale.Y)),
+        };
+    }
+}

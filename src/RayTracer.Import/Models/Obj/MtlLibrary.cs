@@ -1,0 +1,293 @@
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Textures;
+
+namespace RayTracer.Import;
+
+/// <summary>The materials that an OBJ file uses, from the MTL files that it names.</summary>
+internal sealed class MtlLibrary(string folder)
+{
+    private static readonly string[] s_pictures = [".png", ".jpg", ".jpeg", ".pfm", ".exr"];
+
+    // Statements that change nothing here without loss: ambient light is the scene's, sharpness belongs to reflection maps that are ready-made.
+    private static readonly string[] s_ignored = ["Ka", "map_Ka", "sharpness", "map_aat", "illum"];
+
+    private static readonly HashSet<string> s_maps = new(["map_Kd", "map_Ke", "map_d", "map_Pr", "map_Pm", "map_Ps", "norm", "bump", "map_Bump"], StringComparer.OrdinalIgnoreCase);
+
+    private readonly Dictionary<string, MtlMaterial> _known = new(StringComparer.Ordinal);
+    private readonly HashSet<string> _files = new(StringComparer.Ordinal);
+    private readonly List<string> _used = [];
+    private readonly Dictionary<string, int> _places = new(StringComparer.Ordinal);
+    private readonly SortedSet<string> _notes = new(StringComparer.Ordinal);
+    private readonly SortedSet<string> _leftOut = new(StringComparer.Ordinal);
+
+    /// <summary>The number of a material that faces are made of; it may become known later.</summary>
+    public int Use(string name)
+    {
+        if (!_places.TryGetValue(name, out int place))
+        {
+            place = _used.Count;
+            _used.Add(name);
+            _places.Add(name, place);
+        }
+
+        return place;
+    }
+
+    /// <summary>Reads material files.</summary>
+    /// <param name="names">One name, which may have spaces; or several.</param>
+    /// <exception cref="ModelException">Something is wrong with one.</exception>
+    public void Read(string names)
+    {
+        string[] each = Find(names) is not null ? [names] : names.Split((char[])[' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
+        foreach (string name in each.Where(_files.Add))
+        {
+            if (Find(name) is not { } path)
+            {
+                _notes.Add($"the material file {Quotation.Of(name)} is not there");
+                continue;
+            }
+
+            try
+            {
+                Parse(ModelBytes.Read(path));
+            }
+            catch (Exception e) when (e is ModelException or IOException or UnauthorizedAccessException)
+            {
+                throw new ModelException($"{Path.GetFileName(path)}: {e.Message}", e);
+            }
+        }
+    }
+
+    /// <summary>The materials by their numbers.</summary>
+    /// <param name="notes">Receives, once each, what is missing, left out or approximated.</param>
+    public IReadOnlyList<MaterialDescription> Materials(List<string> notes)
+    {
+        string[] missing = [.. _used.Where(name => !_known.ContainsKey(name))];
+        if (missing.Length > 0)
+        {
+            string more = missing.Length > 1 ? $" and {missing.Length - 1} more" : "";
+            _notes.Add($"no material file describes {Quotation.Of(missing[0])}{more}: grey takes its place");
+        }
+
+        MaterialDescription[] all = [.. _used.Select(name => _known.TryGetValue(name, out MtlMaterial? known) ? known.ToDescription(_notes) : ShapeDescription.DefaultMaterial)];
+        notes.AddRange(_notes);
+        if (_leftOut.Count > 0)
+        {
+            notes.Add($"of materials, these statements are left out: {string.Join(", ", _leftOut.Take(20))}");
+        }
+
+        return all;
+    }
+
+    /// <summary>Reads the content of a material file.</summary>
+    /// <exception cref="ModelException">Something is wrong with it.</exception>
+    internal void Parse(ReadOnlySpan<byte> file)
+    {
+        var text = new ModelText(file, hasContinuations: true) { AcceptsOddNumbers = true };
+        MtlMaterial? material = null;
+        for (; !text.IsAtEnd; text.SkipLine())
+        {
+            int begin = text.Position;
+            ReadOnlySpan<byte> word = text.Word();
+            string keyword = ModelText.Decode(word[..Math.Min(word.Length, 40)]);
+            if (keyword.Length == 0)
+            {
+                continue;
+            }
+
+            if (keyword == "newmtl")
+            {
+                material = new MtlMaterial();
+                _known[Name(ref text)] = material;
+                continue;
+            }
+
+            ReadStatement(keyword, ref text, material ?? throw text.ErrorAt(begin, $"{Quotation.Of(keyword)} comes before the first newmtl"));
+        }
+    }
+
+    private void ReadStatement(string keyword, ref ModelText text, MtlMaterial material)
+    {
+        switch (keyword)
+        {
+            case "Kd":
+                material.Diffuse = Color(keyword, ref text, material.Diffuse);
+                break;
+            case "Ks":
+                material.Specular = Color(keyword, ref text, material.Specular);
+                break;
+            case "Ke":
+                material.Emission = Color(keyword, ref text, material.Emission);
+                break;
+            case "Ns":
+                material.Exponent = text.Number();
+                break;
+            case "Ni":
+                material.RefractiveIndex = text.Number();
+                break;
+            case "d":
+                material.Opacity = text.TryNumber() ?? (text.Word().SequenceEqual("-halo"u8) ? 1 : throw text.Expected("a number", []));
+                break;
+            case "Tr":
+                material.Transparency = text.Number();
+                break;
+            case "Tf":
+                Rgb filter = Color(keyword, ref text, Rgb.White);
+                _ = filter == Rgb.White || _leftOut.Add(keyword);
+                break;
+            case "illum":
+                float illumination = text.Number();
+                material.Illumination = illumination is >= 0 and <= 10 ? (int)illumination : null;
+                break;
+            case "Pr":
+                material.Roughness = text.Number();
+                break;
+            case "Pm":
+                material.Metallic = text.Number();
+                break;
+            case "Ps":
+                material.Sheen = text.Number();
+                break;
+            case "Pc":
+                material.Clearcoat = text.Number();
+                break;
+            case "Pcr":
+                material.ClearcoatRoughness = text.Number();
+                break;
+            case "aniso":
+                material.Anisotropic = text.Number();
+                break;
+            case var name when s_maps.Contains(name):
+                if (Picture(ref text, material) is { } picture)
+                {
+                    material.Pictures[name] = picture;
+                }
+
+                break;
+            default:
+                if (!s_ignored.Contains(keyword))
+                {
+                    _leftOut.Add(Quotation.Short(Quotation.Of(keyword)[1..^1]));
+                }
+
+                break;
+        }
+    }
+
+    // One number is grey; files of spectra, and CIE XYZ, are not read.
+    private Rgb Color(string keyword, ref ModelText text, Rgb otherwise)
+    {
+        int begin = text.Position;
+        ReadOnlySpan<byte> word = text.Word();
+        if (word.SequenceEqual("spectral"u8) || word.SequenceEqual("xyz"u8))
+        {
+            _leftOut.Add($"{keyword} {ModelText.Decode(word)}");
+            return otherwise;
+        }
+
+        text.Position = begin;
+        float red = text.Number();
+        return text.IsAtLineEnd() ? new Rgb(red, red, red) : new Rgb(red, text.Number(), text.Number());
+    }
+
+    private ImageTextureDescription? Picture(ref ModelText text, MtlMaterial material)
+    {
+        ImageTextureDescription texture = new();
+        while (true)
+        {
+            int begin = text.Position;
+            ReadOnlySpan<byte> option = text.Word();
+            if (option.IsEmpty || option[0] != '-')
+            {
+                text.Position = begin;
+                break;
+            }
+
+            if (option.SequenceEqual("-bm"u8))
+            {
+                material.BumpScale = text.Number();
+                continue;
+            }
+
+            texture = ReadOption(ModelText.Decode(option), ref text, texture);
+        }
+
+        string name = Name(ref text);
+        string? path = Find(name);
+        if (path is null || !s_pictures.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase))
+        {
+            string fault = path is null ? "is not there" : $"is of no format that is read ({string.Join(", ", s_pictures)})";
+            _notes.Add($"the picture {Quotation.Of(name)} {fault}: its colour takes its place");
+            return null;
+        }
+
+        return texture with { File = path };
+    }
+
+    private static ImageTextureDescription ReadOption(string option, ref ModelText text, ImageTextureDescription texture)
+    {
+        switch (option)
+        {
+            case "-s":
+                return texture with { Scale = Pair(ref text, 1) };
+            case "-o":
+                return texture with { Offset = Pair(ref text, 0) };
+            case "-t":
+                Pair(ref text, 0);
+                return texture;
+            case "-clamp":
+                return texture with { Wrapping = text.Word().SequenceEqual("on"u8) ? Wrapping.Clamp : Wrapping.Repeat };
+            case "-mm":
+                text.Number();
+                text.Number();
+                return texture;
+            default:
+                text.Word();
+                return texture;
+        }
+    }
+
+    // u, and perhaps v, and perhaps w.
+    private static System.Numerics.Vector2 Pair(ref ModelText text, float otherwise)
+    {
+        float u = text.Number();
+        float v = text.TryNumber() ?? otherwise;
+        text.TryNumber();
+        return new(u, v);
+    }
+
+    private static string Name(ref ModelText text)
+    {
+        int begin = text.Position;
+        string name = text.RestOfLine();
+        text.Position = begin;
+        return name;
+    }
+
+    // Authors work on other systems: with backslashes, with folders of their own, without regard to case.
+    private string? Find(string name)
+    {
+        string relative = name.Replace('\\', '/').Trim('"');
+        if (relative.Length == 0 || relative.Contains('\0', StringComparison.Ordinal))
+        {
+            return null;
+        }
+
+        string bare = relative[(relative.LastIndexOf('/') + 1)..];
+        string? path = new[] { relative, bare }.Where(n => n.Length > 0).Select(n => Path.GetFullPath(Path.Combine(folder, n))).FirstOrDefault(File.Exists);
+        return path ?? SimilarTo(bare);
+    }
+
+    private string? SimilarTo(string name)
+    {
+        try
+        {
+            return Directory.EnumerateFiles(folder).Where(f => Path.GetFileName(f).Equals(name, StringComparison.OrdinalIgnoreCase)).Order(StringComparer.Ordinal).FirstOrDefault();
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            return null;
+        }
+    }
+}

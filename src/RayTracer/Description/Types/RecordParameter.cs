@@ -1,0 +1,198 @@
+using System.Numerics;
+using System.Reflection;
+using System.Text.Json;
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+using RayTracer.Textures;
+
+namespace RayTracer.Description;
+
+/// <summary>One parameter of a <see cref="RecordType"/>: a property of a description record that has a <see cref="ParameterAttribute"/>.</summary>
+public sealed class RecordParameter
+{
+    private readonly PropertyInfo _property;
+    private readonly ParameterAttribute _attribute;
+
+    internal RecordParameter(PropertyInfo property, ParameterAttribute attribute, object defaults)
+    {
+        _property = property;
+        _attribute = attribute;
+        Key = JsonNamingPolicy.CamelCase.ConvertName(property.Name);
+        ValueType = Nullable.GetUnderlyingType(property.PropertyType) ?? property.PropertyType;
+        Kind = KindOf(ValueType, attribute.IsFile);
+        RecordType = Kind switch
+        {
+            ParameterKind.Record => ValueType,
+            ParameterKind.Records => ValueType.GetGenericArguments()[0],
+            _ => null,
+        };
+        Choices = Kind == ParameterKind.Choice ? [.. Enum.GetNames(ValueType).Select(JsonNamingPolicy.CamelCase.ConvertName)] : [];
+        Default = property.GetValue(defaults);
+    }
+
+    /// <summary>The key in scene files.</summary>
+    public string Key { get; }
+
+    /// <summary>The name of the C# property.</summary>
+    public string PropertyName => _property.Name;
+
+    /// <summary>What the parameter means.</summary>
+    public string Summary => _attribute.Summary;
+
+    /// <summary>The unit; empty where there is none.</summary>
+    public string Unit => _attribute.Unit;
+
+    /// <summary>The smallest allowed value of each number; minus infinity where there is no bound.</summary>
+    public double Minimum => _attribute.Minimum;
+
+    /// <summary>The largest allowed value of each number; infinity where there is no bound.</summary>
+    public double Maximum => _attribute.Maximum;
+
+    /// <summary>Whether <see cref="Minimum"/> itself is refused.</summary>
+    public bool MinimumIsExclusive => _attribute.MinimumIsExclusive;
+
+    /// <summary>Whether a scene file must give the parameter.</summary>
+    public bool Required => _attribute.Required;
+
+    /// <summary>Whether a number may stand in place of a texture; or a number or a colour in place of a list of numbers.</summary>
+    public bool IsNumber => _attribute.IsNumber;
+
+    /// <summary>What may be written as its value.</summary>
+    public ParameterKind Kind { get; }
+
+    /// <summary>The C# type of the value, without the question mark of one that may be missing.</summary>
+    public Type ValueType { get; }
+
+    /// <summary>The C# type of the record, or of each record of the list; null for other values.</summary>
+    public Type? RecordType { get; }
+
+    /// <summary>The value that a new record has; null where it may be missing.</summary>
+    public object? Default { get; }
+
+    /// <summary>The things of which its value is one, or has several; null for other values.</summary>
+    public TypeFamily? Family => Kind switch
+    {
+        ParameterKind.Texture or ParameterKind.NamedTextures => SceneTypes.Textures,
+        ParameterKind.Material or ParameterKind.Materials or ParameterKind.NamedMaterials => SceneTypes.Materials,
+        ParameterKind.Shape or ParameterKind.Shapes or ParameterKind.NamedShapes => SceneTypes.Shapes,
+        ParameterKind.Environment => SceneTypes.Environments,
+        _ => null,
+    };
+
+    /// <summary>Whether its value is things by their names.</summary>
+    public bool HasNames => Kind is ParameterKind.NamedTextures or ParameterKind.NamedMaterials or ParameterKind.NamedShapes;
+
+    /// <summary>The words that a <see cref="ParameterKind.Choice"/> is made from; otherwise empty.</summary>
+    public IReadOnlyList<string> Choices { get; }
+
+    /// <summary>The allowed range in words ("at least 0", "from 0 to 1"); empty where every number is allowed.</summary>
+    public string Range
+    {
+        get
+        {
+            if (double.IsNegativeInfinity(Minimum))
+            {
+                return double.IsPositiveInfinity(Maximum) ? "" : $"at most {Maximum}";
+            }
+
+            if (double.IsPositiveInfinity(Maximum))
+            {
+                return MinimumIsExclusive ? $"greater than {Minimum}" : $"at least {Minimum}";
+            }
+
+            return MinimumIsExclusive ? $"greater than {Minimum} and at most {Maximum}" : $"from {Minimum} to {Maximum}";
+        }
+    }
+
+    /// <summary>The parameter's value in a record.</summary>
+    public object? Get(object record) => _property.GetValue(record);
+
+    /// <summary>Says why a value is out of range, as the end of a sentence that begins with its key; null where it is not.</summary>
+    /// <param name="value">A number, vector, colour, or texture (of which all colours are checked); anything else is in range.</param>
+    public string? RangeComplaint(object? value)
+    {
+        foreach (double number in Numbers(value))
+        {
+            if (RangeComplaint(number, number == Math.Floor(number) && Math.Abs(number) < 1e15 ? $"{(long)number}" : number == (float)number ? $"{(float)number}" : $"{number}") is { } complaint)
+            {
+                return complaint;
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>Gives a record that is being made the parameter's value.</summary>
+    public void Set(object record, object? value) => _property.SetValue(record, value);
+
+    // Bounds are compared as floats where values are floats, so that a written bound is itself in range.
+    internal string? RangeComplaint(double value, string written)
+    {
+        bool isInteger = Kind == ParameterKind.Integer;
+        double minimum = isInteger ? Minimum : (float)Minimum;
+        double maximum = isInteger ? Maximum : (float)Maximum;
+        if ((MinimumIsExclusive ? value > minimum : value >= minimum) && value <= maximum)
+        {
+            return null;
+        }
+
+        bool isRounded = value == 0 && written.AsSpan().ContainsAnyInRange('1', '9');
+        return $"must be {Range}, but {(isRounded ? $"{written} rounds to 0" : $"is {written}")}";
+    }
+
+    private static IEnumerable<double> Numbers(object? value) => value switch
+    {
+        float f => [f],
+        int i => [i],
+        long l => [l],
+        Vector2 v => [v.X, v.Y],
+        Vector3 v => [v.X, v.Y, v.Z],
+        Rgb c => [c.R, c.G, c.B],
+        TextureDescription t => WithParts(t, new(ReferenceEqualityComparer.Instance)).OfType<SolidTextureDescription>().SelectMany(s => Numbers(s.Color)),
+        _ => [],
+    };
+
+    // Each texture once, however many paths lead to it: there may be exponentially many.
+    private static IEnumerable<object> WithParts(object texture, HashSet<object> seen) => !seen.Add(texture) ? [] : Description.RecordType.Of(texture.GetType()).Parameters
+        .Where(p => p.Kind == ParameterKind.Texture)
+        .SelectMany(p => WithParts(p.Get(texture)!, seen))
+        .Prepend(texture);
+
+    private static ParameterKind KindOf(Type type, bool isFile)
+    {
+        if (type == typeof(string))
+        {
+            return isFile ? ParameterKind.File : ParameterKind.Text;
+        }
+
+        return type switch
+        {
+            { IsEnum: true } => ParameterKind.Choice,
+            _ when type == typeof(float) => ParameterKind.Number,
+            _ when type == typeof(int) || type == typeof(long) => ParameterKind.Integer,
+            _ when type == typeof(bool) => ParameterKind.Boolean,
+            _ when type == typeof(Vector2) => ParameterKind.Vector2,
+            _ when type == typeof(Vector3) => ParameterKind.Vector3,
+            _ when type == typeof(Rgb) => ParameterKind.Color,
+            _ when type == typeof(TextureDescription) => ParameterKind.Texture,
+            _ when type == typeof(MaterialDescription) => ParameterKind.Material,
+            _ when type == typeof(EnvironmentDescription) => ParameterKind.Environment,
+            _ when type == typeof(ShapeDescription) => ParameterKind.Shape,
+            _ when type == typeof(IReadOnlyList<ShapeDescription>) => ParameterKind.Shapes,
+            _ when type == typeof(IReadOnlyDictionary<string, TextureDescription>) => ParameterKind.NamedTextures,
+            _ when type == typeof(IReadOnlyDictionary<string, MaterialDescription>) => ParameterKind.NamedMaterials,
+            _ when type == typeof(IReadOnlyDictionary<string, ShapeDescription>) => ParameterKind.NamedShapes,
+            _ when type == typeof(IReadOnlyList<MaterialDescription>) => ParameterKind.Materials,
+            _ when type == typeof(IReadOnlyList<float>) => ParameterKind.Numbers,
+            _ when type == typeof(IReadOnlyList<int>) => ParameterKind.Integers,
+            _ when type == typeof(IReadOnlyList<Vector2>) => ParameterKind.Vector2s,
+            _ when type == typeof(IReadOnlyList<Vector3>) => ParameterKind.Vector3s,
+            _ when type == typeof(IReadOnlyList<TriangleIndices>) => ParameterKind.Triangles,
+            { IsGenericType: true } when type.GetGenericTypeDefinition() == typeof(IReadOnlyList<>) && HasParameters(type.GetGenericArguments()[0]) => ParameterKind.Records,
+            _ when HasParameters(type) => ParameterKind.Record,
+            _ => throw new NotSupportedException($"Scene files have no form for a parameter of type {type}."),
+        };
+    }
+
+    private static bool HasParameters(Type type) => type.GetProperties().Any(p => p.IsDefined(typeof(ParameterAttribute)));
+}
