@@ -31,11 +31,15 @@ internal static class ViewEndpoints
         view.MapPost("/snapshot", async () => Answers.Json(await session.Snapshots.Take()));
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
         view.MapGet("/mask", (string pointer) => Answers.Json(Picking.Mask(session.View.RequireShown(), pointer)));
-        view.MapGet("/gizmo", (string pointer) =>
+        view.MapGet("/gizmo", (string pointer, GizmoKind kind, float length) =>
         {
             ShownScene shown = session.View.RequireShown();
-            Gizmo gizmo = Gizmo.Of(shown, pointer);
-            return Answers.Json(new { gizmo.Center, gizmo.Radius, bounds = new[] { gizmo.Minimum, gizmo.Maximum }, camera = CameraFrame.Of(shown) });
+            return Answers.Json(Gizmo.Of(shown, pointer).Handles(CameraFrame.Of(shown), kind, length));
+        });
+        view.MapPost("/drag", (HandleDrag way) =>
+        {
+            session.Handles.Drag(way);
+            return Answers.Done(session);
         });
     }
 

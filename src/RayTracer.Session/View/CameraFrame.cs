@@ -36,4 +36,35 @@ public sealed record CameraFrame(Vector3 Position, Vector3 Right, Vector3 Up, Ve
         float degrees = LaneMath.Atan2(kind.IsParallel ? 0.5f / Far : height / 2, 1) * (360 / float.Pi);
         return new(position, right, up, forward, degrees, shown.Scene.Render.Width, shown.Scene.Render.Height) { LookAt = shown.Camera.LookAt };
     }
+
+    /// <summary>Where a point of the world is in the picture, in pixels; null behind the eye.</summary>
+    public Vector2? Project(Vector3 point)
+    {
+        Vector3 away = point - Position;
+        float depth = away.Dot(Forward);
+        if (!(depth > 1e-6f))
+        {
+            return null;
+        }
+
+        float scale = FocalLength() / depth;
+        return new((Width / 2f) + (away.Dot(Right) * scale), (Height / 2f) - (away.Dot(Up) * scale));
+    }
+
+    /// <summary>The unit direction from the eye through a point of the picture, in pixels.</summary>
+    public Vector3 Through(Vector2 pixel)
+    {
+        float focal = FocalLength();
+        return (Forward + (Right * ((pixel.X - (Width / 2f)) / focal)) + (Up * (((Height / 2f) - pixel.Y) / focal))).Unit();
+    }
+
+    /// <summary>The length that covers some pixels at a point.</summary>
+    public float LengthOf(float pixels, Vector3 point) => pixels * MathF.Max(1e-3f, (point - Position).Dot(Forward)) / FocalLength();
+
+    // The distance between eye and picture, in pixels.
+    private float FocalLength()
+    {
+        LaneMath.SinCosTurn(FieldOfView / 720, out float sin, out float cos);
+        return Height / 2f * cos / sin;
+    }
 }

@@ -1,9 +1,10 @@
 import { map } from "../state/store";
 import { texts } from "../texts";
 import { showMap } from "../viewport/ViewportBar";
+import type { DockTab } from "../shell/Dock";
 
 /** What the picture can show instead of the light, and what that tells. */
-export function HeatMaps() {
+function MapsTab() {
   const choices = Object.entries(texts.maps);
   return (
     <div class="maps" role="radiogroup" aria-label={texts.heat.label}>
@@ -18,3 +19,5 @@ export function HeatMaps() {
     </div>
   );
 }
+
+export const tab: DockTab = { id: "maps", order: 3, component: MapsTab };
