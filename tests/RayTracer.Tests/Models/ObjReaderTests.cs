@@ -173,7 +173,7 @@ public class ObjReaderTests
             [
                 "the picture \"missing.png\" is not there: its colour takes its place",
                 "the picture \"nothing.png\" is not there: its colour takes its place",
-                "the picture \"picture.tga\" is of no format that is read (.png, .jpg, .jpeg, .pfm, .exr): its colour takes its place",
+                "the picture \"picture.tga\" is of no format that is read (.png, .jpg, .pfm, .exr or .hdr): its colour takes its place",
                 "what radiates (Ke) does so as a luminaire, with Ke as its radiance, on the side that its normal points to",
                 "of materials, these statements are left out: Tf, refl",
             ],
