@@ -31,10 +31,10 @@ internal static class ViewEndpoints
         view.MapPost("/snapshot", async () => Answers.Json(await session.Snapshots.Take()));
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
         view.MapGet("/mask", (string pointer) => Answers.Json(Picking.Mask(session.View.RequireShown(), pointer)));
-        view.MapGet("/gizmo", (string pointer, GizmoKind kind, float length) =>
+        view.MapPost("/gizmo", (HandlesRequest request) =>
         {
             ShownScene shown = session.View.RequireShown();
-            return Answers.Json(Gizmo.Of(shown, pointer).Handles(CameraFrame.Of(shown), kind, length));
+            return Answers.Json(Gizmo.Of(shown, request.Pointer).Handles(CameraFrame.Of(shown), request.Kind, request.Length));
         });
         view.MapPost("/drag", (HandleDrag way) =>
         {
@@ -45,10 +45,12 @@ internal static class ViewEndpoints
 
     internal sealed record PixelRequest(float X, float Y);
 
+    internal sealed record HandlesRequest(string Pointer, GizmoKind Kind, float Length);
+
     internal sealed record ToneRequest(float? Exposure, ToneMap? ToneMap);
 
     /// <summary>What is to change; what is null stays.</summary>
-    internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, ViewMap? Map)
+    internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, string? Map)
     {
         public ViewSettings Apply(ViewSettings settings) => settings with
         {
@@ -62,7 +64,7 @@ internal static class ViewEndpoints
             },
             Samples = Quality is { } quality ? (int)quality : Samples switch { null => settings.Samples, 0 => null, _ => Samples },
             Threads = Threads ?? settings.Threads,
-            Map = Map ?? settings.Map,
+            Map = Map is null ? settings.Map : ViewMap.Named(Map),
             Region = Region switch
             {
                 null => settings.Region,

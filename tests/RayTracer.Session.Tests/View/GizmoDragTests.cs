@@ -1,7 +1,6 @@
 using System.Numerics;
-using RayTracer.Session;
 
-namespace RayTracer.Session.Tests.View;
+namespace RayTracer.Session.Tests;
 
 /// <summary>Handles do to a thing in the world what the pointer does in the picture.</summary>
 public sealed class GizmoDragTests

@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { get, post } from "../api/client";
+import { post } from "../api/client";
 import { Latest } from "../api/latest";
 import type { GizmoAnswer, GizmoKind, HandleDrag, Vec3 } from "../api/types";
 import { axes, scale } from "../math/vec3";
@@ -16,7 +16,7 @@ const handleLength = 72;
 const keyStep = { move: 0.1, rotate: 5, scale: 1.05 };
 
 type Question = { pointer: string; kind: GizmoKind; length: number };
-const asked = new Latest<Question>(async (question) => (gizmo.value = await get<GizmoAnswer>("view/gizmo", question)), () => (gizmo.value = null));
+const asked = new Latest<Question>(async (question) => (gizmo.value = await post<GizmoAnswer>("view/gizmo", question)), () => (gizmo.value = null));
 const dragging = new Latest<HandleDrag>((way) => post("view/drag", way), complain);
 const placing = new Latest<Placement[]>(async (all) => {
   for (const p of all) await post("document/place", p);
