@@ -8,12 +8,7 @@ const css = (color: Vec3) => `rgb(${color.map((c) => Math.round(255 * c)).join("
 const gradient = (scale: Vec3[]) => `linear-gradient(90deg, ${scale.map(css).join(", ")})`;
 
 /** What the picture can show instead of the light, and what that tells. */
-<<<<<<< HEAD:src/RayTracer.Studio/frontend/src/inside/MapsTab.tsx
 function MapsTab() {
-  const choices = Object.entries(texts.maps);
-=======
-export function HeatMaps() {
->>>>>>> main:src/RayTracer.Studio/frontend/src/inside/HeatMaps.tsx
   return (
     <div class="maps" role="radiogroup" aria-label={texts.heat.label}>
       {maps.value.map(({ name, title, why, scale }) => (
