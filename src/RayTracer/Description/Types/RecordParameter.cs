@@ -138,7 +138,8 @@ public sealed class RecordParameter
         _ => Kind is ParameterKind.Record || Family is not null ? [value] : [],
     };
 
-    internal void Set(object record, object? value) => _property.SetValue(record, value);
+    /// <summary>Gives a record that is being made the parameter's value.</summary>
+    public void Set(object record, object? value) => _property.SetValue(record, value);
 
     // Bounds are compared as floats where values are floats, so that a written bound is itself in range.
     internal string? RangeComplaint(double value, string written)
