@@ -15,5 +15,6 @@ public sealed record ImageChannel(string Name, string Type, int Bits)
     public string ShortName => Name[(Layer.Length == 0 ? 0 : Layer.Length + 1)..];
 
     /// <summary>Channels of one type.</summary>
-    internal static IReadOnlyList<ImageChannel> Of(string type, int bits, params IEnumerable<string> names) => [.. names.Select(n => new ImageChannel(n, type, bits))];
+    internal static IReadOnlyList<ImageChannel> Of(string type, int bits, params IEnumerable<string> names) =>
+        [.. names.Select(n => new ImageChannel(n, type, bits))];
 }

@@ -8,16 +8,26 @@ namespace RayTracer.Imaging;
 /// </summary>
 public sealed record ImageComparison
 {
-    /// <summary>Root of the mean squared difference over all pixels and channels, in units of linear light; NaN if nothing can be compared.</summary>
+    /// <summary>
+    /// Root of the mean squared difference over all pixels and channels, in units of linear light; NaN if nothing can be compared.
+    /// </summary>
     public required double Rmse { get; init; }
 
-    /// <summary>Mean of (a − b)²/(b² + 0.01), b being the reference (Rousselle, Knaus, Zwicker 2011, section 3); NaN if nothing can be compared.</summary>
+    /// <summary>
+    /// Mean of (a − b)²/(b² + 0.01), b being the reference (Rousselle, Knaus, Zwicker 2011, section 3); NaN if nothing can be compared.
+    /// </summary>
     public required double RelativeMse { get; init; }
 
-    /// <summary>Peak signal-to-noise ratio in decibels, −10 log₁₀ of the mean squared difference, the peak being linear light of 1; infinite for equal images.</summary>
+    /// <summary>
+    /// Peak signal-to-noise ratio in decibels, −10 log₁₀ of the mean squared difference, the peak being linear light of 1; infinite for
+    /// equal images.
+    /// </summary>
     public required double Psnr { get; init; }
 
-    /// <summary>Structural similarity (Wang, Bovik, Sheikh, Simoncelli 2004, Equation 13) of the sRGB-encoded luma; 1 for equal images; NaN if a side has less than 11 pixels.</summary>
+    /// <summary>
+    /// Structural similarity (Wang, Bovik, Sheikh, Simoncelli 2004, Equation 13) of the sRGB-encoded luma; 1 for equal images; NaN if a
+    /// side has less than 11 pixels.
+    /// </summary>
     public required double Ssim { get; init; }
 
     /// <summary>The largest absolute difference of one channel.</summary>

@@ -6,7 +6,9 @@ public sealed record ImageWriteOptions
     /// <summary>PNG: bits a channel, 8 (the default) or 16.</summary>
     public int BitDepth { get; init; } = 8;
 
-    /// <summary>PNG and JPEG: the tone map; by default none, <see cref="ToneMap.Clamp"/>. PFM and OpenEXR hold the linear light as it is.</summary>
+    /// <summary>
+    /// PNG and JPEG: the tone map; by default none, <see cref="ToneMap.Clamp"/>. PFM and OpenEXR hold the linear light as it is.
+    /// </summary>
     public ToneMap ToneMap { get; init; } = ToneMap.Clamp;
 
     /// <summary>PNG and JPEG: the exposure in stops, −100 to 100; each stop doubles the light.</summary>
@@ -24,7 +26,10 @@ public sealed record ImageWriteOptions
     /// <summary>OpenEXR: the compression; ZIP by default.</summary>
     public ExrCompression ExrCompression { get; init; } = ExrCompression.Zip;
 
-    /// <summary>PNG, JPEG and OpenEXR: texts to keep in the file, such as the command that made it; see <see cref="PngWriter"/> for what a key may be. PFM has no place for them.</summary>
+    /// <summary>
+    /// PNG, JPEG and OpenEXR: texts to keep in the file, such as the command that made it; see <see cref="PngWriter"/> for what a key may
+    /// be. PFM has no place for them.
+    /// </summary>
     public IReadOnlyList<KeyValuePair<string, string>> Metadata { get; init; } = [];
 
     /// <summary>OpenEXR: whether the film itself goes along, as <see cref="FilmExr"/> writes it.</summary>

@@ -34,7 +34,8 @@ internal sealed class SheetCanvas
     public int Line => LineFor(Dot);
 
     /// <summary>How large letters are beside images of a size: lines of them are no higher than an image, but for the flattest.</summary>
-    public static int DotFor(int width, int height = int.MaxValue) => Math.Clamp(Math.Min(width / 200, height / (SmallFont.Height + 3)), 1, 8);
+    public static int DotFor(int width, int height = int.MaxValue) =>
+        Math.Clamp(Math.Min(width / 200, height / (SmallFont.Height + 3)), 1, 8);
 
     /// <summary>Pixels from one line of text to the next.</summary>
     public static int LineFor(int dot) => (SmallFont.Height + 3) * dot;

@@ -1,6 +1,9 @@
 namespace RayTracer.Imaging;
 
-/// <summary>Letters of five by seven dots, for labels in pictures: digits, capitals and some signs. Small letters are shown as capitals, others as a block.</summary>
+/// <summary>
+/// Letters of five by seven dots, for labels in pictures: digits, capitals and some signs. Small letters are shown as capitals, others as a
+/// block.
+/// </summary>
 internal static class SmallFont
 {
     /// <summary>Columns from one letter to the next.</summary>

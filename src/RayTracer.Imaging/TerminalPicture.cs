@@ -63,9 +63,11 @@ public static class TerminalPicture
         return ScaledRows.Shrink(image, width, Math.Clamp((int)Math.Round(height), 1, image.Height));
     }
 
-    private static byte Code(Picture picture, int x, int y, int channel) => SrgbCurve.Encode8(picture.Pixels[(3 * ((y * picture.Width) + x)) + channel]);
+    private static byte Code(Picture picture, int x, int y, int channel) =>
+        SrgbCurve.Encode8(picture.Pixels[(3 * ((y * picture.Width) + x)) + channel]);
 
-    private static string Color(Picture picture, int x, int y) => $"{Code(picture, x, y, 0)};{Code(picture, x, y, 1)};{Code(picture, x, y, 2)}";
+    private static string Color(Picture picture, int x, int y) =>
+        $"{Code(picture, x, y, 0)};{Code(picture, x, y, 1)};{Code(picture, x, y, 2)}";
 
     private static string Blocks(Picture picture)
     {

@@ -9,7 +9,9 @@ public enum ToneMap
     /// <summary>L/(1 + L) of the luminance, hue kept (Reinhard, Stark, Shirley, Ferwerda 2002, Equation 3).</summary>
     Reinhard,
 
-    /// <summary>Film-like: Stephen Hill's fit of the ACES reference rendering and sRGB output transforms (Hill 2016, in Pettineo's BakingLab).</summary>
+    /// <summary>
+    /// Film-like: Stephen Hill's fit of the ACES reference rendering and sRGB output transforms (Hill 2016, in Pettineo's BakingLab).
+    /// </summary>
     Aces,
 
     /// <summary>Film-like, bright colours fade to white: Troy Sobotka's AgX in the polynomial approximation of Wrensch 2023.</summary>

@@ -8,7 +8,10 @@ public static class ToneMapping
     // Beyond this every curve has long been flat; it keeps products of two such numbers finite.
     private const float Brightest = 1e15f;
 
-    /// <summary>Maps a colour. A NaN channel may spread to the others; no other input gives NaN, except with <see cref="ToneMap.Clamp"/>, which is the identity.</summary>
+    /// <summary>
+    /// Maps a colour. A NaN channel may spread to the others; no other input gives NaN, except with <see cref="ToneMap.Clamp"/>, which is
+    /// the identity.
+    /// </summary>
     /// <param name="map">The curve.</param>
     /// <param name="colour">Linear light, any value.</param>
     /// <returns>Linear light of the display. It may lie slightly outside [0, 1], which the encoding cuts off.</returns>

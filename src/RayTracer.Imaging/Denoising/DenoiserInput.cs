@@ -69,8 +69,9 @@ internal sealed class DenoiserInput
         Array.ForEach([.. colors, spread], p => p.Extend());
     }
 
-    // The spread of a pixel's samples is known well but too large, for the samples are stratified; half the squared difference of the halves
-    // is right but noisy. So the one is scaled by the ratio of their means around the pixel (Rousselle, Knaus & Zwicker 2012, section 4.2).
+    // The spread of a pixel's samples is known well but too large, for the samples are stratified; half the squared difference of the
+    // halves is right but noisy. So the one is scaled by the ratio of their means around the pixel (Rousselle, Knaus & Zwicker 2012,
+    // section 4.2).
     private void EstimateVariances(PaddedPlane[] spread)
     {
         PaddedPlane[] around = [spread[0].Blurred(VarianceRadius), spread[1].Blurred(VarianceRadius)];

@@ -3,7 +3,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Films in any file that carries one: film files (<see cref="FilmFile"/>), and OpenEXR images with the sums as layers (<see cref="FilmExr"/>).</summary>
+/// <summary>
+/// Films in any file that carries one: film files (<see cref="FilmFile"/>), and OpenEXR images with the sums as layers
+/// (<see cref="FilmExr"/>).
+/// </summary>
 public static class CarriedFilm
 {
     private static readonly Lock s_reading = new();

@@ -6,12 +6,14 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// OpenEXR images that carry their film to the bit, so that samples can be added to it as to a <see cref="FilmFile"/>. Sums and numbers of samples are channels of
-/// 32-bit unsigned integers, which none of the format's compressions changes. docs/long-renders.md describes them.
+/// OpenEXR images that carry their film to the bit, so that samples can be added to it as to a <see cref="FilmFile"/>. Sums and numbers of
+/// samples are channels of 32-bit unsigned integers, which none of the format's compressions changes. docs/long-renders.md describes them.
 /// </summary>
 public static class FilmExr
 {
-    /// <summary>The largest number of pixels that is written with the film, 2²⁵ (a picture of 8K): files of more than 2 GiB could not be read again.</summary>
+    /// <summary>
+    /// The largest number of pixels that is written with the film, 2²⁵ (a picture of 8K): files of more than 2 GiB could not be read again.
+    /// </summary>
     public const long MaxPixels = 1L << 25;
 
     private const string Extension = ".exr";
@@ -28,7 +30,9 @@ public static class FilmExr
     /// <summary>Whether a file's name is one of an OpenEXR image.</summary>
     public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Whether a file is named as an OpenEXR image, and is one that carries its film; false also where there is no file, or a damaged one.</summary>
+    /// <summary>
+    /// Whether a file is named as an OpenEXR image, and is one that carries its film; false also where there is no file, or a damaged one.
+    /// </summary>
     public static bool Is(string path)
     {
         try
@@ -55,7 +59,10 @@ public static class FilmExr
         }
     }
 
-    /// <summary>Writes a picture with its film. The file is there whole or not at all, and what was there before stays until then (<see cref="AtomicFile"/>).</summary>
+    /// <summary>
+    /// Writes a picture with its film. The file is there whole or not at all, and what was there before stays until then
+    /// (<see cref="AtomicFile"/>).
+    /// </summary>
     /// <param name="path">Where to; the name ends with .exr.</param>
     /// <param name="film">The film.</param>
     /// <param name="header">What to say of it.</param>
@@ -81,7 +88,8 @@ public static class FilmExr
 
     /// <summary>Reads what a file says about its film.</summary>
     /// <exception cref="PictureException">It cannot be read, is damaged, or carries no film.</exception>
-    public static FilmHeader ReadHeader(string path) => ImageFile.OfFile(path, file => HeaderOf(ExrHeader.Parse(file)), "film", LongestHead);
+    public static FilmHeader ReadHeader(string path) =>
+        ImageFile.OfFile(path, file => HeaderOf(ExrHeader.Parse(file)), "film", LongestHead);
 
     /// <summary>Reads a film.</summary>
     /// <inheritdoc cref="ReadHeader"/>

@@ -41,7 +41,8 @@ internal ref struct JpegBits
     }
 
     // Apart, so that what is done for every symbol stays short enough to be inlined.
-    private static void ThrowNoCode(int position) => throw new PictureException($"its image data holds a code that its Huffman table does not (before byte {position})");
+    private static void ThrowNoCode(int position) =>
+        throw new PictureException($"its image data holds a code that its Huffman table does not (before byte {position})");
 
     /// <summary>Reads one symbol, and the number with a sign that has as many bits as the symbol's low four bits say.</summary>
     /// <exception cref="PictureException">The bits are those of no code.</exception>

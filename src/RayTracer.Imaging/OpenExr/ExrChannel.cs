@@ -7,9 +7,11 @@ internal readonly record struct ExrChannel(string Name, ExrPixelType Type, bool 
     public int ValueBytes => Type == ExrPixelType.Half ? 2 : 4;
 
     /// <summary>Bytes of the channel's part of a rectangle.</summary>
-    public long Bytes(int top, int rows, int left, int columns) => Multiples(left, columns, StepX) * Multiples(top, rows, StepY) * ValueBytes;
+    public long Bytes(int top, int rows, int left, int columns) =>
+        Multiples(left, columns, StepX) * Multiples(top, rows, StepY) * ValueBytes;
 
-    private static long Multiples(int first, int count, int step) => FloorDivide((long)first + count - 1, step) - FloorDivide((long)first - 1, step);
+    private static long Multiples(int first, int count, int step) =>
+        FloorDivide((long)first + count - 1, step) - FloorDivide((long)first - 1, step);
 
     private static long FloorDivide(long a, int b) => a >= 0 ? a / b : -((-a + b - 1) / b);
 }

@@ -3,7 +3,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Everything that is written to an OpenEXR file, channel by channel, in the order of their names, which the format demands.</summary>
+/// <summary>
+/// Everything that is written to an OpenEXR file, channel by channel, in the order of their names, which the format demands.
+/// </summary>
 internal sealed class ExrChannelRows
 {
     private const float LargestHalf = 65504;

@@ -1,6 +1,8 @@
 namespace RayTracer.Imaging;
 
-/// <summary>What reader and writer of OpenEXR agree on ("Technical Introduction to OpenEXR" and "OpenEXR File Layout", openexr.com).</summary>
+/// <summary>
+/// What reader and writer of OpenEXR agree on ("Technical Introduction to OpenEXR" and "OpenEXR File Layout", openexr.com).
+/// </summary>
 internal static class ExrFormat
 {
     public const int Version = 2;
