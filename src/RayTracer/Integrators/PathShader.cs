@@ -116,7 +116,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, material, packet.Media, group.Interior, group.MayLeak, group.MayBeLiteral, Vertex, packet.Time, goesOn, throughput, ref radiance);
+            _directLight.Add(surface, group, isShared: true, packet.Media, Vertex, packet.Time, goesOn, throughput, ref radiance);
         }
 
         ref ScatterW scatter = ref packet.Scatter;

@@ -68,7 +68,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
                 queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, null, 0u, 0, group.MayLeak, false, Vertex, packet.Time, active, throughput * brdf, ref radiance);
+            _directLight.Add(surface, group, isShared: false, 0u, Vertex, packet.Time, active, throughput * brdf, ref radiance);
         }
 
         // Where the path goes on.
