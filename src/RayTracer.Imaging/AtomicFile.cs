@@ -50,7 +50,7 @@ public static class AtomicFile
     }
 
     /// <summary>
-    /// Tells at once, before a long computation, whether a later <see cref="Write"/> has a chance: the folder exists, and no folder has the
+    /// Checks before a long computation that a later <see cref="Write"/> has a chance: the folder exists, and no folder has the
     /// file's name.
     /// </summary>
     /// <param name="path">Where a file is to be written.</param>
@@ -113,7 +113,7 @@ public static class AtomicFile
         }
     }
 
-    /// <summary>A name for a temporary file in the folder of the file that it becomes: one of its own for every writer.</summary>
+    /// <summary>A name for a temporary file in the folder of the file that it becomes: a different one for every writer.</summary>
     public static string Temporary(string target) =>
         Path.Combine(Path.GetDirectoryName(target)!, $"{Start(target)}.{Guid.NewGuid():N}{Ending}");
 

@@ -4,7 +4,7 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// How different two images look to somebody who flips between them: LDR-FLIP (Andersson et al. 2020), with its published parameters. For
+/// The difference that somebody sees who flips between two images: LDR-FLIP (Andersson et al. 2020), with its published parameters. For
 /// each pixel a number from 0 (alike) to 1: a difference of colours, blurred as the eye blurs them, raised where edges and points differ.
 /// </summary>
 public sealed class FlipError : IImageRows
@@ -85,7 +85,8 @@ public sealed class FlipError : IImageRows
         }
     }
 
-    // A distance of colours as an error: up to the knee it takes nearly all of the range, for people hardly tell large differences apart.
+    // A distance of colours as an error: up to the knee it takes nearly all of the range, for people hardly see which of two large
+    // differences is larger.
     private static double Error(double distance)
     {
         double power = Power(distance, ColorExponent);

@@ -3,7 +3,7 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// How much an image differs from a reference. Values that are NaN or infinite in either image are left out of every measure and
+/// The difference of an image from a reference. Values that are NaN or infinite in either image are left out of every measure and
 /// counted (SSIM takes them as black in both); all numbers are computed in double precision in one fixed order.
 /// </summary>
 public sealed record ImageComparison
@@ -42,7 +42,7 @@ public sealed record ImageComparison
     /// <summary>Channel of the largest difference: 0 red, 1 green, 2 blue.</summary>
     public required int LargestChannel { get; init; }
 
-    /// <summary>How many values were left out because they are NaN or infinite in one or both images.</summary>
+    /// <summary>The number of values left out because they are NaN or infinite in one or both images.</summary>
     public required long NotFinite { get; init; }
 
     /// <summary>Compares two images of one size, row by row.</summary>

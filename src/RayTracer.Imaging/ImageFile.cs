@@ -39,7 +39,7 @@ public static class ImageFile
     public static (Picture Picture, IReadOnlyList<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) ReadAll(string path) =>
         OfFile(path, file => (Decode(file), Known(file).ReadText(file), Known(file).ReadLayers(file)));
 
-    /// <summary>Whether a file is there and its first bytes are those of a picture or film.</summary>
+    /// <summary>Returns whether a file is there and its first bytes are those of a picture or film.</summary>
     /// <param name="path">The file.</param>
     public static bool IsImage(string path) => FormatOf(path) is not null;
 

@@ -1,6 +1,6 @@
 namespace RayTracer.Imaging;
 
-/// <summary>How <see cref="ImageFile.Write"/> writes; what does not apply to the format of the file is ignored.</summary>
+/// <summary>The options of <see cref="ImageFile.Write"/>; what does not apply to the format of the file is ignored.</summary>
 public sealed record ImageWriteOptions
 {
     /// <summary>PNG: bits a channel, 8 (the default) or 16.</summary>
@@ -35,7 +35,7 @@ public sealed record ImageWriteOptions
     /// <summary>OpenEXR: whether the film itself goes along, as <see cref="FilmExr"/> writes it.</summary>
     public bool ExrFilm { get; init; }
 
-    /// <summary>Whether a file of some name shall carry the film.</summary>
+    /// <summary>Returns whether a file of some name shall carry the film.</summary>
     public bool TakesFilm(string path) => FilmFile.IsNamed(path) || (ExrFilm && FilmExr.IsNamed(path));
 
     /// <summary>OpenEXR: channels to write beside those of the image.</summary>

@@ -60,7 +60,7 @@ public sealed class LightMix
     }
 
     /// <summary>
-    /// How much of the file's own picture the lights lack, or have too much: the mean difference over the mean, both in absolute values.
+    /// The share of the file's picture that the lights lack, or have too much: the mean difference over the mean, both in absolute values.
     /// That picture may be rounded to halves, which costs at most 0.0005.
     /// </summary>
     /// <exception cref="PictureException">The file is damaged, or has no picture but the layers.</exception>

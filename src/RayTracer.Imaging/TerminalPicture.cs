@@ -4,7 +4,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>How a terminal can show pictures.</summary>
+/// <summary>The ways in which a terminal can show pictures.</summary>
 public enum TerminalGraphics
 {
     /// <summary>Upper half blocks, whose two halves have 24-bit colours of their own.</summary>
@@ -27,12 +27,12 @@ public static class TerminalPicture
     private const string Darkness = " .:-=+*#%@";
     private const int KittyChunk = 4096;
 
-    // Levels of red, green and blue of the palette for sixels: eyes tell more greens.
+    // Levels of red, green and blue of the palette for sixels: eyes distinguish more greens.
     private const int Reds = 6;
     private const int Greens = 7;
     private const int Blues = 6;
 
-    /// <summary>What the variables of an environment say about the terminal.</summary>
+    /// <summary>Returns what the variables of an environment say about the terminal.</summary>
     /// <param name="variable">The value of a variable; null where there is none.</param>
     public static TerminalGraphics Of(Func<string, string?> variable)
     {

@@ -15,7 +15,7 @@ public static class Denoiser
     /// <summary>Memory that is taken besides the halves, in bytes a pixel of a large picture.</summary>
     public const int BytesPerPixel = 200;
 
-    /// <summary>How far away a pixel's likes are looked for, in pixels.</summary>
+    /// <summary>The distance up to which a pixel's likes are looked for, in pixels.</summary>
     internal const int Window = 8;
 
     // Half the side of the patches that are compared.

@@ -2,7 +2,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Imaging;
 
-/// <summary>What a denoiser compares, made from two halves of a picture's samples.</summary>
+/// <summary>The planes that a denoiser compares, made from two halves of a picture's samples.</summary>
 internal sealed class DenoiserInput
 {
     private const int VarianceRadius = 3;
@@ -54,7 +54,7 @@ internal sealed class DenoiserInput
     /// <summary>Estimated variance of each of them.</summary>
     public PaddedPlane[] FeatureVariances { get; }
 
-    /// <summary>What squared differences of features are multiplied by.</summary>
+    /// <summary>The factors of squared differences of features.</summary>
     public PaddedPlane[] FeatureScales { get; }
 
     private static PaddedPlane[] Planes(int width, int height) => [new(width, height), new(width, height), new(width, height)];

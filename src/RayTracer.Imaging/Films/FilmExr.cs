@@ -27,11 +27,12 @@ public static class FilmExr
     private const int LongestHead = 1 << 23;
     private static readonly string[] s_sums = ["red", "green", "blue", "square"];
 
-    /// <summary>Whether a file's name is one of an OpenEXR image.</summary>
+    /// <summary>Returns whether a file's name is one of an OpenEXR image.</summary>
     public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
 
     /// <summary>
-    /// Whether a file is named as an OpenEXR image, and is one that carries its film; false also where there is no file, or a damaged one.
+    /// Returns whether a file is named as an OpenEXR image, and is one that carries its film; false also where there is no file, or a
+    /// damaged one.
     /// </summary>
     public static bool Is(string path)
     {
@@ -45,7 +46,7 @@ public static class FilmExr
         }
     }
 
-    /// <summary>Whether a file is there and begins as an OpenEXR image.</summary>
+    /// <summary>Returns whether a file is there and begins as an OpenEXR image.</summary>
     internal static bool IsImage(string path)
     {
         try
@@ -95,7 +96,7 @@ public static class FilmExr
     /// <inheritdoc cref="ReadHeader"/>
     public static (FilmHeader Header, Film Film) Read(string path) => ImageFile.OfFile(path, file => Read(file), "film");
 
-    /// <summary>Whether a channel is one of those that are the film.</summary>
+    /// <summary>Returns whether a channel is one of those that are the film.</summary>
     public static bool IsOfFilm(string channel) => channel.StartsWith(Layer, StringComparison.Ordinal);
 
     /// <summary>The names of a file's layers beside picture and film.</summary>

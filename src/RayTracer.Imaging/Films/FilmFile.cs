@@ -24,7 +24,7 @@ public static class FilmFile
     /// <summary>The first bytes; as in PNG, line ends that are changed on the way show at once.</summary>
     public static ReadOnlySpan<byte> Signature => "RTFILM\r\n"u8;
 
-    /// <summary>Whether a file's name says that it holds a film.</summary>
+    /// <summary>Returns whether a file's name says that it holds a film.</summary>
     public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
 
     /// <summary>
@@ -107,7 +107,7 @@ public static class FilmFile
         return header;
     });
 
-    /// <summary>Whether sums need more than 64 bits.</summary>
+    /// <summary>Returns whether sums need more than 64 bits.</summary>
     internal static bool AreWide(Int128[] sums) => Array.Exists(sums, s => s < long.MinValue || s > long.MaxValue);
 
     // A row is a byte of flags, the counts (one where all are equal), and the sums (of 8 bytes where all fit into them, else of 16).

@@ -21,7 +21,7 @@ internal ref struct JpegBits
         Position = position;
     }
 
-    /// <summary>Where the next byte is read from; at the scan's end, its marker.</summary>
+    /// <summary>The position of the next byte; at the scan's end, its marker.</summary>
     public int Position { get; private set; }
 
     /// <summary>Reads one symbol.</summary>
@@ -73,7 +73,7 @@ internal ref struct JpegBits
         return (int)(_bits >> _count) & ((1 << length) - 1);
     }
 
-    /// <summary>Reads a number of up to 16 bits whose first bit tells its sign.</summary>
+    /// <summary>Reads a number of up to 16 bits whose first bit is its sign.</summary>
     public int Signed(int length) => JpegHuffmanTable.Extend(Number(length), length);
 
     /// <summary>Checks that all that was read was there.</summary>

@@ -64,7 +64,7 @@ internal sealed class JpegComponent(byte id, int horizontal, int vertical, int q
     }
 
     /// <summary>
-    /// Remembers the quantization that holds at its first scan; tables may be defined anew after it (T.81, section B.2.4.1).
+    /// Remembers the quantization that holds at its first scan; tables may be redefined after it (T.81, section B.2.4.1).
     /// </summary>
     /// <exception cref="PictureException">There is no such table.</exception>
     public void LatchQuantization(float[]?[] tables) => _steps ??= tables[quantization]

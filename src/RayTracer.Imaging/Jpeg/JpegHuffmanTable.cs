@@ -73,7 +73,7 @@ internal sealed class JpegHuffmanTable
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int FindWithNumber(int bits) => _known[bits >> (LongestCode - KnownBits)];
 
-    /// <summary>A number whose first bit tells its sign (T.81, figure F.12).</summary>
+    /// <summary>A number whose first bit is its sign (T.81, figure F.12).</summary>
     /// <param name="bits">The number's bits.</param>
     /// <param name="length">How many these are.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

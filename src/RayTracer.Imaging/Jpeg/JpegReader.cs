@@ -143,7 +143,7 @@ public static class JpegReader
 
         public int AdobeTransform { get; set; }
 
-        // JFIF is always YCbCr; then Adobe's marker tells; then names of components (as libjpeg decides).
+        // JFIF is always YCbCr; then Adobe's marker decides; then names of components (as libjpeg decides).
         public JpegColourSpace ColourSpace()
         {
             JpegComponent[] components = Frame!.Components;

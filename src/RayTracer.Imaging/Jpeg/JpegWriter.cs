@@ -15,7 +15,7 @@ public static class JpegWriter
     /// <summary>The largest width and height of a JPEG file.</summary>
     public const int MaxSide = 65_535;
 
-    /// <summary>What follows a text's key where the text goes on.</summary>
+    /// <summary>The end of a text's key in segments that continue the text.</summary>
     internal const string Continued = " (continued)";
 
     // What a segment holds behind its own length.
@@ -104,4 +104,14 @@ public static class JpegWriter
 
     private static void WriteSegment(Stream output, byte marker, byte[] data) =>
         output.Write([0xFF, marker, (byte)((data.Length + 2) >> 8), (byte)(data.Length + 2), .. data]);
+}
+
+/// <summary>The differences of colour that a JPEG file keeps.</summary>
+public enum JpegChroma
+{
+    /// <summary>One of each for every pixel (4:4:4).</summary>
+    Full,
+
+    /// <summary>One of each for every square of four pixels, their mean (4:2:0): smaller files, blurred edges between colours.</summary>
+    Half,
 }

@@ -34,7 +34,7 @@ internal sealed class ExrChannelRows
         }
     }
 
-    /// <summary>Whether a channel may be called so.</summary>
+    /// <summary>Returns whether a channel may have a name.</summary>
     public static bool CanHold(string name) => name.Length is > 0 and <= ExrFormat.LongName && name.All(c => c is > ' ' and <= '~');
 
     /// <summary>The channels, in the order in which rows hold them.</summary>

@@ -76,12 +76,12 @@ public static class ExrReader
     {
         if (header.IsTiled)
         {
-            throw new PictureException("another program has written it anew, with tiles, from which its integers are not read");
+            throw new PictureException("another program has rewritten it, with tiles, from which its integers are not read");
         }
 
         if (names.FirstOrDefault(n => !header.Channels.Any(c => c is { StepX: 1, StepY: 1, Type: ExrPixelType.Uint } && c.Name == n)) is { } missing)
         {
-            throw new PictureException($"it has no channel {missing} with an unsigned integer for every pixel: another program has written it anew");
+            throw new PictureException($"it has no channel {missing} with an unsigned integer for every pixel: another program has rewritten it");
         }
 
         int[] targets = [.. header.Channels.Select(c => Array.IndexOf(names, c.Name))];

@@ -10,7 +10,7 @@ public static class PfmReader
 {
     private const int LongestWord = 32;
 
-    /// <summary>Whether a file begins as a portable float map does.</summary>
+    /// <summary>Returns whether a file begins as a portable float map does.</summary>
     public static bool IsPfm(ReadOnlySpan<byte> file) =>
         file.Length > 2 && file[0] == 'P' && file[1] is (byte)'F' or (byte)'f' && IsSpace(file[2]);
 

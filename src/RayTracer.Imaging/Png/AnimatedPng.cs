@@ -19,7 +19,7 @@ public sealed class AnimatedPng(IEnumerable<KeyValuePair<string, string>> texts,
     /// <summary>Returns whether a file's name is that of an animated PNG and of nothing else.</summary>
     public static bool IsNamed(string path) => path.EndsWith(".apng", StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>How many pictures it has.</summary>
+    /// <summary>The number of its pictures.</summary>
     public int Count => _frames.Count;
 
     /// <summary>Adds a picture.</summary>

@@ -18,7 +18,7 @@ public static class HdrReader
     // A run of 127 equal bytes takes two; four bytes repeat a pixel 255 times.
     private const long MostPixelsPerByte = 64;
 
-    /// <summary>How such a file begins.</summary>
+    /// <summary>The first bytes of a file.</summary>
     public static ReadOnlySpan<byte> Signature => "#?"u8;
 
     /// <summary>Reads a picture.</summary>
