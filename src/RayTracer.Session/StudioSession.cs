@@ -1,4 +1,5 @@
 using RayTracer.Import;
+using RayTracer.Jobs;
 
 using System.Collections.Concurrent;
 

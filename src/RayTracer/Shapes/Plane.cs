@@ -41,7 +41,7 @@ public sealed record PlaneDescription : ShapeDescription
             return null;
         }
 
-        if (Size is null && material.Emits)
+        if (Size is null && material.Traits.Emits)
         {
             builder.Error(this, nameof(Material), "a plane without end cannot shine: give it a \"size\"");
         }
@@ -106,7 +106,8 @@ public sealed unsafe class Plane : FlatShape
     public override Shape? Transformed(Transform by)
     {
         Vector3 point = by.Point(Point);
-        return point.IsFinite() && Mapped(Normal, Size, by, Material.UsesUv) is { } mapped ? new Plane(Material, Name, point, mapped.Normal, mapped.Size) : null;
+        return point.IsFinite() && Mapped(Normal, Size, by, Material.Traits.UsesUv) is { } mapped
+            ? new Plane(Material, Name, point, mapped.Normal, mapped.Size) : null;
     }
 
     /// <summary>
