@@ -106,7 +106,8 @@ public sealed unsafe class Plane : FlatShape
     public override Shape? Transformed(Transform by)
     {
         Vector3 point = by.Point(Point);
-        return point.IsFinite() && Mapped(Normal, Size, by, Material.Traits.UsesUv) is { } mapped ? new Plane(Material, Name, point, mapped.Normal, mapped.Size) : null;
+        return point.IsFinite() && Mapped(Normal, Size, by, Material.Traits.UsesUv) is { } mapped
+            ? new Plane(Material, Name, point, mapped.Normal, mapped.Size) : null;
     }
 
     /// <summary>
