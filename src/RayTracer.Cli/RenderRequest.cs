@@ -1,8 +1,8 @@
 using System.Globalization;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
@@ -41,7 +41,7 @@ internal sealed record RenderRequest
     public long? Sample { get; init; }
 
     /// <summary>The auxiliary images to write.</summary>
-    public IReadOnlyList<Aov> Aovs { get; init; } = [];
+    public IReadOnlyList<AuxiliaryImage> Aovs { get; init; } = [];
 
     /// <summary>The layers of light to write.</summary>
     public IReadOnlyList<LightLayer> Layers { get; init; } = [];

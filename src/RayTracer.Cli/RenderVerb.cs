@@ -1,8 +1,8 @@
 using System.CommandLine;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
-using RayTracer.Session;
 
 namespace RayTracer.Cli;
 
@@ -15,15 +15,20 @@ internal sealed class RenderVerb
     private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
     private readonly ParsedOption<int[]?> _pixel = OptionValues.Integers("--pixel", "x,y", "Renders only this pixel and prints its radiance.");
     private readonly ParsedOption<long?> _sample = OptionValues.Integer("--sample", "With --pixel: renders only this sample, from 0.", 0, int.MaxValue - 1);
-    private readonly ParsedOption<Enum[]?> _aovs = OptionValues.Words<Enum>(
-        "--aov", "Writes auxiliary images too: of what camera rays meet first (depth to samples), or parts of the light (emission to lights, which is one for each light). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", kind => kind is Aov aov ? AovFiles.Name(aov) : $"{kind}".ToLowerInvariant(), [.. Enum.GetValues<Aov>(), .. Enum.GetValues<LightLayer>()]);
+    private readonly ParsedOption<object[]?> _aovs = OptionValues.Words<object>(
+        "--aov",
+        $"Writes auxiliary images too: of what is known of pixels ({AuxiliaryImage.Known.All[0].Name} to {AuxiliaryImage.Known.All[^1].Name}), "
+            + "or parts of the light (emission to lights, which is one for each light). As layers of .exr files, else in files beside them "
+            + "(out.depth.png). One or more, with commas between them.",
+        kind => kind is AuxiliaryImage image ? image.Name : $"{kind}".ToLowerInvariant(),
+        [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightLayer>()]);
     private readonly Option<bool> _denoise = new("--denoise") { Description = "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png)." };
     private readonly ParsedOption<double?> _noise = OptionValues.Fraction(
         "--noise", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: stratified samplers (sobol) come out better.");
     private readonly Option<bool> _adaptive = new("--adaptive") { Description = "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes." };
     private readonly ParsedOption<SampleRange?> _samples = new("--samples", "A..B", "Renders only these samples of each pixel, both included, from 0. With -o part.rtfilm, for merge.", SampleShares.Range);
     private readonly ParsedOption<(int Number, int Count)?> _part = new("--part", "I/N", "Renders only the I-th, from 1, of N equal shares of the samples. With -o part.rtfilm, for merge.", SampleShares.Part);
-    private readonly ParsedOption<FrameRange?> _frames = FrameRange.Option();
+    private readonly ParsedOption<FrameRange?> _frames = OptionValues.Frames();
     private readonly ParsedOption<double?> _rate = OptionValues.Number("--fps", "With --frames and -o FILE.png or FILE.apng, which make an animated PNG: frames shown a second; without it, the scene's framesPerSecond.", 0.01, 1000);
     private readonly Option<bool> _resume = new("--resume") { Description = "Goes on from the film of --checkpoint, if it is there: it must be of this very picture. If it is not there, begins anew. So the same command can be given again." };
     private readonly SceneOverrides _overrides;
@@ -96,7 +101,7 @@ internal sealed class RenderVerb
             Crop = _crop.Value(result),
             Pixel = _pixel.Value(result),
             Sample = _sample.Value(result),
-            Aovs = [.. _aovs.Value(result)?.OfType<Aov>() ?? []],
+            Aovs = [.. _aovs.Value(result)?.OfType<AuxiliaryImage>() ?? []],
             Layers = [.. _aovs.Value(result)?.OfType<LightLayer>() ?? []],
             Denoise = result.GetValue(_denoise),
             Noise = _noise.Value(result),
