@@ -37,8 +37,8 @@ internal sealed class AovOutputs
     public IReadOnlyList<string> Files => [.. _files.Select(f => f.Path), .. _denoised, .. _layers.Select(l => l.Path)];
 
     // Outputs that hold no layers.
-    private IEnumerable<string> Pictures =>
-        _request.Outputs.Distinct().Where(o => o != _request.Kept && Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase) && !FilmFile.IsNamed(o));
+    private IEnumerable<string> Pictures => _request.Outputs.Distinct().Where(
+        o => o != _request.Kept && Path.GetExtension(o).Length > 0 && !ImageFormat.Has(o, ImageFeatures.Layers) && !FilmFile.IsNamed(o));
 
     /// <summary>Lists the files of layers of light.</summary>
     /// <param name="layers">The layers' names.</param>

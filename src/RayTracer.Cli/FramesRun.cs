@@ -136,7 +136,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
         }
     }
 
-    private static bool IsAnimated(string path, FrameRange frames) => path.EndsWith(".apng", StringComparison.OrdinalIgnoreCase)
+    private static bool IsAnimated(string path, FrameRange frames) => AnimatedPng.IsNamed(path)
         || (frames.Count > 1 && path.EndsWith(".png", StringComparison.OrdinalIgnoreCase) && !path.Contains('#', StringComparison.Ordinal));
 
     // Every N-th frame: neighbours take equally long, so that the parts do too.

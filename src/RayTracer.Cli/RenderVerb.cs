@@ -34,7 +34,7 @@ internal sealed class RenderVerb
     {
         _scene = new("SCENE") { Description = "The scene file: native (.json), of Mitsuba (.xml), or a model." };
         command.Arguments.Add(_scene);
-        _writing = new(command, "The image file: .png, .jpg, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.");
+        _writing = new(command, $"The image file: {ImageFormat.Endings()}; or .rtfilm, the film itself. May be given several times.");
         _overrides = new(command);
         foreach (Option option in new Option[] { _threads.Symbol }.Concat(_writing.Looks).Concat([_writing.ExrFilm, _crop.Symbol, _pixel.Symbol, _sample.Symbol, _aovs.Symbol, _denoise, _noise.Symbol, _adaptive, _samples.Symbol, _part.Symbol, _frames.Symbol, _rate.Symbol]))
         {
@@ -146,7 +146,8 @@ internal sealed class RenderVerb
             "--aov and --denoise write images, but there are only films to write: give -o FILE.png or another image too",
         { Part: { } part, Frames: not null } when !FramesRun.Is(request) => $"--part {part.Number}/{part.Count}: with --frames, frames are shared out: for a share of one frame's samples give --samples",
         { FramesPerSecond: not null, Frames: null } => "--fps is for animated PNGs: give --frames",
-        { Outputs.Count: > 0, Frames: null } when request.Outputs.FirstOrDefault(o => o.EndsWith(".apng", StringComparison.OrdinalIgnoreCase)) is { } animated => $"-o {animated}: an animated PNG is made of --frames",
+        { Outputs.Count: > 0, Frames: null } when request.Outputs.FirstOrDefault(AnimatedPng.IsNamed) is { } animated
+            => $"-o {animated}: an animated PNG is made of --frames",
         { Sample: not null, Pixel: null } => "--sample needs --pixel",
         _ => null,
     };

@@ -11,7 +11,10 @@ internal static class VerifyVerb
 {
     public static void Build(Command command, Streams streams)
     {
-        Argument<string> file = new("FILE") { Description = "The film (.rtfilm), or the image (.png, .jpg, .exr or .hdr) that this program wrote." };
+        Argument<string> file = new("FILE")
+        {
+            Description = $"The film (.rtfilm), or the image ({ImageFormat.Endings(ImageFeatures.Texts)}) that this program wrote.",
+        };
         Option<string?> scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
         ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
@@ -110,7 +113,8 @@ internal static class VerifyVerb
         Dictionary<string, string> texts = ImageFile.ReadText(file).GroupBy(t => t.Key).ToDictionary(g => g.Key, g => g.First().Value, StringComparer.Ordinal);
         if (!texts.TryGetValue("FilmHash", out string? hash) || !texts.TryGetValue("Command", out string? line) || Shell.Words(line) is not [_, "render", .. var words])
         {
-            throw new CommandException(ExitStatus.InputOutput, $"'{file}' does not say how it was made: only .rtfilm, .png, .jpg, .exr and .hdr files of render, resume and merge do");
+            string those = $"only .rtfilm, {ImageFormat.Endings(ImageFeatures.Texts)} files of render, resume and merge do";
+            throw new CommandException(ExitStatus.InputOutput, $"'{file}' does not say how it was made: {those}");
         }
 
         if (texts.ContainsKey("Aov") || texts.ContainsKey("Layer") || texts.ContainsKey("Denoised"))

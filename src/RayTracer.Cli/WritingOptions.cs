@@ -7,11 +7,18 @@ namespace RayTracer.Cli;
 internal sealed class WritingOptions
 {
     private readonly Option<string[]> _outputs = new("-o", "--output") { HelpName = "FILE" };
-    private readonly ParsedOption<double?> _exposure = OptionValues.Number("--exposure", "PNG, JPEG: stops by which the picture is made brighter (each doubles the light).", -100, 100);
-    private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>("--tonemap", "PNG, JPEG: how bright light is brought into what a screen can show; clamp cuts it off.");
-    private readonly ParsedOption<int?> _bitDepth = OptionValues.Choice<int?>("--bit-depth", "PNG: bits a channel; 8 without it.", ["8", "16"], [8, 16]);
-    private readonly ParsedOption<long?> _quality = OptionValues.Integer("--quality", $"JPEG: from the smallest file to the best picture; {JpegWriter.StandardQuality} without it.", 1, 100);
-    private readonly ParsedOption<JpegChroma?> _chroma = OptionValues.Choice<JpegChroma>("--chroma", "JPEG: colours of every pixel, or of every four; without it, full from quality 90 on.");
+    private readonly ParsedOption<double?> _exposure = OptionValues.Number(
+        "--exposure", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light).",
+        -100, 100);
+    private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>(
+        "--tonemap", $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; clamp cuts it off.");
+    private readonly ParsedOption<int?> _bitDepth = OptionValues.Choice<int?>(
+        "--bit-depth", $"{ImageFormat.Names(ImageFeatures.BitDepth)}: bits a channel; 8 without it.", ["8", "16"], [8, 16]);
+    private readonly ParsedOption<long?> _quality = OptionValues.Integer(
+        "--quality", $"{ImageFormat.Names(ImageFeatures.Quality)}: smallest file to best picture; {JpegWriter.StandardQuality} without it.",
+        1, 100);
+    private readonly ParsedOption<JpegChroma?> _chroma = OptionValues.Choice<JpegChroma>(
+        "--chroma", $"{ImageFormat.Names(ImageFeatures.Chroma)}: colours of every pixel or every four; full from 90 on without it.");
 
     /// <summary>Makes the options, for a command that takes the file otherwise: those of <see cref="Looks"/> only.</summary>
     public WritingOptions()
@@ -22,11 +29,12 @@ internal sealed class WritingOptions
 
     /// <summary>Gives a command the options.</summary>
     /// <param name="command">The command.</param>
-    /// <param name="outputs">What the files are.</param>
-    public WritingOptions(Command command, string outputs = "The file to write: .png, .jpg, .pfm, .exr or .hdr, or .rtfilm for the film itself. May be given several times.")
+    /// <param name="outputs">What the files are; null for images or the film itself.</param>
+    public WritingOptions(Command command, string? outputs = null)
         : this()
     {
-        _outputs.Description = outputs;
+        _outputs.Description = outputs
+            ?? $"The file to write: {ImageFormat.Endings()}, or .rtfilm for the film itself. May be given several times.";
         command.Options.Add(_outputs);
     }
 
@@ -51,20 +59,21 @@ internal sealed class WritingOptions
     {
         foreach (Option option in isSeen ? [] : new Option[] { _exposure.Symbol, _toneMap.Symbol })
         {
-            WarnOfUnused(result, option, "PNG and JPEG", [".png", ".apng", ".jpg", ".jpeg"], files, streams);
+            WarnOfUnused(result, option, ImageFeatures.Display, files, streams);
         }
 
-        WarnOfUnused(result, _bitDepth.Symbol, "PNG", [".png", ".apng"], files, streams);
-        WarnOfUnused(result, _quality.Symbol, "JPEG", [".jpg", ".jpeg"], files, streams);
-        WarnOfUnused(result, _chroma.Symbol, "JPEG", [".jpg", ".jpeg"], files, streams);
+        WarnOfUnused(result, _bitDepth.Symbol, ImageFeatures.BitDepth, files, streams);
+        WarnOfUnused(result, _quality.Symbol, ImageFeatures.Quality, files, streams);
+        WarnOfUnused(result, _chroma.Symbol, ImageFeatures.Chroma, files, streams);
     }
 
-    /// <summary>Warns of an option that was given, but is for formats of which there is no file.</summary>
-    public static void WarnOfUnused(ParseResult result, Option option, string formats, IReadOnlyList<string> endings, IReadOnlyList<string> files, Streams streams)
+    /// <summary>Warns of an option that was given, but is for formats with a feature, of which there is no file.</summary>
+    public static void WarnOfUnused(ParseResult result, Option option, ImageFeatures feature, IReadOnlyList<string> files, Streams streams)
     {
-        if (files.Count > 0 && result.GetResult(option) is { Implicit: false } && !files.Any(f => endings.Contains(Path.GetExtension(f).ToLowerInvariant())))
+        bool isGiven = files.Count > 0 && result.GetResult(option) is { Implicit: false };
+        if (isGiven && !files.Any(f => ImageFormat.Has(AnimatedPng.IsNamed(f) ? ".png" : f, feature)))
         {
-            streams.Warn($"{option.Name} has no effect: it is for {formats} files, and none is written");
+            streams.Warn($"{option.Name} has no effect: it is for {ImageFormat.Names(feature)} files, and none is written");
         }
     }
 

@@ -24,7 +24,7 @@ public static class AovFiles
     /// <returns>The image, and what its colours mean.</returns>
     public static (IImageRows Image, string Range) Rows(string path, AovFilm film, Aov kind)
     {
-        if (!ImageFile.IsForDisplay(path))
+        if (!ImageFormat.Has(path, ImageFeatures.Display))
         {
             return (new AovRows(film, kind), "");
         }

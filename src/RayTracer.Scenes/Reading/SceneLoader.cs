@@ -23,8 +23,11 @@ public static class SceneLoader
     {
         if (ImageFile.FormatOf(path) is { } format)
         {
-            string advice = format == ImageFile.FilmFormat ? $"\"raytracer resume {path}\" goes on with it, \"raytracer convert {path} FILE.png\" makes an image of it" : $"\"raytracer view {path}\" shows it";
-            return new(null, null, [new(path, 0, 0, Severity.Error, $"this is {format} and no scene: {advice}") { Rule = DiagnosticRule.Unreadable }]);
+            string advice = format is FilmFormat
+                ? $"\"raytracer resume {path}\" goes on with it, \"raytracer convert {path} FILE.png\" makes an image of it"
+                : $"\"raytracer view {path}\" shows it";
+            string message = $"this is {format.FileName} and no scene: {advice}";
+            return new(null, null, [new(path, 0, 0, Severity.Error, message) { Rule = DiagnosticRule.Unreadable }]);
         }
 
         string folder = Path.GetDirectoryName(path) ?? "";

@@ -1,6 +1,5 @@
 using RayTracer.Description;
 using RayTracer.Rendering;
-using RayTracer.Tests.Rendering;
 
 namespace RayTracer.RenderTests.Bits;
 
