@@ -64,7 +64,7 @@ public abstract class Integrator(string name, IntegratorTraits traits) : NamedVa
     public static Integrator Albedo { get; } = new AlbedoIntegrator();
 
     /// <summary>All integrators.</summary>
-    public static Registry<Integrator> Known { get; } = new("integrator", Report, Path, Direct, VolPath, Ao, Normals, Uv, Albedo);
+    public static Registry<Integrator> Known { get; } = new("integrator", i => [i.Name], Report, Path, Direct, VolPath, Ao, Normals, Uv, Albedo);
 
     /// <summary>Whether it has all of some traits.</summary>
     public bool Has(IntegratorTraits wanted) => (traits & wanted) == wanted;

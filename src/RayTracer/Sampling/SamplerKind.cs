@@ -19,7 +19,7 @@ public abstract class SamplerKind(string name) : NamedValue(name)
     public static SamplerKind Independent { get; } = new IndependentKind();
 
     /// <summary>All samplers.</summary>
-    public static Registry<SamplerKind> Known { get; } = new("sampler", Sobol, Jittered, Regular, Independent);
+    public static Registry<SamplerKind> Known { get; } = new("sampler", s => [s.Name], Sobol, Jittered, Regular, Independent);
 
     /// <summary>Whether the place of a sample depends on how many there are; otherwise further samples continue those of a picture with fewer.</summary>
     public virtual bool DependsOnCount => false;

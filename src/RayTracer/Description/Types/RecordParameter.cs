@@ -170,7 +170,7 @@ public sealed class RecordParameter
 
         return type switch
         {
-            _ when type.IsEnum || type.IsSubclassOf(typeof(NamedValue)) => ParameterKind.Choice,
+            _ when NamedValues.Of(type) is not null => ParameterKind.Choice,
             _ when type == typeof(float) => ParameterKind.Number,
             _ when type == typeof(int) || type == typeof(long) => ParameterKind.Integer,
             _ when type == typeof(bool) => ParameterKind.Boolean,
