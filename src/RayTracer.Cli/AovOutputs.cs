@@ -9,7 +9,7 @@ internal sealed class AovOutputs
 {
     private readonly RenderRequest _request;
     private readonly HashSet<string> _taken;
-    private readonly List<(string Path, Aov Kind)> _files = [];
+    private readonly List<(string Path, AuxiliaryImage Image)> _files = [];
     private readonly List<(string Path, int Layer)> _layers = [];
     private readonly List<string> _denoised = [];
 
@@ -21,9 +21,9 @@ internal sealed class AovOutputs
         _taken = [.. request.Outputs.Select(Path.GetFullPath)];
         foreach (string output in Pictures)
         {
-            foreach (Aov kind in request.Aovs.Distinct())
+            foreach (AuxiliaryImage image in request.Aovs.Distinct())
             {
-                _files.Add((Take($"--aov {AovFiles.Name(kind)}", output, AovFiles.Beside(output, kind)), kind));
+                _files.Add((Take($"--aov {image.Name}", output, AovFiles.Beside(output, image.Name)), image));
             }
 
             if (request.Denoise)
@@ -66,10 +66,10 @@ internal sealed class AovOutputs
     public IReadOnlyList<string> Write(AovFilm? film, LightLayerFilm? layers, Picture? denoised, ImageWriteOptions writing, Streams streams)
     {
         List<string> written = [];
-        foreach ((string path, Aov kind) in film is null ? [] : _files)
+        foreach ((string path, AuxiliaryImage kind) in film is null ? [] : _files)
         {
             (IImageRows image, string range) = AovFiles.Rows(path, film!, kind);
-            KeyValuePair<string, string>[] texts = [.. writing.Metadata, new("Aov", AovFiles.Name(kind)), new("Range", range)];
+            KeyValuePair<string, string>[] texts = [.. writing.Metadata, new("Aov", kind.Name), new("Range", range)];
             ImageWriteOptions plain = writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = texts };
             written.AddRange(ImageOutputs.Write([path], image, plain, streams));
         }

@@ -41,7 +41,7 @@ internal sealed record RenderRequest
     public long? Sample { get; init; }
 
     /// <summary>The auxiliary images to write.</summary>
-    public IReadOnlyList<Aov> Aovs { get; init; } = [];
+    public IReadOnlyList<AuxiliaryImage> Aovs { get; init; } = [];
 
     /// <summary>The layers of light to write.</summary>
     public IReadOnlyList<LightLayer> Layers { get; init; } = [];

@@ -15,8 +15,13 @@ internal sealed class RenderVerb
     private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
     private readonly ParsedOption<int[]?> _pixel = OptionValues.Integers("--pixel", "x,y", "Renders only this pixel and prints its radiance.");
     private readonly ParsedOption<long?> _sample = OptionValues.Integer("--sample", "With --pixel: renders only this sample, from 0.", 0, int.MaxValue - 1);
-    private readonly ParsedOption<Enum[]?> _aovs = OptionValues.Words<Enum>(
-        "--aov", "Writes auxiliary images too: of what camera rays meet first (depth to samples), or parts of the light (emission to lights, which is one for each light). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", kind => kind is Aov aov ? AovFiles.Name(aov) : $"{kind}".ToLowerInvariant(), [.. Enum.GetValues<Aov>(), .. Enum.GetValues<LightLayer>()]);
+    private readonly ParsedOption<object[]?> _aovs = OptionValues.Words<object>(
+        "--aov",
+        $"Writes auxiliary images too: of what is known of pixels ({AuxiliaryImage.Known.All[0].Name} to {AuxiliaryImage.Known.All[^1].Name}), "
+            + "or parts of the light (emission to lights, which is one for each light). As layers of .exr files, else in files beside them "
+            + "(out.depth.png). One or more, with commas between them.",
+        kind => kind is AuxiliaryImage image ? image.Name : $"{kind}".ToLowerInvariant(),
+        [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightLayer>()]);
     private readonly Option<bool> _denoise = new("--denoise") { Description = "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png)." };
     private readonly ParsedOption<double?> _noise = OptionValues.Fraction(
         "--noise", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: stratified samplers (sobol) come out better.");
@@ -96,7 +101,7 @@ internal sealed class RenderVerb
             Crop = _crop.Value(result),
             Pixel = _pixel.Value(result),
             Sample = _sample.Value(result),
-            Aovs = [.. _aovs.Value(result)?.OfType<Aov>() ?? []],
+            Aovs = [.. _aovs.Value(result)?.OfType<AuxiliaryImage>() ?? []],
             Layers = [.. _aovs.Value(result)?.OfType<LightLayer>() ?? []],
             Denoise = result.GetValue(_denoise),
             Noise = _noise.Value(result),

@@ -5,7 +5,7 @@ namespace RayTracer.Cli.Tests;
 
 public sealed class AovTests : IDisposable
 {
-    private const string All = "depth,normal,albedo,uv,primitive,bvhCost,samples";
+    private const string All = "depth,normal,albedo,uv,primitive,bvhCost,samples,error";
 
     private readonly TemporaryFolder _folder = new();
     private readonly string _scene;
@@ -30,7 +30,7 @@ public sealed class AovTests : IDisposable
         Assert.Equal(files.Length - 1, json.GetProperty("outputs").GetArrayLength());
 
         byte[] exr = File.ReadAllBytes(_folder["a.exr"]);
-        foreach (string channel in new[] { "depth.Z", "normal.Y", "albedo.B", "uv.U", "primitive.Y", "bvhCost.Y", "samples.Y" })
+        foreach (string channel in new[] { "depth.Z", "normal.Y", "albedo.B", "uv.U", "primitive.Y", "bvhCost.Y", "samples.Y", "error.Y" })
         {
             string[] name = channel.Split('.');
             int component = Math.Max(0, "XYZ".IndexOf(name[0] == "normal" ? name[1] : "-", StringComparison.Ordinal)) + (channel == "albedo.B" ? 2 : 0);
@@ -91,7 +91,7 @@ public sealed class AovTests : IDisposable
     }
 
     [Theory]
-    [InlineData("-o OUT --aov dept", "--aov dept: unknown image \"dept\" (did you mean \"depth\"?), expected some of depth, normal, albedo, uv, primitive, bvhCost, samples")]
+    [InlineData("-o OUT --aov dept", "--aov dept: unknown image \"dept\" (did you mean \"depth\"?), expected some of depth, normal, albedo, uv, primitive, bvhCost, samples, error")]
     [InlineData("-o OUT --aov depth,bvhcost", "unknown image \"bvhcost\" (did you mean \"bvhCost\"?)")]
     [InlineData("-o OUT --aov depth,", "unknown image \"\", expected some of")]
     [InlineData("--pixel 0,0 --aov depth", "--pixel prints numbers and writes no image: leave --aov out")]

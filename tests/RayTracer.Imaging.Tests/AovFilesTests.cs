@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
@@ -10,7 +11,7 @@ public class AovFilesTests
     {
         Scene scene = TestScenes.BuildEverything();
         Film film = new(scene.Render.Width, scene.Render.Height);
-        AovFilm aovs = new(film, Enum.GetValues<Aov>());
+        AovFilm aovs = new(film, AuxiliaryImage.Known.All);
         new FirstHitPass(scene).Render(aovs);
         new RTracer(scene).Render(film);
         return aovs;
@@ -25,13 +26,13 @@ public class AovFilesTests
         {
             byte[] file = TestPictures.Bytes(s => ExrWriter.Write(s, beauty, ExrPixelType.Float, compression, layers: AovFiles.Layers(film)));
             TestPictures.AssertSameBits(beauty, ExrReader.Read(file));
-            Assert.Equal(Numbers(Aov.Depth, 0), ExrReader.ReadChannel(file, "depth.Z"));
-            Assert.Equal(Numbers(Aov.Normal, 0), ExrReader.ReadChannel(file, "normal.X"));
-            Assert.Equal(Numbers(Aov.Normal, 2), ExrReader.ReadChannel(file, "normal.Z"));
-            Assert.Equal(Numbers(Aov.Albedo, 1), ExrReader.ReadChannel(file, "albedo.G"));
-            Assert.Equal(Numbers(Aov.Uv, 1), ExrReader.ReadChannel(file, "uv.V"));
-            Assert.Equal(Numbers(Aov.Primitive, 0), ExrReader.ReadChannel(file, "primitive.Y"));
-            Assert.Equal(Numbers(Aov.BvhCost, 0), ExrReader.ReadChannel(file, "bvhCost.Y"));
+            Assert.Equal(Numbers(new DepthImage(), 0), ExrReader.ReadChannel(file, "depth.Z"));
+            Assert.Equal(Numbers(new NormalImage(), 0), ExrReader.ReadChannel(file, "normal.X"));
+            Assert.Equal(Numbers(new NormalImage(), 2), ExrReader.ReadChannel(file, "normal.Z"));
+            Assert.Equal(Numbers(new AlbedoImage(), 1), ExrReader.ReadChannel(file, "albedo.G"));
+            Assert.Equal(Numbers(new UvImage(), 1), ExrReader.ReadChannel(file, "uv.V"));
+            Assert.Equal(Numbers(new PrimitiveImage(), 0), ExrReader.ReadChannel(file, "primitive.Y"));
+            Assert.Equal(Numbers(new BvhCostImage(), 0), ExrReader.ReadChannel(file, "bvhCost.Y"));
             Assert.All(ExrReader.ReadChannel(file, "samples.Y"), n => Assert.Equal(16, n));
             Assert.Throws<PictureException>(() => ExrReader.ReadChannel(file, "depth.Q"));
         }
@@ -74,22 +75,24 @@ public class AovFilesTests
     public void Pngs_hold_the_numbers_as_colours()
     {
         // 255 display values a channel.
-        AssertShown(Aov.Normal, (p, c) => (0.5 * Number(Aov.Normal, p, c)) + 0.5);
-        AssertShown(Aov.Uv, (p, c) => c == 2 ? 0 : Number(Aov.Uv, p, c) - Math.Floor(Number(Aov.Uv, p, c)));
-        AssertShown(Aov.Samples, (_, _) => 1);
-        double[] depths = [.. Numbers(Aov.Depth, 0).Where(double.IsFinite)];
+        AssertShown(new NormalImage(), (p, c) => (0.5 * Number(new NormalImage(), p, c)) + 0.5);
+        AssertShown(new UvImage(), (p, c) => c == 2 ? 0 : Number(new UvImage(), p, c) - Math.Floor(Number(new UvImage(), p, c)));
+        AssertShown(new SamplesImage(), (_, _) => 1);
+        double[] depths = [.. Numbers(new DepthImage(), 0).Where(double.IsFinite)];
         (double near, double far) = (depths.Min(), depths.Max());
-        AssertShown(Aov.Depth, (p, _) => Number(Aov.Depth, p, 0) is var d && double.IsInfinity(d) ? 0 : ((1 / d) - (1 / far)) / ((1 / near) - (1 / far)));
-        Assert.StartsWith(FormattableString.Invariant($"{near:G6} (white) to {far:G6} (black) scene units"), new AovPicture(s_film.Value, Aov.Depth).Range);
-        float[] albedo = Shown(Aov.Albedo, raw: false);
-        Assert.All(albedo.Index(), a => Assert.Equal(Math.Min(1, Number(Aov.Albedo, a.Index / 3, a.Index % 3)), a.Item, 0.01));
+        double Nearness(double d) => double.IsInfinity(d) ? 0 : ((1 / d) - (1 / far)) / ((1 / near) - (1 / far));
+        AssertShown(new DepthImage(), (p, _) => Nearness(Number(new DepthImage(), p, 0)));
+        string legend = FormattableString.Invariant($"{near:G6} (white) to {far:G6} (black) scene units");
+        Assert.StartsWith(legend, new AovPicture(s_film.Value, new DepthImage()).Legend);
+        float[] albedo = Shown(new AlbedoImage(), raw: false);
+        Assert.All(albedo.Index(), a => Assert.Equal(Math.Min(1, Number(new AlbedoImage(), a.Index / 3, a.Index % 3)), a.Item, 0.01));
     }
 
     [Fact]
     public void Every_primitive_has_a_colour_of_its_own_and_nothing_is_black()
     {
-        float[] shown = Shown(Aov.Primitive, raw: true);
-        double[] numbers = Numbers(Aov.Primitive, 0);
+        float[] shown = Shown(new PrimitiveImage(), raw: true);
+        double[] numbers = Numbers(new PrimitiveImage(), 0);
         (double Number, string Color)[] pairs = [.. numbers.Select((n, i) => (n, $"{shown[3 * i]} {shown[(3 * i) + 1]} {shown[(3 * i) + 2]}")).Distinct()];
         Assert.Equal(numbers.Distinct().Count(), pairs.Length);
         Assert.Equal(pairs.Length, pairs.Select(p => p.Color).Distinct().Count());
@@ -103,10 +106,10 @@ public class AovFilesTests
             { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0] }, "render": { "width": 16, "height": 16, "samplesPerPixel": 1, "sampler": "regular" },
               "shapes": [{ "type": "mesh", "positions": [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], "triangles": [[0, 1, 2], [0, 2, 3]] }] }
             """);
-        AovFilm film = new(new(16, 16), [Aov.BvhCost]);
+        AovFilm film = new(new(16, 16), [new BvhCostImage()]);
         new FirstHitPass(scene).Render(film);
-        AovPicture picture = new(film, Aov.BvhCost);
-        Assert.Equal("0 to 3 and more nodes and triangles a ray: black, violet, red, orange, white; at most 3", picture.Range);
+        AovPicture picture = new(film, new BvhCostImage());
+        Assert.Equal("0 to 3 and more nodes and triangles a ray: black, violet, red, orange, white; at most 3", picture.Legend);
         float[] row = new float[48];
         picture.ReadRow(8, row);
         Assert.Equal((float)SrgbCurve.Decode(HeatMap.Color(1 / 3.0).R), row[0]);
@@ -120,16 +123,17 @@ public class AovFilesTests
     [Fact]
     public void Files_stand_beside_their_picture()
     {
-        Assert.Equal(Path.Combine("a.b", "out.bvhCost.png"), AovFiles.Beside(Path.Combine("a.b", "out.png"), Aov.BvhCost));
-        Assert.Equal(["depth", "normal", "albedo", "uv", "primitive", "bvhCost", "samples"], Enum.GetValues<Aov>().Select(AovFiles.Name));
+        Assert.Equal(Path.Combine("a.b", "out.bvhCost.png"), AovFiles.Beside(Path.Combine("a.b", "out.png"), "bvhCost"));
+        string[] names = ["depth", "normal", "albedo", "uv", "primitive", "bvhCost", "samples", "error"];
+        Assert.Equal(names, AuxiliaryImage.Known.All.Select(i => i.Name));
     }
 
-    private static double Number(Aov kind, int pixel, int channel) => Numbers(kind, channel)[pixel];
+    private static double Number(AuxiliaryImage kind, int pixel, int channel) => Numbers(kind, channel)[pixel];
 
-    private static double[] Numbers(Aov kind, int channel)
+    private static double[] Numbers(AuxiliaryImage kind, int channel)
     {
         AovFilm film = s_film.Value;
-        int channels = AovFilm.Channels(kind);
+        int channels = kind.Letters.Length;
         double[] row = new double[film.Width * channels];
         List<double> all = [];
         for (int y = 0; y < film.Height; y++)
@@ -141,13 +145,13 @@ public class AovFilesTests
         return [.. all];
     }
 
-    private static float[] Shown(Aov kind, bool raw)
+    private static float[] Shown(AuxiliaryImage kind, bool raw)
     {
         (IImageRows image, _) = AovFiles.Rows("a.png", s_film.Value, kind);
         return PngReader.Read(TestPictures.Bytes(s => PngWriter.Write(s, image)), raw).Pixels;
     }
 
-    private static void AssertShown(Aov kind, Func<int, int, double> display)
+    private static void AssertShown(AuxiliaryImage kind, Func<int, int, double> display)
     {
         float[] shown = Shown(kind, raw: true);
         Assert.Equal(3 * s_film.Value.Width * s_film.Value.Height, shown.Length);

@@ -34,7 +34,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         }
 
         bool hasLayers = ImageFormat.Has(full, ImageFeatures.Layers);
-        string[] beside = hasLayers ? [] : [.. request.Layers.Select(kind => AovFiles.Beside(full, kind))];
+        string[] beside = hasLayers ? [] : [.. request.Layers.Select(image => AovFiles.Beside(full, image.Name))];
         foreach (string file in beside.Prepend(full))
         {
             ImageFile.Check(file);
@@ -48,11 +48,12 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
             ImageWriteOptions options = Options(taken, request);
             ReportedRows rows = new(taken.Film, progress, cancellation);
             ImageFile.Write(full, rows, hasLayers ? options with { ExrLayers = AovFiles.Layers(images) } : options);
-            foreach (Aov kind in hasLayers ? [] : request.Layers)
+            foreach (AuxiliaryImage kind in hasLayers ? [] : request.Layers)
             {
                 (IImageRows image, string range) = AovFiles.Rows(full, images, kind);
-                KeyValuePair<string, string>[] texts = [.. options.Metadata, new("Aov", AovFiles.Name(kind)), new("Range", range)];
-                ImageFile.Write(AovFiles.Beside(full, kind), image, options with { Metadata = texts, ToneMap = ToneMap.Clamp, Exposure = 0 });
+                KeyValuePair<string, string>[] texts = [.. options.Metadata, new("Aov", kind.Name), new("Range", range)];
+                ImageWriteOptions plain = options with { Metadata = texts, ToneMap = ToneMap.Clamp, Exposure = 0 };
+                ImageFile.Write(AovFiles.Beside(full, kind.Name), image, plain);
             }
 
             return $"wrote {full}";

@@ -28,10 +28,10 @@ public sealed class RenderLoopTests
         ShownScene shown = await test.OpenShipped(Scene2, 96, 64);
         using CancellationTokenSource end = new();
         Task watching = Watch(test.Session.View.Frames, end.Token);
-        test.Session.View.Change(s => s with { Map = ViewMap.Normal });
+        test.Session.View.Change(s => s with { Map = ViewMap.Named("normal") });
         test.Session.View.Change(s => s with { Threads = 2, Mode = RenderMode.Paused });
         test.Session.View.Tone = new(1.5f, ToneMap.Agx);
-        test.Session.View.Change(s => s with { Map = ViewMap.Variance, Mode = RenderMode.Running });
+        test.Session.View.Change(s => s with { Map = ViewMap.Named("error"), Mode = RenderMode.Running });
         await test.Done();
         await end.CancelAsync();
         await watching;

@@ -1,4 +1,5 @@
 using System.Windows.Input;
+using RayTracer.Rendering;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -51,7 +52,7 @@ internal sealed class ExportViewModel : DialogViewModel
 
     /// <summary>The layers.</summary>
     public IReadOnlyList<LayerChoice> Layers { get; } =
-        [.. new[] { "depth", "normal", "albedo", "uv", "primitive", "bvhCost", "samples" }.Select(l => new LayerChoice(l, SessionTexts.Of($"maps.{l}.0")))];
+        [.. AuxiliaryImage.Known.All.Select(i => new LayerChoice(i.Name, i.Title))];
 
     /// <summary>Whether bits a channel can be chosen.</summary>
     public bool HasDepth => Chosen.HasDepth;

@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Acceleration;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 
 namespace RayTracer.Tests.Rendering;
@@ -32,22 +33,23 @@ public sealed class AovTests
                 continue;
             }
 
-            double[] n = Read(film, Aov.Normal, i);
+            double[] n = Read(film, new NormalImage(), i);
             if (root < 0)
             {
-                Assert.Equal([double.PositiveInfinity, 0, 0, 0, 0, 0], [.. Read(film, Aov.Depth, i), .. n, .. Read(film, Aov.Uv, i)]);
+                double[] nothing = [.. Read(film, new DepthImage(), i), .. n, .. Read(film, new UvImage(), i)];
+                Assert.Equal([double.PositiveInfinity, 0, 0, 0, 0, 0], nothing);
                 continue;
             }
 
             met++;
             float t = -b - MathF.Sqrt(root);
             Vector3 expected = (s_eye + (t * d)) / 1.5f;
-            AssertClose(t, Read(film, Aov.Depth, i)[0]);
+            AssertClose(t, Read(film, new DepthImage(), i)[0]);
             AssertClose(expected.X, n[0]);
             AssertClose(expected.Y, n[1]);
             AssertClose(expected.Z, n[2]);
-            AssertClose(0.5 + (Math.Atan2(expected.X, expected.Z) / (2 * Math.PI)), Read(film, Aov.Uv, i)[0]);
-            AssertClose(Math.Acos(-expected.Y) / Math.PI, Read(film, Aov.Uv, i)[1]);
+            AssertClose(0.5 + (Math.Atan2(expected.X, expected.Z) / (2 * Math.PI)), Read(film, new UvImage(), i)[0]);
+            AssertClose(Math.Acos(-expected.Y) / Math.PI, Read(film, new UvImage(), i)[1]);
         }
 
         Assert.InRange(met, 200, Width * Height);
@@ -63,18 +65,18 @@ public sealed class AovTests
             {
                 Vector3 d = Direction(i, Width, Height);
                 double t = -s_eye.Z / d.Z;
-                AssertClose(t, Read(film, Aov.Depth, i)[0]);
-                Assert.Equal([0, 0, 1], Read(film, Aov.Normal, i));
+                AssertClose(t, Read(film, new DepthImage(), i)[0]);
+                Assert.Equal([0, 0, 1], Read(film, new NormalImage(), i));
 
                 // u runs to the right for whoever looks at the front.
                 double[] uv = [side * t * d.X, t * d.Y];
-                AssertClose(uv[0], Read(film, Aov.Uv, i)[0]);
-                AssertClose(uv[1], Read(film, Aov.Uv, i)[1]);
+                AssertClose(uv[0], Read(film, new UvImage(), i)[0]);
+                AssertClose(uv[1], Read(film, new UvImage(), i)[1]);
                 (double u, double v) = (uv[0] + 0.1, uv[1] + 0.2);
                 if (Math.Abs(u - Math.Round(u)) > 1e-4 && Math.Abs(v - Math.Round(v)) > 1e-4)
                 {
                     bool even = ((int)Math.Floor(u) + (int)Math.Floor(v)) % 2 == 0;
-                    Assert.Equal(even ? [0.25, 0.5, 0.75] : [0.5, 0, 1], Read(film, Aov.Albedo, i));
+                    Assert.Equal(even ? [0.25, 0.5, 0.75] : [0.5, 0, 1], Read(film, new AlbedoImage(), i));
                 }
             }
         }
@@ -89,15 +91,15 @@ public sealed class AovTests
     public void Albedo_is_what_a_material_sends_on_and_not_what_it_shines(string material, double red)
     {
         AovFilm film = Trace(Scene($$"""{ "type": "sphere", "center": [0, 0, 0], "radius": 1.5, "material": {{material}} }"""));
-        Assert.Equal(red, Read(film, Aov.Albedo, Middle)[0]);
+        Assert.Equal(red, Read(film, new AlbedoImage(), Middle)[0]);
     }
 
     [Fact]
     public void An_instance_shows_what_stands_at_its_place()
     {
         AovFilm film = Trace(Scene($$"""{ "type": "instance", "of": { {{Square}} }, "transform": [{ "scale": [2, 3, 1], "translate": [0, 0, 1] }] }"""));
-        Assert.Equal([0, 0, 1], Read(film, Aov.Normal, Middle));
-        AssertClose(-4 / Direction(Middle, Width, Height).Z, Read(film, Aov.Depth, Middle)[0]);
+        Assert.Equal([0, 0, 1], Read(film, new NormalImage(), Middle));
+        AssertClose(-4 / Direction(Middle, Width, Height).Z, Read(film, new DepthImage(), Middle)[0]);
     }
 
     [Fact]
@@ -111,14 +113,15 @@ public sealed class AovTests
         {
             int first = (4 * Width * (i / Width)) + (2 * (i % Width));
             int[] parts = [first, first + 1, first + (2 * Width), first + (2 * Width) + 1];
-            int[] met = [.. parts.Where(p => Read(fine, Aov.Primitive, p)[0] > 0)];
+            int[] met = [.. parts.Where(p => Read(fine, new PrimitiveImage(), p)[0] > 0)];
             edges += met.Length is > 0 and < 4 ? 1 : 0;
-            foreach (Aov kind in new[] { Aov.Depth, Aov.Uv, Aov.Normal, Aov.Albedo })
+            foreach (AuxiliaryImage kind in new AuxiliaryImage[] { new DepthImage(), new UvImage(), new NormalImage(), new AlbedoImage() })
             {
-                for (int c = 0; c < AovFilm.Channels(kind); c++)
+                for (int c = 0; c < kind.Letters.Length; c++)
                 {
                     double sum = met.Sum(p => Read(fine, kind, p)[c]);
-                    double mean = kind is Aov.Normal or Aov.Albedo ? sum / 4 : met.Length > 0 ? sum / met.Length : kind == Aov.Depth ? double.PositiveInfinity : 0;
+                    double nothing = kind is DepthImage ? double.PositiveInfinity : 0;
+                    double mean = kind is NormalImage or AlbedoImage ? sum / 4 : met.Length > 0 ? sum / met.Length : nothing;
                     Assert.Equal(mean, Read(four, kind, i)[c], 5e-4);
                 }
             }
@@ -131,11 +134,12 @@ public sealed class AovTests
     public void Primitives_are_numbered_from_one_and_keep_their_numbers_all_over_a_shape()
     {
         AovFilm film = Trace(Scene("""{ "type": "sphere", "center": [-1, 0, 0], "radius": 0.8 }, { "type": "sphere", "center": [1, 0, 0], "radius": 0.8 }"""));
-        double[] all = [.. Enumerable.Range(0, Width * Height).Select(i => Read(film, Aov.Primitive, i)[0])];
+        double[] all = [.. Enumerable.Range(0, Width * Height).Select(i => Read(film, new PrimitiveImage(), i)[0])];
         Assert.Equal([0, 1, 2], all.Distinct().Order());
         Assert.All(all.Index().Where(p => p.Item > 0), p => Assert.Equal(p.Index % Width < Width / 2 ? 1 : 2, p.Item));
         AovFilm square = Trace(s_square);
-        double[] triangles = [.. Enumerable.Range(0, Width * Height).Select(i => Read(square, Aov.Primitive, i)[0]).Distinct().Order()];
+        IEnumerable<double> shown = Enumerable.Range(0, Width * Height).Select(i => Read(square, new PrimitiveImage(), i)[0]);
+        double[] triangles = [.. shown.Distinct().Order()];
         Assert.Equal([0, 1, 2], triangles);
     }
 
@@ -143,10 +147,11 @@ public sealed class AovTests
     public void Cost_counts_nodes_and_triangles_of_all_trees()
     {
         // One node holds the two triangles in one leaf; another one stands over the instance. A ray that goes past has asked the node.
-        Assert.Equal(3, Read(Trace(s_square), Aov.BvhCost, Middle)[0]);
-        Assert.Equal(4, Read(Trace(Scene($$"""{ "type": "instance", "of": { {{Square}} }, "transform": [{ "translate": [0, 0, 1] }] }""")), Aov.BvhCost, Middle)[0]);
-        Assert.Equal(1, Read(Trace(s_square), Aov.BvhCost, 0)[0]);
-        Assert.Equal(0, Read(Trace(Scene("""{ "type": "sphere", "center": [0, 0, 0] }""")), Aov.BvhCost, Middle)[0]);
+        Assert.Equal(3, Read(Trace(s_square), new BvhCostImage(), Middle)[0]);
+        Scene instance = Scene($$"""{ "type": "instance", "of": { {{Square}} }, "transform": [{ "translate": [0, 0, 1] }] }""");
+        Assert.Equal(4, Read(Trace(instance), new BvhCostImage(), Middle)[0]);
+        Assert.Equal(1, Read(Trace(s_square), new BvhCostImage(), 0)[0]);
+        Assert.Equal(0, Read(Trace(Scene("""{ "type": "sphere", "center": [0, 0, 0] }""")), new BvhCostImage(), Middle)[0]);
     }
 
     [Fact]
@@ -155,7 +160,7 @@ public sealed class AovTests
         string json = Terrain(out Vector3[] positions, out int[] indices);
         TriangleBvh tree = TriangleBvh.Build(positions, indices, 1);
         AovFilm film = Trace(Scene(json + """, { "type": "sphere", "center": [0, 0, -50], "radius": 1 }"""));
-        double[] costs = [.. Enumerable.Range(0, Width * Height).Select(i => Read(film, Aov.BvhCost, i)[0])];
+        double[] costs = [.. Enumerable.Range(0, Width * Height).Select(i => Read(film, new BvhCostImage(), i)[0])];
 
         // Rays computed here differ in the last bit: now and then such a ray enters one more box.
         int same = costs.Index().Count(c => c.Item == tree.Cost(s_eye, Direction(c.Index, Width, Height), float.PositiveInfinity));
@@ -176,7 +181,7 @@ public sealed class AovTests
         {
             // Streams of less than 1,024 rays go through the tree in blocks; longer ones are sorted where they are not coherent.
             byte[] one = Trace(scene, new() { Threads = 1 }).Content();
-            Assert.NotEqual(new AovFilm(new(scene.Render.Width, scene.Render.Height), Enum.GetValues<Aov>()).Content(), one);
+            Assert.NotEqual(new AovFilm(new(scene.Render.Width, scene.Render.Height), AuxiliaryImage.Known.All).Content(), one);
             foreach ((int threads, int tile, int stream) in new[] { (3, 7, 1), (2, 1, 50), (4, 64, 65536), (2, 16, 1000) })
             {
                 Assert.True(one.AsSpan().SequenceEqual(Trace(scene, new() { Threads = threads, TileSize = tile, StreamSize = stream }).Content()), $"{threads} threads, tiles of {tile}, streams of {stream}");
@@ -190,11 +195,11 @@ public sealed class AovTests
         Scene scene = TestScenes.BuildEverything();
         string alone = new RTracer(scene).Render().Film.ComputeHash();
         Film film = new(Width, Height);
-        AovFilm aovs = new(film, Enum.GetValues<Aov>());
+        AovFilm aovs = new(film, AuxiliaryImage.Known.All);
         new FirstHitPass(scene).Render(aovs);
         new RTracer(scene, new() { Crop = new(3, 4, 20, 10) }).Render(film);
-        Assert.Equal(0, Read(aovs, Aov.Samples, 0)[0]);
-        Assert.Equal(16, Read(aovs, Aov.Samples, (5 * Width) + 4)[0]);
+        Assert.Equal(0, Read(aovs, new SamplesImage(), 0)[0]);
+        Assert.Equal(16, Read(aovs, new SamplesImage(), (5 * Width) + 4)[0]);
         Film whole = new(Width, Height);
         new RTracer(scene).Render(whole);
         Assert.Equal(alone, whole.ComputeHash());
@@ -204,20 +209,48 @@ public sealed class AovTests
     public void Memory_is_taken_only_for_what_is_asked_for()
     {
         Assert.Equal(0, AovFilm.Bytes([], 100, 100));
-        Assert.Empty(new AovFilm(new(4, 4), [Aov.Samples]).Content());
-        Assert.Equal(16 * 12, new AovFilm(new(4, 4), [Aov.BvhCost]).Content().Length);
-        Assert.All(Enum.GetValues<Aov>(), kind => Assert.InRange(new AovFilm(new(4, 4), [kind]).Content().Length, 0, AovFilm.Bytes([kind], 4, 4)));
+        Assert.Empty(new AovFilm(new(4, 4), [new SamplesImage(), new ErrorImage()]).Content());
+        Assert.Equal(16 * (16 + 4), new AovFilm(new(4, 4), [new BvhCostImage()]).Content().Length);
+        int Taken(AuxiliaryImage image) => new AovFilm(new(4, 4), [image]).Content().Length;
+        Assert.All(AuxiliaryImage.Known.All, image => Assert.InRange(Taken(image), 0, AovFilm.Bytes([image], 4, 4)));
     }
 
     [Fact]
     public void What_is_too_large_or_no_number_does_not_spoil_the_sums()
     {
-        AovFilm film = new(new(1, 1), [Aov.Normal]);
-        film.AddRay(0, 0, 0, 1);
-        film.Add(Aov.Normal, 0, 0, float.NaN);
-        film.Add(Aov.Normal, 0, 1, float.PositiveInfinity);
-        film.Add(Aov.Normal, 0, 2, -1e9f);
-        Assert.Equal([0, Math.Pow(2, 47), -1e9], Read(film, Aov.Normal, 0));
+        AovFilm film = new(new(1, 1), [new NormalImage()]);
+        film.Count(0, isHit: true);
+        film.Add(0, new() { Primitive = 1, Normal = new(float.NaN, float.PositiveInfinity, -1e9f) }, isDescribed: true);
+        Assert.Equal([0, Math.Pow(2, 47), -1e9], Read(film, new NormalImage(), 0));
+    }
+
+    [Fact]
+    public void The_error_is_what_pictures_of_other_seeds_differ_by()
+    {
+        const int seeds = 64;
+        Scene[] scenes = [.. Enumerable.Range(0, seeds).Select(seed => TestScenes.Build($$"""
+            {
+              "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0] },
+              "render": { "width": 8, "height": 8, "samplesPerPixel": 64, "sampler": "independent", "seed": {{seed}} },
+              "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 2, "material": { "type": "diffuse" } },
+                { "type": "sphere", "center": [3, 3, 3], "radius": 0.5, "material": { "type": "luminaire", "multiplier": 40 } }]
+            }
+            """))];
+        Film[] films = [.. scenes.Select(s => new RTracer(s).Render().Film)];
+        double spread = 0, error = 0;
+        float[] row = new float[24];
+        for (int pixel = 0; pixel < 64; pixel++)
+        {
+            double[] light = [.. films.Select(f =>
+            {
+                f.ReadRow(pixel / 8, row);
+                return (double)new Rgb(row[3 * (pixel % 8)], row[(3 * (pixel % 8)) + 1], row[(3 * (pixel % 8)) + 2]).Luminance;
+            })];
+            spread += light.Sum(l => Math.Pow(l - light.Average(), 2)) / (seeds - 1);
+            error += films.Average(f => Math.Pow(Read(new(f, [new ErrorImage()]), new ErrorImage(), pixel)[0], 2));
+        }
+
+        Assert.InRange(error / spread, 0.9, 1.1);
     }
 
     private static int Middle => (Height / 2 * Width) + (Width / 2) + 1;
@@ -232,14 +265,14 @@ public sealed class AovTests
 
     private static AovFilm Trace(Scene scene, RenderOptions? options = null)
     {
-        AovFilm film = new(new(scene.Render.Width, scene.Render.Height), Enum.GetValues<Aov>());
+        AovFilm film = new(new(scene.Render.Width, scene.Render.Height), AuxiliaryImage.Known.All);
         new FirstHitPass(scene, options).Render(film);
         return film;
     }
 
-    private static double[] Read(AovFilm film, Aov kind, int pixel)
+    private static double[] Read(AovFilm film, AuxiliaryImage kind, int pixel)
     {
-        int channels = AovFilm.Channels(kind);
+        int channels = kind.Letters.Length;
         double[] row = new double[film.Width * channels];
         film.ReadRow(kind, pixel / film.Width, row);
         return row[(pixel % film.Width * channels)..][..channels];
