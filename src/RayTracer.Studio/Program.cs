@@ -1,3 +1,4 @@
+using RayTracer.Jobs;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;
@@ -33,7 +34,7 @@ internal static class Program
             await server.Ended;
             return 0;
         }
-        catch (Exception e) when (e is IOException or DocumentException)
+        catch (Exception e) when (e is IOException or DocumentException or JobException)
         {
             await Console.Error.WriteLineAsync($"error: {e.Message}");
             return InputOutput;

@@ -1,5 +1,6 @@
 using System.Globalization;
 using RayTracer.Description;
+using RayTracer.Jobs;
 using RayTracer.Sampling;
 using RayTracer.Scenes;
 using Json = System.Text.Json.Nodes.JsonNode;

@@ -32,21 +32,21 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
         packet.Vertex = diffuseDepth + specularDepth;
         BeginVertex(path, packet.Vertex);
         Shares?.BeginPacket(path);
-        Describe(Scene, group, stream, index, group.UsesUv, out surface);
+        Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
         radiance = stream.PickRadiance(index);
 
         // Light that the surface itself sends towards the ray's origin.
         Material material = group.Material;
-        if (group.Emits)
+        if (group.Traits.Emits)
         {
             AddEmission(group, stream, index, active, surface, throughput, state, ref radiance);
         }
 
         Recorder?.Emitted(path, active, radiance);
 
-        if (group.Disperses)
+        if (group.Traits.Disperses)
         {
             Disperse(state, ref surface, ref throughput);
         }
@@ -61,7 +61,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
         Recorder?.Brightened(path, active, radiance);
 
         // Light from the sources.
-        if (group.IsLit)
+        if (group.Traits.IsLit)
         {
             material.Brdf(surface, out RgbW brdf);
             if (_queue is { IsFull: true })
@@ -91,7 +91,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
         Shares?.Scattered(alive, surface, material, scatter, isByLobe: true);
         uint ended = active.Except(alive).Bits;
         uint going = alive.Bits;
-        if (_queue is not null && group.IsLit)
+        if (_queue is not null && group.Traits.IsLit)
         {
             _queue.End(ended, Finished.Count, going, next.Count);
         }
@@ -105,7 +105,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
         {
             UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);
             UIntW emission = scatter.Specular.Select((UIntW)PathState.CountsEmission, 0u);
-            if (Scene.WeakensShadows && group.IsTransparent)
+            if (Scene.WeakensShadows && group.Traits.IsTransparent)
             {
                 // What comes straight through has been asked of the sources already, where the path came from.
                 MaskW passes = Vec3W.Dot(scatter.Direction, surface.Facing) < 0f;

@@ -15,7 +15,7 @@ internal abstract unsafe class ViewShader(ShaderContext context, bool usesUv) : 
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
         UIntW path = UIntW.Pick(stream.Path, index);
-        Describe(Scene, group, stream, index, group.UsesUv || usesUv, out SurfaceW surface);
+        Describe(Scene, group, stream, index, group.Traits.UsesUv || usesUv, out SurfaceW surface);
         Color(group.Material, surface, out RgbW color);
         Recorder?.Emitted(path, active, color);
         Recorder?.Brightened(path, active, color);

@@ -24,6 +24,34 @@ public class MitsubaReaderTests
     }
 
     [Fact]
+    public void Values_out_of_range_are_errors_at_the_place_of_what_has_them_or_of_what_is_around_it()
+    {
+        using TestScene scene = new();
+        string sensor = TestScene.Sensor.Replace("type=\"box\"/>", "type=\"tent\"><float name=\"radius\" value=\"99\"/></rfilter>", StringComparison.Ordinal);
+        string path = scene.Write("scene.xml", "<shape type=\"sphere\"><float name=\"radius\" value=\"-1\"/></shape>", sensor);
+        SceneLoadResult load = SceneLoader.Load(path);
+        Assert.Equal(
+            [$"{path}:2:2: error: \"radius\" must be from 0 to 16, but is 99", $"{path}:3:2: error: \"radius\" must be greater than 0, but is -1"],
+            load.Diagnostics.Select(d => d.ToString()));
+        Assert.All(load.Diagnostics, d => Assert.Equal(DiagnosticRule.OutOfRange, d.Rule));
+        Assert.Null(load.Scene);
+    }
+
+    [Fact]
+    public void Spectra_beyond_the_three_primaries_are_brought_into_range_with_a_warning()
+    {
+        using TestScene scene = new();
+        string path = scene.Write("scene.xml", """
+            <shape type="sphere"><bsdf type="diffuse"><spectrum name="reflectance" value="400:0, 575:0, 576:1, 830:1"/></bsdf></shape>
+            """);
+        SceneLoadResult load = SceneLoader.Load(path);
+        Assert.Equal(
+            "the spectrum of \"reflectance\" is a colour beyond the three primaries: its channels are brought into range, from 0 to 1",
+            Assert.Single(load.Diagnostics).Message);
+        Assert.NotNull(load.Scene);
+    }
+
+    [Fact]
     public void References_reach_forward_and_share_what_they_name()
     {
         SceneDescription scene = TestScene.Of("""

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Rendering;
 
 namespace RayTracer.Repository.Tests.Testing;
@@ -47,5 +48,5 @@ public class ImageAssertExamples
         Assert.Contains($"```csharp\n{shown}\n```", File.ReadAllText(ProjectFolder.PathOf("docs", "image-assert.md")).ReplaceLineEndings("\n"), StringComparison.Ordinal);
     }
 
-    private static Description.SceneDescription Small(Description.SceneDescription d) => d with { Render = d.Render with { Width = 24, Height = 16, SamplesPerPixel = 16 } };
+    private static SceneDescription Small(SceneDescription d) => d with { Render = d.Render with { Width = 24, Height = 16, SamplesPerPixel = 16 } };
 }
