@@ -2,7 +2,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>The features of an image that FLIP compares: colours as blurred as the eye sees them, and how strong edges and points are.</summary>
+/// <summary>
+/// The features of an image that FLIP compares: colours as blurred as the eye sees them, and how strong edges and points are.
+/// </summary>
 internal sealed class FlipImage
 {
     private readonly int _width;
@@ -41,7 +43,7 @@ internal sealed class FlipImage
     /// <summary>The strength of the edge through each pixel.</summary>
     public float[] Edges { get; }
 
-    /// <summary>The strength of the point at each pixel.</summary>
+    /// <summary>The degree to which each pixel is a point.</summary>
     public float[] Points { get; }
 
     /// <summary>The blurred colour of a pixel, as <see cref="FlipColor.Uniform"/> has it.</summary>

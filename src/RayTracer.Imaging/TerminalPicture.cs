@@ -32,7 +32,7 @@ public static class TerminalPicture
     private const int Greens = 7;
     private const int Blues = 6;
 
-    /// <summary>The way that the variables of an environment call for.</summary>
+    /// <summary>Returns what the variables of an environment say about the terminal.</summary>
     /// <param name="variable">The value of a variable; null where there is none.</param>
     public static TerminalGraphics Of(Func<string, string?> variable)
     {
@@ -63,9 +63,11 @@ public static class TerminalPicture
         return ScaledRows.Shrink(image, width, Math.Clamp((int)Math.Round(height), 1, image.Height));
     }
 
-    private static byte Code(Picture picture, int x, int y, int channel) => SrgbCurve.Encode8(picture.Pixels[(3 * ((y * picture.Width) + x)) + channel]);
+    private static byte Code(Picture picture, int x, int y, int channel) =>
+        SrgbCurve.Encode8(picture.Pixels[(3 * ((y * picture.Width) + x)) + channel]);
 
-    private static string Color(Picture picture, int x, int y) => $"{Code(picture, x, y, 0)};{Code(picture, x, y, 1)};{Code(picture, x, y, 2)}";
+    private static string Color(Picture picture, int x, int y) =>
+        $"{Code(picture, x, y, 0)};{Code(picture, x, y, 1)};{Code(picture, x, y, 2)}";
 
     private static string Blocks(Picture picture)
     {

@@ -4,7 +4,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>The header of a film file.</summary>
+/// <summary>The header of a film file, which describes its film.</summary>
 public sealed record FilmHeader
 {
     /// <summary>Width in pixels.</summary>
@@ -22,7 +22,7 @@ public sealed record FilmHeader
     /// <summary>The samples of each pixel that it is meant to come to hold.</summary>
     public required SampleRange Wanted { get; init; }
 
-    /// <summary>The number of samples per pixel of the whole picture.</summary>
+    /// <summary>The number of samples that a pixel of the whole picture has.</summary>
     public required int Total { get; init; }
 
     /// <summary>The part of the picture that was rendered; null for all of it.</summary>

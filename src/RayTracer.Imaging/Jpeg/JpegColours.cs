@@ -2,7 +2,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>The colour spaces of a JPEG picture's components.</summary>
+/// <summary>The colours of the components of a JPEG picture.</summary>
 internal enum JpegColourSpace
 {
     /// <summary>One component.</summary>

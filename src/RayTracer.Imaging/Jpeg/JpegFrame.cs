@@ -3,7 +3,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>The properties of the whole picture in the frame header (ITU-T T.81, section B.2.2).</summary>
+/// <summary>The frame header (ITU-T T.81, section B.2.2), which describes the whole picture.</summary>
 internal sealed class JpegFrame
 {
     private JpegFrame(int width, int height, bool progressive, JpegComponent[] components)

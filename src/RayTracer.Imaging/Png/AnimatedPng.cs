@@ -4,8 +4,8 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// An animated PNG (W3C PNG specification, third edition, sections 11.3.4.1 to 11.3.4.3): pictures of one size, shown one after the other without end.
-/// Programs that know no animation show the first. The compressed pictures are in memory until they are written.
+/// An animated PNG (W3C PNG specification, third edition, sections 11.3.4.1 to 11.3.4.3): pictures of one size, shown one after the other
+/// without end. Programs that know no animation show the first. The compressed pictures are in memory until they are written.
 /// </summary>
 /// <param name="texts">Texts to keep in the file.</param>
 /// <param name="secondsPerFrame">How long each picture is shown.</param>
