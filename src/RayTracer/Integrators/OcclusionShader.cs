@@ -8,7 +8,8 @@ namespace RayTracer.Rendering;
 /// Ambient occlusion (Landis 2002): from where a camera ray meets a surface, a ray in a direction that is chosen in proportion to the cosine brings
 /// white light, unless it meets something near.
 /// </summary>
-internal sealed unsafe class OcclusionShader(Scene scene, FinishedPaths finished, PathRecorder? recorder) : SurfaceShader(scene, finished, recorder)
+internal sealed unsafe class OcclusionShader(Scene scene, FinishedPaths finished, PathObserver? observer)
+    : SurfaceShader(scene, finished, observer)
 {
     private readonly float _reach = scene.Render.OcclusionDistance > 0 ? scene.Render.OcclusionDistance : float.PositiveInfinity;
 
@@ -22,8 +23,7 @@ internal sealed unsafe class OcclusionShader(Scene scene, FinishedPaths finished
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out SurfaceW surface);
         FloatW far = (FloatW.Pick(stream.Distance, index) > _reach).Select(1f, 0f);
         RgbW radiance = new(far, far, far);
-        Recorder?.Emitted(path, active, radiance);
-        Recorder?.Brightened(path, active, radiance);
+        Observer?.Emitted(group, stream, index, active, radiance, radiance);
 
         Vertex.Direction(out FloatW u, out FloatW v);
         Onb.FromNormal(surface.Facing, out Onb frame);
@@ -34,7 +34,7 @@ internal sealed unsafe class OcclusionShader(Scene scene, FinishedPaths finished
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }
 
-        Recorder?.Scattered(stream, index, active, alive, group.Material, surface, scatter);
+        Observer?.Scattered(stream, index, active, alive, group.Material, surface, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
         if (ended != 0)

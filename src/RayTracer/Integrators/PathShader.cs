@@ -11,12 +11,12 @@ namespace RayTracer.Rendering;
 /// sampling and the scattered ray can find is weighted between the two by multiple importance sampling (Veach 1997, section 9.2, power
 /// heuristic); paths that carry little end at random, and the others make up for them (Arvo &amp; Kirk 1990).
 /// </summary>
-internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares)
-    : SurfaceShader(scene, finished, recorder, shares)
+internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer)
+    : SurfaceShader(scene, finished, observer)
 {
     private const uint DepthBits = 0xffff;
     private const float LargestSurvival = 0.95f;
-    private readonly DirectLight _directLight = new(scene, queue, shares);
+    private readonly DirectLight _directLight = new(scene, queue, observer);
     private readonly LightMap _lights = new(scene);
     private readonly uint _maxDepth = scene.Render switch
     {
@@ -74,7 +74,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         vertex = state & DepthBits;
         packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
-        Shares?.BeginPacket(path);
+        Observer?.BeginPacket(stream, index, active);
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
         UIntW around = 0u;
         if (Scene.HasNesting && group.IsNested)
@@ -93,9 +93,6 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         {
             AddEmission(group, surface, stream, index, active, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
         }
-
-        Recorder?.Emitted(path, active, radiance);
-        Recorder?.Brightened(path, active, radiance);
 
         if (group.Traits.Disperses)
         {
@@ -129,8 +126,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         }
 
         alive = Survive(vertex, alive, ref throughput);
-        Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
-        Shares?.Scattered(alive, surface, material, scatter, isByLobe: false);
+        Observer?.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
         if (queue is not null && group.Traits.HasDensity)
@@ -230,15 +226,13 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         UIntW vertex = state & DepthBits;
         UIntW media = UIntW.Pick(stream.Media, index);
         BeginVertex(path, vertex);
-        Shares?.BeginPacket(path);
+        Observer?.BeginPacket(stream, index, active);
         FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         RgbW throughput = stream.PickThroughput(index);
         RgbW radiance = stream.PickRadiance(index);
         Vec3W incoming = stream.PickDirection(index);
         Vec3W point = Vec3W.MultiplyAdd(incoming, FloatW.Pick(stream.Distance, index), stream.PickOrigin(index));
         FloatW anisotropy = Scene.Media.Anisotropy(media);
-        Recorder?.Emitted(path, active, radiance);
-        Recorder?.Brightened(path, active, radiance);
 
         MaskW alive = active & (vertex + 1u < _maxDepth);
         alive = alive.Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
@@ -247,8 +241,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
         alive = Survive(vertex, alive, ref throughput);
-        Recorder?.InMedium(stream, index, active, alive, point, pdf);
-        Shares?.ScatteredInMedium(alive);
+        Observer?.ScatteredInMedium(stream, index, active, alive, point, pdf);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
         if (ended != 0)
@@ -285,7 +278,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         }
 
         Vec3W direction = surface.Incoming;
-        Recorder?.Crossed(stream, index, active, surface);
+        Observer?.Crossed(stream, index, active, surface);
         if (Scene.IsTimed)
         {
             next.SetTime(going, FloatW.Pick(stream.Time, index));
@@ -384,6 +377,6 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         }
 
         radiance = RgbW.MultiplyAdd(throughput, emitted, radiance);
-        Shares?.Emitted(group, stream, index, active, throughput * emitted);
+        Observer?.Emitted(group, stream, index, active, throughput * emitted, radiance);
     }
 }

@@ -7,10 +7,10 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface in the report (listing 6.3): emission, ambient light, light from the sources, and the choice of the next
 /// ray.
 /// </summary>
-internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares)
-    : SurfaceShader(scene, finished, recorder, shares)
+internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer)
+    : SurfaceShader(scene, finished, observer)
 {
-    private readonly DirectLight _directLight = new(scene, queue, shares);
+    private readonly DirectLight _directLight = new(scene, queue, observer);
 
     public override long ShadowRays => _directLight.ShadowRays;
 
@@ -30,7 +30,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
         packet.Vertex = diffuseDepth + specularDepth;
         BeginVertex(path, packet.Vertex);
-        Shares?.BeginPacket(path);
+        Observer?.BeginPacket(stream, index, active);
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
@@ -43,8 +43,6 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
             AddEmission(group, stream, index, active, surface, throughput, state, ref radiance);
         }
 
-        Recorder?.Emitted(path, active, radiance);
-
         if (group.Traits.Disperses)
         {
             Disperse(state, ref surface, ref throughput);
@@ -54,10 +52,8 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         {
             material.AmbientResponse(surface, out RgbW response);
             radiance = RgbW.MultiplyAdd(throughput * response, Scene.Ambient, radiance);
-            Shares?.Brightened(active, throughput * response * Scene.Ambient);
+            Observer?.Brightened(stream, index, active, throughput * response * Scene.Ambient, radiance);
         }
-
-        Recorder?.Brightened(path, active, radiance);
 
         // Light from the sources.
         if (group.Traits.IsLit)
@@ -86,8 +82,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }
 
-        Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
-        Shares?.Scattered(alive, surface, material, scatter, isByLobe: true);
+        Observer?.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe: true);
         uint ended = active.Except(alive).Bits;
         uint going = alive.Bits;
         if (queue is not null && group.Traits.IsLit)
@@ -127,6 +122,6 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         MaskW counts = ~UIntW.Equal(state & PathState.CountsEmission, 0u);
         group.Material.Emission(CosineOfEmission(surface), surface.U, surface.V, out RgbW emitted);
         radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
-        Shares?.Emitted(group, stream, index, active & counts, throughput * emitted);
+        Observer?.Emitted(group, stream, index, active & counts, throughput * emitted, radiance);
     }
 }

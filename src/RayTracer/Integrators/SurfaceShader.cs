@@ -12,7 +12,7 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
 /// and how a ray leaves it.
 /// </summary>
-internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder, LightShares? shares = null)
+internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathObserver? observer)
 {
     // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
     private readonly PinnedBuffer<PacketW> _packet = new(1);
@@ -25,10 +25,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
     protected FinishedPaths Finished => finished;
 
-    protected PathRecorder? Recorder => recorder;
-
-    /// <summary>Takes layers of light; null where none are wanted.</summary>
-    protected LightShares? Shares => shares;
+    protected PathObserver? Observer => observer;
 
     /// <summary>The random numbers of the vertex that is shaded.</summary>
     protected VertexSamples Vertex { get; } = new(scene.Sampler);
@@ -39,12 +36,12 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     protected ref PacketW Packet => ref *_packet.Pointer;
 
     /// <summary>Makes that of a scene's integrator.</summary>
-    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares) => scene.Render.Integrator switch
+    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer) => scene.Render.Integrator switch
     {
-        Integrator.Report => new ReportShader(scene, finished, queue, recorder, shares),
-        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, recorder, shares),
-        Integrator.Ao => new OcclusionShader(scene, finished, recorder),
-        _ => new ViewShader(scene, finished, recorder),
+        Integrator.Report => new ReportShader(scene, finished, queue, observer),
+        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, observer),
+        Integrator.Ao => new OcclusionShader(scene, finished, observer),
+        _ => new ViewShader(scene, finished, observer),
     };
 
     /// <summary>Prepares for a tile.</summary>
@@ -73,8 +70,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
-            recorder?.Missed(stream, index, active);
-            shares?.Missed(path, active, stream.PickThroughput(index) * arriving);
+            observer?.Missed(stream, index, active, arriving);
             finished.Append(active.Bits, radiance, path);
         }
     }

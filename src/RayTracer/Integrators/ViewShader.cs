@@ -5,7 +5,8 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>Shows something of the surfaces that camera rays meet, as colours: for looking for mistakes in a scene.</summary>
-internal sealed unsafe class ViewShader(Scene scene, FinishedPaths finished, PathRecorder? recorder) : SurfaceShader(scene, finished, recorder)
+internal sealed unsafe class ViewShader(Scene scene, FinishedPaths finished, PathObserver? observer)
+    : SurfaceShader(scene, finished, observer)
 {
     protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving) => arriving = default;
 
@@ -28,10 +29,9 @@ internal sealed unsafe class ViewShader(Scene scene, FinishedPaths finished, Pat
             color = new(Half(surface.Facing.X), Half(surface.Facing.Y), Half(surface.Facing.Z));
         }
 
-        Recorder?.Emitted(path, active, color);
-        Recorder?.Brightened(path, active, color);
+        Observer?.Emitted(group, stream, index, active, color, color);
         ScatterW scatter = default;
-        Recorder?.Scattered(stream, index, active, MaskW.None, group.Material, surface, scatter);
+        Observer?.Scattered(stream, index, active, MaskW.None, group.Material, surface, scatter, isByLobe: false);
         Finished.Append(active.Bits, color, path);
     }
 

@@ -16,7 +16,7 @@ internal sealed unsafe class ShadowQueue
     private const uint IsFinished = 0x80000000;
     private const uint IsNowhere = uint.MaxValue;
     private readonly Scene _scene;
-    private readonly LightShares? _shares;
+    private readonly PathObserver? _observer;
     private readonly LightSource[] _lights;
     private readonly int _lightsOfPoint;
     private readonly int _capacity;
@@ -36,10 +36,10 @@ internal sealed unsafe class ShadowQueue
     private int _count;
     private int _packets;
 
-    public ShadowQueue(Scene scene, LightShares? shares)
+    public ShadowQueue(Scene scene, PathObserver? observer)
     {
         _scene = scene;
-        _shares = shares;
+        _observer = observer;
         _lights = [.. scene.SampledLights];
         _lightsOfPoint = scene.LightSelection is null ? _lights.Length : 1;
         _capacity = Math.Max(8192, _lightsOfPoint * FloatW.Count);
@@ -113,7 +113,7 @@ internal sealed unsafe class ShadowQueue
     public void Flush(FinishedPaths finished, PathStream next)
     {
         Trace();
-        _shares?.Settle(_hits.Pointer);
+        _observer?.Settle(_hits.Pointer);
         float* rays = _rays.Pointer;
         for (int i = 0; i < _count; i++)
         {
