@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 
@@ -7,14 +8,14 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface in the report (listing 6.3): emission, ambient light, light from the sources, and the choice of the next
 /// ray.
 /// </summary>
-internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer)
-    : SurfaceShader(scene, finished, observer)
+internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader(context)
 {
-    private readonly DirectLight _directLight = new(scene, queue, observer);
+    private readonly ShadowQueue? _queue = context.Queue;
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer);
 
     public override long ShadowRays => _directLight.ShadowRays;
 
-    public override void Flush(PathStream next) => queue?.Flush(Finished, next);
+    public override void Flush(PathStream next) => _queue?.Flush(Finished, next);
 
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
@@ -59,9 +60,9 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         if (group.Traits.IsLit)
         {
             material.Brdf(surface, out RgbW brdf);
-            if (queue is { IsFull: true })
+            if (_queue is { IsFull: true })
             {
-                queue.Flush(Finished, next);
+                _queue.Flush(Finished, next);
             }
 
             _directLight.Add(surface, group, isShared: false, 0u, Vertex, packet.Time, active, throughput * brdf, ref radiance);
@@ -85,9 +86,9 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         Observer?.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe: true);
         uint ended = active.Except(alive).Bits;
         uint going = alive.Bits;
-        if (queue is not null && group.Traits.IsLit)
+        if (_queue is not null && group.Traits.IsLit)
         {
-            queue.End(ended, Finished.Count, going, next.Count);
+            _queue.End(ended, Finished.Count, going, next.Count);
         }
 
         if (ended != 0)
@@ -124,4 +125,11 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
         Observer?.Emitted(group, stream, index, active & counts, throughput * emitted, radiance);
     }
+}
+
+/// <summary>The report's integrator.</summary>
+internal sealed class ReportIntegrator()
+    : Integrator("report", IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.AmbientLight | IntegratorTraits.WeakenedShadows)
+{
+    internal override SurfaceShader CreateShader(ShaderContext context) => new ReportShader(context);
 }

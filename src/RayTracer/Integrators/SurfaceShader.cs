@@ -8,11 +8,18 @@ using RayTracer.Sampling;
 
 namespace RayTracer.Rendering;
 
+/// <summary>What a shader works with: the scene, and where its light goes.</summary>
+/// <param name="Scene">The scene.</param>
+/// <param name="Finished">Takes the paths that end.</param>
+/// <param name="Queue">Takes shadow rays that wait until the whole stream is shaded; null where none do.</param>
+/// <param name="Observer">Sees what happens to the paths; null where nobody asks.</param>
+internal sealed record ShaderContext(Scene Scene, FinishedPaths Finished, ShadowQueue? Queue, PathObserver? Observer);
+
 /// <summary>
 /// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
 /// and how a ray leaves it.
 /// </summary>
-internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathObserver? observer)
+internal abstract unsafe class SurfaceShader(ShaderContext context)
 {
     // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
     private readonly PinnedBuffer<PacketW> _packet = new(1);
@@ -21,28 +28,19 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     /// <summary>How many shadow rays were traced.</summary>
     public virtual long ShadowRays => 0;
 
-    protected Scene Scene => scene;
+    protected Scene Scene { get; } = context.Scene;
 
-    protected FinishedPaths Finished => finished;
+    protected FinishedPaths Finished { get; } = context.Finished;
 
-    protected PathObserver? Observer => observer;
+    protected PathObserver? Observer { get; } = context.Observer;
 
     /// <summary>The random numbers of the vertex that is shaded.</summary>
-    protected VertexSamples Vertex { get; } = new(scene.Sampler);
+    protected VertexSamples Vertex { get; } = new(context.Scene.Sampler);
 
     protected RayGenerator Generator { get; private set; } = null!;
 
     /// <summary>Room for what is known of the packet that is shaded.</summary>
     protected ref PacketW Packet => ref *_packet.Pointer;
-
-    /// <summary>Makes that of a scene's integrator.</summary>
-    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer) => scene.Render.Integrator switch
-    {
-        Integrator.Report => new ReportShader(scene, finished, queue, observer),
-        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, observer),
-        Integrator.Ao => new OcclusionShader(scene, finished, observer),
-        _ => new ViewShader(scene, finished, observer),
-    };
 
     /// <summary>Prepares for a tile.</summary>
     public void Begin(RayGenerator generator, SampleRange samples)
@@ -70,8 +68,8 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
-            observer?.Missed(stream, index, active, arriving);
-            finished.Append(active.Bits, radiance, path);
+            Observer?.Missed(stream, index, active, arriving);
+            Finished.Append(active.Bits, radiance, path);
         }
     }
 
@@ -212,8 +210,8 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     /// <summary>The radiance that arrives where rays meet nothing.</summary>
     protected virtual void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving)
     {
-        arriving = scene.Background;
-        scene.Environment?.Evaluate(direction, out arriving);
+        arriving = Scene.Background;
+        Scene.Environment?.Evaluate(direction, out arriving);
     }
 
     /// <summary>Turns to the random numbers of the vertex.</summary>
@@ -226,12 +224,12 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     /// <summary>Gives paths their wavelengths at a surface that disperses light: from the first one on, they have the colour of a single wavelength.</summary>
     protected void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
     {
-        scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
+        Scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
         throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
     }
 
     /// <summary>The part of a path's state after a surface that tells whether it stands for a single wavelength.</summary>
-    protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => scene.Wavelengths is null ? 0u
+    protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => Scene.Wavelengths is null ? 0u
         : group.Traits.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
 
     // As DescribePlain, in the space that each lane's instance shows.
