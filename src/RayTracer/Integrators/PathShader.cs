@@ -177,7 +177,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         }
     }
 
-    // What dielectrics that paths keep in mind leave of the light, all the way to what is met.
+    // Takes what dielectrics that paths track absorb of the light, all the way to what is met.
     private void Absorb(PathStream stream, int i)
     {
         UIntW media = MaskW.First(stream.Count - i).Select(UIntW.Load(stream.Media + i), 0u);
@@ -333,7 +333,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         next.Append(going, packet.Origin, scatter.Direction, packet.Throughput, packet.Radiance, packet.Path, packet.Vertex);
     }
 
-    // Ends paths at random, and makes those that go on brighter, so that the mean stays.
+    // Ends paths at random, and makes those that survive brighter, so that the mean stays.
     private MaskW Survive(UIntW vertex, MaskW alive, ref RgbW throughput)
     {
         MaskW asked = alive & (vertex + 1u > (uint)Scene.Render.RouletteDepth);
@@ -344,7 +344,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
 
         FloatW most = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
 
-        // Written so that a path whose throughput is not a number goes on, and is counted at its end.
+        // Written so that a path whose throughput is not a number survives, and is counted at its end.
         FloatW survival = (most < LargestSurvival).Select(most, LargestSurvival);
         throughput *= asked.Select(1f / survival, 1f);
         return alive.Except(asked & (Vertex.Roulette() >= survival));

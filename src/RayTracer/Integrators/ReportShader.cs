@@ -68,14 +68,14 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
             _directLight.Add(surface, group, isShared: false, 0u, Vertex, packet.Time, active, throughput * brdf, ref radiance);
         }
 
-        // Where the path goes on.
+        // The next ray.
         ref ScatterW scatter = ref packet.Scatter;
         material.Scatter(surface, Vertex, out scatter);
         throughput *= scatter.Weight;
         UIntW limit = scatter.Specular.Select((UIntW)(uint)Scene.Render.MaxSpecularDepth, (uint)Scene.Render.MaxDiffuseDepth);
         MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;
 
-        // Written so that a path whose throughput is not a number goes on, and is counted at its end.
+        // Written so that a path whose throughput is not a number survives, and is counted at its end.
         MaskW isDark = (throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f);
         MaskW alive = active.Except(scatter.Absorbed).Except(isDark) & goesOn;
         if (group.MayLeak)

@@ -25,7 +25,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     private readonly PinnedBuffer<PacketW> _packet = new(1);
     private SampleRange _samples;
 
-    /// <summary>How many shadow rays were traced.</summary>
+    /// <summary>The number of shadow rays that were traced.</summary>
     public virtual long ShadowRays => 0;
 
     protected Scene Scene { get; } = context.Scene;
@@ -76,7 +76,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     /// <summary>Shades all hits of one group.</summary>
     /// <param name="group">The group.</param>
     /// <param name="stream">The paths.</param>
-    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="members">Indices of the group's paths in the stream, padded to whole packets.</param>
     /// <param name="count">Number of the group's paths.</param>
     public void Shade(ShadingGroup group, PathStream stream, PathStream next, uint* members, int count)
@@ -94,7 +94,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
 
     /// <summary>Shades what media have scattered.</summary>
     /// <param name="stream">The paths.</param>
-    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="members">Indices of those paths in the stream, padded to whole packets.</param>
     /// <param name="count">Their number.</param>
     public virtual void Scatter(PathStream stream, PathStream next, uint* members, int count)
@@ -149,13 +149,13 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
 
         if (group.IsNested)
         {
-            // Where nobody keeps in mind what paths are in, nothing is around.
+            // Where paths do not track what they are in, nothing is around.
             surface.Around = 1f;
         }
 
         if (group.Traits.Disperses)
         {
-            // The yellow line of helium, by which refractive indices are told: where no path chooses its wavelength (Disperse).
+            // The yellow line of helium, at which refractive indices are given: where no path chooses its wavelength (Disperse).
             surface.Wavelength = 0.5876f;
         }
 
@@ -228,7 +228,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
         throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
     }
 
-    /// <summary>The part of a path's state after a surface that tells whether it stands for a single wavelength.</summary>
+    /// <summary>The part of a path's state after a surface that marks it as standing for a single wavelength.</summary>
     protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => Scene.Wavelengths is null ? 0u
         : group.Traits.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
 
@@ -306,7 +306,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     /// </summary>
     public static MaskW IsUnreal(UIntW before, UIntW after) => UIntW.Equal(MediumStack.Innermost(before), MediumStack.Innermost(after));
 
-    /// <summary>Where rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).</summary>
+    /// <summary>The lanes whose rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).</summary>
     public static MaskW ComesFromInside(in SurfaceW surface) => Vec3W.Dot(surface.Incoming, surface.Normal) > 0f;
 
     // Off the surface, on the side where the ray goes.
@@ -317,7 +317,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
         return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);
     }
 
-    /// <summary>What shading works with, beside what the stream has.</summary>
+    /// <summary>The values that shading works with, beside those of the stream.</summary>
     protected struct PacketW
     {
         public ScatterW Scatter;

@@ -249,7 +249,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         lit.Distance = isNear.Select(distance, sample.Distance);
     }
 
-    // What of a light's sample goes on, and what scattered rays leave of it.
+    // The part of a light's sample that the surface scatters, and that scattered rays leave.
     private void Scatter(in SurfaceW surface, Material material, int light, in ShapeSampleW sample, ref MaskW free, ref RgbW radiance)
     {
         ref RgbW bsdf = ref _lit.Pointer->Bsdf;

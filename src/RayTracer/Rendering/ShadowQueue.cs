@@ -53,7 +53,7 @@ internal sealed unsafe class ShadowQueue
         _slots = new((long)MaxPackets * FloatW.Count);
     }
 
-    /// <summary>Whether a packet more has room.</summary>
+    /// <summary>There is no room for another packet.</summary>
     public bool IsFull => _packets == MaxPackets || _count + (_lightsOfPoint * FloatW.Count) > _capacity;
 
     /// <summary>Starts a packet.</summary>
@@ -98,7 +98,7 @@ internal sealed unsafe class ShadowQueue
     /// <summary>Says where the paths of the packet went.</summary>
     /// <param name="ended">The lanes that ended.</param>
     /// <param name="firstFinished">Where among the finished paths the first of them is.</param>
-    /// <param name="going">The lanes that go on.</param>
+    /// <param name="going">The lanes that have a next ray.</param>
     /// <param name="firstNext">Where in the next stream the first of them is.</param>
     public void End(uint ended, int firstFinished, uint going, int firstNext)
     {

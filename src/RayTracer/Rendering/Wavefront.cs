@@ -22,7 +22,7 @@ internal sealed unsafe class Wavefront
 
     /// <summary>Makes one.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="streamSize">How many paths go on together.</param>
+    /// <param name="streamSize">The number of paths that are followed together.</param>
     /// <param name="maxTilePixels">The most pixels of a tile.</param>
     /// <param name="observer">Sees what happens to the paths; null where nobody asks.</param>
     public Wavefront(Scene scene, int streamSize, int maxTilePixels, PathObserver? observer = null)
