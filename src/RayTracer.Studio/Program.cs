@@ -1,3 +1,5 @@
+using RayTracer.Description;
+using RayTracer.Scenes;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;
@@ -11,6 +13,16 @@ internal static class Program
     private static async Task<int> Main(string[] args)
     {
         WideVectors.Enable(args);
+        try
+        {
+            args = PluginFile.LoadAll(args);
+        }
+        catch (PluginException e)
+        {
+            await Console.Error.WriteLineAsync($"error: {e.Message}");
+            return InputOutput;
+        }
+
         StudioOptions options = StudioOptions.Parse(args, out string? complaint);
         if (complaint is not null)
         {

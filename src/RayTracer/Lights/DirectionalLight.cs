@@ -17,13 +17,13 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
     [Parameter("Irradiance on a surface that faces the light.", Unit = "power per area", Minimum = 0)]
     public Rgb Irradiance { get; init; } = Rgb.White;
 
-    internal override void Check(in Transform place, SceneBuilder builder)
+    public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
         CheckDirection(nameof(Direction), Direction, place, builder);
     }
 
-    internal override LightSource Create(Motion motion) => new DirectionalLight(Direction, Irradiance, motion);
+    public override LightSource Create(Motion motion) => new DirectionalLight(Direction, Irradiance, motion);
 }
 
 /// <summary>Light from infinitely far away, along one direction.</summary>
@@ -33,7 +33,7 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
 public sealed class DirectionalLight(Vector3 direction, Rgb irradiance, Motion motion) : PunctualLight(Vector3.Zero, direction.Unit(), motion)
 {
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, irradiance.Luminance);
+    public override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, irradiance.Luminance);
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)

@@ -33,7 +33,7 @@ public sealed record SpotLightDescription : PunctualLightDescription
     [Parameter("How it falls from the edge of the beam to that of the cone: in proportion to the angle, or as glTF's spot lights do, by the square of a number that falls with the angle's cosine.")]
     public SpotFalloff Falloff { get; init; }
 
-    internal override void Check(in Transform place, SceneBuilder builder)
+    public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
         CheckPosition(nameof(Position), Position, place, builder);
@@ -44,7 +44,7 @@ public sealed record SpotLightDescription : PunctualLightDescription
         }
     }
 
-    internal override LightSource Create(Motion motion) =>
+    public override LightSource Create(Motion motion) =>
         new SpotLight(Position, Direction, Intensity, CutoffAngle, BeamWidth ?? 0.75f * CutoffAngle, Falloff, motion);
 }
 
@@ -91,7 +91,7 @@ public sealed class SpotLight : PunctualLight
     }
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), _intensity.Luminance * _share);
+    public override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), _intensity.Luminance * _share);
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
