@@ -1,4 +1,5 @@
 using System.CommandLine;
+using RayTracer.Jobs;
 
 namespace RayTracer.Cli;
 
@@ -7,7 +8,7 @@ internal sealed class ClusterVerb
 {
     private readonly Argument<string> _scene = new("SCENE") { Description = "The scene file, in a folder that all nodes see." };
     private readonly ParsedOption<long?> _tasks = OptionValues.Integer("--tasks", "How many tasks share the samples, or with --frames the frames.", 1, 100_000);
-    private readonly ParsedOption<FrameRange?> _frames = FrameRange.Option();
+    private readonly ParsedOption<FrameRange?> _frames = OptionValues.Frames();
     private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
     private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Processor cores for each task; 1 without it.", 1, 1024);
     private readonly Option<string?> _partition = new("--partition") { Description = "The partition of the cluster.", HelpName = "NAME" };

@@ -6,8 +6,8 @@ using System.Reflection;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Import;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
@@ -196,7 +196,10 @@ internal static class CommandLine
             case CommandException command:
                 streams.Fail(command.Message);
                 return command.Status;
-            case ImageWriteException or PictureException or PluginException or IOException or UnauthorizedAccessException:
+            case JobException { Fault: JobFault.Request }:
+                streams.Fail(OneLine(e.Message).TrimEnd('.'));
+                return ExitStatus.Usage;
+            case JobException or PluginException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException:
                 streams.Fail(OneLine(e.Message).TrimEnd('.'));
                 return ExitStatus.InputOutput;
             case OutOfMemoryException or { InnerException: OutOfMemoryException }:

@@ -5,7 +5,6 @@ using RayTracer.Imaging;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;

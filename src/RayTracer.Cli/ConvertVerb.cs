@@ -2,9 +2,9 @@ using System.CommandLine;
 using System.Text;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
@@ -83,7 +83,7 @@ internal sealed class ConvertVerb
         }
 
         // The names of files in the scene are meant from where it was.
-        string text = FileNames.Move(SceneWriter.Write(result.Description!), Folder(path), Folder(target));
+        string text = SceneWriter.Write(result.Description!, name => Moved(name, Folder(path), Folder(target)));
         AtomicFile.Write(target, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
         stages.End("write");
         return ExitStatus.Fine;
@@ -165,6 +165,9 @@ internal sealed class ConvertVerb
     private static int Scaled(int length, int part, int whole) => (int)Math.Clamp(Math.Round((double)length * part / whole), 1, int.MaxValue);
 
     private static bool IsSceneName(string path) => Path.GetExtension(path).ToLowerInvariant() is ".json" or ".xml" || ModelFile.IsModel(path);
+
+    private static string Moved(string name, string from, string to) => Path.IsPathRooted(name) || !File.Exists(Path.Combine(from, name)) ? name
+        : Path.GetRelativePath(to, Path.GetFullPath(Path.Combine(from, name))).Replace('\\', '/');
 
     private static string Folder(string path) => Path.GetDirectoryName(Path.GetFullPath(path)) ?? "";
 }

@@ -1,7 +1,7 @@
 using System.Text.Json;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
-using RayTracer.Session;
 
 namespace RayTracer.Cli;
 

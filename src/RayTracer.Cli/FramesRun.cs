@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
@@ -195,7 +195,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
             Json = false,
             IsOfSequence = true,
             OverrideWords = [.. request.OverrideWords, "--frames", $"{frame}"],
-            CommandText = Session.Shell.Command([.. Words(), "--frames", $"{frame}", .. files.SelectMany(f => new[] { "-o", f })]),
+            CommandText = Shell.Command([.. Words(), "--frames", $"{frame}", .. files.SelectMany(f => new[] { "-o", f })]),
         };
     }
 
@@ -204,7 +204,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
     {
         string[] onlyHere = ["--quiet", "--json", "--verbose"];
         string[] onlyHereWithValue = ["--frames", "--fps", "--part", "--threads", "-o", "--output"];
-        string[] words = Session.Shell.Words(request.CommandText)[1..];
+        string[] words = Shell.Words(request.CommandText)[1..];
         for (int i = 0; i < words.Length; i++)
         {
             if (onlyHereWithValue.Contains(words[i]))

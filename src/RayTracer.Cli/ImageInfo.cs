@@ -1,5 +1,6 @@
 using System.Text.Json;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 
 namespace RayTracer.Cli;
 

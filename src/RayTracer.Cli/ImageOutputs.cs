@@ -1,6 +1,6 @@
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;

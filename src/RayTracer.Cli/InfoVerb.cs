@@ -4,6 +4,7 @@ using System.Text.Json;
 using RayTracer.Acceleration;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;

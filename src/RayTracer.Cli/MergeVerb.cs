@@ -1,7 +1,7 @@
 using System.CommandLine;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
-using RayTracer.Session;
 
 namespace RayTracer.Cli;
 
@@ -48,7 +48,7 @@ internal sealed class MergeVerb
 
         _writing.WarnOfUnused(result, outputs, streams);
         StageTimes stages = _verbose.Times(result, streams);
-        FilmMerge merge = Open(result.GetValue(_parts)!);
+        FilmMerge merge = FilmMerge.Of(result.GetValue(_parts)!);
         if (DecisionCheckpoint.Is(merge.Header))
         {
             throw DecisionCheckpoint.NoPicture(result.GetValue(_parts)![0]);
@@ -71,18 +71,6 @@ internal sealed class MergeVerb
         int status = Write(result, film, merge.Header, outputs, streams);
         stages.EndWrite();
         return status;
-    }
-
-    private static FilmMerge Open(IEnumerable<string> paths)
-    {
-        try
-        {
-            return FilmMerge.Of(paths);
-        }
-        catch (SessionException e)
-        {
-            throw new CommandException(ExitStatus.InputOutput, e.Message);
-        }
     }
 
     private int Write(ParseResult result, Film film, FilmHeader header, IReadOnlyList<string> outputs, Streams streams)

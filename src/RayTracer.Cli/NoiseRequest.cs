@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using System.Globalization;
 using RayTracer.Description;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
-using RayTracer.Session;
 
 namespace RayTracer.Cli;
 

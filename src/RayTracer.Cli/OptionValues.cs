@@ -1,5 +1,6 @@
 using System.Globalization;
 using RayTracer.Description;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
@@ -57,6 +58,11 @@ internal static class OptionValues
         return new(name, string.Join(',', words), description, list => [.. list.Split(',').Select(part => Array.IndexOf(words, part) is >= 0 and int i ? values[i]
             : throw new FormatException($"unknown image {Quotation.Of(part)}{Spelling.DidYouMean(part, words)}, expected some of {string.Join(", ", words)}"))]);
     }
+
+    /// <summary>Frames of an animation.</summary>
+    public static ParsedOption<FrameRange?> Frames() => new(
+        "--frames", "N|A..B|A..B:STEP",
+        "Renders these frames of the animation, both included, each to its own file: -o frame-####.png. Frames that are there already are left as they are.", FrameRange.Parse);
 
     /// <summary>Whole numbers with commas between them, none negative.</summary>
     public static ParsedOption<int[]?> Integers(string name, string form, string description) => new(name, form, description, word =>

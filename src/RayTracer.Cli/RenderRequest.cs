@@ -1,8 +1,8 @@
 using System.Globalization;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;

@@ -1,9 +1,9 @@
 using System.Diagnostics;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;

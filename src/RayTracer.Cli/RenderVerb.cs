@@ -1,8 +1,8 @@
 using System.CommandLine;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
-using RayTracer.Session;
 
 namespace RayTracer.Cli;
 
@@ -28,7 +28,7 @@ internal sealed class RenderVerb
     private readonly Option<bool> _adaptive = new("--adaptive") { Description = "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes." };
     private readonly ParsedOption<SampleRange?> _samples = new("--samples", "A..B", "Renders only these samples of each pixel, both included, from 0. With -o part.rtfilm, for merge.", SampleShares.Range);
     private readonly ParsedOption<(int Number, int Count)?> _part = new("--part", "I/N", "Renders only the I-th, from 1, of N equal shares of the samples. With -o part.rtfilm, for merge.", SampleShares.Part);
-    private readonly ParsedOption<FrameRange?> _frames = FrameRange.Option();
+    private readonly ParsedOption<FrameRange?> _frames = OptionValues.Frames();
     private readonly ParsedOption<double?> _rate = OptionValues.Number("--fps", "With --frames and -o FILE.png or FILE.apng, which make an animated PNG: frames shown a second; without it, the scene's framesPerSecond.", 0.01, 1000);
     private readonly Option<bool> _resume = new("--resume") { Description = "Goes on from the film of --checkpoint, if it is there: it must be of this very picture. If it is not there, begins anew. So the same command can be given again." };
     private readonly SceneOverrides _overrides;

@@ -2,8 +2,8 @@ using System.CommandLine;
 using RayTracer.Cli.Complexity;
 using RayTracer.Cli.Reproduce;
 using RayTracer.Description;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
-using RayTracer.Session;
 
 namespace RayTracer.Cli;
 

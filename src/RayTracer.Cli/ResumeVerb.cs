@@ -1,8 +1,8 @@
 using System.CommandLine;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
-using RayTracer.Session;
 
 namespace RayTracer.Cli;
 

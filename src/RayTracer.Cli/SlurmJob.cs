@@ -3,8 +3,8 @@ using System.Diagnostics;
 using System.Text;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
-using RayTracer.Session;
 
 namespace RayTracer.Cli;
 

@@ -1,13 +1,14 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Globalization;
+using System.Reflection;
 
 namespace RayTracer.Cli;
 
 /// <summary><c>raytracer studio [SCENE]</c>: starts the Studio, a program of its own, and ends with it.</summary>
 internal static class StudioVerb
 {
-    private const string Program = "RayTracer.Studio.dll";
+    private const string Program = "RayTracer.Studio";
 
     public static void Build(Command command, Streams streams)
     {
@@ -42,19 +43,31 @@ internal static class StudioVerb
     // A signal ends both. What a terminal sends with Ctrl-C reaches the Studio by itself too; twice is no more than once.
     private static int Run(IEnumerable<string> words, Streams streams)
     {
-        string program = Path.Combine(AppContext.BaseDirectory, Program);
-        string single = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "RayTracer.Studio.exe" : "RayTracer.Studio");
-        bool isHosted = File.Exists(program);
-        if (!isHosted && !File.Exists(single))
-        {
-            throw new CommandException(ExitStatus.InputOutput, $"the Studio is not beside the command: there is no '{program}'");
-        }
-
+        string program = Find();
+        bool isHosted = program.EndsWith(".dll", StringComparison.Ordinal);
         using StopSignals signals = new(streams);
-        using Process studio = Process.Start(new ProcessStartInfo(isHosted ? Host() : single, isHosted ? [program, .. words] : words) { UseShellExecute = false })!;
+        using Process studio = Process.Start(new ProcessStartInfo(isHosted ? Host() : program, isHosted ? [program, .. words] : words) { UseShellExecute = false })!;
         using CancellationTokenRegistration registration = signals.Token.Register(() => Stop(studio));
         studio.WaitForExit();
         return signals.Status != 0 ? signals.Status : studio.ExitCode;
+    }
+
+    // Beside the command, as in the tool's package and among single files, or where its project is built to.
+    private static string Find()
+    {
+        string beside = Path.Combine(AppContext.BaseDirectory, Program);
+        Dictionary<string, string?> built = typeof(StudioVerb).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().ToDictionary(a => a.Key, a => a.Value, StringComparer.Ordinal);
+        string? project = built.TryGetValue("StudioProject", out string? relative) ? Path.GetFullPath(relative!, AppContext.BaseDirectory) : null;
+        string configuration = built.GetValueOrDefault("Configuration") ?? "Release";
+        string?[] places =
+        [
+            $"{beside}.dll",
+            OperatingSystem.IsWindows() ? $"{beside}.exe" : beside,
+            project is null ? null : Path.Combine(project, "bin", configuration, Path.GetFileName(Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory)), $"{Program}.dll"),
+        ];
+        return places.FirstOrDefault(File.Exists) ?? throw new CommandException(ExitStatus.InputOutput, Directory.Exists(project)
+            ? $"the Studio is not built: \"dotnet build -c {configuration} {Path.TrimEndingDirectorySeparator(project)}\" builds it"
+            : $"the Studio is not beside the command: there is no '{beside}'");
     }
 
     // The program that runs the command where that is "dotnet", or else that of the runtime that the command runs on.

@@ -4,7 +4,6 @@ using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using Avalonia;
+using RayTracer.Jobs;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop;
@@ -30,7 +31,7 @@ internal static class Program
 
             return Start(session);
         }
-        catch (DocumentException e)
+        catch (Exception e) when (e is DocumentException or JobException)
         {
             Console.Error.WriteLine($"error: {e.Message}");
             return InputOutput;

@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Textures;
 
 namespace RayTracer.Session;
@@ -9,7 +10,7 @@ public static class Complaint
     /// <summary>One sentence; null where the program itself is at fault.</summary>
     public static string? Of(Exception fault) => fault switch
     {
-        DocumentException => Sentence(fault.Message),
+        DocumentException or JobException => Sentence(fault.Message),
         SessionException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException => fault.Message,
         OutOfMemoryException => "There is not enough memory.",
         _ => null,

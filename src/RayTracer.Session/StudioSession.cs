@@ -1,4 +1,5 @@
 using RayTracer.Import;
+using RayTracer.Jobs;
 
 namespace RayTracer.Session;
 

@@ -1,3 +1,4 @@
+using RayTracer.Jobs;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
 using RayTracer.Session;
 
@@ -45,7 +46,7 @@ internal static class Program
             await server.Ended;
             return 0;
         }
-        catch (Exception e) when (e is IOException or DocumentException)
+        catch (Exception e) when (e is IOException or DocumentException or JobException)
         {
             await Console.Error.WriteLineAsync($"error: {e.Message}");
             return InputOutput;

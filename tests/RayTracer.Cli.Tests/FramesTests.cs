@@ -3,6 +3,7 @@ using System.Text;
 using System.Text.Json;
 using RayTracer.Cli;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli.Tests;

@@ -4,7 +4,7 @@ using System.Runtime.Intrinsics;
 using System.Text.Json;
 using RayTracer.Cli;
 using RayTracer.Imaging;
-using RayTracer.Session;
+using RayTracer.Jobs;
 
 namespace RayTracer.Cli.Tests;
 

@@ -2,8 +2,8 @@ using System.Text.Json;
 using RayTracer.Cli;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
-using RayTracer.Session;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli.Tests;

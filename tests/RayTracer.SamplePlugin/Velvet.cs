@@ -11,7 +11,7 @@ public sealed record VelvetDescription : MaterialDescription
 {
     /// <summary>The most that is reflected.</summary>
     [Parameter("Fraction of the light that is reflected where the surface is seen from the side.", Minimum = 0, Maximum = 1)]
-    public TextureDescription Color { get; init; } = "crimson";
+    public TextureDescription Color { get; init; } = new Rgb(0.7f, 0.05f, 0.1f);
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) => new Velvet(builder.Texture(Color));
@@ -21,13 +21,8 @@ public sealed record VelvetDescription : MaterialDescription
 public sealed class Velvet(Textures.Texture color) : Material
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { IsReciprocal = false, WhyNotReciprocal = "only the direction of the eye counts" };
-
-    /// <inheritdoc/>
-    public override bool IsLit => true;
-
-    /// <inheritdoc/>
-    public override bool UsesUv => color.Constant is null;
+    public override MaterialTraits Traits { get; } =
+        new() { IsLit = true, UsesUv = color.Constant is null, ReciprocityException = "only the direction of the eye counts" };
 
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface)

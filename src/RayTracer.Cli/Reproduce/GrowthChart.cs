@@ -1,5 +1,5 @@
 using System.Xml.Linq;
-using RayTracer.Session;
+using RayTracer.Jobs;
 
 namespace RayTracer.Cli.Reproduce;
 

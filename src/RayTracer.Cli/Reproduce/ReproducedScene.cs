@@ -1,4 +1,4 @@
-using RayTracer.Session;
+using RayTracer.Jobs;
 
 namespace RayTracer.Cli.Reproduce;
 

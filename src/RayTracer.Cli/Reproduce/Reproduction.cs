@@ -1,10 +1,10 @@
 using System.Diagnostics;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Sampling;
 using RayTracer.Scenes;
-using RayTracer.Session;
 
 namespace RayTracer.Cli.Reproduce;
 

@@ -1,6 +1,6 @@
 using System.Numerics;
 using System.Runtime.InteropServices;
-using RayTracer.Session;
+using RayTracer.Jobs;
 
 namespace RayTracer.Cli.Reproduce;
 

@@ -13,18 +13,18 @@ namespace RayTracer.Scenes;
 public sealed class SceneWriter
 {
     private readonly Dictionary<object, string> _names = new(ReferenceEqualityComparer.Instance);
+    private readonly Func<string, string>? _file;
 
-    private SceneWriter()
-    {
-    }
+    private SceneWriter(Func<string, string>? file = null) => _file = file;
 
     /// <summary>The text of a scene file that reads back to an equal scene.</summary>
     /// <param name="scene">The scene; its numbers are finite.</param>
+    /// <param name="file">The name to write for a file's name; null to write them as they are.</param>
     /// <returns>JSON, with \n at each line's end.</returns>
     /// <exception cref="ArgumentException">A number that is not finite: JSON has none.</exception>
-    public static string Write(SceneDescription scene)
+    public static string Write(SceneDescription scene, Func<string, string>? file = null)
     {
-        SceneWriter writer = new();
+        SceneWriter writer = new(file);
         foreach ((string name, object thing) in scene.Textures.Select(t => (t.Key, (object)t.Value)).Concat(scene.Materials.Select(m => (m.Key, (object)m.Value)))
             .Concat(scene.Objects.Select(o => (o.Key, (object)o.Value))))
         {
@@ -51,7 +51,7 @@ public sealed class SceneWriter
             object? value = parameter.Get(record);
             if (value is not null && (parameter.Required || !IsDefault(value, parameter.Default)))
             {
-                json[parameter.Key] = Value(value);
+                json[parameter.Key] = _file is not null && parameter.Kind == ParameterKind.File && value is string name ? _file(name) : Value(value);
             }
         }
 

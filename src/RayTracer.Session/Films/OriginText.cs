@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using RayTracer.Description;
+using RayTracer.Jobs;
 using RayTracer.Sampling;
 using RayTracer.Scenes;
 using Json = System.Text.Json.Nodes.JsonNode;

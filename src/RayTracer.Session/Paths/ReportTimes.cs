@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 

@@ -1,6 +1,7 @@
 using System.Globalization;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 
 namespace RayTracer.Session;
 

@@ -38,7 +38,7 @@ public sealed class Scene
         Groups = ShadingGroup.Create(World, out int[] groupOf);
         GroupOfPrimitive = groupOf;
         _interiors = ShadingGroup.NumberInteriors(Groups);
-        Wavelengths = Array.Exists(Groups, g => g.Disperses) ? new() : null;
+        Wavelengths = Array.Exists(Groups, g => g.Traits.Disperses) ? new() : null;
         Media = new(_interiors);
         (HasMedia, HasNesting) = Tracked();
         CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;

@@ -2,7 +2,7 @@ using System.Xml.Linq;
 using RayTracer.Cli;
 using RayTracer.Cli.Reproduce;
 using RayTracer.Imaging;
-using RayTracer.Session;
+using RayTracer.Jobs;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli.Tests.Reproduce;

@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Session;
 
@@ -37,7 +38,7 @@ public sealed class BackgroundRendersTests
         Assert.Contains(new("FilmHash", whole), ImageFile.ReadText(Path.Combine(test.Folder, "whole.png")));
 
         Assert.Contains("samples 0..1 are missing of 7", Assert.Throws<SessionException>(() => background.Merge(parts[..2], "some.png", false)).Message, StringComparison.Ordinal);
-        Assert.Contains("are in both", Assert.Throws<SessionException>(() => background.Merge([.. parts, parts[0]], "some.rtfilm", false)).Message, StringComparison.Ordinal);
+        Assert.Contains("are in both", Assert.Throws<JobException>(() => background.Merge([.. parts, parts[0]], "some.rtfilm", false)).Message, StringComparison.Ordinal);
         Assert.Throws<SessionException>(() => background.Merge([], "some.rtfilm", false));
         Assert.Equal(SessionFault.Conflict, Assert.Throws<SessionException>(() => background.Part(1, 3, "part1.rtfilm", overwrite: false)).Fault);
         Assert.Throws<SessionException>(() => background.Part(4, 3, "some.rtfilm", false));

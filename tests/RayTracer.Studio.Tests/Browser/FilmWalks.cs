@@ -1,5 +1,6 @@
 using Microsoft.Playwright;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Session;
 using static Microsoft.Playwright.Assertions;

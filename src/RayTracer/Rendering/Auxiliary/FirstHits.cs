@@ -91,7 +91,7 @@ internal sealed unsafe class FirstHits
 
     private void AddPacket(ShadingGroup group, uint* index, int count)
     {
-        bool usesUv = group.UsesUv || _film.Needs.HasFlag(FirstHitParts.Uv);
+        bool usesUv = group.Traits.UsesUv || _film.Needs.HasFlag(FirstHitParts.Uv);
         SurfaceShader.Describe(_scene, group, _rays, index, usesUv, out SurfaceW surface);
         group.Material.Albedo(surface, out RgbW albedo);
         for (int lane = 0; lane < count; lane++)

@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Text;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>
 /// Makes <see cref="Vector{T}"/> 512 bits wide where the processor is. The runtime reads the setting only when it starts, so

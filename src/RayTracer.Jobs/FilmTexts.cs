@@ -1,6 +1,6 @@
 using RayTracer.Imaging;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>What images of films say of themselves.</summary>
 public static class FilmTexts

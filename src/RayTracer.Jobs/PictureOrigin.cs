@@ -3,7 +3,7 @@ using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>What a film or an image of the program says about how it was rendered.</summary>
 /// <param name="Scene">The scene's file, where there is one.</param>
@@ -36,18 +36,18 @@ public sealed record PictureOrigin(string Scene, IReadOnlyList<KeyValuePair<stri
     public static PictureOrigin Of(FilmHeader header, string file) => Of([header.Scene, .. FilmTexts.Words(header, header.Total)], file);
 
     /// <summary>What an image says.</summary>
-    /// <exception cref="DocumentException">It says nothing.</exception>
+    /// <exception cref="JobException">It says nothing.</exception>
     public static PictureOrigin OfImage(string path)
     {
         try
         {
             string? command = ImageFile.ReadText(path).FirstOrDefault(t => t.Key == "Command").Value;
             return command is not null && Shell.Words(command) is [_, "render", .. var words] ? Of(words, path)
-                : throw new DocumentException($"{Path.GetFileName(path)} does not say which scene it shows: only images and films of this program do");
+                : throw new JobException($"{Path.GetFileName(path)} does not say which scene it shows: only images and films of this program do");
         }
         catch (PictureException e)
         {
-            throw new DocumentException(e.Message.TrimEnd('.'), e);
+            throw new JobException(e.Message.TrimEnd('.'), e);
         }
     }
 
@@ -73,7 +73,7 @@ public sealed record PictureOrigin(string Scene, IReadOnlyList<KeyValuePair<stri
             }
         }
 
-        return scene is null ? throw new DocumentException($"{Path.GetFileName(file)} does not say which scene it shows") : new(Path.GetFullPath(ScenePath(scene, file, options.Where(o => o.Key is "-o" or "--output").Select(o => o.Value))), options);
+        return scene is null ? throw new JobException($"{Path.GetFileName(file)} does not say which scene it shows") : new(Path.GetFullPath(ScenePath(scene, file, options.Where(o => o.Key is "-o" or "--output").Select(o => o.Value))), options);
     }
 
     private string? Last(string option) => Options.LastOrDefault(o => o.Key == option).Value;

@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>Writes commands as they are typed into a POSIX shell.</summary>
 public static class Shell

@@ -1,6 +1,6 @@
 using System.Globalization;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>What a command says about a picture besides its content (<see cref="ContentHash.OfPicture"/>): how it looks, what comes with it, and when it is good enough.</summary>
 internal static class PictureOptions

@@ -1,4 +1,4 @@
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>One picture of the report's section 6.3.</summary>
 /// <param name="Letter">A to D, as in its figure.</param>

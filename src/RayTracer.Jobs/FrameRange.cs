@@ -2,13 +2,13 @@ using System.Globalization;
 using RayTracer.Description;
 using RayTracer.Scenes;
 
-namespace RayTracer.Cli;
+namespace RayTracer.Jobs;
 
 /// <summary>Frames of an animation: 7, 0..239 or, every second one, 0..239:2.</summary>
 /// <param name="First">The first.</param>
 /// <param name="Last">The last may be less than a step before it.</param>
 /// <param name="Step">How far it is from one to the next.</param>
-internal sealed record FrameRange(int First, int Last, int Step)
+public sealed record FrameRange(int First, int Last, int Step)
 {
     private const int Largest = 9_999_999;
 
@@ -17,10 +17,6 @@ internal sealed record FrameRange(int First, int Last, int Step)
 
     /// <summary>The frames in their order.</summary>
     public IEnumerable<int> Numbers => Enumerable.Range(0, Count).Select(i => First + (i * Step));
-
-    /// <summary>The option.</summary>
-    public static ParsedOption<FrameRange?> Option() => new(
-        "--frames", "N|A..B|A..B:STEP", "Renders these frames of the animation, both included, each to its own file: -o frame-####.png. Frames that are there already are left as they are.", Parse);
 
     /// <summary>A file's name with a frame's number in place of its last signs #, with zeros before it.</summary>
     public static string Name(string pattern, int frame)
@@ -38,7 +34,9 @@ internal sealed record FrameRange(int First, int Last, int Step)
     /// <summary>As it is typed.</summary>
     public override string ToString() => First == Last ? $"{First}" : Step == 1 ? $"{First}..{Last}" : $"{First}..{Last}:{Step}";
 
-    private static FrameRange Parse(string word)
+    /// <summary>Reads what <see cref="ToString"/> writes.</summary>
+    /// <exception cref="FormatException">It is none.</exception>
+    public static FrameRange Parse(string word)
     {
         string[] parts = word.Split(':');
         string[] ends = parts[0].Split("..");

@@ -2,7 +2,7 @@ using System.Buffers.Binary;
 using System.Text;
 using RayTracer.Scenes;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>The files that a model file names: materials, buffers, pictures.</summary>
 public static class ModelSidecars

@@ -2,7 +2,7 @@ using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>Tells whether a file already holds the picture that a command would write, whole.</summary>
 public static class FinishedPicture

@@ -1,4 +1,4 @@
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>A test scene of the report: table 6.1 and figures 6.3 to 6.5.</summary>
 /// <param name="Number">1 to 3.</param>

@@ -1,6 +1,6 @@
 using RayTracer.Rendering;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>What the program calls itself in files.</summary>
 public static class ProgramName

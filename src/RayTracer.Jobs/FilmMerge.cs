@@ -3,7 +3,7 @@ using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>Films of different samples of one picture, to be added up. In any order, the bits are those of one render.</summary>
 public sealed class FilmMerge
@@ -26,7 +26,7 @@ public sealed class FilmMerge
 
     /// <summary>Looks at films.</summary>
     /// <param name="paths">Their files, at least one.</param>
-    /// <exception cref="SessionException">They do not go together; the message is a clause.</exception>
+    /// <exception cref="JobException">They do not go together.</exception>
     /// <exception cref="PictureException">One cannot be read.</exception>
     public static FilmMerge Of(IEnumerable<string> paths) => new([.. paths.Select(p => (p, CarriedFilm.ReadHeader(p)))]);
 
@@ -82,14 +82,14 @@ public sealed class FilmMerge
         (string firstPath, FilmHeader first) = parts[0];
         if (Array.Find(parts, p => p.Header.Samples.Count == 0).Path is { } empty)
         {
-            throw new SessionException($"'{empty}' holds no samples yet");
+            throw new JobException($"'{empty}' holds no samples yet");
         }
 
         foreach ((string path, FilmHeader header) in parts)
         {
             if (header.Content != first.Content || (header.Width, header.Height, header.Crop) != (first.Width, first.Height, first.Crop))
             {
-                throw new SessionException($"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings or the program differ");
+                throw new JobException($"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings or the program differ");
             }
         }
 
@@ -99,7 +99,7 @@ public sealed class FilmMerge
             if (ranges[i].Range.First < ranges[i - 1].Range.End)
             {
                 SampleRange twice = new(ranges[i].Range.First, Math.Min(ranges[i].Range.End, ranges[i - 1].Range.End));
-                throw new SessionException($"samples {FilmHeader.Text(twice)} are in both '{ranges[i - 1].Path}' and '{ranges[i].Path}'");
+                throw new JobException($"samples {FilmHeader.Text(twice)} are in both '{ranges[i - 1].Path}' and '{ranges[i].Path}'");
             }
         }
 

@@ -9,7 +9,7 @@ using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
 
-namespace RayTracer.Session;
+namespace RayTracer.Jobs;
 
 /// <summary>
 /// The hash of all that decides what a sample comes to: the description with every value, the content of every file that it names, and the part that

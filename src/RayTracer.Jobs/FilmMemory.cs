@@ -1,10 +1,10 @@
 using System.Globalization;
 using RayTracer.Rendering;
 
-namespace RayTracer.Cli;
+namespace RayTracer.Jobs;
 
 /// <summary>How much memory films take.</summary>
-internal static class FilmMemory
+public static class FilmMemory
 {
     /// <summary>Memory of a film in bytes.</summary>
     public static long Bytes(int width, int height) => (long)Film.BytesPerPixel * width * height;
