@@ -29,7 +29,7 @@ public class PluginTests
         string scene = Write(folder, Scene);
         string image = folder["picture.ppm"];
 
-        (int status, string text) = Run("render", scene, "--plugin", s_plugin, "-o", image, "--aov", "nearness", "-q");
+        (int status, string text) = Run("render", scene, "--plugin", s_plugin, "-o", image, "--aov", "nearness", "--quiet");
 
         Assert.Equal((0, ""), (status, text));
         int[] numbers = [.. File.ReadAllText(image).Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Skip(4).Select(int.Parse)];
@@ -101,7 +101,7 @@ public class PluginTests
         Refused([folder["missing.dll"]], "cannot be loaded: ");
         Refused([Path.Combine(AppContext.BaseDirectory, "xunit.assert.dll")], "xunit.assert has no types for scenes");
         Refused([old], "was made for version 9.9.9.9 of RayTracer.Core, but this is ");
-        Refused([s_plugin, s_plugin], "There is another ");
+        Refused([s_plugin, s_plugin], "the shape \"ball\" of RayTracer.SamplePlugin needs another name: there is one already");
 
         void Refused(string[] files, string message)
         {

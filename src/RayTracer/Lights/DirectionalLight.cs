@@ -17,12 +17,14 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
     [Parameter("Irradiance on a surface that faces the light.", Unit = "power per area", Minimum = 0)]
     public Rgb Irradiance { get; init; } = Rgb.White;
 
+    /// <inheritdoc/>
     public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
         CheckDirection(nameof(Direction), Direction, place, builder);
     }
 
+    /// <inheritdoc/>
     public override LightSource Create(Motion motion) => new DirectionalLight(Direction, Irradiance, motion);
 }
 

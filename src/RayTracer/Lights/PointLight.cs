@@ -17,12 +17,14 @@ public sealed record PointLightDescription : PunctualLightDescription
     [Parameter("Radiant intensity in every direction: a surface that faces it at distance d receives the irradiance of this over d².", Unit = "power per steradian", Minimum = 0)]
     public Rgb Intensity { get; init; } = Rgb.White;
 
+    /// <inheritdoc/>
     public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
         CheckPosition(nameof(Position), Position, place, builder);
     }
 
+    /// <inheritdoc/>
     public override LightSource Create(Motion motion) => new PointLight(Position, Intensity, motion);
 }
 

@@ -33,6 +33,7 @@ public sealed record SpotLightDescription : PunctualLightDescription
     [Parameter("How it falls from the edge of the beam to that of the cone: in proportion to the angle, or as glTF's spot lights do, by the square of a number that falls with the angle's cosine.")]
     public SpotFalloff Falloff { get; init; }
 
+    /// <inheritdoc/>
     public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
@@ -44,6 +45,7 @@ public sealed record SpotLightDescription : PunctualLightDescription
         }
     }
 
+    /// <inheritdoc/>
     public override LightSource Create(Motion motion) =>
         new SpotLight(Position, Direction, Intensity, CutoffAngle, BeamWidth ?? 0.75f * CutoffAngle, Falloff, motion);
 }
