@@ -18,6 +18,15 @@ public sealed record PointLightDescription : PunctualLightDescription
     public Rgb Intensity { get; init; } = Rgb.White;
 
     /// <inheritdoc/>
+    public override Vector3 Middle => Position;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { Position = view.At(view.Above), Intensity = view.Intensity };
+
+    /// <inheritdoc/>
+    public override ShapeDescription Moved(in ShapeMove move) => this with { Position = move.Point(Position) };
+
+    /// <inheritdoc/>
     public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);

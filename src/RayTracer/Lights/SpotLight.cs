@@ -34,6 +34,16 @@ public sealed record SpotLightDescription : PunctualLightDescription
     public SpotFalloff Falloff { get; init; }
 
     /// <inheritdoc/>
+    public override Vector3 Middle => Position;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) =>
+        this with { Position = view.At(view.Above), Direction = -view.Above.Unit(), Intensity = view.Intensity, CutoffAngle = 30 };
+
+    /// <inheritdoc/>
+    public override ShapeDescription Moved(in ShapeMove move) => this with { Position = move.Point(Position), Direction = move.Direction(Direction) };
+
+    /// <inheritdoc/>
     public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
