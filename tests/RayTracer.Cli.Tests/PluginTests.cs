@@ -13,7 +13,7 @@ public class PluginTests
           "camera": { "position": [0, 1, 5] },
           "render": { "width": 24, "height": 16, "samplesPerPixel": 4, "integrator": "path" },
           "shapes": [
-            { "type": "ball", "middle": [0, 0.5, 0], "size": 0.8, "material": { "type": "velvet" } },
+            { "type": "ball", "center": [0, 0.5, 0], "size": 0.8, "material": { "type": "velvet" } },
             { "type": "plane", "point": [0, -0.5, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "stripes", "count": 3 } } }
           ],
           "lights": [{ "type": "beacon", "position": [0, -0.4, 2], "intensity": [30, 30, 30] }, { "type": "point", "position": [2, 4, 3], "intensity": [50, 50, 50] }]

@@ -13,14 +13,14 @@ public sealed record BallDescription : ShapeDescription
 {
     /// <summary>Its middle.</summary>
     [Parameter("Its middle.", Unit = "scene units")]
-    public Vector3 Middle { get; init; }
+    public Vector3 Center { get; init; }
 
     /// <summary>From the middle to the surface.</summary>
     [Parameter("From the middle to the surface.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
     public float Size { get; init; } = 1;
 
     /// <inheritdoc/>
-    public override Shape? Build(SceneBuilder builder) => new Ball(builder.Material(Material), Name, Middle, Size);
+    public override Shape? Build(SceneBuilder builder) => new Ball(builder.Material(Material), Name, Center, Size);
 }
 
 /// <summary>A ball, which cannot be a lamp: it has no way to choose points.</summary>
