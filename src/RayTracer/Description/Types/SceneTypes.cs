@@ -17,7 +17,7 @@ public static class SceneTypes
     /// <summary>The textures.</summary>
     public static TypeFamily Textures { get; } = new("texture", typeof(TextureDescription));
 
-    /// <summary>What may surround a scene.</summary>
+    /// <summary>The environments of scenes.</summary>
     public static TypeFamily Environments { get; } = new("environment", typeof(EnvironmentDescription));
 
     /// <summary>The four families.</summary>
