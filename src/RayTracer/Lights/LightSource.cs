@@ -32,7 +32,7 @@ public abstract class LightSource(int instance, int primitive)
 
     /// <summary>Its place and strength, by which one of many lights is chosen.</summary>
     /// <param name="shutter">When the shutter opens and closes, in seconds.</param>
-    internal abstract LightExtent Extent((double Open, double Close) shutter);
+    public abstract LightExtent Extent((double Open, double Close) shutter);
 
     /// <summary>Chooses a point of the light for each lit point.</summary>
     /// <param name="from">The lit points.</param>
