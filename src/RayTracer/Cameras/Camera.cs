@@ -76,7 +76,7 @@ public sealed class Camera
         return new Camera(kind.Create(view), hasLens ? new Lens(camera.Lens, view.Right, view.Up) : null, motion, view);
     }
 
-    /// <summary>How far along the viewing direction a point is that the ray through a point of the picture meets.</summary>
+    /// <summary>The distance along the viewing direction of the point that the ray through a point of the picture meets.</summary>
     /// <param name="x">Column, in pixels from the left edge.</param>
     /// <param name="y">Row, in pixels from the top edge.</param>
     /// <param name="distance">Its distance along the ray.</param>

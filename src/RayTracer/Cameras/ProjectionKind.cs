@@ -31,7 +31,7 @@ public abstract class ProjectionKind
         _ => Perspective,
     };
 
-    /// <summary>How much of a plane across the view a picture shows from its lower to its upper edge.</summary>
+    /// <summary>The extent of a plane across the view that a picture shows from its lower to its upper edge.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="distance">How far away the plane is.</param>
     /// <param name="aspect">Width of the picture over its height.</param>
