@@ -26,23 +26,23 @@ internal static class CommandLine
     private static readonly (string Name, string Summary, Action<Command, Streams> Build)[] Verbs =
     [
         ("render", "Renders a scene into image files.", RenderVerb.Build),
-        ("sweep", "Renders a scene with several values of its settings, as one labelled sheet.", SweepVerb.Build),
-        ("resume", "Goes on with a film that was stopped, or gives it more samples.", ResumeVerb.Build),
-        ("merge", "Adds films of different samples of one picture up.", MergeVerb.Build),
+        ("sweep", "Renders a scene with several values of its settings, as one labelled contact sheet.", SweepVerb.Build),
+        ("resume", "Resumes a film that was stopped, or adds samples to it.", ResumeVerb.Build),
+        ("merge", "Adds up films that hold different samples of one picture.", MergeVerb.Build),
         ("cluster", "Writes the jobs of a cluster that render the parts of a picture, and merge them.", ClusterVerb.Build),
-        ("verify", "Renders what an image or film says it is once more, and compares.", VerifyVerb.Build),
-        ("check", "Says everything that is wrong with scene files.", CheckVerb.Build),
-        ("info", "Says what is in a scene or model and how much memory it takes; and what a film or image says of itself.", InfoVerb.Build),
-        ("explain", "Says what a part of scene files means: its unit, range and default.", ExplainVerb.Build),
-        ("convert", "Writes a scene of another format in the native one, and images and films as other images.", ConvertVerb.Build),
+        ("verify", "Renders an image or film again from what it says about its origin, and compares.", VerifyVerb.Build),
+        ("check", "Reports everything that is wrong with scene files.", CheckVerb.Build),
+        ("info", "Reports the contents and memory use of a scene or model, and what a film or image says about itself.", InfoVerb.Build),
+        ("explain", "Explains a part of the scene format: its meaning, unit, range and default.", ExplainVerb.Build),
+        ("convert", "Converts scenes of other formats to the native one, and images and films to other image formats.", ConvertVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),
-        ("compose", "Balances the lights of a rendered picture anew.", ComposeVerb.Build),
+        ("compose", "Rebalances the lights of a rendered picture.", ComposeVerb.Build),
         ("view", "Shows an image in the terminal.", ViewVerb.Build),
-        ("bench", "Measures how many rays are traced in a second.", BenchVerb.Build),
+        ("bench", "Measures how many rays are traced per second.", BenchVerb.Build),
         ("reproduce", "Renders the pictures and tables of the report that the project follows.", ReproduceVerb.Build),
-        ("studio", "Opens the Studio, in which scenes are edited and seen, in a window of the browser.", StudioVerb.Build),
+        ("studio", "Opens the Studio, where scenes are edited and viewed, in a browser window.", StudioVerb.Build),
         ("schema", "Prints the JSON Schema of scene files.", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
-        ("completion", "Prints the script with which a shell completes this command.", CompletionVerb.Build),
+        ("completion", "Prints the script that lets a shell complete this command.", CompletionVerb.Build),
         ("man", "Prints the manual page of this command, in the language of man(7).", ManVerb.Build),
         ("reference", "Prints the reference page of the scene format, in Markdown.", (c, s) => c.SetAction(_ => s.Output.Write(SceneReference.Generate()))),
     ];
@@ -56,6 +56,7 @@ internal static class CommandLine
         Importers.Register();
         try
         {
+            PluginFile.LoadAll(args);
             ParseResult result = Root(args.FirstOrDefault(), streams).Parse(args, new() { ResponseFileTokenReplacer = null });
             string? stray = Stray(result);
             string? empty = EmptyWord(result);
@@ -84,7 +85,7 @@ internal static class CommandLine
     {
         Command command = new(v.Name, v.Summary);
         v.Build(command, streams);
-        return VerbHelp.Of(command, Synopsis);
+        return VerbHelp.Of(PluginOption.AddTo(command), Synopsis);
     })];
 
     private static Command Root(string? verb, Streams streams)
@@ -108,6 +109,7 @@ internal static class CommandLine
             if (name == verb)
             {
                 build(command, streams);
+                PluginOption.AddTo(command);
             }
 
             root.Subcommands.Add(command);
@@ -157,7 +159,7 @@ internal static class CommandLine
             ['-', ..] when !Names(result).Contains(stray) => UnknownOption(stray, command),
             _ when isRoot => $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
             _ when OwnComplaint(result) is { } complaint => complaint,
-            ['-', ..] => $"unexpected argument {Quotation.Of(stray)}: options stand before the word --",
+            ['-', ..] => $"unexpected argument {Quotation.Of(stray)}: options must come before the word --",
             _ => $"unexpected argument {Quotation.Of(stray)}",
         });
         streams.Error.WriteLine(isRoot ? "usage: raytracer VERB …, see raytracer --help" : $"usage: {Name(command)} {Synopsis(command)}, see {Name(command)} --help");
@@ -197,7 +199,7 @@ internal static class CommandLine
             case JobException { Fault: JobFault.Request }:
                 streams.Fail(OneLine(e.Message).TrimEnd('.'));
                 return ExitStatus.Usage;
-            case JobException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException:
+            case JobException or PluginException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException:
                 streams.Fail(OneLine(e.Message).TrimEnd('.'));
                 return ExitStatus.InputOutput;
             case OutOfMemoryException or { InnerException: OutOfMemoryException }:

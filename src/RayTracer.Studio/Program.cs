@@ -1,4 +1,6 @@
+using RayTracer.Description;
 using RayTracer.Jobs;
+using RayTracer.Scenes;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;
@@ -12,6 +14,16 @@ internal static class Program
     private static async Task<int> Main(string[] args)
     {
         WideVectors.Enable(args);
+        try
+        {
+            args = PluginFile.LoadAll(args);
+        }
+        catch (PluginException e)
+        {
+            await Console.Error.WriteLineAsync($"error: {e.Message}");
+            return InputOutput;
+        }
+
         StudioOptions options = StudioOptions.Parse(args, out string? complaint);
         if (complaint is not null)
         {
@@ -45,8 +57,8 @@ internal static class Program
     {
         bool isOpen = browser is { } kind && BrowserLauncher.Open(page.FilePath, kind);
         Console.WriteLine(isOpen
-            ? $"The Studio opens in a window of the browser; if it does not, go to {server.Link}"
+            ? $"The Studio opens in a browser window; if it does not, open {server.Link}"
             : $"The Studio is at {server.Link}");
-        Console.WriteLine("It ends with its last window, or with Ctrl-C.");
+        Console.WriteLine("It ends when its last window is closed, or with Ctrl-C.");
     }
 }

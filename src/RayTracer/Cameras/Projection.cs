@@ -2,7 +2,7 @@ using RayTracer.Cameras;
 
 namespace RayTracer.Description;
 
-/// <summary>How a camera maps what it sees to the picture: what holds for all cameras that map by it.</summary>
+/// <summary>The projection of the scene to the picture: what holds for all cameras that have it.</summary>
 /// <param name="name">The name in scene files, in camelCase.</param>
 public abstract class Projection(string name) : NamedValue(name)
 {
