@@ -60,7 +60,7 @@ public sealed class Camera
         }
 
         bool hasLens = camera.Lens.Shape == LensShape.EyeJitter ? camera.Lens.Jitter != Vector3.Zero : camera.Lens.ApertureRadius > 0;
-        ProjectionKind kind = ProjectionKind.Of(camera);
+        Projection kind = camera.Projection;
         if (hasLens && kind.LensComplaint is { } complaint)
         {
             builder.Error(camera, nameof(CameraDescription.Lens), complaint);
@@ -99,7 +99,7 @@ public sealed class Camera
         return origin;
     }
 
-    private static bool IsWindow(CameraDescription camera, ProjectionKind kind, SceneBuilder builder)
+    private static bool IsWindow(CameraDescription camera, Projection kind, SceneBuilder builder)
     {
         IReadOnlyList<float> window = camera.Window;
         string? complaint = window switch

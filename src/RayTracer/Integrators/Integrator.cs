@@ -70,7 +70,7 @@ public abstract class Integrator(string name, IntegratorTraits traits) : NamedVa
     public bool Has(IntegratorTraits wanted) => (traits & wanted) == wanted;
 
     /// <summary>Makes what shades for one thread.</summary>
-    internal abstract SurfaceShader CreateShader(ShaderContext context);
+    protected internal abstract SurfaceShader CreateShader(ShaderContext context);
 
     // "only the path, direct and volPath integrators know"
     internal static string Only(IntegratorTraits trait, string verb)
