@@ -35,7 +35,7 @@ internal sealed class NoiseRequest(RenderRequest request)
             return scene;
         }
 
-        if (ContentHash.HasPattern(render))
+        if (render.Sampler.DependsOnCount)
         {
             string option = request.Adaptive ? "--adaptive" : request.Noise is not null ? "--noise" : "--time";
             throw new CommandException(

@@ -41,14 +41,18 @@ internal static class OptionValues
             : value);
     }
 
-    /// <summary>One word of an enumeration, in small letters.</summary>
+    /// <summary>One name of an enumeration.</summary>
     public static ParsedOption<TEnum?> Choice<TEnum>(string name, string description)
         where TEnum : struct, Enum =>
-        Choice<TEnum?>(name, description, [.. Enum.GetNames<TEnum>().Select(w => w.ToLowerInvariant())], [.. Enum.GetValues<TEnum>()]);
+        Choice<TEnum?>(name, description, [.. NamedValues.Of(typeof(TEnum))!.Names], [.. Enum.GetValues<TEnum>()]);
 
-    /// <summary>One of some words, each of which stands for a value.</summary>
+    /// <summary>One name of an open set.</summary>
+    public static ParsedOption<T?> Choice<T>(Registry<T> known, string name, string description)
+        where T : NamedValue => Choice<T?>(name, description, [.. known.Names], [.. known.All]);
+
+    /// <summary>One of some words, each of which stands for a value; small and capital letters are the same.</summary>
     public static ParsedOption<T> Choice<T>(string name, string description, string[] words, T[] values) => new(name, string.Join('|', words), description, word =>
-        Array.IndexOf(words, word) is >= 0 and int i ? values[i]
+        Array.FindIndex(words, w => w.Equals(word, StringComparison.OrdinalIgnoreCase)) is >= 0 and int i ? values[i]
         : throw new FormatException($"unknown value {Quotation.Of(word)}{Spelling.DidYouMean(word, words)}, expected one of {string.Join(", ", words)}"));
 
     /// <summary>Some of the values of an enumeration, with commas between their words.</summary>

@@ -303,7 +303,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         }
         catch (ArgumentException e)
         {
-            string hint = LightLayerFilm.Splits(scene.Render.Integrator) ? "give several of them one \"lightGroup\"" : "choose another --integrator";
+            string hint = scene.Render.Integrator.Has(IntegratorTraits.Layers) ? "give several of them one \"lightGroup\"" : "choose another --integrator";
             throw new CommandException(ExitStatus.Usage, $"--aov: {char.ToLowerInvariant(e.Message[0])}{e.Message[1..].Split(" (Parameter '")[0].TrimEnd('.')}: {hint}");
         }
     }

@@ -41,7 +41,7 @@ internal sealed class ResumeVerb
         new(ExitStatus.InputOutput, $"the film is not of '{path}': the scene, a file that it names, its settings or the program are others than they were");
 
     /// <summary>The complaint about a film of other content than what it shall be gone on with.</summary>
-    public static CommandException OtherFilm(RenderRequest request, FilmHeader header, RenderDescription render) => ContentHash.HasPattern(render) && render.SamplesPerPixel != header.Total
+    public static CommandException OtherFilm(RenderRequest request, FilmHeader header, RenderDescription render) => render.Sampler.DependsOnCount && render.SamplesPerPixel != header.Total
         ? new(
             ExitStatus.Usage,
             $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, so that a film of {header.Total} cannot be given more or fewer: render it anew, or with --sampler sobol")

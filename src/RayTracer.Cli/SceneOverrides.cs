@@ -16,8 +16,8 @@ internal sealed class SceneOverrides
     private readonly ParsedOption<long?> _diffuseDepth = OptionValues.Parameter("--max-diffuse-depth", nameof(RenderDescription.MaxDiffuseDepth));
     private readonly ParsedOption<long?> _specularDepth = OptionValues.Parameter("--max-specular-depth", nameof(RenderDescription.MaxSpecularDepth));
     private readonly ParsedOption<long?> _maxDepth = OptionValues.Parameter("--max-depth", nameof(RenderDescription.MaxDepth));
-    private readonly ParsedOption<Integrator?> _integrator = OptionValues.Choice<Integrator>("--integrator", "How the light is computed. Replaces the scene's.");
-    private readonly ParsedOption<SamplerKind?> _sampler = OptionValues.Choice<SamplerKind>("--sampler", "How the samples of a pixel are placed. Replaces the scene's.");
+    private readonly ParsedOption<Integrator?> _integrator = OptionValues.Choice(Integrator.Known, "--integrator", "How the light is computed. Replaces the scene's.");
+    private readonly ParsedOption<SamplerKind?> _sampler = OptionValues.Choice(SamplerKind.Known, "--sampler", "How the samples of a pixel are placed. Replaces the scene's.");
     private readonly SettingOption _settings;
     private readonly Option[] _all;
 
@@ -59,7 +59,7 @@ internal sealed class SceneOverrides
             Sampler = _sampler.Value(result) ?? old.Sampler,
         };
         Option? changed = new Option[] { _samples.Symbol, _sampler.Symbol }.FirstOrDefault(o => result.GetResult(o) is { Implicit: false });
-        return changed is not null && Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint
+        return changed is not null && render.Sampler.Complaint(render.SamplesPerPixel) is { } complaint
             ? throw new CommandException(ExitStatus.Usage, $"{changed.Name} {result.GetResult(changed)!.Tokens[^1].Value}: {complaint}")
             : scene with { Render = render };
     }

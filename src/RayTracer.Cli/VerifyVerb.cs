@@ -86,7 +86,7 @@ internal static class VerifyVerb
 
     // Samples of a sampler without a pattern do not depend on how many there are.
     private static SceneDescription Widen(SceneDescription scene, SampleRange? range) =>
-        range is { } samples && samples.End > scene.Render.SamplesPerPixel && !ContentHash.HasPattern(scene.Render)
+        range is { } samples && samples.End > scene.Render.SamplesPerPixel && !scene.Render.Sampler.DependsOnCount
             ? scene with { Render = scene.Render with { SamplesPerPixel = samples.End } }
             : scene;
 

@@ -32,7 +32,7 @@ public sealed class ContentHash : IDisposable
         using ContentHash hash = new(Path.GetDirectoryName(path) ?? "");
         hash.Text(ProgramName.Text);
         hash.Text($"{crop}");
-        hash.Add(scene with { Animation = [], Render = scene.Render with { SamplesPerPixel = HasPattern(scene.Render) ? scene.Render.SamplesPerPixel : 1 } });
+        hash.Add(scene with { Animation = [], Render = scene.Render with { SamplesPerPixel = scene.Render.Sampler.DependsOnCount ? scene.Render.SamplesPerPixel : 1 } });
         return Convert.ToHexStringLower(hash._hash.GetHashAndReset());
     }
 
@@ -42,9 +42,6 @@ public sealed class ContentHash : IDisposable
     /// <param name="crop">The part that is rendered; null for all.</param>
     public static string OfPicture(SceneDescription scene, string path, Tile? crop) =>
         string.Create(CultureInfo.InvariantCulture, $"{Of(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
-
-    /// <summary>Whether where a sample lies depends on how many there are.</summary>
-    public static bool HasPattern(RenderDescription render) => render.Sampler is SamplerKind.Jittered or SamplerKind.Regular;
 
     /// <inheritdoc/>
     public void Dispose() => _hash.Dispose();
@@ -64,6 +61,9 @@ public sealed class ContentHash : IDisposable
                 break;
             case Enum or bool:
                 Text($"{value}");
+                break;
+            case NamedValue { Name: var name }:
+                Text(char.ToUpperInvariant(name[0]) + name[1..]);
                 break;
             case IDictionary named:
                 AddNamed(named);

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text.Json;
 using RayTracer.Description;
 using RayTracer.Jobs;
 using RayTracer.Sampling;
@@ -65,13 +64,11 @@ internal static class OriginText
 
     private static Json Value(string option, string value) => option switch
     {
-        "--integrator" => Word<Integrator>(option, value),
-        "--sampler" => Word<SamplerKind>(option, value),
+        "--integrator" => Word(Integrator.Known, option, value),
+        "--sampler" => Word(SamplerKind.Known, option, value),
         _ => long.TryParse(value, CultureInfo.InvariantCulture, out long number) ? JsonValue.Create(number) : throw new DocumentException($"the picture's {option} {value} is no number"),
     };
 
-    private static JsonValue Word<T>(string option, string value)
-        where T : struct, Enum => Enum.TryParse(value, ignoreCase: true, out T word)
-        ? JsonValue.Create(JsonNamingPolicy.CamelCase.ConvertName($"{word}"))
-        : throw new DocumentException($"the picture's {option} {value} is unknown");
+    private static JsonValue Word(NamedValues known, string option, string value) =>
+        JsonValue.Create(NamedValues.NameOf(known.Find(value) ?? throw new DocumentException($"the picture's {option} {value} is unknown")));
 }
