@@ -18,7 +18,7 @@ internal static class BenchVerb
     {
         Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes.Folder}, and the Cornell box.", Arity = ArgumentArity.ZeroOrMore };
         ParsedOption<long?> samples = OptionValues.Parameter("--spp", nameof(Description.RenderDescription.SamplesPerPixel));
-        ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "How often each scene is rendered; the best counts. 3 without it.", 1, 1000);
+        ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "Number of times each scene is rendered; the best counts. Default: 3.", 1, 1000);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(scenes);
         command.Options.Add(samples.Symbol);

@@ -22,7 +22,7 @@ internal sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader pic
 
     /// <summary>The complaint about a film that holds none of a picture.</summary>
     public static CommandException NoPicture(string path) =>
-        new(ExitStatus.InputOutput, $"'{path}' holds no samples of the picture yet: it is being decided how many there shall be (--noise); \"raytracer resume {path}\" goes on with it");
+        new(ExitStatus.InputOutput, $"'{path}' holds no samples of the picture yet: their number is still being decided (--noise); \"raytracer resume {path}\" resumes it");
 
     /// <summary>Where to go on from.</summary>
     /// <exception cref="CommandException">The film is of another picture or another decision.</exception>

@@ -5,7 +5,7 @@ namespace RayTracer.Cli;
 /// <summary>The options of verbs that render, about what they tell meanwhile and at the end.</summary>
 internal sealed class DisplayOptions
 {
-    private readonly Option<bool> _preview = new("--preview") { Description = "Shows the picture in the terminal while it is rendered, as view does." };
+    private readonly Option<bool> _preview = new("--preview") { Description = "Shows the picture in the terminal while it renders, as view does." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly VerboseOption _verbose;
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
@@ -38,7 +38,7 @@ internal sealed class DisplayOptions
             return request;
         }
 
-        streams.Warn("--preview: standard error is no terminal that shows pictures, so nothing is shown there");
+        streams.Warn("--preview: standard error is not a terminal that can show pictures, so nothing is shown");
         return request with { Preview = false };
     }
 }

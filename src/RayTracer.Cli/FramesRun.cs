@@ -35,14 +35,14 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
     public static string? Contradiction(RenderRequest request) => !Is(request) ? null : request switch
     {
         { Pixel: not null } => "--pixel prints one picture's numbers: give one frame",
-        { Checkpoint: not null } => "--checkpoint is for one picture: of several frames, those that are whole are kept anyway, and the same command goes on with the others",
+        { Checkpoint: not null } => "--checkpoint is for one picture: of several frames, finished ones are kept anyway, and the same command renders the others",
         { Preview: true } => "--preview shows one picture: give one frame",
         { Outputs.Count: 0, Json: false } => "where to? Give -o frame-####.png",
         _ when request.Outputs.FirstOrDefault(o => !o.Contains('#', StringComparison.Ordinal) && !IsAnimated(o, request.Frames!)) is { } single =>
-            $"-o {single}: {request.Frames!.Count} frames need as many files: put #### where their numbers shall stand",
-        { Part: { } part } when part.Count > request.Frames!.Count => $"--part {part.Number}/{part.Count}: with --frames, frames are shared out, and {request.Frames.Count} make {request.Frames.Count} parts at most",
+            $"-o {single}: {request.Frames!.Count} frames need as many files: put #### where their numbers should go",
+        { Part: { } part } when part.Count > request.Frames!.Count => $"--part {part.Number}/{part.Count}: with --frames, frames are divided among parts, and {request.Frames.Count} frames make at most {request.Frames.Count} parts",
         { Denoise: true } or { Aovs.Count: > 0 } or { Layers.Count: > 0 } when request.Outputs.Count > 0 && request.Outputs.All(o => IsAnimated(o, request.Frames!)) =>
-            $"{(request.Denoise ? "--denoise" : "--aov")} writes images beside every frame, and there is only an animated PNG to write: give -o frame-####.png too",
+            $"{(request.Denoise ? "--denoise" : "--aov")} writes images beside every frame, and only an animated PNG is written: give -o frame-####.png too",
         { Part: not null } when MakesAnimation(request) => "an animated PNG has all frames: leave --part out",
         _ => null,
     };
@@ -92,7 +92,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
                 // A preview that is there is worth more than one that breaks off.
                 if (KeptFolder is { } folder && _done.Count > 0)
                 {
-                    streams.Warn($"the {_done.Count} frames so far are kept in '{folder}': the same command goes on with them");
+                    streams.Warn($"the {_done.Count} frames so far are kept in '{folder}': the same command resumes them");
                 }
 
                 return status;
@@ -149,7 +149,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
         {
             Add(frame, scene.Render);
             _done.Add(new(frame, null, Asked(one.Outputs, one)));
-            Say($"frame {frame} ({which}): there already");
+            Say($"frame {frame} ({which}): exists already");
             return one.Outputs.Any(o => IsNoisy(o, scene, one)) ? ExitStatus.Noisy : ExitStatus.Fine;
         }
 
@@ -172,7 +172,7 @@ internal sealed class FramesRun(RenderRequest request, Func<SceneDescription, Sc
         }.Run();
         if (status == ExitStatus.Scene)
         {
-            streams.Fail($"this is wrong at frame {frame}");
+            streams.Fail($"these errors are at frame {frame}");
         }
 
         return status;

@@ -51,8 +51,8 @@ internal static class ImageOutputs
         {
             if (CarriedFilm.Unfinished(path) is { } unfinished && !IsWithin(unfinished, replacement))
             {
-                string how = unfinished.Samples is [var held] && held.First == unfinished.Wanted.First ? $"\"raytracer resume {path}\" goes on with it" : "merge the missing samples in";
-                throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds samples {unfinished.SamplesText} of an unfinished rendering: {how}; delete it to begin anew");
+                string how = unfinished.Samples is [var held] && held.First == unfinished.Wanted.First ? $"\"raytracer resume {path}\" resumes it" : "merge the missing samples in";
+                throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds samples {unfinished.SamplesText} of an unfinished rendering: {how}; delete it to start from scratch");
             }
         }
     }

@@ -6,10 +6,10 @@ namespace RayTracer.Cli;
 internal sealed class LongRenderOptions
 {
     private static readonly TimeSpan s_standardInterval = TimeSpan.FromSeconds(30);
-    private readonly ParsedOption<TimeSpan?> _time = Durations.Option("--time", "Stops after the pass over the picture under way at this time: 90s, 10m, 1.5h, 1h30m. At most --spp samples are taken (65,536 without it).");
+    private readonly ParsedOption<TimeSpan?> _time = Durations.Option("--time", "Stops after this time, at the end of the current pass over the picture: 90s, 10m, 1.5h, 1h30m. At most --spp samples are taken (default 65,536).");
     private readonly Option<string?> _checkpoint = new("--checkpoint") { HelpName = "FILE" };
     private readonly ParsedOption<TimeSpan?> _interval = Durations.Option(
-        "--checkpoint-interval", "The time between checkpoints; 30s without it. Longer where writing would take more than 1 % of the time.", allowsZero: true);
+        "--checkpoint-interval", "The time between checkpoints. Default: 30s. Longer if writing would take more than 1 % of the time.", allowsZero: true);
 
     /// <summary>Gives a command the options.</summary>
     /// <param name="command">The command.</param>

@@ -39,7 +39,7 @@ internal sealed class NoiseRequest(RenderRequest request)
         {
             string option = request.Adaptive ? "--adaptive" : request.Noise is not null ? "--noise" : "--time";
             throw new CommandException(
-                ExitStatus.Usage, $"{option}: the pattern of the {render.Sampler.ToString().ToLowerInvariant()} sampler needs the number of samples beforehand: take --sampler sobol or independent");
+                ExitStatus.Usage, $"{option}: the pattern of the {render.Sampler.ToString().ToLowerInvariant()} sampler needs the number of samples in advance: use --sampler sobol or independent");
         }
 
         _mean = (request.Noise is null && request.Time is null) || request.HasSamples || request.Part is not null || request.Samples is not null ? render.SamplesPerPixel : Limit;

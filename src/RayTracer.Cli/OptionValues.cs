@@ -35,7 +35,7 @@ internal static class OptionValues
     public static ParsedOption<long?> Parameter(string name, string property)
     {
         RecordParameter parameter = RecordType.Of(typeof(RenderDescription)).Parameters.First(p => p.PropertyName == property);
-        return new(name, "N", $"{parameter.Summary} Replaces the scene's.", word =>
+        return new(name, "N", $"{parameter.Summary} Overrides the scene's.", word =>
             !long.TryParse(word, out long value) ? throw new FormatException($"expected a whole number, not {Quotation.Of(word)}")
             : parameter.RangeComplaint(value) is { } complaint ? throw new FormatException(complaint)
             : value);
@@ -66,7 +66,7 @@ internal static class OptionValues
     /// <summary>Frames of an animation.</summary>
     public static ParsedOption<FrameRange?> Frames() => new(
         "--frames", "N|A..B|A..B:STEP",
-        "Renders these frames of the animation, both included, each to its own file: -o frame-####.png. Frames that are there already are left as they are.", FrameRange.Parse);
+        "Renders these frames of the animation, both ends included, each to its own file: -o frame-####.png. Frames that already exist are kept.", FrameRange.Parse);
 
     /// <summary>Whole numbers with commas between them, none negative.</summary>
     public static ParsedOption<int[]?> Integers(string name, string form, string description) => new(name, form, description, word =>

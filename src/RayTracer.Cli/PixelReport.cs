@@ -23,7 +23,7 @@ internal static class PixelReport
 
         foreach (BadSample bad in outcome.Statistics.BadSamples)
         {
-            streams.Error.WriteLine($"pixel {x},{y}, sample {bad.Sample}: {Text(bad.Value)}, not finite and left out");
+            streams.Error.WriteLine($"pixel {x},{y}, sample {bad.Sample}: {Text(bad.Value)}, not finite and discarded");
         }
 
         RenderReport.WarnOfClamped(outcome.Statistics, streams);

@@ -30,14 +30,14 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
 
         if (outcome.Plan?.Error > request.Noise)
         {
-            streams.Warn($"the wanted noise of {100 * request.Noise:G3} % would take more samples than there may be (--spp); estimated are {100 * outcome.Plan.Error:G3} %");
+            streams.Warn($"the wanted noise of {100 * request.Noise:G3} % would take more samples than allowed (--spp); the estimate is {100 * outcome.Plan.Error:G3} %");
         }
 
         WarnOfBadSamples(streams);
         WarnOfClamped(_statistics, streams);
         if (request.Time is not null && !(outcome.Plan?.Error > request.Noise) && outcome.IsNoisy(request))
         {
-            streams.Warn($"the time ended before the wanted noise: there are {outcome.MeanSamples:F0} of {outcome.Header!.Wanted.Count} samples");
+            streams.Warn($"time ran out before the wanted noise was reached: there are {outcome.MeanSamples:F0} of {outcome.Header!.Wanted.Count} samples");
         }
 
         if (_statistics.Cancelled)
@@ -53,7 +53,7 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
     {
         if (statistics.ClampedSamples > 0)
         {
-            streams.Warn($"{statistics.ClampedSamples} samples were clamped at ±{Film.SampleLimit}: the picture is darker there than it should be");
+            streams.Warn($"{statistics.ClampedSamples} samples were clamped at ±{Film.SampleLimit}: the picture is too dark there");
         }
     }
 
@@ -64,7 +64,7 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
             return;
         }
 
-        streams.Warn($"{_statistics.NonFiniteSamples} samples were not finite and were left out; to follow them again:");
+        streams.Warn($"{_statistics.NonFiniteSamples} samples were not finite and were discarded; to trace them again:");
         foreach (BadSample bad in _statistics.BadSamples)
         {
             streams.Error.WriteLine($"  {request.ReplayCommand(bad)}");
@@ -83,8 +83,8 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
 
         if (outcome.Header is { IsComplete: false } header && !_statistics.Cancelled)
         {
-            string film = (request.Checkpoint ?? written.FirstOrDefault(FilmFile.IsNamed)) is { } file ? $": \"raytracer resume {file}\" goes on" : "";
-            output.WriteLine($"the time ended at {header.Samples.Sum(r => r.Count)} of {header.Wanted.Count} samples{film}");
+            string film = (request.Checkpoint ?? written.FirstOrDefault(FilmFile.IsNamed)) is { } file ? $": \"raytracer resume {file}\" continues it" : "";
+            output.WriteLine($"time ran out at {header.Samples.Sum(r => r.Count)} of {header.Wanted.Count} samples{film}");
         }
 
         output.WriteLine($"film {outcome.Hash}");

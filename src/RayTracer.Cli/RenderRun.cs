@@ -73,7 +73,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         _stages.EndWrite();
         if (outcome.Film.TotalSamples == 0 && request.Outputs.Count > 0 && ended() == 0)
         {
-            streams.Fail("no sample came to a finite number, so there is no picture to write");
+            streams.Fail("no sample was finite, so there is no picture to write");
         }
 
         RenderReport report = new(request, outcome, written, _stages, _total.Elapsed.TotalSeconds);
@@ -281,7 +281,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
 
         if (request.Sample >= render.SamplesPerPixel)
         {
-            throw new CommandException(ExitStatus.Usage, $"--sample {request.Sample}: the pixels have samples 0 to {render.SamplesPerPixel - 1} only");
+            throw new CommandException(ExitStatus.Usage, $"--sample {request.Sample}: the pixels have only samples 0 to {render.SamplesPerPixel - 1}");
         }
 
         return new()
@@ -293,7 +293,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
     }
 
     private static CommandException Misplaced(string option, RenderDescription render) =>
-        new(ExitStatus.Usage, $"{option}: does not lie within the picture of {render.Width}×{render.Height} pixels");
+        new(ExitStatus.Usage, $"{option}: is not within the picture of {render.Width}×{render.Height} pixels");
 
     private LightLayerFilm LayersFor(Scene scene, Film film)
     {
@@ -316,7 +316,7 @@ internal sealed class RenderRun(RenderRequest request, Func<SceneDescription, Sc
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         bool fits = bytes <= available && (long)render.Width * render.Height <= Film.MaxPixels;
         return fits ? new(render.Width, render.Height) : throw new CommandException(
-            ExitStatus.InputOutput, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than can be had ({FilmMemory.Text(available)})");
+            ExitStatus.InputOutput, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than is available ({FilmMemory.Text(available)})");
     }
 
     private IReadOnlyList<string> Write(RenderOutcome outcome, AovOutputs aovs)

@@ -9,10 +9,10 @@ namespace RayTracer.Cli;
 /// <summary><c>raytracer resume FILE</c>: goes on with a film that was not finished, or gives it more samples.</summary>
 internal sealed class ResumeVerb
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "The film: .rtfilm, of --checkpoint or -o; or an .exr image that carries it (--exr-film). It is brought up to date itself, now and then and at the end." };
+    private readonly Argument<string> _file = new("FILE") { Description = "The film: .rtfilm, from --checkpoint or -o; or an .exr image that carries it (--exr-film). The file itself is updated from time to time and at the end." };
     private readonly ParsedOption<long?> _samples = OptionValues.Parameter("--spp", nameof(RenderDescription.SamplesPerPixel));
-    private readonly Option<string?> _scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
-    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
+    private readonly Option<string?> _scene = new("--scene") { Description = "The scene file, if it has moved.", HelpName = "SCENE" };
+    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads. Default: one per core.", 1, 1024);
     private readonly WritingOptions _writing;
     private readonly LongRenderOptions _long;
     private readonly DisplayOptions _display;
@@ -26,7 +26,7 @@ internal sealed class ResumeVerb
             command.Options.Add(option);
         }
 
-        _long = new(command, "Writes the film to this file now and then; without it, to FILE.");
+        _long = new(command, "Writes the film to this file from time to time. Default: FILE.");
         _display = new(command);
     }
 
@@ -38,13 +38,13 @@ internal sealed class ResumeVerb
 
     /// <summary>The complaint about a scene that a film is not of.</summary>
     public static CommandException OtherScene(string path) =>
-        new(ExitStatus.InputOutput, $"the film is not of '{path}': the scene, a file that it names, its settings or the program are others than they were");
+        new(ExitStatus.InputOutput, $"the film is not of '{path}': the scene, a file that it refers to, its settings or the program have changed");
 
     /// <summary>The complaint about a film of other content than what it shall be gone on with.</summary>
     public static CommandException OtherFilm(RenderRequest request, FilmHeader header, RenderDescription render) => render.Sampler.DependsOnCount && render.SamplesPerPixel != header.Total
         ? new(
             ExitStatus.Usage,
-            $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, so that a film of {header.Total} cannot be given more or fewer: render it anew, or with --sampler sobol")
+            $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, so a film of {header.Total} cannot have more or fewer: render from scratch, or with --sampler sobol")
         : OtherScene(request.ScenePath);
 
     /// <summary>The header of a film that is gone on with.</summary>
@@ -63,7 +63,7 @@ internal sealed class ResumeVerb
 
         bool isBegin = old.Samples is [] || (old.Samples is [var held] && held.First == header.Wanted.First && held.End <= header.Wanted.End);
         return isBegin ? header with { Samples = old.Samples, Overrides = header.Wanted == old.Wanted ? old.Overrides : header.Overrides } : throw new CommandException(
-            ExitStatus.InputOutput, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of {FilmHeader.Text(header.Wanted)}, which are asked for");
+            ExitStatus.InputOutput, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of the requested {FilmHeader.Text(header.Wanted)}");
     }
 
     private int Run(ParseResult result, Streams streams)
@@ -112,7 +112,7 @@ internal sealed class ResumeVerb
     {
         if (_samples.Value(result) is { } samples)
         {
-            throw new CommandException(ExitStatus.Usage, $"--spp {samples}: it is being decided how many samples the film shall have (--noise): leave --spp out");
+            throw new CommandException(ExitStatus.Usage, $"--spp {samples}: the film's number of samples is still being decided (--noise): leave --spp out");
         }
 
         string scene = result.GetValue(_scene) ?? PictureOrigin.ScenePath(film.Header.Scene, film.Path);
@@ -159,7 +159,7 @@ internal sealed class ResumeVerb
         if (FilmExr.OtherLayers(file) is { Count: > 0 } layers)
         {
             throw new CommandException(
-                ExitStatus.Usage, $"'{file}' has layers that are not made again when more samples come ({string.Join(", ", layers)}): with --checkpoint FILE.rtfilm (and -o) it stays as it is");
+                ExitStatus.Usage, $"'{file}' has layers that are not updated when samples are added ({string.Join(", ", layers)}): with --checkpoint FILE.rtfilm (and -o) it stays unchanged");
         }
     }
 

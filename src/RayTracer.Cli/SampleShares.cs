@@ -29,7 +29,7 @@ internal static class SampleShares
         if (request.Samples is { } range)
         {
             return range.End <= total ? range : throw new CommandException(
-                ExitStatus.Usage, $"--samples {FilmHeader.Text(range)}: the pixels have samples 0 to {total - 1} only (--spp)");
+                ExitStatus.Usage, $"--samples {FilmHeader.Text(range)}: the pixels have only samples 0 to {total - 1} (--spp)");
         }
 
         if (request.Part is not { } part)
@@ -39,6 +39,6 @@ internal static class SampleShares
 
         return part.Count <= total
             ? new((int)((part.Number - 1L) * total / part.Count), (int)((long)part.Number * total / part.Count))
-            : throw new CommandException(ExitStatus.Usage, $"--part {part.Number}/{part.Count}: {total} samples make {total} parts at most");
+            : throw new CommandException(ExitStatus.Usage, $"--part {part.Number}/{part.Count}: {total} samples make at most {total} parts");
     }
 }

@@ -16,8 +16,8 @@ internal sealed class SceneOverrides
     private readonly ParsedOption<long?> _diffuseDepth = OptionValues.Parameter("--max-diffuse-depth", nameof(RenderDescription.MaxDiffuseDepth));
     private readonly ParsedOption<long?> _specularDepth = OptionValues.Parameter("--max-specular-depth", nameof(RenderDescription.MaxSpecularDepth));
     private readonly ParsedOption<long?> _maxDepth = OptionValues.Parameter("--max-depth", nameof(RenderDescription.MaxDepth));
-    private readonly ParsedOption<Integrator?> _integrator = OptionValues.Choice(Integrator.Known, "--integrator", "How the light is computed. Replaces the scene's.");
-    private readonly ParsedOption<SamplerKind?> _sampler = OptionValues.Choice(SamplerKind.Known, "--sampler", "How the samples of a pixel are placed. Replaces the scene's.");
+    private readonly ParsedOption<Integrator?> _integrator = OptionValues.Choice(Integrator.Known, "--integrator", "How the light is computed. Overrides the scene's.");
+    private readonly ParsedOption<SamplerKind?> _sampler = OptionValues.Choice(SamplerKind.Known, "--sampler", "How the samples of a pixel are placed. Overrides the scene's.");
     private readonly SettingOption _settings;
     private readonly Option[] _all;
 

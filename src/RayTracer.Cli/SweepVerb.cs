@@ -16,8 +16,8 @@ internal sealed class SweepVerb
     private readonly Argument<string> _scene = new("SCENE") { Description = "The scene file." };
     private readonly WritingOptions _writing;
     private readonly SceneOverrides _overrides;
-    private readonly ParsedOption<long?> _cell = OptionValues.Integer("--cell", $"Columns of each picture, its rows by the scene's shape; without it (and --width and --height), at most {StandardCell}.", 8, 1 << 16);
-    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
+    private readonly ParsedOption<long?> _cell = OptionValues.Integer("--cell", $"Width of each picture; its height follows from the scene's aspect ratio. Default (without --width and --height): at most {StandardCell}.", 8, 1 << 16);
+    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads. Default: one per core.", 1, 1024);
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly VerboseOption _verbose;
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of the axes and films." };
@@ -25,7 +25,7 @@ internal sealed class SweepVerb
     private SweepVerb(Command command)
     {
         command.Arguments.Add(_scene);
-        _writing = new(command, $"The sheet's file: {ImageFormat.Endings()}. May be given several times.");
+        _writing = new(command, $"The sheet's file: {ImageFormat.Endings()}. Repeatable.");
         _overrides = new(command);
         foreach (Option option in new Option[] { _cell.Symbol, _threads.Symbol }.Concat(_writing.Looks).Concat([_quiet, _json]))
         {
@@ -99,7 +99,7 @@ internal sealed class SweepVerb
             {
                 // Its place stays dark.
                 failed = SceneFile.FailureStatus(path);
-                streams.Fail($"this is wrong with {string.Join(' ', axes.Changes(cell).Select(s => s.Text))}");
+                streams.Fail($"these errors are with {string.Join(' ', axes.Changes(cell).Select(s => s.Text))}");
                 continue;
             }
 
@@ -129,7 +129,7 @@ internal sealed class SweepVerb
     }
 
     private static string OtherSize(int width, int height, int otherWidth, int otherHeight) =>
-        $"pictures of {width}×{height} and of {otherWidth}×{otherHeight} pixels have no place in one grid: give --width and --height";
+        $"pictures of {width}×{height} and of {otherWidth}×{otherHeight} pixels do not fit one grid: give --width and --height";
 
     private static ContactSheet Sheet(SweepAxes axes, Film film)
     {

@@ -15,8 +15,8 @@ internal static class VerifyVerb
         {
             Description = $"The film (.rtfilm), or the image ({ImageFormat.Endings(ImageFeatures.Texts)}) that this program wrote.",
         };
-        Option<string?> scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
-        ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
+        Option<string?> scene = new("--scene") { Description = "The scene file, if it has moved.", HelpName = "SCENE" };
+        ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads. Default: one per core.", 1, 1024);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(file);
         foreach (Option option in new Option[] { scene, threads.Symbol, json })
@@ -78,7 +78,7 @@ internal static class VerifyVerb
         }
         else
         {
-            streams.Output.WriteLine(same ? $"the same to the bit: film {hash}" : $"another picture: the file's film is {claim.Hash}, but '{claim.Request.ScenePath}' rendered anew is {hash}");
+            streams.Output.WriteLine(same ? $"the same to the bit: film {hash}" : $"a different picture: the file's film is {claim.Hash}, but rendering '{claim.Request.ScenePath}' again gives {hash}");
         }
 
         return same ? ExitStatus.Fine : ExitStatus.Different;
@@ -119,12 +119,12 @@ internal static class VerifyVerb
 
         if (texts.ContainsKey("Aov") || texts.ContainsKey("Layer") || texts.ContainsKey("Denoised"))
         {
-            throw new CommandException(ExitStatus.InputOutput, $"'{file}' is an image beside the picture: only the picture itself can be rendered anew and compared");
+            throw new CommandException(ExitStatus.InputOutput, $"'{file}' is an image beside the picture: only the picture itself can be rendered again and compared");
         }
 
         if (texts.GetValueOrDefault("Samples")?.Contains("unfinished", StringComparison.Ordinal) == true && !texts.ContainsKey("SampleRange"))
         {
-            throw new CommandException(ExitStatus.InputOutput, $"'{file}' is unfinished: it was stopped when some pixels had more samples than others, so that it cannot be rendered anew");
+            throw new CommandException(ExitStatus.InputOutput, $"'{file}' is unfinished: it was stopped when some pixels had more samples than others, so it cannot be rendered again");
         }
 
         (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse(["--json", .. words]);

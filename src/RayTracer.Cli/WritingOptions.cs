@@ -8,17 +8,17 @@ internal sealed class WritingOptions
 {
     private readonly Option<string[]> _outputs = new("-o", "--output") { HelpName = "FILE" };
     private readonly ParsedOption<double?> _exposure = OptionValues.Number(
-        "--exposure", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light).",
+        "--exposure", $"{ImageFormat.Names(ImageFeatures.Display)}: exposure in stops (each doubles the light).",
         -100, 100);
     private readonly ParsedOption<ToneMap?> _toneMap = OptionValues.Choice<ToneMap>(
-        "--tonemap", $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; clamp cuts it off.");
+        "--tonemap", $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light is compressed into what a screen can show; clamp cuts it off.");
     private readonly ParsedOption<int?> _bitDepth = OptionValues.Choice<int?>(
-        "--bit-depth", $"{ImageFormat.Names(ImageFeatures.BitDepth)}: bits a channel; 8 without it.", ["8", "16"], [8, 16]);
+        "--bit-depth", $"{ImageFormat.Names(ImageFeatures.BitDepth)}: bits per channel. Default: 8.", ["8", "16"], [8, 16]);
     private readonly ParsedOption<long?> _quality = OptionValues.Integer(
-        "--quality", $"{ImageFormat.Names(ImageFeatures.Quality)}: smallest file to best picture; {JpegWriter.StandardQuality} without it.",
+        "--quality", $"{ImageFormat.Names(ImageFeatures.Quality)}: from smallest file to best picture. Default: {JpegWriter.StandardQuality}.",
         1, 100);
     private readonly ParsedOption<JpegChroma?> _chroma = OptionValues.Choice<JpegChroma>(
-        "--chroma", $"{ImageFormat.Names(ImageFeatures.Chroma)}: colours of every pixel or every four; full from 90 on without it.");
+        "--chroma", $"{ImageFormat.Names(ImageFeatures.Chroma)}: colours for each pixel, or one for every four. Default: full from quality 90 up.");
 
     /// <summary>Makes the options, for a command that takes the file otherwise: those of <see cref="Looks"/> only.</summary>
     public WritingOptions()
@@ -34,7 +34,7 @@ internal sealed class WritingOptions
         : this()
     {
         _outputs.Description = outputs
-            ?? $"The file to write: {ImageFormat.Endings()}, or .rtfilm for the film itself. May be given several times.";
+            ?? $"The file to write: {ImageFormat.Endings()}, or .rtfilm for the film itself. Repeatable.";
         command.Options.Add(_outputs);
     }
 
@@ -45,7 +45,7 @@ internal sealed class WritingOptions
     public IReadOnlyList<Option> Looks { get; }
 
     /// <summary>The option of verbs that have the film itself: whether .exr files carry it. It is none of <see cref="Looks"/>.</summary>
-    public Option<bool> ExrFilm { get; } = new("--exr-film") { Description = "OpenEXR: the image carries the film itself, from which resume goes on, as from .rtfilm." };
+    public Option<bool> ExrFilm { get; } = new("--exr-film") { Description = "OpenEXR: the image carries the film itself, which resume can continue, as it can an .rtfilm." };
 
     /// <summary>The files.</summary>
     public IReadOnlyList<string> Files(ParseResult result) => result.GetValue(_outputs) ?? [];
@@ -98,6 +98,6 @@ internal sealed class WritingOptions
     {
         bool isWanted = result.GetValue(ExrFilm);
         return !isWanted || files.Any(FilmExr.IsNamed) ? isWanted
-            : throw new CommandException(ExitStatus.Usage, $"{ExrFilm.Name} is for OpenEXR images, but there are none to write: give -o FILE.exr");
+            : throw new CommandException(ExitStatus.Usage, $"{ExrFilm.Name} is for OpenEXR images, but none is written: give -o FILE.exr");
     }
 }

@@ -92,7 +92,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         CliRun.Fine("merge", "--partial", _film, "-o", group);
         CliRun.Fine("merge", "--partial", group, _folder["b.rtfilm"], "-o", group);
         Assert.Equal("0..1, 4..7", FilmFile.ReadHeader(group).SamplesText);
-        CliRun.Refused(4, $"'{group}' holds samples 0..1, 4..7 of an unfinished rendering: merge the missing samples in; delete it to begin anew", "merge", "--partial", _film, "-o", group);
+        CliRun.Refused(4, $"'{group}' holds samples 0..1, 4..7 of an unfinished rendering: merge the missing samples in; delete it to start from scratch", "merge", "--partial", _film, "-o", group);
         CliRun.Refused(4, "merge the missing samples in", "render", _scene, "-o", group);
     }
 
@@ -139,7 +139,7 @@ public sealed class UnfinishedFilmTests : IDisposable
     public void The_same_command_goes_on_from_its_checkpoint()
     {
         string[] command = ["render", _scene, "--spp", "9", "--checkpoint", _film, "--resume", "--json", "--quiet"];
-        CliRun.Refused(2, "--resume goes on from a checkpoint: give --checkpoint FILE", "render", _scene, "--resume", "--json");
+        CliRun.Refused(2, "--resume continues from a checkpoint: give --checkpoint FILE", "render", _scene, "--resume", "--json");
         string whole = Text(CliRun.Of("render", _scene, "--spp", "9", "--json", "--quiet"), "filmHash");
         Assert.Equal(whole, Text(CliRun.Of(command), "filmHash"));
         File.Delete(_film);
@@ -150,7 +150,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         Assert.Equal((0, "", whole, $"{4 * 24 * 16}"), (run.Status, run.Error, Text(run, "filmHash"), Text(run, "paths")));
         CliRun again = CliRun.Of(command);
         Assert.Equal((0, "", whole, "0"), (again.Status, again.Error, Text(again, "filmHash"), Text(again, "paths")));
-        CliRun.Refused(4, $"'{_film}' holds samples 0..8, which are not the first of 0..4, which are asked for", [.. command, "--samples", "0..4"]);
+        CliRun.Refused(4, $"'{_film}' holds samples 0..8, which are not the first of the requested 0..4", [.. command, "--samples", "0..4"]);
         CliRun.Refused(4, $"the film is not of '{_scene}'", [.. command, "--seed", "5"]);
     }
 
@@ -167,8 +167,8 @@ public sealed class UnfinishedFilmTests : IDisposable
         Assert.Equal((120 * 80, 2), (decision.Width, decision.Height));
         CliRun.Refused(4, $"'{_film}' holds no samples of the picture yet", "merge", _film, "--json");
         CliRun.Refused(4, $"'{_film}' holds no samples of the picture yet", "verify", _film);
-        CliRun.Refused(4, $"\"raytracer resume {_film}\" goes on with it", command);
-        CliRun.Refused(2, "--spp 9: it is being decided how many samples", "resume", _film, "--spp", "9");
+        CliRun.Refused(4, $"\"raytracer resume {_film}\" resumes it", command);
+        CliRun.Refused(2, "--spp 9: the film's number of samples is still being decided", "resume", _film, "--spp", "9");
         CliRun.Refused(4, $"the film is not of '{_scene}'", [.. command, "--resume", "--seed", "3"]);
 
         CliRun hasty = CliRun.Of("resume", _film, "--time", "0.001", "--json", "--quiet");
@@ -180,7 +180,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         // Now it is decided: there is no more to decide about.
         CliRun last = CliRun.Of([.. command[..^1], "--resume", "--time", "0.001", "--json"]);
         Assert.Equal(5, last.Status);
-        Assert.Contains($"the time ended before the wanted noise: there are {picture.Samples[0].End + 1} of {picture.Wanted.End} samples", last.Error, StringComparison.Ordinal);
+        Assert.Contains($"time ran out before the wanted noise was reached: there are {picture.Samples[0].End + 1} of {picture.Wanted.End} samples", last.Error, StringComparison.Ordinal);
         Assert.Equal($"{480 * 320}", Text(last, "paths"));
     }
 

@@ -55,7 +55,7 @@ internal sealed class FrameJob(RenderOrder order, ShownScene shown, DocumentPlac
             shown.Good.Text, place.Name, place.Folder, s => s with { Render = s.Render with { SamplesPerPixel = order.Scene.Render.SamplesPerPixel } }, frame, ReadPicture);
         if (load.Scene is not { } scene)
         {
-            throw new SessionException($"this is wrong at frame {frame}: {load.Diagnostics.First(d => d.Severity == Severity.Error).Message}");
+            throw new SessionException($"these errors are at frame {frame}: {load.Diagnostics.First(d => d.Severity == Severity.Error).Message}");
         }
 
         string file = FileOf(frame);

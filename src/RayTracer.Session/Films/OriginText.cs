@@ -58,7 +58,7 @@ internal static class OriginText
         }
         catch (FormatException e)
         {
-            throw new DocumentException($"the options of the picture are not understood: {e.Message.TrimEnd('.')}", e);
+            throw new DocumentException($"the options of the picture cannot be read: {e.Message.TrimEnd('.')}", e);
         }
     }
 
@@ -66,7 +66,7 @@ internal static class OriginText
     {
         "--integrator" => Word(Integrator.Known, option, value),
         "--sampler" => Word(SamplerKind.Known, option, value),
-        _ => long.TryParse(value, CultureInfo.InvariantCulture, out long number) ? JsonValue.Create(number) : throw new DocumentException($"the picture's {option} {value} is no number"),
+        _ => long.TryParse(value, CultureInfo.InvariantCulture, out long number) ? JsonValue.Create(number) : throw new DocumentException($"the picture's {option} {value} is not a number"),
     };
 
     private static JsonValue Word(NamedValues known, string option, string value) =>
