@@ -29,7 +29,7 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
     /// <summary>The table that the triangles are in.</summary>
     public MeshTable Mesh => mesh;
 
-    /// <summary>What they are made of.</summary>
+    /// <summary>Their material.</summary>
     public LuminaireMaterial Luminaire => luminaire;
 
     /// <inheritdoc/>
@@ -48,7 +48,7 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
     }
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter)
+    public override LightExtent Extent((double Open, double Close) shutter)
     {
         Bounds box = choice.Triangles.Aggregate(Bounds.Empty, (all, triangle) =>
         {

@@ -9,11 +9,11 @@ namespace RayTracer.Lights;
 [SceneType("spot", "A light at a point, without extent, that shines into a cone: at full strength within its beam, and weaker from there to the cone's edge. No ray meets it. Transforms move and turn it but do not change its strength or width.")]
 public sealed record SpotLightDescription : PunctualLightDescription
 {
-    /// <summary>Where it stands.</summary>
+    /// <summary>Its position.</summary>
     [Parameter("Where it stands.", Unit = "scene units")]
     public Vector3 Position { get; init; }
 
-    /// <summary>Where it shines.</summary>
+    /// <summary>The point at which it shines.</summary>
     [Parameter("The direction in which it shines, of any length.")]
     public Vector3 Direction { get; init; } = new(0, -1, 0);
 
@@ -29,7 +29,7 @@ public sealed record SpotLightDescription : PunctualLightDescription
     [Parameter("The angle between the direction and the edge of the beam, within which the light has its full strength; at most the cutoff angle. Without it, three quarters of that.", Unit = "degrees", Minimum = 0, Maximum = 180)]
     public float? BeamWidth { get; init; }
 
-    /// <summary>How it falls between the two.</summary>
+    /// <summary>The falloff between the two.</summary>
     [Parameter("How the light falls off from the edge of the beam to that of the cone: in proportion to the angle, or, as glTF's spot lights do, by the square of a number that falls with the angle's cosine.")]
     public SpotFalloff Falloff { get; init; }
 
@@ -43,7 +43,8 @@ public sealed record SpotLightDescription : PunctualLightDescription
     /// <inheritdoc/>
     public override ShapeDescription Moved(in ShapeMove move) => this with { Position = move.Point(Position), Direction = move.Direction(Direction) };
 
-    internal override void Check(in Transform place, SceneBuilder builder)
+    /// <inheritdoc/>
+    public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
         CheckPosition(nameof(Position), Position, place, builder);
@@ -54,7 +55,8 @@ public sealed record SpotLightDescription : PunctualLightDescription
         }
     }
 
-    internal override LightSource Create(Motion motion) =>
+    /// <inheritdoc/>
+    public override LightSource Create(Motion motion) =>
         new SpotLight(Position, Direction, Intensity, CutoffAngle, BeamWidth ?? 0.75f * CutoffAngle, Falloff, motion);
 }
 
@@ -101,7 +103,7 @@ public sealed class SpotLight : PunctualLight
     }
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), _intensity.Luminance * _share);
+    public override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), _intensity.Luminance * _share);
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
