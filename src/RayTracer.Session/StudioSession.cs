@@ -92,7 +92,7 @@ public sealed class StudioSession : IDisposable
     public ReportTimes ReportTimes { get; }
 
     // A film or image is shown as it was rendered.
-    private void Begin(PictureOrigin? origin, FilmStart? start)
+    private void Begin(RenderJob? origin, FilmStart? start)
     {
         if (origin is null)
         {
@@ -100,7 +100,7 @@ public sealed class StudioSession : IDisposable
             return;
         }
 
-        View.Begin(start, start?.Header.Total ?? origin.Samples, start is null ? origin.Crop : start.Header.Crop);
+        View.Begin(start, start?.Header.Total ?? origin.GivenSamples, start is null ? origin.Crop : start.Header.Crop);
     }
 
     /// <summary>Ends all work, and keeps what is not saved.</summary>

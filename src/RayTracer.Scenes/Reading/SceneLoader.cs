@@ -39,9 +39,11 @@ public static class SceneLoader
     /// <param name="overrides">As for <see cref="Load"/>.</param>
     /// <param name="frame">As for <see cref="Load"/>.</param>
     /// <param name="readPicture">As for <see cref="Load"/>.</param>
+    /// <param name="settings">As for <see cref="Load"/>.</param>
     public static SceneLoadResult LoadText(
-        string text, string fileName, string folder, Func<SceneDescription, SceneDescription>? overrides = null, int? frame = null, Func<string, bool, Picture>? readPicture = null) =>
-        Build(SceneReader.ReadText(text, fileName, null, frame), folder, new ModelFolder(folder), AtFrame(overrides, frame), readPicture, keepsSources: false);
+        string text, string fileName, string folder, Func<SceneDescription, SceneDescription>? overrides = null, int? frame = null, Func<string, bool, Picture>? readPicture = null,
+        IReadOnlyList<SceneSetting>? settings = null) =>
+        Build(SceneReader.ReadText(text, fileName, settings, frame), folder, new ModelFolder(folder), AtFrame(overrides, frame), readPicture, keepsSources: false);
 
     /// <summary>The description of a scene, without building it.</summary>
     /// <param name="path">As for <see cref="Load"/>.</param>
@@ -55,6 +57,10 @@ public static class SceneLoader
         SceneDescription? scene = Read(path, new ModelFolder(Path.GetDirectoryName(path) ?? ""), settings, frame).Description;
         return scene is null ? null : AtFrame(overrides, frame)?.Invoke(scene) ?? scene;
     }
+
+    /// <summary>As <see cref="Describe"/>, of a text in the native format.</summary>
+    public static SceneDescription? DescribeText(string text, string fileName, IReadOnlyList<SceneSetting>? settings = null, int? frame = null) =>
+        SceneReader.ReadText(text, fileName, settings, frame).Description is { } scene ? AtFrame(null, frame)?.Invoke(scene) ?? scene : null;
 
     private static SceneReadResult Set(SceneReadResult read, IReadOnlyList<SceneSetting>? settings)
     {
