@@ -23,7 +23,7 @@ internal static class ComposeVerb
         Argument<string> image = new("IMAGE") { Description = "An OpenEXR file with layers of lights, as render --aov lights writes it." };
         Option<string[]> lights = new("--light") { Description = "What a light is multiplied by: a number, or three for red, green and blue. May be given several times.", HelpName = "NAME=X|NAME=R,G,B" };
         ParsedOption<double?> others = OptionValues.Number("--others", "What all lights are multiplied by that are not named; 1 without it.", 0, 1e6);
-        WritingOptions output = new(command, "The image file: .png, .jpg, .pfm, .exr or .hdr. May be given several times.");
+        WritingOptions output = new(command, $"The image file: {ImageFormat.Endings()}. May be given several times.");
         command.Arguments.Add(image);
         foreach (Option option in new Option[] { lights, others.Symbol }.Concat(output.Looks))
         {

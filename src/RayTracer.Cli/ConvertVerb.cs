@@ -17,7 +17,9 @@ internal sealed class ConvertVerb
     private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = "The file to write, in place of TO." };
     private readonly ParsedOption<long?> _width = OptionValues.Integer("--width", "Images: makes them smaller, to this many columns; by itself, the shape stays.", 1, int.MaxValue);
     private readonly ParsedOption<long?> _height = OptionValues.Integer("--height", "Images: the same, rows.", 1, int.MaxValue);
-    private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>("--exr-type", "OpenEXR: what its numbers are; float without it, which loses nothing.", ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
+    private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>(
+        "--exr-type", $"{ImageFormat.Names(ImageFeatures.PixelType)}: what its numbers are; float without it, which loses nothing.",
+        ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
     private readonly SettingOption _settings;
     private readonly WritingOptions _writing;
     private readonly VerboseOption _verbose;
@@ -96,7 +98,7 @@ internal sealed class ConvertVerb
 
         JobFiles.CheckFilm(target);
         _writing.WarnOfUnused(result, [target], streams);
-        WritingOptions.WarnOfUnused(result, _exrType.Symbol, "OpenEXR", [".exr"], [target], streams);
+        WritingOptions.WarnOfUnused(result, _exrType.Symbol, ImageFeatures.PixelType, [target], streams);
         ImageWriteOptions writing = _writing.Writing(result, [target]) with { ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float };
         if (writing.TakesFilm(target))
         {
@@ -107,7 +109,7 @@ internal sealed class ConvertVerb
         stages.EndLoad();
         (int width, int height) = Size(image, (int?)_width.Value(result), (int?)_height.Value(result));
         bool isWhole = (width, height) == (image.Width, image.Height);
-        if (layers.Count > 0 && !isWhole && Path.GetExtension(target).Equals(".exr", StringComparison.OrdinalIgnoreCase))
+        if (layers.Count > 0 && !isWhole && ImageFormat.Has(target, ImageFeatures.Layers))
         {
             streams.Warn($"'{target}' is without the layers {LayersOf(layers)} of '{path}': only the picture is made smaller");
         }

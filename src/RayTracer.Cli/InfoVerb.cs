@@ -31,9 +31,9 @@ internal static class InfoVerb
         command.SetAction(result =>
         {
             string path = result.GetValue(file)!;
-            string? format = ImageFile.FormatOf(path);
-            bool isFilm = format == ImageFile.FilmFormat || FilmFile.IsNamed(path);
-            bool isImage = !isFilm && (format is not null || ImageFile.Written.Contains(Path.GetExtension(path).ToLowerInvariant()));
+            ImageFormat? format = ImageFile.FormatOf(path);
+            bool isFilm = format is FilmFormat || FilmFile.IsNamed(path);
+            bool isImage = !isFilm && (format ?? ImageFormat.OfName(path)) is not null;
             if ((isFilm || isImage) && settings.Values(result) is [var setting, ..])
             {
                 throw new CommandException(ExitStatus.Usage, $"{SettingOption.Name} {setting.Text}: films and images have no settings");

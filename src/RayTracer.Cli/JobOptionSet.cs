@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using RayTracer.Imaging;
 using RayTracer.Jobs;
 
 namespace RayTracer.Cli;
@@ -43,10 +44,9 @@ internal sealed class JobOptionSet
     /// <param name="isSeen">Whether exposure and tone map are seen elsewhere too.</param>
     public void WarnOfUnused(ParseResult result, IReadOnlyList<string> files, Streams streams, bool isSeen)
     {
-        foreach ((JobOption option, Option symbol) in _options.Where(o => o.Option.Endings.Count > 0 && !(isSeen && o.Option.Name is "--exposure" or "--tonemap")))
+        foreach ((JobOption option, Option symbol) in _options.Where(o => o.Option.Feature is not null && !(isSeen && o.Option.Feature == ImageFeatures.Display)))
         {
-            string formats = string.Join(" and ", option.Endings.Select(e => e switch { ".png" => "PNG", ".jpg" => "JPEG", _ => "" }).Where(f => f.Length > 0));
-            WritingOptions.WarnOfUnused(result, symbol, formats, option.Endings, files, streams);
+            WritingOptions.WarnOfUnused(result, symbol, option.Feature!.Value, files, streams);
         }
     }
 

@@ -10,7 +10,7 @@ internal sealed class RenderVerb
     private readonly Option<string[]> _outputs = new("-o", "--output")
     {
         HelpName = "FILE",
-        Description = "The image file: .png, .jpg, .pfm, .exr or .hdr; or .rtfilm, the film itself. May be given several times.",
+        Description = $"The image file: {ImageFormat.Endings()}; or .rtfilm, the film itself. May be given several times.",
     };
 
     private readonly JobOptionSet _options;

@@ -26,7 +26,7 @@ internal sealed class SweepVerb
     private SweepVerb(Command command)
     {
         command.Arguments.Add(_scene);
-        _writing = new(command, "The sheet's file: .png, .jpg, .pfm, .exr or .hdr. May be given several times.");
+        _writing = new(command, $"The sheet's file: {ImageFormat.Endings()}. May be given several times.");
         _overrides = new(command, JobOptions.OfScenes);
         foreach (Option option in new Option[] { _cell.Symbol, _threads.Symbol }.Concat(_writing.Looks).Concat([_quiet, _json]))
         {

@@ -11,7 +11,10 @@ internal static class VerifyVerb
 {
     public static void Build(Command command, Streams streams)
     {
-        Argument<string> file = new("FILE") { Description = "The film (.rtfilm), or the image (.png, .jpg, .exr or .hdr) that this program wrote." };
+        Argument<string> file = new("FILE")
+        {
+            Description = $"The film (.rtfilm), or the image ({ImageFormat.Endings(ImageFeatures.Texts)}) that this program wrote.",
+        };
         Option<string?> scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
         ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };

@@ -17,10 +17,10 @@ internal sealed class WritingOptions
 
     /// <summary>Gives a command the options.</summary>
     /// <param name="command">The command.</param>
-    /// <param name="outputs">What the files are.</param>
-    public WritingOptions(Command command, string outputs = "The file to write: .png, .jpg, .pfm, .exr or .hdr, or .rtfilm for the film itself. May be given several times.")
+    /// <param name="outputs">What the files are; null for images or the film itself.</param>
+    public WritingOptions(Command command, string? outputs = null)
     {
-        _outputs.Description = outputs;
+        _outputs.Description = outputs ?? $"The file to write: {ImageFormat.Endings()}, or .rtfilm for the film itself. May be given several times.";
         command.Options.Add(_outputs);
     }
 
@@ -40,12 +40,13 @@ internal sealed class WritingOptions
     /// <param name="isSeen">Whether exposure and tone map are seen elsewhere too.</param>
     public void WarnOfUnused(ParseResult result, IReadOnlyList<string> files, Streams streams, bool isSeen = false) => _options.WarnOfUnused(result, files, streams, isSeen);
 
-    /// <summary>Warns of an option that was given, but is for formats of which there is no file.</summary>
-    public static void WarnOfUnused(ParseResult result, Option option, string formats, IReadOnlyList<string> endings, IReadOnlyList<string> files, Streams streams)
+    /// <summary>Warns of an option that was given, but is for formats with a feature, of which there is no file.</summary>
+    public static void WarnOfUnused(ParseResult result, Option option, ImageFeatures feature, IReadOnlyList<string> files, Streams streams)
     {
-        if (files.Count > 0 && result.GetResult(option) is { Implicit: false } && !files.Any(f => endings.Contains(Path.GetExtension(f).ToLowerInvariant())))
+        bool isGiven = files.Count > 0 && result.GetResult(option) is { Implicit: false };
+        if (isGiven && !files.Any(f => ImageFormat.Has(AnimatedPng.IsNamed(f) ? ".png" : f, feature)))
         {
-            streams.Warn($"{option.Name} has no effect: it is for {formats} files, and none is written");
+            streams.Warn($"{option.Name} has no effect: it is for {ImageFormat.Names(feature)} files, and none is written");
         }
     }
 

@@ -3,16 +3,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>How auxiliary images are called and stored in files.</summary>
+/// <summary>Auxiliary images as files and layers of files.</summary>
 public static class AovFiles
 {
-    /// <summary>The name of an image, as users write it and files have it.</summary>
-    public static string Name(Aov kind) => kind.ToString() is var name ? $"{char.ToLowerInvariant(name[0])}{name[1..]}" : "";
-
-    /// <summary>The file beside a picture that an image is written to, where the picture's format holds no layers: <c>out.depth.png</c> beside <c>out.png</c>.</summary>
-    public static string Beside(string path, Aov kind) => Beside(path, Name(kind));
-
-    /// <summary>As for auxiliary images, of a layer of any name.</summary>
+    /// <summary>The file of an image beside a picture whose format holds no layers: <c>out.depth.png</c> beside <c>out.png</c>.</summary>
     /// <param name="path">The picture's file.</param>
     /// <param name="name">The image's name.</param>
     public static string Beside(string path, string name) => Path.ChangeExtension(path, $".{name}{Path.GetExtension(path)}");
@@ -20,33 +14,33 @@ public static class AovFiles
     /// <summary>The image as it is written to a file of its own.</summary>
     /// <param name="path">The file: a PNG or JPEG holds colours to look at, any other the numbers.</param>
     /// <param name="film">The images.</param>
-    /// <param name="kind">Which of them.</param>
+    /// <param name="image">Which of them.</param>
     /// <returns>The image, and what its colours mean.</returns>
-    public static (IImageRows Image, string Range) Rows(string path, AovFilm film, Aov kind)
+    public static (IImageRows Image, string Range) Rows(string path, AovFilm film, AuxiliaryImage image)
     {
-        if (!ImageFile.IsForDisplay(path))
+        if (!ImageFormat.Has(path, ImageFeatures.Display))
         {
-            return (new AovRows(film, kind), "");
+            return (new AovRows(film, image), "");
         }
 
-        AovPicture picture = new(film, kind);
-        return (picture, picture.Range);
+        AovPicture picture = new(film, image);
+        return (picture, picture.Legend);
     }
 
     /// <summary>The layers of an OpenEXR file: means as 32-bit floats, whole numbers as such.</summary>
     public static IReadOnlyList<ExrLayerChannel> Layers(AovFilm film)
     {
         List<ExrLayerChannel> layers = [];
-        foreach (Aov kind in film.Kinds)
+        foreach (AuxiliaryImage image in film.Images)
         {
-            int channels = AovFilm.Channels(kind);
+            int channels = image.Letters.Length;
             double[] row = new double[film.Width * channels];
             for (int i = 0; i < channels; i++)
             {
                 int channel = i;
-                layers.Add(new($"{Name(kind)}.{Letters(kind)[i]}", AovFilm.IsWhole(kind) ? ExrPixelType.Uint : ExrPixelType.Float, (y, values) =>
+                layers.Add(new($"{image.Name}.{image.Letters[i]}", image.IsWhole ? ExrPixelType.Uint : ExrPixelType.Float, (y, values) =>
                 {
-                    film.ReadRow(kind, y, row);
+                    film.ReadRow(image, y, row);
                     for (int x = 0; x < film.Width; x++)
                     {
                         values.Span[x] = row[(x * channels) + channel];
@@ -82,13 +76,4 @@ public static class AovFiles
 
         return layers;
     }
-
-    private static string Letters(Aov kind) => kind switch
-    {
-        Aov.Depth => "Z",
-        Aov.Normal => "XYZ",
-        Aov.Albedo => "RGB",
-        Aov.Uv => "UV",
-        _ => "Y",
-    };
 }

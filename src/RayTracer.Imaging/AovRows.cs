@@ -5,10 +5,10 @@ namespace RayTracer.Imaging;
 
 /// <summary>An auxiliary image as numbers in three channels, in a PFM of its own: one number three times, or two and a zero.</summary>
 /// <param name="film">The images.</param>
-/// <param name="kind">Which of them.</param>
-public sealed class AovRows(AovFilm film, Aov kind) : IImageRows
+/// <param name="image">Which of them.</param>
+public sealed class AovRows(AovFilm film, AuxiliaryImage image) : IImageRows
 {
-    private readonly double[] _values = new double[film.Width * AovFilm.Channels(kind)];
+    private readonly double[] _values = new double[film.Width * image.Letters.Length];
 
     /// <inheritdoc/>
     public int Width => film.Width;
@@ -19,8 +19,8 @@ public sealed class AovRows(AovFilm film, Aov kind) : IImageRows
     /// <inheritdoc/>
     public void ReadRow(int y, Span<float> rgb)
     {
-        int channels = AovFilm.Channels(kind);
-        film.ReadRow(kind, y, _values);
+        int channels = image.Letters.Length;
+        film.ReadRow(image, y, _values);
         for (int i = 0; i < 3 * Width; i++)
         {
             int channel = i % 3;

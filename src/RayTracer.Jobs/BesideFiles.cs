@@ -9,7 +9,7 @@ internal sealed class BesideFiles
 {
     private readonly RenderJob _job;
     private readonly HashSet<string> _taken;
-    private readonly List<(string Path, Aov Kind)> _files = [];
+    private readonly List<(string Path, AuxiliaryImage Image)> _files = [];
     private readonly List<(string Path, int Layer)> _layers = [];
     private readonly List<string> _denoised = [];
 
@@ -21,9 +21,9 @@ internal sealed class BesideFiles
         _taken = [.. job.Outputs.Select(Path.GetFullPath)];
         foreach (string output in Pictures)
         {
-            foreach (Aov kind in job.Aovs.Distinct())
+            foreach (AuxiliaryImage image in job.Aovs.Distinct())
             {
-                _files.Add((Take($"--aov {AovFiles.Name(kind)}", output, AovFiles.Beside(output, kind)), kind));
+                _files.Add((Take($"--aov {image.Name}", output, AovFiles.Beside(output, image.Name)), image));
             }
 
             if (job.Denoise)
@@ -38,7 +38,7 @@ internal sealed class BesideFiles
 
     // Outputs that hold no layers.
     private IEnumerable<string> Pictures =>
-        _job.Outputs.Distinct().Where(o => o != _job.Kept && Path.GetExtension(o).Length > 0 && !o.EndsWith(".exr", StringComparison.OrdinalIgnoreCase) && !FilmFile.IsNamed(o));
+        _job.Outputs.Distinct().Where(o => o != _job.Kept && Path.GetExtension(o).Length > 0 && !ImageFormat.Has(o, ImageFeatures.Layers) && !FilmFile.IsNamed(o));
 
     /// <summary>Lists the files of layers of light.</summary>
     /// <param name="layers">The layers' names.</param>
@@ -66,10 +66,10 @@ internal sealed class BesideFiles
     public IReadOnlyList<string> Write(AovFilm? film, LightLayerFilm? layers, Picture? denoised, ImageWriteOptions writing, IJobWatch watch)
     {
         List<string> written = [];
-        foreach ((string path, Aov kind) in film is null ? [] : _files)
+        foreach ((string path, AuxiliaryImage kind) in film is null ? [] : _files)
         {
             (IImageRows image, string range) = AovFiles.Rows(path, film!, kind);
-            KeyValuePair<string, string>[] texts = [.. writing.Metadata, new("Aov", AovFiles.Name(kind)), new("Range", range)];
+            KeyValuePair<string, string>[] texts = [.. writing.Metadata, new("Aov", kind.Name), new("Range", range)];
             ImageWriteOptions plain = writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = texts };
             written.AddRange(JobFiles.Write([path], image, plain, watch));
         }

@@ -20,7 +20,7 @@ public static class FrameFiles
     public static bool IsNumbered(string path) => path.Contains('#', StringComparison.Ordinal);
 
     /// <summary>Whether a file takes all frames as an animated PNG.</summary>
-    public static bool IsAnimated(string path, FrameRange? frames) => path.EndsWith(".apng", StringComparison.OrdinalIgnoreCase)
+    public static bool IsAnimated(string path, FrameRange? frames) => AnimatedPng.IsNamed(path)
         || (frames is { Count: > 1 } && path.EndsWith(".png", StringComparison.OrdinalIgnoreCase) && !IsNumbered(path));
 }
 

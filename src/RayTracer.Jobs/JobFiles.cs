@@ -32,9 +32,10 @@ public static class JobFiles
             throw new JobException(JobFault.Request, $"{image}: {FilmExr.TooLarge}, and the picture has {width}×{height}");
         }
 
-        if (Math.Max(width, height) > JpegWriter.MaxSide && paths.FirstOrDefault(p => Path.GetExtension(p).ToUpperInvariant() is ".JPG" or ".JPEG") is { } jpeg)
+        if (paths.FirstOrDefault(p => Math.Max(width, height) > ImageFormat.OfName(p)?.MaxSide) is { } small)
         {
-            throw new JobException(JobFault.Request, $"{jpeg}: a JPEG has at most {JpegWriter.MaxSide} pixels a side, and the picture has {width}×{height}");
+            string limit = ImageFormat.OfName(small) is { } format ? $"{format.FileName} has at most {format.MaxSide} pixels a side" : "";
+            throw new JobException(JobFault.Request, $"{small}: {limit}, and the picture has {width}×{height}");
         }
     }
 

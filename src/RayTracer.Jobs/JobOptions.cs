@@ -37,17 +37,15 @@ public sealed record JobOption(string Name, string? Form, string Description, Fu
     /// <summary>Whether it may be given several times.</summary>
     public bool IsRepeated { get; init; }
 
-    /// <summary>The endings of the files that it is for; empty for all.</summary>
-    public IReadOnlyList<string> Endings { get; init; } = [];
+    /// <summary>The feature of the formats that it is for; null for all.</summary>
+    public ImageFeatures? Feature { get; init; }
 }
 
 /// <summary>All options of jobs, in one table.</summary>
 public static class JobOptions
 {
-    private static readonly string[] s_shown = [".png", ".apng", ".jpg", ".jpeg"];
-    private static readonly string[] s_jpeg = [".jpg", ".jpeg"];
-    private static readonly Enum[] s_aovs = [.. Enum.GetValues<Aov>(), .. Enum.GetValues<LightLayer>()];
-    private static readonly string[] s_aovNames = [.. s_aovs.Select(a => a is Aov aov ? AovFiles.Name(aov) : $"{a}".ToLowerInvariant())];
+    private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightLayer>()];
+    private static readonly string[] s_aovNames = [.. s_aovs.Select(a => a is AuxiliaryImage image ? image.Name : $"{a}".ToLowerInvariant())];
 
     /// <summary>Those that replace what the scene says.</summary>
     public static IReadOnlyList<JobOption> OfScenes { get; } =
@@ -62,19 +60,19 @@ public static class JobOptions
     /// <summary>Those of how pictures look.</summary>
     public static IReadOnlyList<JobOption> OfLooks { get; } =
     [
-        new("--exposure", "X", "PNG, JPEG: stops by which the picture is made brighter (each doubles the light).", (j, w) => Written(j, o => o with { Exposure = (float)W.Number(w, -100, 100) }),
-            j => Text(j.Writing.Exposure, 0f)) { Use = JobOptionUse.Pictures, Endings = s_shown },
-        new("--tonemap", string.Join('|', W.Of<ToneMap>()), "PNG, JPEG: how bright light is brought into what a screen can show; clamp cuts it off.",
+        new("--exposure", "X", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light).", (j, w) => Written(j, o => o with { Exposure = (float)W.Number(w, -100, 100) }),
+            j => Text(j.Writing.Exposure, 0f)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
+        new("--tonemap", string.Join('|', W.Of<ToneMap>()), $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; clamp cuts it off.",
             (j, w) => Written(j, o => o with { ToneMap = W.Choice(w, W.Of<ToneMap>(), Enum.GetValues<ToneMap>()) }),
-            j => j.Writing.ToneMap == ToneMap.Clamp ? null : $"{j.Writing.ToneMap}".ToLowerInvariant()) { Use = JobOptionUse.Pictures, Endings = s_shown },
-        new("--bit-depth", "8|16", "PNG: bits a channel; 8 without it.", (j, w) => Written(j, o => o with { BitDepth = W.Choice(w, ["8", "16"], [8, 16]) }),
-            j => Text(j.Writing.BitDepth, 8)) { Use = JobOptionUse.Pictures, Endings = [".png", ".apng"] },
-        new("--quality", "N", $"JPEG: from the smallest file to the best picture; {JpegWriter.StandardQuality} without it.",
+            j => j.Writing.ToneMap == ToneMap.Clamp ? null : $"{j.Writing.ToneMap}".ToLowerInvariant()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
+        new("--bit-depth", "8|16", $"{ImageFormat.Names(ImageFeatures.BitDepth)}: bits a channel; 8 without it.", (j, w) => Written(j, o => o with { BitDepth = W.Choice(w, ["8", "16"], [8, 16]) }),
+            j => Text(j.Writing.BitDepth, 8)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.BitDepth },
+        new("--quality", "N", $"{ImageFormat.Names(ImageFeatures.Quality)}: smallest file to best picture; {JpegWriter.StandardQuality} without it.",
             (j, w) => Written(j, o => o with { JpegQuality = (int)W.Integer(w, 1, 100) }), j => Text(j.Writing.JpegQuality, JpegWriter.StandardQuality))
-        { Use = JobOptionUse.Pictures, Endings = s_jpeg },
-        new("--chroma", string.Join('|', W.Of<JpegChroma>()), "JPEG: colours of every pixel, or of every four; without it, full from quality 90 on.",
+        { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Quality },
+        new("--chroma", string.Join('|', W.Of<JpegChroma>()), $"{ImageFormat.Names(ImageFeatures.Chroma)}: colours of every pixel or every four; full from 90 on without it.",
             (j, w) => Written(j, o => o with { JpegChroma = W.Choice(w, W.Of<JpegChroma>(), Enum.GetValues<JpegChroma>()) }), j => j.Writing.JpegChroma?.ToString().ToLowerInvariant())
-        { Use = JobOptionUse.Pictures, Endings = s_jpeg },
+        { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Chroma },
     ];
 
     /// <summary>Whether images carry the film; of verbs that have it.</summary>
@@ -111,8 +109,8 @@ public static class JobOptions
         new("--pixel", "x,y", "Renders only this pixel and prints its radiance.", (j, w) => j with { Pixel = W.Integers(w, "x,y") is [var x, var y] ? (x, y) : null },
             j => j.Pixel is { } p ? $"{p.X},{p.Y}" : null),
         new("--sample", "N", "With --pixel: renders only this sample, from 0.", (j, w) => j with { Sample = (int)W.Integer(w, 0, int.MaxValue - 1) }, j => Text(j.Sample, null)),
-        new("--aov", string.Join(',', s_aovNames), "Writes auxiliary images too: of what camera rays meet first (depth to samples), or parts of the light (emission to lights, which is one "
-            + "for each light). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", PutAovs, AovText) { Use = JobOptionUse.Pictures },
+        new("--aov", string.Join(',', s_aovNames), $"Writes auxiliary images too: of what is known of pixels ({AuxiliaryImage.Known.All[0].Name} to {AuxiliaryImage.Known.All[^1].Name}), or parts of the light "
+            + "(emission to lights, which is one for each light). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", PutAovs, AovText) { Use = JobOptionUse.Pictures },
         new("--denoise", null, "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png).",
             (j, _) => j with { Denoise = true }, j => Flag(j.Denoise)) { Use = JobOptionUse.Pictures },
         new("--noise", "X%", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: "
@@ -171,13 +169,13 @@ public static class JobOptions
 
     private static RenderJob PutAovs(RenderJob job, string list)
     {
-        Enum[] kinds = [.. list.Split(',').Select(word => Array.IndexOf(s_aovNames, word) is >= 0 and int i ? s_aovs[i]
+        object[] kinds = [.. list.Split(',').Select(word => Array.IndexOf(s_aovNames, word) is >= 0 and int i ? s_aovs[i]
             : throw new FormatException($"unknown image {Quotation.Of(word)}{Spelling.DidYouMean(word, s_aovNames)}, expected some of {string.Join(", ", s_aovNames)}"))];
-        return job with { Aovs = [.. kinds.OfType<Aov>()], Layers = [.. kinds.OfType<LightLayer>()] };
+        return job with { Aovs = [.. kinds.OfType<AuxiliaryImage>()], Layers = [.. kinds.OfType<LightLayer>()] };
     }
 
     private static string? AovText(RenderJob job) =>
-        job.Aovs.Cast<Enum>().Concat(job.Layers.Cast<Enum>()).Select(a => s_aovNames[Array.IndexOf(s_aovs, a)]).ToArray() is { Length: > 0 } names ? string.Join(',', names) : null;
+        job.Aovs.Cast<object>().Concat(job.Layers.Cast<object>()).Select(a => s_aovNames[Array.IndexOf(s_aovs, a)]).ToArray() is { Length: > 0 } names ? string.Join(',', names) : null;
 
     private static RenderJob Written(RenderJob job, Func<ImageWriteOptions, ImageWriteOptions> change) => job with { Writing = change(job.Writing) };
 

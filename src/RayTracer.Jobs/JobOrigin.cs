@@ -73,7 +73,7 @@ public static class JobOrigin
     }
 
     /// <summary>The complaint about a file that says nothing of its making.</summary>
-    public static JobException Unknown(string file) => new($"'{file}' does not say how it was made: only .rtfilm, .png, .jpg, .exr and .hdr files of render, resume and merge do");
+    public static JobException Unknown(string file) => new($"'{file}' does not say how it was made: only .rtfilm, {ImageFormat.Endings(ImageFeatures.Texts)} files of render, resume and merge do");
 
     internal static JobException NotUnderstood(string file, Exception e) => new($"the settings of '{file}' are not understood: {e.Message.TrimEnd('.')}", e);
 }

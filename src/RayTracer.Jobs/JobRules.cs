@@ -67,7 +67,7 @@ public static class JobRules
         bool isAnimation = FrameFiles.MakeAnimation(job);
         bool isSequence = FrameFiles.AreSeveral(job);
         string? single = job.Outputs.FirstOrDefault(o => !FrameFiles.IsNumbered(o) && !FrameFiles.IsAnimated(o, job.Frames));
-        string? apng = job.Outputs.FirstOrDefault(o => o.EndsWith(".apng", StringComparison.OrdinalIgnoreCase));
+        string? apng = job.Outputs.FirstOrDefault(AnimatedPng.IsNamed);
         Add("files", job.Outputs.Count > 0);
         Add("nowhere", job.Outputs.Count == 0 && job.Checkpoint is null && !more.Contains("--json"));
         Add("passes", job.NeedsPasses);

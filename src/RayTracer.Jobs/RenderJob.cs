@@ -39,7 +39,7 @@ public sealed record RenderJob
     public int? Sample { get; init; }
 
     /// <summary>The auxiliary images to write.</summary>
-    public IReadOnlyList<Aov> Aovs { get; init; } = [];
+    public IReadOnlyList<AuxiliaryImage> Aovs { get; init; } = [];
 
     /// <summary>The layers of light to write.</summary>
     public IReadOnlyList<LightLayer> Layers { get; init; } = [];

@@ -1,3 +1,4 @@
+using RayTracer.Imaging;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;
@@ -19,7 +20,8 @@ internal static class SavingEndpoints
             PictureRequest picture = PictureRequest.Of(bitDepth, layers?.Split(',', StringSplitOptions.RemoveEmptyEntries) ?? []);
             string extension = $".{format ?? "png"}";
             byte[] bytes = await session.Pictures.Encode(extension, picture, context.RequestAborted);
-            return Results.Bytes(bytes, extension == ".png" ? "image/png" : "application/octet-stream", Path.ChangeExtension(session.Document.Place.Name, extension));
+            string type = ImageFormat.OfName(extension)!.MediaType;
+            return Results.Bytes(bytes, type, Path.ChangeExtension(session.Document.Place.Name, extension));
         });
         api.MapGet("/picture/formats", () => Answers.Json(new { formats = PictureSaver.Formats }));
         api.MapGet("/command", () => Answers.Json(new { text = session.Pictures.Command() }));

@@ -44,7 +44,7 @@ internal static class ViewEndpoints
     internal sealed record ToneRequest(float? Exposure, ToneMap? ToneMap);
 
     /// <summary>What is to change; what is null stays.</summary>
-    internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, ViewMap? Map)
+    internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, string? Map)
     {
         public ViewSettings Apply(ViewSettings settings) => settings with
         {
@@ -58,7 +58,7 @@ internal static class ViewEndpoints
             },
             Samples = Quality is { } quality ? (int)quality : Samples switch { null => settings.Samples, 0 => null, _ => Samples },
             Threads = Threads ?? settings.Threads,
-            Map = Map ?? settings.Map,
+            Map = Map is null ? settings.Map : ViewMap.Named(Map),
             Region = Region switch
             {
                 null => settings.Region,

@@ -137,7 +137,7 @@ public sealed class ViewportTests
         viewport.ToneMap = viewport.ToneMaps.First(t => t.Value == "Aces");
         await test.Until(() => test.Session.View.Tone == new Tone(1.5f, Imaging.ToneMap.Aces));
         viewport.Map = viewport.Maps.First(m => m.Value == "normal");
-        await test.Until(() => test.Session.View.Settings.Map == ViewMap.Normal && viewport.Map?.Value == "normal");
+        await test.Until(() => test.Session.View.Settings.Map == ViewMap.Named("normal") && viewport.Map?.Value == "normal");
         viewport.Zoom = viewport.Zooms.First(z => z.Value == "200");
         Assert.Equal(2, viewport.Stage.Scale, 1e-9);
     });

@@ -5,7 +5,12 @@ namespace RayTracer.Mutations;
 /// <summary>A copy of the repository in which mutants are built and tested.</summary>
 internal sealed class Workshop : IDisposable
 {
-    private static readonly string[] s_testProjects = ["RayTracer.Tests", "RayTracer.RenderTests"];
+    private static readonly string[] s_testProjects =
+    [
+        "RayTracer.Tests", "RayTracer.RenderTests", "RayTracer.Scenes.Tests", "RayTracer.Import.Tests", "RayTracer.Imaging.Tests", "RayTracer.Cli.Tests",
+        "RayTracer.Repository.Tests",
+    ];
+
     private readonly string _root;
     private readonly string _project;
 

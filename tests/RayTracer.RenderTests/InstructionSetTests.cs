@@ -1,7 +1,6 @@
 using System.Text.Json;
 using RayTracer.Rendering;
 using RayTracer.RenderTests.Bits;
-using RayTracer.Tests.Rendering;
 
 namespace RayTracer.RenderTests;
 

@@ -40,12 +40,12 @@ internal static class Program
 
     private static string HashOfAuxiliaryImages(Scene scene)
     {
-        AovFilm film = new(new(scene.Render.Width, scene.Render.Height), Enum.GetValues<Aov>().Where(k => k != Aov.Samples));
+        AovFilm film = new(new(scene.Render.Width, scene.Render.Height), AuxiliaryImage.Known.All.OfType<FirstHitImage>());
         new FirstHitPass(scene, new() { Threads = 2 }).Render(film);
         using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-        foreach (Aov kind in film.Kinds)
+        foreach (AuxiliaryImage kind in film.Images)
         {
-            double[] row = new double[film.Width * AovFilm.Channels(kind)];
+            double[] row = new double[film.Width * kind.Letters.Length];
             for (int y = 0; y < film.Height; y++)
             {
                 film.ReadRow(kind, y, row);

@@ -96,7 +96,7 @@ internal sealed class DenoiserInput
         return squares;
     }
 
-    private void ReadFeature(HalfRender[] halves, Aov kind, int first)
+    private void ReadFeature(HalfRender[] halves, AuxiliaryImage kind, int first)
     {
         (int width, int height) = (Sampled.Width, Sampled.Height);
         PaddedPlane[][] read = [Planes(width, height), Planes(width, height)];

@@ -8,7 +8,7 @@ namespace RayTracer.Imaging;
 public sealed record HalfRender(Film Film, AovFilm Features)
 {
     /// <summary>The auxiliary images that a denoiser needs.</summary>
-    public static IReadOnlyList<Aov> Kinds { get; } = [Aov.Normal, Aov.Albedo];
+    public static IReadOnlyList<AuxiliaryImage> Kinds { get; } = [new NormalImage(), new AlbedoImage()];
 
     /// <summary>An empty half.</summary>
     /// <param name="width">Width in pixels.</param>

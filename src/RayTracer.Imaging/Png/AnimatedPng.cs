@@ -16,6 +16,9 @@ public sealed class AnimatedPng(IEnumerable<KeyValuePair<string, string>> texts,
     private int _width;
     private int _height;
 
+    /// <summary>Returns whether a file's name is that of an animated PNG and of nothing else.</summary>
+    public static bool IsNamed(string path) => path.EndsWith(".apng", StringComparison.OrdinalIgnoreCase);
+
     /// <summary>How many pictures it has.</summary>
     public int Count => _frames.Count;
 

@@ -24,7 +24,7 @@ internal static class MitsubaColors
     {
         if (thing.Child("spectrum", name) is { } plugin)
         {
-            return Plugin(plugin, standard, isLight);
+            return Limited(Plugin(plugin, standard, isLight), maximum, name, plugin.Place, thing.Log);
         }
 
         if (thing.Property(name) is not { } property || Read(property, isLight, thing) is not { } color)
@@ -32,9 +32,26 @@ internal static class MitsubaColors
             return standard;
         }
 
-        // Colours of spectra may lie beyond those of three primaries, and then have channels below zero.
+        if (property.Name == "spectrum")
+        {
+            return Limited(color, maximum, name, property.PlaceOf("value"), thing.Log);
+        }
+
         float worst = float.Min(color.R, float.Min(color.G, color.B)) is < 0 and var least ? least : float.Max(color.R, float.Max(color.G, color.B));
-        return property.Name == "spectrum" || thing.IsWithin(property, name, worst, 0, maximum) ? color : standard;
+        return thing.IsWithin(property, name, worst, 0, maximum) ? color : standard;
+    }
+
+    // The colour of a spectrum may lie beyond those of three primaries.
+    private static Rgb Limited(Rgb color, float maximum, string name, SourcePlace place, MitsubaLog log)
+    {
+        Rgb limited = new(float.Clamp(color.R, 0, maximum), float.Clamp(color.G, 0, maximum), float.Clamp(color.B, 0, maximum));
+        if (limited != color)
+        {
+            string range = float.IsInfinity(maximum) ? "at least 0" : $"from 0 to {maximum}";
+            log.Warn(place, $"the spectrum of {Quotation.Of(name)} is a colour beyond the three primaries: its channels are brought into range, {range}");
+        }
+
+        return limited;
     }
 
     /// <summary>The colour of an element; null, after an error, where it is none.</summary>

@@ -23,8 +23,11 @@ public static class SceneLoader
     {
         if (ImageFile.FormatOf(path) is { } format)
         {
-            string advice = format == ImageFile.FilmFormat ? $"\"raytracer resume {path}\" goes on with it, \"raytracer convert {path} FILE.png\" makes an image of it" : $"\"raytracer view {path}\" shows it";
-            return new(null, null, [new(path, 0, 0, Severity.Error, $"this is {format} and no scene: {advice}") { Rule = DiagnosticRule.Unreadable }]);
+            string advice = format is FilmFormat
+                ? $"\"raytracer resume {path}\" goes on with it, \"raytracer convert {path} FILE.png\" makes an image of it"
+                : $"\"raytracer view {path}\" shows it";
+            string message = $"this is {format.FileName} and no scene: {advice}";
+            return new(null, null, [new(path, 0, 0, Severity.Error, message) { Rule = DiagnosticRule.Unreadable }]);
         }
 
         string folder = Path.GetDirectoryName(path) ?? "";
@@ -108,7 +111,7 @@ public static class SceneLoader
         List<Diagnostic> diagnostics = [.. read.Diagnostics];
         if (overrides is not null)
         {
-            description = Override(description, overrides, read, diagnostics);
+            description = Override(description, overrides, read);
         }
 
         Scene? scene = null;
@@ -116,41 +119,30 @@ public static class SceneLoader
         {
             SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load, models.Load) { KeepsSources = keepsSources };
             scene = builder.Build(description);
-            diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read)));
+            RecordOwners owners = new(description);
+            diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read, owners)));
         }
 
         bool isGood = !diagnostics.Exists(d => d.Severity == Severity.Error);
         return new(isGood ? scene : null, read.Description is null ? null : description, Diagnostic.Sort(diagnostics));
     }
 
-    // The scene file's values have been checked by the reader; those of overrides are checked here.
-    private static SceneDescription Override(
-        SceneDescription original, Func<SceneDescription, SceneDescription> overrides, SceneReadResult read, List<Diagnostic> diagnostics)
+    private static SceneDescription Override(SceneDescription original, Func<SceneDescription, SceneDescription> overrides, SceneReadResult read)
     {
         SceneDescription changed = overrides(original);
         (object From, object To)[] parts =
             [(original, changed), (original.Render, changed.Render), (original.Camera, changed.Camera), (original.Camera.Lens, changed.Camera.Lens)];
-        foreach ((object from, object to) in parts.Where(p => !ReferenceEquals(p.From, p.To)))
-        {
-            read.SourceMap.Follow(from, to);
-            foreach (RecordParameter parameter in RecordType.Of(to.GetType()).Parameters)
-            {
-                if (parameter.RangeComplaint(parameter.Get(to)) is { } complaint)
-                {
-                    diagnostics.Add(new(FileName(read), 0, 0, Severity.Error, $"{Quotation.Of(parameter.Key)} {complaint}") { Rule = DiagnosticRule.OutOfRange });
-                }
-            }
-        }
-
+        Array.ForEach(parts, p => read.SourceMap.Follow(p.From, p.To));
         return changed;
     }
 
-    private static Diagnostic ToDiagnostic(SceneComplaint complaint, SceneReadResult read)
+    private static Diagnostic ToDiagnostic(SceneComplaint complaint, SceneReadResult read, RecordOwners owners)
     {
         Severity severity = complaint.IsError ? Severity.Error : Severity.Warning;
-        return read.SourceMap.Find(complaint.Subject, complaint.Property) is { } node ? read.Source!.At(node.Start, severity, complaint.Message)
-            : read.SourceMap.PlaceOf(complaint.Subject) is { } place ? place.At(severity, complaint.Message)
+        Diagnostic diagnostic = read.SourceMap.Find(complaint.Subject, complaint.Property) is { } node ? read.Source!.At(node.Start, severity, complaint.Message)
+            : owners.From(complaint.Subject).Select(read.SourceMap.PlaceOf).FirstOrDefault(p => p is not null) is { } place ? place.At(severity, complaint.Message)
             : new(FileName(read), 0, 0, severity, complaint.Message);
+        return complaint.IsOutOfRange ? diagnostic with { Rule = DiagnosticRule.OutOfRange } : diagnostic;
     }
 
     private static string FileName(SceneReadResult read) => read.Source!.FileName;

@@ -24,9 +24,9 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
     public int Render(string path, bool overwrite)
     {
         string full = Whole(path);
-        if (!Path.GetExtension(full).Equals(".exr", StringComparison.OrdinalIgnoreCase))
+        if (!ImageFormat.Has(full, ImageFeatures.Layers))
         {
-            throw new SessionException("Layers of light are written to .exr files.");
+            throw new SessionException($"Layers of light are written to {ImageFormat.Endings(ImageFeatures.Layers)} files.");
         }
 
         Check(full, overwrite);

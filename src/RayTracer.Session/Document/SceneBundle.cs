@@ -1,5 +1,6 @@
 using System.IO.Compression;
 using System.Text;
+using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Scenes;
 
@@ -12,11 +13,6 @@ public static class SceneBundle
     public const long MaximumBytes = 1L << 30;
 
     private const int MostFiles = 10_000;
-
-    private static readonly string[] s_pictures = [".png", ".jpg", ".jpeg", ".pfm", ".exr", ".hdr"];
-
-    /// <summary>Whether a file may be a picture that a scene names, by its name.</summary>
-    internal static bool IsPicture(string name) => s_pictures.Contains(Path.GetExtension(name), StringComparer.OrdinalIgnoreCase);
 
     /// <summary>Writes a bundle.</summary>
     /// <param name="output">Where to.</param>
@@ -36,7 +32,7 @@ public static class SceneBundle
         {
             string path = Path.GetFullPath(Path.Combine(place.Folder, node.Text));
             bool isModel = ModelFile.IsModel(path);
-            if (!File.Exists(path) || !(isModel || IsPicture(path)))
+            if (!File.Exists(path) || !(isModel || ImageFormat.OfName(path) is not null))
             {
                 missing.Add(node.Text);
                 continue;

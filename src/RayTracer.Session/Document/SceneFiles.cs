@@ -46,7 +46,7 @@ public sealed class SceneFiles
         Path.GetExtension(name).ToLowerInvariant() is ".json" or ".zip" || FilmFile.IsNamed(name) || ModelFile.IsModel(name) || SceneFormat.Of(name) is not null;
 
     // Those that say which scene they show.
-    private static bool IsImage(string name) => Path.GetExtension(name).ToLowerInvariant() is ".png" or ".exr";
+    private static bool IsImage(string name) => ImageFormat.Has(name, ImageFeatures.Texts);
 
     /// <summary>Begins a new scene.</summary>
     /// <param name="discard">Whether changes that were not saved may go.</param>
@@ -162,7 +162,7 @@ public sealed class SceneFiles
     public FolderListing List(string? path = null, bool isNamed = false) =>
         FolderListing.Of(string.IsNullOrEmpty(path) ? _folders.Home : Whole(path), isNamed ? IsNamed : CanOpen);
 
-    private static bool IsNamed(string name) => SceneBundle.IsPicture(name) || ModelFile.IsModel(name);
+    private static bool IsNamed(string name) => ImageFormat.OfName(name) is not null || ModelFile.IsModel(name);
 
     private void OpenFile(string path, bool isOwn)
     {

@@ -10,9 +10,10 @@ namespace RayTracer.Session;
 /// <param name="Sections">The records that there is one of: scene, camera, lens, render, and those of lists.</param>
 /// <param name="RefractiveIndices">The report's table 4.1.</param>
 /// <param name="Colors">The colours of CSS by their names, as #rrggbb.</param>
+/// <param name="Maps">The things that the view can show of a picture.</param>
 public sealed record TypeCatalogue(
     Json Schema, IReadOnlyDictionary<string, IReadOnlyList<CatalogueType>> Types, IReadOnlyDictionary<string, CatalogueType> Sections,
-    IReadOnlyList<RefractiveIndex> RefractiveIndices, IReadOnlyDictionary<string, string> Colors)
+    IReadOnlyList<RefractiveIndex> RefractiveIndices, IReadOnlyDictionary<string, string> Colors, IReadOnlyList<ViewMap> Maps)
 {
     /// <summary>The catalogue.</summary>
     public static TypeCatalogue Instance { get; } = new(
@@ -20,5 +21,6 @@ public sealed record TypeCatalogue(
         SceneTypes.Families.ToDictionary(f => f.Noun, f => (IReadOnlyList<CatalogueType>)[.. f.Types.Select(CatalogueType.Of)], StringComparer.Ordinal),
         SceneTypes.Parts.ToDictionary(t => t.Name, CatalogueType.Of, StringComparer.Ordinal),
         RefractiveIndex.All,
-        CssColors.Names.ToDictionary(n => n, n => Outline.Hex(CssColors.Find(n)!.Value), StringComparer.Ordinal));
+        CssColors.Names.ToDictionary(n => n, n => Outline.Hex(CssColors.Find(n)!.Value), StringComparer.Ordinal),
+        ViewMap.All);
 }

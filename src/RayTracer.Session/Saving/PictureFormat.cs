@@ -4,18 +4,21 @@ namespace RayTracer.Session;
 
 /// <summary>A format of files that pictures are written to.</summary>
 /// <param name="Value">The ending of names, without its dot.</param>
-/// <param name="Label">What it is called.</param>
+/// <param name="Label">The name that is shown.</param>
 /// <param name="HasDepth">Whether bits a channel can be chosen.</param>
 /// <param name="HasLayers">Whether it takes auxiliary images.</param>
 /// <param name="IsFilm">Whether it is the film itself, which is only written to files.</param>
 public sealed record PictureFormat(string Value, string Label, bool HasDepth, bool HasLayers, bool IsFilm)
 {
-    /// <summary>The format of an ending.</summary>
-    /// <param name="ending">With its dot.</param>
-    public static PictureFormat Of(string ending)
-    {
-        string value = ending[1..];
-        string label = SessionTexts.Keys("formats").Contains(value) ? SessionTexts.Of($"formats.{value}") : value.ToUpperInvariant();
-        return new(value, label, ending == ".png", ending == ".exr", FilmFile.IsNamed(ending));
-    }
+    /// <summary>The film itself.</summary>
+    public static PictureFormat Film { get; } =
+        new(FilmFile.Extension[1..], SessionTexts.Of("formats.rtfilm"), HasDepth: false, HasLayers: false, IsFilm: true);
+
+    /// <summary>Returns a format of pictures as it is offered.</summary>
+    public static PictureFormat Of(ImageFormat format) => new(
+        format.Extensions[0][1..],
+        format.Name,
+        format.Features.HasFlag(ImageFeatures.BitDepth),
+        format.Features.HasFlag(ImageFeatures.Layers),
+        IsFilm: false);
 }

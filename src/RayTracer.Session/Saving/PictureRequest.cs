@@ -6,7 +6,7 @@ namespace RayTracer.Session;
 /// <summary>How a picture is to be written.</summary>
 /// <param name="BitDepth">PNG: bits a channel, 8 or 16.</param>
 /// <param name="Layers">Auxiliary images to write too: as layers of an OpenEXR file, else in files beside it.</param>
-public sealed record PictureRequest(int BitDepth, IReadOnlyList<Aov> Layers)
+public sealed record PictureRequest(int BitDepth, IReadOnlyList<AuxiliaryImage> Layers)
 {
     /// <summary>A request in words.</summary>
     /// <param name="bitDepth">Bits a channel; null for 8.</param>
@@ -19,7 +19,7 @@ public sealed record PictureRequest(int BitDepth, IReadOnlyList<Aov> Layers)
             throw new SessionException("A PNG is written with 8 or 16 bits a channel.");
         }
 
-        return new(bitDepth ?? 8, [.. layers.Select(name => Enum.GetValues<Aov>().Cast<Aov?>().FirstOrDefault(kind => AovFiles.Name(kind!.Value) == name)
+        return new(bitDepth ?? 8, [.. layers.Select(name => AuxiliaryImage.Known.Find(name)
             ?? throw new SessionException($"There is no layer {name}."))]);
     }
 }

@@ -12,7 +12,7 @@ namespace RayTracer.Session;
 public sealed class PictureSaver(SceneDocument document, PictureView view, JobList jobs)
 {
     /// <summary>The formats of the files that are written: pictures, and the film itself.</summary>
-    public static IReadOnlyList<PictureFormat> Formats { get; } = [.. ImageFile.Written.Where(e => e != ".jpeg").Append(FilmFile.Extension).Select(PictureFormat.Of)];
+    public static IReadOnlyList<PictureFormat> Formats => [.. ImageFormat.Written().Select(PictureFormat.Of), PictureFormat.Film];
 
     /// <summary>Writes the picture, or the film itself (.rtfilm), to a file, as a job.</summary>
     /// <param name="path">The file; relative to the document's folder.</param>
@@ -34,8 +34,8 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
             return await SaveFilm(full, overwrite).ConfigureAwait(false);
         }
 
-        bool hasLayers = Path.GetExtension(full).Equals(".exr", StringComparison.OrdinalIgnoreCase);
-        string[] beside = hasLayers ? [] : [.. request.Layers.Select(kind => AovFiles.Beside(full, kind))];
+        bool hasLayers = ImageFormat.Has(full, ImageFeatures.Layers);
+        string[] beside = hasLayers ? [] : [.. request.Layers.Select(image => AovFiles.Beside(full, image.Name))];
         foreach (string file in beside.Prepend(full))
         {
             ImageFile.Check(file);
@@ -49,11 +49,12 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
             ImageWriteOptions options = Options(taken, request);
             ReportedRows rows = new(taken.Film, progress, cancellation);
             ImageFile.Write(full, rows, hasLayers ? options with { ExrLayers = AovFiles.Layers(images) } : options);
-            foreach (Aov kind in hasLayers ? [] : request.Layers)
+            foreach (AuxiliaryImage kind in hasLayers ? [] : request.Layers)
             {
                 (IImageRows image, string range) = AovFiles.Rows(full, images, kind);
-                KeyValuePair<string, string>[] texts = [.. options.Metadata, new("Aov", AovFiles.Name(kind)), new("Range", range)];
-                ImageFile.Write(AovFiles.Beside(full, kind), image, options with { Metadata = texts, ToneMap = ToneMap.Clamp, Exposure = 0 });
+                KeyValuePair<string, string>[] texts = [.. options.Metadata, new("Aov", kind.Name), new("Range", range)];
+                ImageWriteOptions plain = options with { Metadata = texts, ToneMap = ToneMap.Clamp, Exposure = 0 };
+                ImageFile.Write(AovFiles.Beside(full, kind.Name), image, plain);
             }
 
             return $"wrote {full}";
@@ -62,7 +63,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
 
     /// <summary>The picture as the bytes of a file.</summary>
     /// <param name="extension">The ending, with its dot, of one of the pictures' <see cref="Formats"/>.</param>
-    /// <param name="request">How; layers go into OpenEXR only.</param>
+    /// <param name="request">How; layers go into formats that hold them only.</param>
     /// <param name="cancellation">Ends the work.</param>
     /// <exception cref="SessionException">There is no picture.</exception>
     public async Task<byte[]> Encode(string extension, PictureRequest request, CancellationToken cancellation)
@@ -71,7 +72,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         return await Task.Run(() =>
         {
             ImageWriteOptions options = Options(taken, request);
-            bool hasLayers = extension == ".exr" && request.Layers.Count > 0;
+            bool hasLayers = ImageFormat.Has(extension, ImageFeatures.Layers) && request.Layers.Count > 0;
             ReportedRows rows = new(taken.Film, new Progress<double>(), cancellation);
             return ImageFile.Encode(extension, rows, hasLayers ? options with { ExrLayers = AovFiles.Layers(TraceLayers(taken, request, cancellation)) } : options);
         }, cancellation).ConfigureAwait(false);

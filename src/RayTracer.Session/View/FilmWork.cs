@@ -143,7 +143,7 @@ internal sealed class FilmWork(FrameBoard frames)
         _samplesBefore = begun is null ? order.First : order.Start!.Held.End;
         _plan = new SlicePlan(order.Area, order.Samples).From(_samplesBefore);
         _isFromFile = _samplesBefore > order.First;
-        if (IsLight(order.Map) && !_isFromFile)
+        if (order.Map.IsLight && !_isFromFile)
         {
             _previews.Begin((long)width * height);
         }
@@ -242,7 +242,7 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         _isStale = false;
-        if (!IsLight(order.Map))
+        if (!order.Map.IsLight)
         {
             if (_maps.Picture(order, Film!) is { } map)
             {
@@ -263,14 +263,13 @@ internal sealed class FilmWork(FrameBoard frames)
         });
     }
 
-    private static bool IsLight(ViewMap map) => map is ViewMap.Light or ViewMap.Denoised;
-
     // A paused picture is not rendered a second time behind the user's back.
     private bool NeedsDenoising(RenderOrder order) => order.Picture == Order?.Picture && order.Mode != RenderMode.Paused && _denoised.Needs(order, _plan.Samples);
 
     private void Hang(RenderOrder order, bool isPreview, Action<LinearPicture> draw)
     {
-        FrameInfo info = new(order.Scene.Render.Width, order.Scene.Render.Height, _plan.Samples, isPreview, _plan.IsDone && !NeedsDenoising(order), IsLight(order.Map));
+        (int width, int height) = (order.Scene.Render.Width, order.Scene.Render.Height);
+        FrameInfo info = new(width, height, _plan.Samples, isPreview, _plan.IsDone && !NeedsDenoising(order), order.Map.IsLight);
         _pace.Make(() => frames.Publish(info, draw));
     }
 }

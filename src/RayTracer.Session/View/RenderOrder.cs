@@ -22,7 +22,7 @@ public sealed record RenderOrder
     public int Threads { get; init; } = 1;
 
     /// <summary>What is shown.</summary>
-    public ViewMap Map { get; init; }
+    public ViewMap Map { get; init; } = ViewMap.Light;
 
     /// <summary>Whether rendering goes on.</summary>
     public RenderMode Mode { get; init; }

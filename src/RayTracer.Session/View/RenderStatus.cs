@@ -36,7 +36,7 @@ public sealed record RenderStatus
     public int Threads { get; init; }
 
     /// <summary>What is shown.</summary>
-    public ViewMap Map { get; init; }
+    public ViewMap Map { get; init; } = ViewMap.Light;
 
     /// <summary>The part that is rendered; null for all of it.</summary>
     public Tile? Region { get; init; }

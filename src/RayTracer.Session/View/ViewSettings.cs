@@ -12,7 +12,7 @@ public sealed record ViewSettings
     public int Threads { get; init; } = Math.Max(1, Environment.ProcessorCount - 1);
 
     /// <summary>What is shown.</summary>
-    public ViewMap Map { get; init; }
+    public ViewMap Map { get; init; } = ViewMap.Light;
 
     /// <summary>The part of the picture to render; null for all of it.</summary>
     public Tile? Region { get; init; }

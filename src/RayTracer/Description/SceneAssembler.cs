@@ -182,7 +182,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        if (shape.Material.Emits && !float.IsFinite(shape.Area) && !builder.HasErrors)
+        if (shape.Material.Traits.Emits && !float.IsFinite(shape.Area) && !builder.HasErrors)
         {
             builder.Error(description, null, "the area of this light is too large a number to compute with");
         }
@@ -281,7 +281,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        if (data.Uv is null && materials.Any(m => m.UsesUv && (m.Inputs & TextureInputs.Uv) != TextureInputs.None))
+        if (data.Uv is null && materials.Any(m => m.Traits.UsesUv && (m.Inputs & TextureInputs.Uv) != TextureInputs.None))
         {
             builder.Warn(mesh, null, $"{Name(mesh)} has no uv, so its texture shows the colour at (0, 0) everywhere");
         }

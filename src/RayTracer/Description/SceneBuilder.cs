@@ -7,29 +7,23 @@ using RayTracer.Textures;
 
 namespace RayTracer.Description;
 
-/// <summary>A complaint about one parameter of one description record.</summary>
-/// <param name="Subject">The record complained about.</param>
-/// <param name="Property">The name of its C# property, or null for the record as a whole.</param>
-/// <param name="Message">What is wrong and what was expected, in one sentence without a final stop.</param>
-/// <param name="IsError">Whether the scene cannot be rendered; otherwise it is a warning.</param>
-public sealed record SceneComplaint(object Subject, string? Property, string Message, bool IsError);
-
 /// <summary>
 /// Turns a <see cref="SceneDescription"/> into a renderable <see cref="Scene"/>. Every complaint is collected, none is
 /// thrown, so that a scene's author sees all of them at once.
 /// </summary>
 /// <param name="loadPicture">
 /// Loads the picture file of the given path (first argument, as in the scene file), decoded from sRGB unless the second
-/// argument says that its numbers are to be taken raw. May throw <see cref="PictureException"/>.
+/// argument says that its numbers are to be taken raw. May throw <see cref="PictureException"/>. Without it, no picture can be read.
 /// </param>
 /// <param name="loadModel">
 /// Loads the model file of the given path, as in the scene file. May throw <see cref="ModelException"/>. Without it, no model can be read.
 /// </param>
-public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<string, ImportedModel>? loadModel = null)
+public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null, Func<string, ImportedModel>? loadModel = null)
 {
     private readonly Dictionary<object, object> _built = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<object, object> _numberTextures = new(ReferenceEqualityComparer.Instance);
     private readonly List<SceneComplaint> _complaints = [];
+    private RangeCheck? _ranges;
     private MaterialDescription _inherited = ShapeDescription.DefaultMaterial;
     private MaterialDescription? _replacement;
     private (object Subject, string Property)? _source;
@@ -53,10 +47,10 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
     public bool KeepsSources { get; init; }
 
     /// <summary>Reports an error about a record's property (by its C# name; null means the whole record).</summary>
-    public void Error(object subject, string? property, string message) => Complain(subject, property, message, isError: true);
+    public void Error(object subject, string? property, string message) => Complain(new(subject, property, message, true));
 
     /// <summary>Reports a warning about a record's property (by its C# name; null means the whole record).</summary>
-    public void Warn(object subject, string? property, string message) => Complain(subject, property, message, isError: false);
+    public void Warn(object subject, string? property, string message) => Complain(new(subject, property, message, false));
 
     /// <summary>Whether a vector tells a direction; where it does not, that is reported as an error about the property.</summary>
     public bool HasDirection(object subject, string property, Vector3 vector)
@@ -110,7 +104,7 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
     {
         try
         {
-            return loadPicture(path, raw);
+            return (loadPicture ?? throw new PictureException("there is nothing that reads pictures here"))(path, raw);
         }
         catch (PictureException e)
         {
@@ -119,12 +113,16 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
         }
     }
 
-    /// <summary>Loads the model that a property of a record names; reports an error and returns null if it cannot be read.</summary>
+    /// <summary>Loads the model that a property of a record names; reports an error and returns null if it cannot be read, or has values out of their ranges.</summary>
     public ImportedModel? Model(object subject, string property, string path)
     {
         try
         {
-            return (loadModel ?? throw new ModelException("there is nothing that reads model files here"))(path);
+            ImportedModel model = (loadModel ?? throw new ModelException("there is nothing that reads model files here"))(path);
+            using (Within(subject, property))
+            {
+                return IsInRange(model.Scene) ? model : null;
+            }
         }
         catch (ModelException e)
         {
@@ -137,6 +135,11 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
     /// <param name="description">The scene to build.</param>
     public Scene? Build(SceneDescription description)
     {
+        if (!IsInRange(description))
+        {
+            return null;
+        }
+
         SphereLightSampling = description.Render.SphereLightSampling;
         Shutter = (description.Render.Shutter.X, description.Render.Shutter.Y);
         SceneAssembler assembler = new(this);
@@ -159,6 +162,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
         Scene? scene = Scene.Create(description, assembler.World, this);
         return HasErrors ? null : scene;
     }
+
+    /// <summary>Whether all parameters of a record, and of those that it consists of, are within their ranges; those that are not are reported.</summary>
+    internal bool IsInRange(object record) => (_ranges ??= new(Complain)).IsGood(record);
 
     /// <summary>What surrounds a scene; null where that is its background.</summary>
     internal EnvironmentLight? Environment(SceneDescription scene)
@@ -246,8 +252,13 @@ public sealed class SceneBuilder(Func<string, bool, Picture> loadPicture, Func<s
         return material;
     }
 
-    private void Complain(object subject, string? property, string message, bool isError) =>
-        _complaints.Add(_source is { } source ? new(source.Subject, source.Property, message, isError) : new(subject, property, message, isError));
+    // What comes from a file that a record names is said of that record, with what it is about where that would otherwise be lost.
+    private void Complain(SceneComplaint complaint) => _complaints.Add(_source is not { } source ? complaint : complaint with
+    {
+        Subject = source.Subject,
+        Property = source.Property,
+        Message = complaint.IsOutOfRange ? $"{RecordType.Of(complaint.Subject.GetType()).NameInMessages} in the file: {complaint.Message}" : complaint.Message,
+    });
 
     private TBuilt Once<TDescription, TBuilt>(TDescription description, Func<TDescription, TBuilt> build)
         where TDescription : class

@@ -24,10 +24,10 @@ internal sealed class SpaceContents
     public bool HasSurfaces => Shapes.Count + Meshes.Count > 0;
 
     /// <summary>Number of things that shine.</summary>
-    public int CountLights() => Shapes.Count(s => s.Material.Emits)
+    public int CountLights() => Shapes.Count(s => s.Material.Traits.Emits)
         + Lights.Count
-        + Meshes.Sum(m => m.Materials.Count(material => material.Emits))
-        + Instances.Sum(i => i.Contents.Shapes.Count(s => s.Material.Emits) + i.Contents.Meshes.Sum(m => m.Materials.Count(material => material.Emits)));
+        + Meshes.Sum(m => m.Materials.Count(material => material.Traits.Emits))
+        + Instances.Sum(i => i.Contents.Shapes.Count(s => s.Material.Traits.Emits) + i.Contents.Meshes.Sum(m => m.Materials.Count(material => material.Traits.Emits)));
 }
 
 /// <summary>A mesh in a space.</summary>

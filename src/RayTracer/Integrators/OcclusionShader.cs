@@ -19,7 +19,7 @@ internal sealed unsafe class OcclusionShader(Scene scene, FinishedPaths finished
         UIntW path = UIntW.Pick(stream.Path, index);
         MaskW isSecond = ~UIntW.Equal(UIntW.Pick(stream.State, index) & PathState.DepthMask, 0u);
         BeginVertex(path, 0u);
-        Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW surface);
+        Describe(Scene, group, stream, index, group.Traits.UsesUv, out SurfaceW surface);
         FloatW far = (FloatW.Pick(stream.Distance, index) > _reach).Select(1f, 0f);
         RgbW radiance = new(far, far, far);
         Recorder?.Emitted(path, active, radiance);

@@ -56,9 +56,9 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
-        if (Scene.HasMedia && group.Material.IsBoundary)
+        if (Scene.HasMedia && group.Traits.IsBoundary)
         {
-            Describe(Scene, group, stream, index, group.UsesUv, out SurfaceW boundary);
+            Describe(Scene, group, stream, index, group.Traits.UsesUv, out SurfaceW boundary);
             Cross(group, boundary, stream, next, index, active);
             return;
         }
@@ -75,7 +75,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
         Shares?.BeginPacket(path);
-        Describe(Scene, group, stream, index, group.UsesUv, out surface);
+        Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
         UIntW around = 0u;
         if (Scene.HasNesting && group.IsNested)
         {
@@ -89,7 +89,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         throughput = stream.PickThroughput(index);
         radiance = stream.PickRadiance(index);
         Material material = group.Material;
-        if (group.Emits && _maxDepth > 0)
+        if (group.Traits.Emits && _maxDepth > 0)
         {
             AddEmission(group, surface, stream, index, active, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
         }
@@ -97,7 +97,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Recorder?.Emitted(path, active, radiance);
         Recorder?.Brightened(path, active, radiance);
 
-        if (group.Disperses)
+        if (group.Traits.Disperses)
         {
             Disperse(state, ref surface, ref throughput);
         }
@@ -109,7 +109,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
 
         // A path of so many edges may have one more: the ray to a light, or the next one.
         MaskW goesOn = active & (vertex + 1u < _maxDepth);
-        if (group.HasDensity)
+        if (group.Traits.HasDensity)
         {
             if (queue is { IsFull: true })
             {
@@ -133,7 +133,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Shares?.Scattered(alive, surface, material, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
-        if (queue is not null && group.HasDensity)
+        if (queue is not null && group.Traits.HasDensity)
         {
             queue.End(ended, Finished.Count, going, next.Count);
         }
@@ -321,13 +321,13 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             next.SetTime(going, packet.Time);
         }
 
-        if (group.HasDensity && _lights.Count > 0)
+        if (group.Traits.HasDensity && _lights.Count > 0)
         {
             group.Material.Pdf(surface, scatter.Direction, out packet.Pdf);
             next.SetPdf(going, packet.Pdf);
             if (Scene.LightSelection is not null)
             {
-                next.SetNormal(going, group.Material.Transmits ? default : surface.Facing);
+                next.SetNormal(going, group.Traits.Transmits ? default : surface.Facing);
             }
         }
 
@@ -336,7 +336,7 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
             next.SetMedia(going, MediumStack.Scattered(MediaAlong(Scene, surface, scatter.Direction, group.Interior, packet.Media)), 0f);
         }
 
-        UIntW emission = group.HasDensity && _lights.Count > 0 ? scatter.Delta.Select((UIntW)PathState.CountsEmission, 0u) : PathState.CountsEmission;
+        UIntW emission = group.Traits.HasDensity && _lights.Count > 0 ? scatter.Delta.Select((UIntW)PathState.CountsEmission, 0u) : PathState.CountsEmission;
         packet.Origin = Leave(surface, scatter.Direction);
         packet.Vertex = (packet.Vertex + 1u) | emission;
         next.Append(going, packet.Origin, scatter.Direction, packet.Throughput, packet.Radiance, packet.Path, packet.Vertex);

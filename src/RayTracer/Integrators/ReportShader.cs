@@ -31,21 +31,21 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         packet.Vertex = diffuseDepth + specularDepth;
         BeginVertex(path, packet.Vertex);
         Shares?.BeginPacket(path);
-        Describe(Scene, group, stream, index, group.UsesUv, out surface);
+        Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
         radiance = stream.PickRadiance(index);
 
         // Light that the surface itself sends towards the ray's origin.
         Material material = group.Material;
-        if (group.Emits)
+        if (group.Traits.Emits)
         {
             AddEmission(group, stream, index, active, surface, throughput, state, ref radiance);
         }
 
         Recorder?.Emitted(path, active, radiance);
 
-        if (group.Disperses)
+        if (group.Traits.Disperses)
         {
             Disperse(state, ref surface, ref throughput);
         }
@@ -60,7 +60,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         Recorder?.Brightened(path, active, radiance);
 
         // Light from the sources.
-        if (group.IsLit)
+        if (group.Traits.IsLit)
         {
             material.Brdf(surface, out RgbW brdf);
             if (queue is { IsFull: true })
@@ -90,7 +90,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         Shares?.Scattered(alive, surface, material, scatter, isByLobe: true);
         uint ended = active.Except(alive).Bits;
         uint going = alive.Bits;
-        if (queue is not null && group.IsLit)
+        if (queue is not null && group.Traits.IsLit)
         {
             queue.End(ended, Finished.Count, going, next.Count);
         }
@@ -104,7 +104,7 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         {
             UIntW step = scatter.Specular.Select((UIntW)PathState.OneSpecular, PathState.OneDiffuse);
             UIntW emission = scatter.Specular.Select((UIntW)PathState.CountsEmission, 0u);
-            if (Scene.WeakensShadows && group.IsTransparent)
+            if (Scene.WeakensShadows && group.Traits.IsTransparent)
             {
                 // What comes straight through has been asked of the sources already, where the path came from.
                 MaskW passes = Vec3W.Dot(scatter.Direction, surface.Facing) < 0f;

@@ -143,7 +143,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             }
         }
 
-        if (group.UsesTangent)
+        if (group.Traits.UsesTangent)
         {
             surface.SetTangent();
         }
@@ -159,7 +159,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             surface.Around = 1f;
         }
 
-        if (group.Disperses)
+        if (group.Traits.Disperses)
         {
             // The yellow line of helium, by which refractive indices are told: where no path chooses its wavelength (Disperse).
             surface.Wavelength = 0.5876f;
@@ -195,7 +195,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             surface.Local = surface.Point;
         }
 
-        if (group.UsesTangent)
+        if (group.Traits.UsesTangent)
         {
             group.Batch.DescribeTangents(surface.Primitives, ref surface);
         }
@@ -236,7 +236,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
 
     /// <summary>The part of a path's state after a surface that tells whether it stands for a single wavelength.</summary>
     protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => scene.Wavelengths is null ? 0u
-        : group.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
+        : group.Traits.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
 
     // As DescribePlain, in the space that each lane's instance shows.
     private static void DescribeInstanced(Scene scene, ShadingGroup group, PathStream stream, uint* index, bool needsUv, out SurfaceW surface)
@@ -249,7 +249,7 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
         surface.Distance = FloatW.Pick(stream.Distance, index);
         surface.Point = Vec3W.MultiplyAdd(maps.VectorBack(surface.Incoming), surface.Distance, maps.PointBack(stream.PickOrigin(index)));
         DescribeTable(group, stream, index, needsUv, ref surface);
-        maps.Describe(group.HasShadingNormals, group.UsesTangent, ref surface);
+        maps.Describe(group.HasShadingNormals, group.Traits.UsesTangent, ref surface);
         TurnToRay(ref surface);
     }
 

@@ -13,7 +13,7 @@ internal sealed unsafe class ViewShader(Scene scene, FinishedPaths finished, Pat
     {
         UIntW path = UIntW.Pick(stream.Path, index);
         bool showsUv = Scene.Render.Integrator == Integrator.Uv;
-        Describe(Scene, group, stream, index, group.UsesUv || showsUv, out SurfaceW surface);
+        Describe(Scene, group, stream, index, group.Traits.UsesUv || showsUv, out SurfaceW surface);
         RgbW color;
         if (showsUv)
         {

@@ -14,7 +14,7 @@ internal static class LightList
     public static LightSource[] Create(World world)
     {
         List<LightSource> lights =
-            [.. world.Itself.Shapes.Select((shape, i) => (shape, i)).Where(s => s.shape.Material.Emits).Select(s => new AreaLight(s.shape, s.i) { Label = s.shape.Label })];
+            [.. world.Itself.Shapes.Select((shape, i) => (shape, i)).Where(s => s.shape.Material.Traits.Emits).Select(s => new AreaLight(s.shape, s.i) { Label = s.shape.Label })];
         AddMeshes(lights, world.Itself, world.Itself.Contents, null, 0, Transform.Identity);
         for (int instance = 1; instance <= (world.Instances?.Count ?? 0); instance++)
         {
@@ -37,7 +37,7 @@ internal static class LightList
             for (int primitive = batch.FirstPrimitive; primitive < batch.FirstPrimitive + batch.Count; primitive++)
             {
                 Shape shape = space.Shapes[primitive - space.FirstPrimitive];
-                if (shape.Material.Emits)
+                if (shape.Material.Traits.Emits)
                 {
                     lights.Add(new InstancedLight(shape, batch, primitive, instances, instance) { Label = LightLabel.Within(shape.Label, instances.LabelOf(instance)) });
                 }
@@ -50,12 +50,12 @@ internal static class LightList
     // One source for the triangles of each luminaire. Their areas are those at the place where the shutter opens.
     private static void AddMeshes(List<LightSource> lights, Space space, SpaceContents contents, InstanceTable? instances, int instance, Transform place)
     {
-        if (space.Mesh is not { } mesh || !contents.Meshes.Exists(m => m.Materials.Any(material => material.Emits)))
+        if (space.Mesh is not { } mesh || !contents.Meshes.Exists(m => m.Materials.Any(material => material.Traits.Emits)))
         {
             return;
         }
 
-        foreach (IGrouping<Material, int> triangles in space.MaterialOfTriangle.Select((material, i) => (material, i)).Where(t => t.material.Emits).GroupBy(t => t.material, t => t.i))
+        foreach (IGrouping<Material, int> triangles in space.MaterialOfTriangle.Select((material, i) => (material, i)).Where(t => t.material.Traits.Emits).GroupBy(t => t.material, t => t.i))
         {
             TriangleChoice choice = new([.. triangles], t => Area(mesh, t, place));
             if (choice.IsFinite)

@@ -19,10 +19,7 @@ public sealed record ConductorMaterialDescription : MetalDescription
 public sealed class ConductorMaterial(ConductorFresnel fresnel, Texture reflectance) : Material
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta };
-
-    /// <inheritdoc/>
-    public override bool UsesUv => reflectance.Constant is null;
+    public override MaterialTraits Traits { get; } = new() { Specular = SpecularLobe.Delta, UsesUv = reflectance.Constant is null };
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)

@@ -71,31 +71,24 @@ public sealed class DielectricMaterial(
     float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null, Medium? interior = null,
     Dispersion? dispersion = null, Nesting? nesting = null) : Material
 {
+    private readonly bool _weakensInside = nesting is null && !extinction.IsBlack;
     private readonly bool _isColored = (reflectedPart is not null && reflectedPart.Constant != Rgb.White) || (refractedPart is not null && refractedPart.Constant != Rgb.White);
 
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
-
-    /// <inheritdoc/>
-    public override Medium? Interior => interior;
-
-    /// <inheritdoc/>
-    public override bool UsesUv => _isColored && (reflectedPart is { Constant: null } || refractedPart is { Constant: null });
-
-    /// <inheritdoc/>
-    public override bool Disperses => dispersion is not null;
-
-    /// <inheritdoc/>
-    public override Nesting? Nesting => nesting;
-
-    /// <inheritdoc/>
-    public override bool UsesDistance => nesting is null && !extinction.IsBlack;
+    public override MaterialTraits Traits => new()
+    {
+        Specular = SpecularLobe.Delta,
+        KeepsEnergy = true,
+        IsTransparent = true,
+        Interior = interior,
+        Nesting = nesting,
+        Disperses = dispersion is not null,
+        UsesDistance = _weakensInside,
+        UsesUv = reflectedPart is { Constant: null } || refractedPart is { Constant: null },
+    };
 
     /// <inheritdoc/>
     public override void Albedo(in SurfaceW surface, out RgbW albedo) => albedo = Rgb.White;
-
-    /// <inheritdoc/>
-    public override bool IsTransparent => true;
 
     /// <inheritdoc/>
     public override void Transparency(in SurfaceW surface, out RgbW transparency)
@@ -103,7 +96,7 @@ public sealed class DielectricMaterial(
         Refract(surface, out _, out _, out FloatW reflectance);
         FloatW through = 1f - reflectance;
         transparency = new(through, through, through);
-        if (UsesDistance && surface.Inside.Any)
+        if (_weakensInside && surface.Inside.Any)
         {
             transparency = surface.Inside.Select(transparency * Transmittance(surface.Distance), transparency);
         }
@@ -126,7 +119,7 @@ public sealed class DielectricMaterial(
         scatter.Direction = Vec3W.Normalize(reflected.Select(reflection, refraction));
         FloatW weight = reflected.Select(1f, eta * eta);
         scatter.Weight = new(weight, weight, weight);
-        if (UsesDistance && surface.Inside.Any)
+        if (_weakensInside && surface.Inside.Any)
         {
             scatter.Weight = surface.Inside.Select(scatter.Weight * Transmittance(surface.Distance), scatter.Weight);
         }

@@ -22,13 +22,7 @@ public sealed record DiffuseMaterialDescription : MaterialDescription
 public sealed class DiffuseMaterial(Texture texture) : Material
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { KeepsEnergy = true };
-
-    /// <inheritdoc/>
-    public override bool IsLit => true;
-
-    /// <inheritdoc/>
-    public override bool UsesUv => texture.Constant is null;
+    public override MaterialTraits Traits { get; } = new() { IsLit = true, KeepsEnergy = true, UsesUv = texture.Constant is null };
 
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface) => texture.Evaluate(surface, out surface.DiffuseColor);

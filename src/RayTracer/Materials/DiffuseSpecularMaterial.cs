@@ -12,7 +12,7 @@ public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
     [Parameter("The matt surface below the coat: a diffuse material.")]
     public MaterialDescription Diffuse { get; init; } = new DiffuseMaterialDescription();
 
-    /// <summary>What the coat reflects like.</summary>
+    /// <summary>The material that the coat reflects like.</summary>
     [Parameter("What the coat reflects like: a phongMetal or dielectric material.")]
     public MaterialDescription Specular { get; init; } = new PhongMetalMaterialDescription { Color = new Textures.SolidTextureDescription { Color = Rgb.White } };
 
@@ -45,93 +45,43 @@ public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
 /// <param name="diffuse">The part that is chosen with probability 1 − R.</param>
 /// <param name="specular">The part that is chosen with probability R.</param>
 /// <param name="r0">R at normal incidence, 0 to 1.</param>
-public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular, float r0) : Material
+public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular, float r0) : TwoPartMaterial(diffuse, specular)
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new()
+    public override MaterialTraits Traits => base.Traits with
     {
-        Specular = specular.Scattering.Specular,
         ReciprocityException = "the coat is chosen by the angle to one of the two directions only (the report's Schlick choice)",
-        KeepsEnergy = diffuse.Scattering.KeepsEnergy && specular.Scattering.KeepsEnergy,
+        Interior = null,
+        IsTransparent = false,
     };
 
     /// <inheritdoc/>
-    public override bool IsLit => true;
+    public override void Prepare(ref SurfaceW surface) => First.Prepare(ref surface);
 
     /// <inheritdoc/>
-    public override bool HasDensity => diffuse.HasDensity || specular.HasDensity;
+    public override void Albedo(in SurfaceW surface, out RgbW albedo) => AmbientResponse(surface, out albedo);
 
     /// <inheritdoc/>
-    public override bool UsesUv => diffuse.UsesUv || specular.UsesUv;
+    protected override MaskW Choose(in SurfaceW surface, VertexSamples samples, out FloatW rest)
+    {
+        rest = samples.Choice();
+        return rest < Fresnel.Schlick(surface.Cosine, r0);
+    }
 
     /// <inheritdoc/>
-    public override Media.Nesting? Nesting => specular.Nesting;
+    protected override ref readonly SurfaceW See(Material part, in SurfaceW surface, ref SurfaceW room) => ref surface;
 
     /// <inheritdoc/>
-    public override bool Disperses => diffuse.Disperses || specular.Disperses;
-
-    /// <inheritdoc/>
-    public override bool UsesDistance => specular.UsesDistance;
-
-    /// <inheritdoc/>
-    public override void Prepare(ref SurfaceW surface) => diffuse.Prepare(ref surface);
-
-    /// <inheritdoc/>
-    public override void AmbientResponse(in SurfaceW surface, out RgbW response)
+    protected override RgbW Join(in SurfaceW surface, in RgbW one, in RgbW other)
     {
         FloatW reflectance = Fresnel.Schlick(surface.Cosine, r0);
-        diffuse.AmbientResponse(surface, out RgbW below);
-        specular.AmbientResponse(surface, out RgbW coat);
-        response = coat * reflectance + below * (1f - reflectance);
+        return other * reflectance + one * (1f - reflectance);
     }
 
     /// <inheritdoc/>
-    public override void Brdf(in SurfaceW surface, out RgbW brdf)
-    {
-        diffuse.Brdf(surface, out RgbW below);
-        brdf = below * (1f - Fresnel.Schlick(surface.Cosine, r0));
-    }
-
-    /// <inheritdoc/>
-    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    protected override FloatW Join(in SurfaceW surface, FloatW one, FloatW other)
     {
         FloatW reflectance = Fresnel.Schlick(surface.Cosine, r0);
-        diffuse.Bsdf(surface, direction, out RgbW below);
-        specular.Bsdf(surface, direction, out RgbW coat);
-        bsdf = coat * reflectance + below * (1f - reflectance);
-    }
-
-    /// <inheritdoc/>
-    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        diffuse.Bsdf(surface, direction, out bsdf);
-        bsdf *= 1f - Fresnel.Schlick(surface.Cosine, r0);
-    }
-
-    /// <inheritdoc/>
-    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
-    {
-        FloatW reflectance = Fresnel.Schlick(surface.Cosine, r0);
-        diffuse.Pdf(surface, direction, out FloatW below);
-        specular.Pdf(surface, direction, out FloatW coat);
-        pdf = FloatW.MultiplyAdd(coat, reflectance, below * (1f - reflectance));
-    }
-
-    /// <inheritdoc/>
-    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
-    {
-        MaskW reflected = samples.Choice() < Fresnel.Schlick(surface.Cosine, r0);
-        diffuse.Scatter(surface, samples, out scatter);
-        if (!reflected.Any)
-        {
-            return;
-        }
-
-        specular.Scatter(surface, samples, out ScatterW coat);
-        scatter.Direction = reflected.Select(coat.Direction, scatter.Direction);
-        scatter.Weight = reflected.Select(coat.Weight, scatter.Weight);
-        scatter.Specular = reflected.Select(coat.Specular, scatter.Specular);
-        scatter.Delta = reflected.Select(coat.Delta, scatter.Delta);
-        scatter.Absorbed = reflected.Select(coat.Absorbed, scatter.Absorbed);
+        return FloatW.MultiplyAdd(other, reflectance, one * (1f - reflectance));
     }
 }

@@ -9,7 +9,7 @@ namespace RayTracer.Materials;
 [SceneType("invisible", "A surface that all light goes straight through: the boundary of a cloud or of smoke, whose interior is seen with the volPath integrator.")]
 public sealed record InvisibleMaterialDescription : MaterialDescription
 {
-    /// <summary>What fills the shape.</summary>
+    /// <summary>The medium inside.</summary>
     [Parameter("What fills the (closed) shape; the volPath integrator shows it.")]
     public MediumDescription Interior { get; init; } = new();
 
@@ -22,19 +22,17 @@ public sealed record InvisibleMaterialDescription : MaterialDescription
 public sealed class InvisibleMaterial(Medium? interior) : Material
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
-
-    /// <inheritdoc/>
-    public override Medium? Interior => interior;
-
-    /// <inheritdoc/>
-    public override bool IsBoundary => true;
+    public override MaterialTraits Traits { get; } = new()
+    {
+        Specular = SpecularLobe.Delta,
+        KeepsEnergy = true,
+        IsBoundary = true,
+        IsTransparent = true,
+        Interior = interior,
+    };
 
     /// <inheritdoc/>
     public override void Albedo(in SurfaceW surface, out RgbW albedo) => albedo = Rgb.White;
-
-    /// <inheritdoc/>
-    public override bool IsTransparent => true;
 
     /// <inheritdoc/>
     public override void Transparency(in SurfaceW surface, out RgbW transparency) => transparency = Rgb.White;

@@ -22,7 +22,7 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
     [Parameter("How the light is gathered around the normal: radiance is multiplied by the cosine of the angle to the power of this. 0 shines alike in all directions, 1 is the report's spot light.", Minimum = 0, Maximum = 1e6)]
     public float Exponent { get; init; }
 
-    /// <summary>What answers for reflection.</summary>
+    /// <summary>The material that answers for reflection.</summary>
     [Parameter("What answers for reflection: a material of another type. Without it, the surface is black where it does not shine.")]
     public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription { Color = new SolidTextureDescription() };
 
@@ -46,55 +46,28 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
 }
 
 /// <summary>
-/// Emits colour · multiplier · cos^exponent on the side of the outward normal (report, section 6.2.6); an inner material answers for reflection.
+/// Emits colour · multiplier · cos^exponent on the side of the outward normal (report, section 6.2.6); an inner material answers for
+/// reflection.
 /// </summary>
 /// <param name="texture">Colour of the light.</param>
 /// <param name="multiplier">Factor on the colour.</param>
 /// <param name="exponent">Exponent of the cosine.</param>
 /// <param name="inner">What answers for reflection; null is black.</param>
-public sealed class LuminaireMaterial(Texture texture, float multiplier, float exponent, Material? inner) : Material
+public sealed class LuminaireMaterial(Texture texture, float multiplier, float exponent, Material? inner) : WrapperMaterial(inner ?? s_black)
 {
-    private static readonly ScatteringProperties s_black = new();
+    private static readonly BlackMaterial s_black = new();
     private readonly Rgb? _constant = texture.Constant;
 
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering => inner?.Scattering ?? s_black;
+    public override MaterialTraits Traits => base.Traits with
+    {
+        Emits = true,
+        UsesUv = Inner.Traits.UsesUv || texture.Constant is null,
 
-    /// <inheritdoc/>
-    public override bool Emits => true;
-
-    /// <inheritdoc/>
-    public override bool IsLit => inner is { IsLit: true };
-
-    /// <inheritdoc/>
-    public override bool HasDensity => inner is { HasDensity: true };
-
-    /// <inheritdoc/>
-    public override Media.Medium? Interior => inner?.Interior;
-
-    /// <inheritdoc/>
-    public override bool Transmits => inner is { Transmits: true };
-
-    /// <inheritdoc/>
-    public override bool UsesUv => texture.Constant is null || inner is { UsesUv: true };
-
-    /// <inheritdoc/>
-    public override bool UsesTangent => inner is { UsesTangent: true };
-
-    /// <inheritdoc/>
-    public override bool TurnsNormal => inner is { TurnsNormal: true };
-
-    /// <inheritdoc/>
-    public override bool MirrorsNormal => inner is { MirrorsNormal: true };
-
-    /// <inheritdoc/>
-    public override Media.Nesting? Nesting => inner?.Nesting;
-
-    /// <inheritdoc/>
-    public override bool Disperses => inner is { Disperses: true };
-
-    /// <inheritdoc/>
-    public override bool UsesDistance => inner is { UsesDistance: true };
+        // What shines is met, whatever it lets through.
+        IsBoundary = false,
+        IsTransparent = false,
+    };
 
     /// <inheritdoc/>
     public override void Emission(in FloatW cosine, in FloatW u, in FloatW v, out RgbW radiance)
@@ -116,7 +89,8 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
     public Rgb? ConstantColor => _constant;
 
     /// <summary>
-    /// Mean over all directions of the radiant intensity of a piece of area 1, in luminance: a colour that varies is looked at in some places only.
+    /// Mean over all directions of the radiant intensity of a piece of area 1, in luminance: a colour that varies is looked at in some
+    /// places only.
     /// </summary>
     internal float MeanIntensity
     {
@@ -151,61 +125,14 @@ public sealed class LuminaireMaterial(Texture texture, float multiplier, float e
         return (cosine > 0f).Select(falloff, 0f);
     }
 
-    /// <inheritdoc/>
-    public override void Prepare(ref SurfaceW surface) => inner?.Prepare(ref surface);
-
-    /// <inheritdoc/>
-    public override void AmbientResponse(in SurfaceW surface, out RgbW response)
+    private sealed class BlackMaterial : Material
     {
-        response = default;
-        inner?.AmbientResponse(surface, out response);
-    }
+        public override MaterialTraits Traits { get; } = new();
 
-    /// <inheritdoc/>
-    public override void Albedo(in SurfaceW surface, out RgbW albedo)
-    {
-        albedo = default;
-        inner?.Albedo(surface, out albedo);
-    }
-
-    /// <inheritdoc/>
-    public override void Brdf(in SurfaceW surface, out RgbW brdf)
-    {
-        brdf = default;
-        inner?.Brdf(surface, out brdf);
-    }
-
-    /// <inheritdoc/>
-    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        bsdf = default;
-        inner?.Bsdf(surface, direction, out bsdf);
-    }
-
-    /// <inheritdoc/>
-    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        bsdf = default;
-        inner?.DiffuseBsdf(surface, direction, out bsdf);
-    }
-
-    /// <inheritdoc/>
-    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
-    {
-        pdf = 0f;
-        inner?.Pdf(surface, direction, out pdf);
-    }
-
-    /// <inheritdoc/>
-    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
-    {
-        if (inner is not null)
+        public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
         {
-            inner.Scatter(surface, samples, out scatter);
-            return;
+            scatter = default;
+            scatter.Absorbed = MaskW.All;
         }
-
-        scatter = default;
-        scatter.Absorbed = MaskW.All;
     }
 }

@@ -18,7 +18,7 @@ public sealed record MaskMaterialDescription : MaterialDescription
     [Parameter("Share of the light that meets the material; the rest passes straight on. The red channel counts.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Opacity { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
-    /// <summary>What fills the inside.</summary>
+    /// <summary>The medium inside.</summary>
     [Parameter("What fills the inside of the (closed) shape, if the material says nothing about that. The volPath integrator shows it.")]
     public MediumDescription Interior { get; init; } = new();
 
@@ -34,10 +34,13 @@ public sealed record MaskMaterialDescription : MaterialDescription
 public sealed class MaskMaterial(Material inner, Texture opacity, Medium? interior = null) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>
-    public override Medium? Interior => Inner.Interior ?? interior;
-
-    /// <inheritdoc/>
-    public override bool IsTransparent => true;
+    public override MaterialTraits Traits => base.Traits with
+    {
+        Interior = Inner.Traits.Interior ?? interior,
+        IsTransparent = true,
+        Specular = Inner.Traits.HasDensity ? SpecularLobe.Glossy : SpecularLobe.Delta,
+        UsesUv = Inner.Traits.UsesUv || opacity.Constant is null,
+    };
 
     /// <inheritdoc/>
     public override void Transparency(in SurfaceW surface, out RgbW transparency)
@@ -46,54 +49,6 @@ public sealed class MaskMaterial(Material inner, Texture opacity, Medium? interi
         FloatW opaque = Opacity(surface);
         FloatW free = 1f - opaque;
         transparency = (through * opaque) + new RgbW(free, free, free);
-    }
-
-    /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = inner.Scattering with { Specular = inner.HasDensity ? SpecularLobe.Glossy : SpecularLobe.Delta };
-
-    /// <inheritdoc/>
-    public override bool UsesUv => Inner.UsesUv || opacity.Constant is null;
-
-    /// <inheritdoc/>
-    public override void AmbientResponse(in SurfaceW surface, out RgbW response)
-    {
-        Inner.AmbientResponse(surface, out response);
-        response *= Opacity(surface);
-    }
-
-    /// <inheritdoc/>
-    public override void Albedo(in SurfaceW surface, out RgbW albedo)
-    {
-        Inner.Albedo(surface, out albedo);
-        albedo *= Opacity(surface);
-    }
-
-    /// <inheritdoc/>
-    public override void Brdf(in SurfaceW surface, out RgbW brdf)
-    {
-        Inner.Brdf(surface, out brdf);
-        brdf *= Opacity(surface);
-    }
-
-    /// <inheritdoc/>
-    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        Inner.Bsdf(surface, direction, out bsdf);
-        bsdf *= Opacity(surface);
-    }
-
-    /// <inheritdoc/>
-    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        Inner.DiffuseBsdf(surface, direction, out bsdf);
-        bsdf *= Opacity(surface);
-    }
-
-    /// <inheritdoc/>
-    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
-    {
-        Inner.Pdf(surface, direction, out pdf);
-        pdf *= Opacity(surface);
     }
 
     /// <inheritdoc/>
@@ -107,6 +62,17 @@ public sealed class MaskMaterial(Material inner, Texture opacity, Medium? interi
         scatter.Specular |= ~meets;
         scatter.Delta |= ~meets;
         scatter.Absorbed &= meets;
+    }
+
+    /// <inheritdoc/>
+    protected override void Dim(in SurfaceW surface, ref RgbW response) => response *= Opacity(surface);
+
+    /// <inheritdoc/>
+    protected override void Dim(in SurfaceW surface, in Vec3W direction, ref RgbW bsdf, ref FloatW pdf)
+    {
+        FloatW opaque = Opacity(surface);
+        bsdf *= opaque;
+        pdf *= opaque;
     }
 
     private FloatW Opacity(in SurfaceW surface)

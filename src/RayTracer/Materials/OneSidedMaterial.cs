@@ -21,62 +21,22 @@ public sealed record OneSidedMaterialDescription : MaterialDescription
 public sealed class OneSidedMaterial(Material inner) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = inner.Scattering with { KeepsEnergy = false };
-
-    /// <inheritdoc/>
-    public override void AmbientResponse(in SurfaceW surface, out RgbW response)
-    {
-        Inner.AmbientResponse(surface, out response);
-        response = surface.Inside.Select(default, response);
-    }
-
-    /// <inheritdoc/>
-    public override void Albedo(in SurfaceW surface, out RgbW albedo)
-    {
-        Inner.Albedo(surface, out albedo);
-        albedo = surface.Inside.Select(default, albedo);
-    }
-
-    /// <inheritdoc/>
-    public override void Brdf(in SurfaceW surface, out RgbW brdf)
-    {
-        Inner.Brdf(surface, out brdf);
-        brdf = surface.Inside.Select(default, brdf);
-    }
-
-    /// <inheritdoc/>
-    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        Inner.Bsdf(surface, direction, out bsdf);
-        bsdf = surface.Inside.Select(default, bsdf);
-    }
-
-    /// <inheritdoc/>
-    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        Inner.DiffuseBsdf(surface, direction, out bsdf);
-        bsdf = surface.Inside.Select(default, bsdf);
-    }
-
-    /// <inheritdoc/>
-    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
-    {
-        Inner.Pdf(surface, direction, out pdf);
-        pdf = surface.Inside.Select(0f, pdf);
-    }
-
-    /// <inheritdoc/>
-    public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
-    {
-        Inner.Evaluate(surface, direction, out bsdf, out pdf);
-        bsdf = surface.Inside.Select(default, bsdf);
-        pdf = surface.Inside.Select(0f, pdf);
-    }
+    public override MaterialTraits Traits => base.Traits with { KeepsEnergy = false, IsBoundary = false };
 
     /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
-        Inner.Scatter(surface, samples, out scatter);
+        base.Scatter(surface, samples, out scatter);
         scatter.Absorbed |= surface.Inside;
+    }
+
+    /// <inheritdoc/>
+    protected override void Dim(in SurfaceW surface, ref RgbW response) => response = surface.Inside.Select(default, response);
+
+    /// <inheritdoc/>
+    protected override void Dim(in SurfaceW surface, in Vec3W direction, ref RgbW bsdf, ref FloatW pdf)
+    {
+        bsdf = surface.Inside.Select(default, bsdf);
+        pdf = surface.Inside.Select(0f, pdf);
     }
 }

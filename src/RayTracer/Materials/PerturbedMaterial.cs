@@ -3,13 +3,15 @@ using RayTracer.Sampling;
 
 namespace RayTracer.Materials;
 
-/// <summary>What is done where a map turns a normal away from the ray.</summary>
+/// <summary>The treatment of normals that a map turns away from the ray.</summary>
 public enum TurnedNormal
 {
     /// <summary>It is mirrored across the plane perpendicular to the ray.</summary>
     Mirror,
 
-    /// <summary>Its slopes change their sign: a facet that cannot be seen is replaced by the one across the valley (after Schüßler et al. 2017).</summary>
+    /// <summary>
+    /// Its slopes change their sign: a facet that cannot be seen is replaced by the one across the valley (after Schüßler et al. 2017).
+    /// </summary>
     Flip,
 
     /// <summary>The surface is seen from behind.</summary>
@@ -17,42 +19,39 @@ public enum TurnedNormal
 }
 
 /// <summary>
-/// A material that answers as another one does on a surface of other normals (Blinn, Simulation of wrinkled surfaces, 1978). Light that would leak through the
-/// surface that is really there is dropped by the integrators, as with interpolated normals.
+/// A material that answers as another one does on a surface of other normals (Blinn, Simulation of wrinkled surfaces, 1978). Light that
+/// would leak through the surface that is really there is dropped by the integrators, as with interpolated normals.
 /// </summary>
 /// <param name="inner">The other material.</param>
 public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering => IsPlain ? Inner.Scattering : Inner.Scattering with
+    public override MaterialTraits Traits
     {
-        ReciprocityException = "what a map turns away depends on the ray, and light is weakened by the angle at which it arrives",
-        KeepsEnergy = false,
+        get
+        {
+            MaterialTraits traits = base.Traits with { UsesTangent = true, TurnsNormal = true, MirrorsNormal = Turned == TurnedNormal.Mirror };
 
-        // What is left of light depends on where it comes from, which sampling of lights for a BRDF that is the same for all directions does not know.
-        Specular = Inner.HasDensity ? SpecularLobe.Glossy : Inner.Scattering.Specular,
-    };
+            // What is left of light depends on where it comes from, which sampling of lights for a BRDF that is the same for all directions
+            // does not know.
+            return IsPlain ? traits : traits with
+            {
+                IsLit = false,
+                Specular = traits.HasDensity ? SpecularLobe.Glossy : traits.Specular,
+                KeepsEnergy = false,
+                ReciprocityException = "what a map turns away depends on the ray, and light is weakened by the angle at which it arrives",
+            };
+        }
+    }
 
-    /// <inheritdoc/>
-    public override bool IsLit => IsPlain && Inner.IsLit;
-
-    /// <summary>What is done where the map turns the normal away from the ray.</summary>
+    /// <summary>The treatment of normals that the map turns away from the ray.</summary>
     public TurnedNormal Turned { get; init; }
 
-    /// <summary>Whether light that arrives along the surface is weakened where the map turns the normal towards it (Conty Estevez, Lecocq &amp; Stein 2019).</summary>
+    /// <summary>
+    /// Whether light that arrives along the surface is weakened where the map turns the normal towards it (Conty Estevez, Lecocq &amp;
+    /// Stein 2019).
+    /// </summary>
     public bool SoftensShadow { get; init; }
-
-    /// <inheritdoc/>
-    public override bool UsesUv => true;
-
-    /// <inheritdoc/>
-    public override bool UsesTangent => true;
-
-    /// <inheritdoc/>
-    public override bool TurnsNormal => true;
-
-    /// <inheritdoc/>
-    public override bool MirrorsNormal => Turned == TurnedNormal.Mirror;
 
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface)
@@ -83,61 +82,40 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
     }
 
     /// <inheritdoc/>
-    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        if (IsPlain)
-        {
-            Inner.Bsdf(surface, direction, out bsdf);
-            return;
-        }
-
-        Look(surface, out SurfaceW seen);
-        Inner.Bsdf(seen, direction, out bsdf);
-        bsdf *= Passing(surface, direction);
-    }
-
-    /// <inheritdoc/>
-    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        if (IsPlain)
-        {
-            Inner.DiffuseBsdf(surface, direction, out bsdf);
-            return;
-        }
-
-        Look(surface, out SurfaceW seen);
-        Inner.DiffuseBsdf(seen, direction, out bsdf);
-        bsdf *= Passing(surface, direction);
-    }
-
-    /// <inheritdoc/>
-    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
-    {
-        if (IsPlain)
-        {
-            Inner.Pdf(surface, direction, out pdf);
-            return;
-        }
-
-        Look(surface, out SurfaceW seen);
-        Inner.Pdf(seen, direction, out pdf);
-        pdf = Leaks(surface, direction).Select(0f, pdf);
-    }
-
-    /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
-        if (IsPlain)
+        base.Scatter(surface, samples, out scatter);
+        if (!IsPlain)
         {
-            Inner.Scatter(surface, samples, out scatter);
-            return;
+            scatter.Weight *= Passing(surface, scatter.Direction);
+            scatter.Absorbed |= Leaks(surface, scatter.Direction);
+            scatter.Specular = MaskW.All;
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override ref readonly SurfaceW See(in SurfaceW surface, ref SurfaceW room)
+    {
+        if (Turned != TurnedNormal.Back)
+        {
+            return ref surface;
         }
 
-        Look(surface, out SurfaceW seen);
-        Inner.Scatter(seen, samples, out scatter);
-        scatter.Weight *= Passing(surface, scatter.Direction);
-        scatter.Absorbed |= Leaks(surface, scatter.Direction);
-        scatter.Specular = MaskW.All;
+        // From behind, where the map has turned the surface that far.
+        room = surface;
+        MaskW isTurned = Vec3W.Dot(surface.Incoming, surface.Shading) > 0f;
+        room.Inside = (surface.Inside | isTurned).Except(surface.Inside & isTurned);
+        return ref room;
+    }
+
+    /// <inheritdoc/>
+    protected override void Dim(in SurfaceW surface, in Vec3W direction, ref RgbW bsdf, ref FloatW pdf)
+    {
+        if (!IsPlain)
+        {
+            bsdf *= Passing(surface, direction);
+            pdf = Leaks(surface, direction).Select(0f, pdf);
+        }
     }
 
     /// <summary>The other normal, of any length.</summary>
@@ -175,24 +153,13 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
         surface.Shading = own;
     }
 
-    // What the inner material is to see: from behind, where the map has turned the surface that far.
-    private void Look(in SurfaceW surface, out SurfaceW seen)
-    {
-        seen = surface;
-        if (Turned == TurnedNormal.Back)
-        {
-            MaskW isTurned = Vec3W.Dot(surface.Incoming, surface.Shading) > 0f;
-            seen.Inside = (surface.Inside | isTurned).Except(surface.Inside & isTurned);
-        }
-    }
-
     // Directions on different sides of the surface and of what it looks like, where integrators may take the normals literally.
     private MaskW Leaks(in SurfaceW surface, in Vec3W direction) => Turned == TurnedNormal.Mirror
         ? MaskW.None
         : Vec3W.Dot(direction, surface.Shading) * Vec3W.Dot(direction, surface.Facing) <= 0f;
 
-    // What is left of light from a direction: as microfacets would shade each other whose normals are spread as far as the map turns this one
-    // (Conty Estevez, Lecocq & Stein 2019).
+    // What is left of light from a direction: as microfacets would shade each other whose normals are spread as far as the map turns this
+    // one (Conty Estevez, Lecocq & Stein 2019).
     private FloatW Passing(in SurfaceW surface, in Vec3W direction)
     {
         FloatW passing = Leaks(surface, direction).Select(0f, 1f);

@@ -50,17 +50,13 @@ public sealed record PhongMaterialDescription : MaterialDescription
 public sealed class PhongMaterial(Texture? ambient, Texture diffuse, Texture specular, float exponent) : Material
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new()
+    public override MaterialTraits Traits { get; } = new()
     {
+        IsLit = true,
         Specular = SpecularLobe.Glossy,
         ReciprocityException = "the lobe is divided by the cosine of one of the two directions only (Phong's own formula)",
+        UsesUv = ambient is { Constant: null } || diffuse.Constant is null || specular.Constant is null,
     };
-
-    /// <inheritdoc/>
-    public override bool IsLit => true;
-
-    /// <inheritdoc/>
-    public override bool UsesUv => ambient is { Constant: null } || diffuse.Constant is null || specular.Constant is null;
 
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface) => diffuse.Evaluate(surface, out surface.DiffuseColor);

@@ -30,14 +30,12 @@ public sealed record PhongMetalMaterialDescription : MaterialDescription
 public sealed class PhongMetalMaterial(Texture texture, float exponent) : Material
 {
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new()
+    public override MaterialTraits Traits { get; } = new()
     {
         Specular = SpecularLobe.Glossy,
         ReciprocityException = "the lobe is divided by the cosine of one of the two directions only (the report's metal)",
+        UsesUv = texture.Constant is null,
     };
-
-    /// <inheritdoc/>
-    public override bool UsesUv => texture.Constant is null;
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response) => texture.Evaluate(surface, out response);

@@ -49,10 +49,12 @@ public sealed class PlasticMaterial(Texture @base, float refractiveIndex, bool n
     private readonly float _inner = Fresnel.DiffuseReflectance(refractiveIndex);
 
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Glossy, KeepsEnergy = true };
-
-    /// <inheritdoc/>
-    public override bool UsesUv => @base.Constant is null || reflectance.Constant is null;
+    public override MaterialTraits Traits { get; } = new()
+    {
+        Specular = SpecularLobe.Glossy,
+        KeepsEnergy = true,
+        UsesUv = @base.Constant is null || reflectance.Constant is null,
+    };
 
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface) => @base.Evaluate(surface, out surface.DiffuseColor);

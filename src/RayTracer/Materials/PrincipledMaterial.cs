@@ -119,7 +119,7 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
     private readonly bool _isAnisotropic = !PrincipledTextures.IsZero(textures.Anisotropic);
 
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new()
+    public override MaterialTraits Traits => new()
     {
         Specular = SpecularLobe.Glossy,
         EnergyException = "base, highlight and sheen are added without regard to what the others leave (Burley's model)",
@@ -127,19 +127,11 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
         // Computed by quadrature for a white base, seen at a cosine of 0.001 with a roughness of 1, where each is largest: of the base 1.56 (its
         // retro-reflection), with the highlight 1.61 at an index of 1.5 and 1.96 at one of 10, and 0.09 of the sheen. The coat adds at most 0.04.
         MostEnergy = 2.1f,
+        Transmits = _transmits,
+        Interior = interior,
+        UsesTangent = _isAnisotropic,
+        UsesUv = textures.UsesUv,
     };
-
-    /// <inheritdoc/>
-    public override bool Transmits => _transmits;
-
-    /// <inheritdoc/>
-    public override Medium? Interior => interior;
-
-    /// <inheritdoc/>
-    public override bool UsesUv => UsesTangent || textures.UsesUv;
-
-    /// <inheritdoc/>
-    public override bool UsesTangent => _isAnisotropic;
 
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface) => textures.BaseColor.Evaluate(surface, out surface.DiffuseColor);
@@ -228,7 +220,7 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
 
     private void Begin(in SurfaceW surface, out Values at)
     {
-        surface.Frame(UsesTangent, out at.Frame);
+        surface.Frame(_isAnisotropic, out at.Frame);
         at.View = at.Frame.ToLocal(-surface.Incoming);
         at.Base = surface.DiffuseColor;
         at.Metallic = Red(textures.Metallic, surface);

@@ -56,17 +56,13 @@ public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness r
     private readonly RoughLoss? _loss = multipleScattering ? new(roughness) : null;
 
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new()
+    public override MaterialTraits Traits { get; } = new()
     {
         Specular = SpecularLobe.Glossy,
         ReciprocityException = multipleScattering ? "what is made up for depends on the angle of one of the two directions only (Turquin's factor)" : null,
+        UsesTangent = roughness.UsesTangent,
+        UsesUv = roughness.UsesUv || reflectance.Constant is null,
     };
-
-    /// <inheritdoc/>
-    public override bool UsesUv => UsesTangent || roughness.UsesUv || reflectance.Constant is null;
-
-    /// <inheritdoc/>
-    public override bool UsesTangent => roughness.UsesTangent;
 
     /// <inheritdoc/>
     public override void AmbientResponse(in SurfaceW surface, out RgbW response)
@@ -118,7 +114,7 @@ public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness r
 
     private void View(in SurfaceW surface, out Onb frame, out Vec3W view)
     {
-        surface.Frame(UsesTangent, out frame);
+        surface.Frame(roughness.UsesTangent, out frame);
         view = frame.ToLocal(-surface.Incoming);
     }
 

@@ -73,25 +73,16 @@ public sealed class RoughDielectricMaterial(
     private const float LeastDifference = 1e-3f;
 
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Glossy };
-
-    /// <inheritdoc/>
-    public override bool Transmits => true;
-
-    /// <inheritdoc/>
-    public override Medium? Interior => interior;
-
-    /// <inheritdoc/>
-    public override Nesting? Nesting => nesting;
-
-    /// <inheritdoc/>
-    public override bool Disperses => dispersion is not null;
-
-    /// <inheritdoc/>
-    public override bool UsesUv => UsesTangent || roughness.UsesUv || reflectance.Constant is null || transmittance.Constant is null;
-
-    /// <inheritdoc/>
-    public override bool UsesTangent => roughness.UsesTangent;
+    public override MaterialTraits Traits { get; } = new()
+    {
+        Specular = SpecularLobe.Glossy,
+        Transmits = true,
+        Interior = interior,
+        Nesting = nesting,
+        Disperses = dispersion is not null,
+        UsesTangent = roughness.UsesTangent,
+        UsesUv = roughness.UsesUv || reflectance.Constant is null || transmittance.Constant is null,
+    };
 
     /// <inheritdoc/>
     public override void Albedo(in SurfaceW surface, out RgbW albedo) => albedo = Rgb.White;
@@ -124,7 +115,7 @@ public sealed class RoughDielectricMaterial(
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         samples.Direction(out FloatW u, out FloatW v);
-        surface.Frame(UsesTangent, out Onb frame);
+        surface.Frame(roughness.UsesTangent, out Onb frame);
         Vec3W view = frame.ToLocal(-surface.Incoming);
         roughness.Evaluate(surface, out Microfacets microfacets);
         Vec3W normal = microfacets.Sample(view, u, v);
@@ -170,7 +161,7 @@ public sealed class RoughDielectricMaterial(
 
     private void Begin(in SurfaceW surface, in Vec3W direction, out Pair pair, out Microfacets microfacets)
     {
-        surface.Frame(UsesTangent, out Onb frame);
+        surface.Frame(roughness.UsesTangent, out Onb frame);
         pair.View = frame.ToLocal(-surface.Incoming);
         pair.Light = frame.ToLocal(direction);
         pair.Eta = Index(surface);

@@ -38,10 +38,7 @@ public sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, b
     private readonly RoughTransmittance _coat = new(distribution, alpha, refractiveIndex);
 
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Glossy };
-
-    /// <inheritdoc/>
-    public override bool UsesUv => @base.Constant is null || reflectance.Constant is null;
+    public override MaterialTraits Traits { get; } = new() { Specular = SpecularLobe.Glossy, UsesUv = @base.Constant is null || reflectance.Constant is null };
 
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface) => @base.Evaluate(surface, out surface.DiffuseColor);

@@ -42,19 +42,17 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
 public sealed class ThinDielectricMaterial(float refractiveIndex, Texture reflectance, Texture transmittance, Medium? interior = null) : Material
 {
     /// <inheritdoc/>
-    public override Medium? Interior => interior;
-
-    /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta, KeepsEnergy = true };
-
-    /// <inheritdoc/>
-    public override bool UsesUv => reflectance.Constant is null || transmittance.Constant is null;
+    public override MaterialTraits Traits { get; } = new()
+    {
+        Specular = SpecularLobe.Delta,
+        KeepsEnergy = true,
+        IsTransparent = true,
+        Interior = interior,
+        UsesUv = reflectance.Constant is null || transmittance.Constant is null,
+    };
 
     /// <inheritdoc/>
     public override void Albedo(in SurfaceW surface, out RgbW albedo) => albedo = Rgb.White;
-
-    /// <inheritdoc/>
-    public override bool IsTransparent => true;
 
     /// <inheritdoc/>
     public override void Transparency(in SurfaceW surface, out RgbW transparency)

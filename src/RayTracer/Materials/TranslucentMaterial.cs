@@ -43,19 +43,15 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
 public sealed class TranslucentMaterial(Texture above, Texture below, Medium? interior = null) : Material
 {
     /// <inheritdoc/>
-    public override Medium? Interior => interior;
-
-    /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Glossy, KeepsEnergy = true };
-
-    /// <inheritdoc/>
-    public override bool IsLit => true;
-
-    /// <inheritdoc/>
-    public override bool Transmits => true;
-
-    /// <inheritdoc/>
-    public override bool UsesUv => above.Constant is null || below.Constant is null;
+    public override MaterialTraits Traits { get; } = new()
+    {
+        IsLit = true,
+        Specular = SpecularLobe.Glossy,
+        KeepsEnergy = true,
+        Transmits = true,
+        Interior = interior,
+        UsesUv = above.Constant is null || below.Constant is null,
+    };
 
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface) => above.Evaluate(surface, out surface.DiffuseColor);

@@ -26,7 +26,7 @@ public sealed record TwoSidedMaterialDescription : MaterialDescription
     private Material Side(SceneBuilder builder, string property, MaterialDescription description)
     {
         Material side = WrapperMaterial.Part(builder, this, property, description);
-        if (side is DielectricMaterial or ThinDielectricMaterial or MaskMaterial || side.Transmits)
+        if (side.Traits is { Transmits: true } or { IsTransparent: true })
         {
             builder.Error(this, property, "a material that lets light through has no two sides of its own; twoSided takes what reflects only");
         }
@@ -38,37 +38,15 @@ public sealed record TwoSidedMaterialDescription : MaterialDescription
 /// <summary>One material for rays from outside and one for rays from behind; each of them takes its rays for rays from outside.</summary>
 /// <param name="front">For rays from outside.</param>
 /// <param name="back">For rays from behind.</param>
-public sealed class TwoSidedMaterial(Material front, Material back) : Material
+public sealed class TwoSidedMaterial(Material front, Material back) : TwoPartMaterial(front, back)
 {
-    /// <inheritdoc/>
-    public override ScatteringProperties Scattering { get; } = MixMaterial.Common(front, back);
+    private readonly bool _turnsNormal = (front.Traits | back.Traits).TurnsNormal;
 
     /// <inheritdoc/>
-    public override bool IsLit => front.IsLit || back.IsLit;
+    public override MaterialTraits Traits => base.Traits with { Interior = null };
 
     /// <inheritdoc/>
-    public override bool HasDensity => front.HasDensity || back.HasDensity;
-
-    /// <inheritdoc/>
-    public override bool UsesUv => front.UsesUv || back.UsesUv;
-
-    /// <inheritdoc/>
-    public override bool UsesTangent => front.UsesTangent || back.UsesTangent;
-
-    /// <inheritdoc/>
-    public override bool TurnsNormal => front.TurnsNormal || back.TurnsNormal;
-
-    /// <inheritdoc/>
-    public override bool MirrorsNormal => front.MirrorsNormal || back.MirrorsNormal;
-
-    /// <inheritdoc/>
-    public override Media.Nesting? Nesting => front.Nesting ?? back.Nesting;
-
-    /// <inheritdoc/>
-    public override bool Disperses => front.Disperses || back.Disperses;
-
-    /// <inheritdoc/>
-    public override bool UsesDistance => front.UsesDistance || back.UsesDistance;
+    protected override bool IsOne => First == Second;
 
     /// <inheritdoc/>
     public override void Prepare(ref SurfaceW surface)
@@ -77,16 +55,16 @@ public sealed class TwoSidedMaterial(Material front, Material back) : Material
         MaskW inside = surface.Inside;
         surface.Inside = MaskW.None;
         SurfaceW behind = surface;
-        front.Prepare(ref surface);
+        First.Prepare(ref surface);
         surface.Inside = inside;
-        if (front == back)
+        if (IsOne)
         {
             return;
         }
 
-        back.Prepare(ref behind);
+        Second.Prepare(ref behind);
         surface.DiffuseColor = surface.Inside.Select(behind.DiffuseColor, surface.DiffuseColor);
-        if (TurnsNormal)
+        if (_turnsNormal)
         {
             surface.Facing = surface.Inside.Select(behind.Facing, surface.Facing);
             surface.Cosine = surface.Inside.Select(behind.Cosine, surface.Cosine);
@@ -96,94 +74,24 @@ public sealed class TwoSidedMaterial(Material front, Material back) : Material
     }
 
     /// <inheritdoc/>
-    public override void AmbientResponse(in SurfaceW surface, out RgbW response)
+    protected override MaskW Choose(in SurfaceW surface, VertexSamples samples, out FloatW rest)
     {
-        FromOutside(surface, out SurfaceW turned);
-        front.AmbientResponse(turned, out response);
-        if (front != back)
-        {
-            back.AmbientResponse(turned, out RgbW behind);
-            response = surface.Inside.Select(behind, response);
-        }
+        rest = samples.Choice();
+        return surface.Inside;
     }
 
     /// <inheritdoc/>
-    public override void Albedo(in SurfaceW surface, out RgbW albedo)
+    protected override ref readonly SurfaceW See(Material part, in SurfaceW surface, ref SurfaceW room)
     {
-        FromOutside(surface, out SurfaceW turned);
-        front.Albedo(turned, out albedo);
-        if (front != back)
-        {
-            back.Albedo(turned, out RgbW behind);
-            albedo = surface.Inside.Select(behind, albedo);
-        }
+        room = surface;
+        room.Inside = MaskW.None;
+        room.Normal = surface.Inside.Select(-surface.Normal, surface.Normal);
+        return ref room;
     }
 
     /// <inheritdoc/>
-    public override void Brdf(in SurfaceW surface, out RgbW brdf)
-    {
-        FromOutside(surface, out SurfaceW turned);
-        front.Brdf(turned, out brdf);
-        if (front != back)
-        {
-            back.Brdf(turned, out RgbW behind);
-            brdf = surface.Inside.Select(behind, brdf);
-        }
-    }
+    protected override RgbW Join(in SurfaceW surface, in RgbW one, in RgbW other) => surface.Inside.Select(other, one);
 
     /// <inheritdoc/>
-    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        FromOutside(surface, out SurfaceW turned);
-        front.Bsdf(turned, direction, out bsdf);
-        if (front != back)
-        {
-            back.Bsdf(turned, direction, out RgbW behind);
-            bsdf = surface.Inside.Select(behind, bsdf);
-        }
-    }
-
-    /// <inheritdoc/>
-    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
-    {
-        FromOutside(surface, out SurfaceW turned);
-        front.DiffuseBsdf(turned, direction, out bsdf);
-        if (front != back)
-        {
-            back.DiffuseBsdf(turned, direction, out RgbW behind);
-            bsdf = surface.Inside.Select(behind, bsdf);
-        }
-    }
-
-    /// <inheritdoc/>
-    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
-    {
-        FromOutside(surface, out SurfaceW turned);
-        front.Pdf(turned, direction, out pdf);
-        if (front != back)
-        {
-            back.Pdf(turned, direction, out FloatW behind);
-            pdf = surface.Inside.Select(behind, pdf);
-        }
-    }
-
-    /// <inheritdoc/>
-    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
-    {
-        FromOutside(surface, out SurfaceW turned);
-        if (front == back)
-        {
-            front.Scatter(turned, samples, out scatter);
-            return;
-        }
-
-        MixMaterial.ScatterBoth(front, back, turned, turned, surface.Inside, samples.Choice(), samples, out scatter);
-    }
-
-    private static void FromOutside(in SurfaceW surface, out SurfaceW turned)
-    {
-        turned = surface;
-        turned.Inside = MaskW.None;
-        turned.Normal = surface.Inside.Select(-surface.Normal, surface.Normal);
-    }
+    protected override FloatW Join(in SurfaceW surface, FloatW one, FloatW other) => surface.Inside.Select(other, one);
 }

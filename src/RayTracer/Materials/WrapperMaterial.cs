@@ -1,53 +1,23 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Description;
-using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Textures;
 
 namespace RayTracer.Materials;
 
-/// <summary>A material that answers as another one does, but for what derived classes change.</summary>
-/// <param name="inner">The other material.</param>
+/// <summary>
+/// A material that answers as another one does, but for what derived classes change: the surface that the other one sees
+/// (<see cref="See"/>), and what they take from its answers (<see cref="Dim(in SurfaceW, ref RgbW)"/>).
+/// </summary>
+/// <param name="inner">The other material; what it emits is not seen.</param>
 public abstract class WrapperMaterial(Material inner) : Material
 {
     /// <summary>The other material.</summary>
     protected Material Inner => inner;
 
     /// <inheritdoc/>
-    public override ScatteringProperties Scattering => inner.Scattering;
-
-    /// <inheritdoc/>
-    public override bool IsLit => inner.IsLit;
-
-    /// <inheritdoc/>
-    public override bool HasDensity => inner.HasDensity;
-
-    /// <inheritdoc/>
-    public override bool Transmits => inner.Transmits;
-
-    /// <inheritdoc/>
-    public override Medium? Interior => inner.Interior;
-
-    /// <inheritdoc/>
-    public override bool UsesUv => inner.UsesUv;
-
-    /// <inheritdoc/>
-    public override bool UsesTangent => inner.UsesTangent;
-
-    /// <inheritdoc/>
-    public override bool TurnsNormal => inner.TurnsNormal;
-
-    /// <inheritdoc/>
-    public override bool MirrorsNormal => inner.MirrorsNormal;
-
-    /// <inheritdoc/>
-    public override Nesting? Nesting => inner.Nesting;
-
-    /// <inheritdoc/>
-    public override bool Disperses => inner.Disperses;
-
-    /// <inheritdoc/>
-    public override bool UsesDistance => inner.UsesDistance;
+    public override MaterialTraits Traits => inner.Traits with { Emits = false };
 
     /// <summary>The material that a part of a record describes: of any type but a luminaire, which is an error.</summary>
     /// <param name="builder">Builds it.</param>
@@ -69,29 +39,83 @@ public abstract class WrapperMaterial(Material inner) : Material
     public override void Prepare(ref SurfaceW surface) => inner.Prepare(ref surface);
 
     /// <inheritdoc/>
-    public override void AmbientResponse(in SurfaceW surface, out RgbW response) => inner.AmbientResponse(surface, out response);
+    public override void AmbientResponse(in SurfaceW surface, out RgbW response)
+    {
+        inner.AmbientResponse(surface, out response);
+        Dim(surface, ref response);
+    }
 
     /// <inheritdoc/>
-    public override void Albedo(in SurfaceW surface, out RgbW albedo) => inner.Albedo(surface, out albedo);
+    public override void Albedo(in SurfaceW surface, out RgbW albedo)
+    {
+        inner.Albedo(surface, out albedo);
+        Dim(surface, ref albedo);
+    }
 
     /// <inheritdoc/>
-    public override void Brdf(in SurfaceW surface, out RgbW brdf) => inner.Brdf(surface, out brdf);
+    public override void Brdf(in SurfaceW surface, out RgbW brdf)
+    {
+        inner.Brdf(surface, out brdf);
+        Dim(surface, ref brdf);
+    }
 
     /// <inheritdoc/>
-    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => inner.Bsdf(surface, direction, out bsdf);
+    public override void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Unsafe.SkipInit(out SurfaceW room);
+        inner.Bsdf(See(surface, ref room), direction, out bsdf);
+        FloatW pdf = 0f;
+        Dim(surface, direction, ref bsdf, ref pdf);
+    }
 
     /// <inheritdoc/>
-    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => inner.DiffuseBsdf(surface, direction, out bsdf);
+    public override void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
+    {
+        Unsafe.SkipInit(out SurfaceW room);
+        inner.DiffuseBsdf(See(surface, ref room), direction, out bsdf);
+        FloatW pdf = 0f;
+        Dim(surface, direction, ref bsdf, ref pdf);
+    }
 
     /// <inheritdoc/>
-    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) => inner.Pdf(surface, direction, out pdf);
+    public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
+    {
+        Unsafe.SkipInit(out SurfaceW room);
+        inner.Pdf(See(surface, ref room), direction, out pdf);
+        RgbW bsdf = default;
+        Dim(surface, direction, ref bsdf, ref pdf);
+    }
 
     /// <inheritdoc/>
-    public override bool IsTransparent => inner.IsTransparent;
+    public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
+    {
+        Unsafe.SkipInit(out SurfaceW room);
+        inner.Evaluate(See(surface, ref room), direction, out bsdf, out pdf);
+        Dim(surface, direction, ref bsdf, ref pdf);
+    }
 
     /// <inheritdoc/>
     public override void Transparency(in SurfaceW surface, out RgbW transparency) => inner.Transparency(surface, out transparency);
 
     /// <inheritdoc/>
-    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter) => inner.Scatter(surface, samples, out scatter);
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
+    {
+        Unsafe.SkipInit(out SurfaceW room);
+        inner.Scatter(See(surface, ref room), samples, out scatter);
+    }
+
+    /// <summary>The surface as the other material sees it where directions matter.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="room">Takes the surface where it is seen as another one.</param>
+    protected virtual ref readonly SurfaceW See(in SurfaceW surface, ref SurfaceW room) => ref surface;
+
+    /// <summary>Takes its part from an answer of the other material that is the same for all directions.</summary>
+    protected virtual void Dim(in SurfaceW surface, ref RgbW response)
+    {
+    }
+
+    /// <summary>Takes its part from the other material's BSDF and density in a direction.</summary>
+    protected virtual void Dim(in SurfaceW surface, in Vec3W direction, ref RgbW bsdf, ref FloatW pdf)
+    {
+    }
 }

@@ -65,7 +65,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         lit.Media = media;
         lit.Interior = interior;
         lit.Time = time;
-        lit.Transmits = material is { Transmits: true };
+        lit.Transmits = material is { Traits.Transmits: true };
         lit.IsSmoothed = isSmoothed && !isLiteral;
         lit.IsLiteral = isLiteral;
         lit.From = lit.Transmits || isLiteral ? surface.Point : lit.Origin;

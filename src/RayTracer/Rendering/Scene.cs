@@ -8,6 +8,7 @@ using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Shapes;
 using RayTracer.Spectra;
+using RayTracer.Textures;
 
 namespace RayTracer.Rendering;
 
@@ -37,7 +38,7 @@ public sealed class Scene
         Groups = ShadingGroup.Create(World, out int[] groupOf);
         GroupOfPrimitive = groupOf;
         _interiors = ShadingGroup.NumberInteriors(Groups);
-        Wavelengths = Array.Exists(Groups, g => g.Disperses) ? new() : null;
+        Wavelengths = Array.Exists(Groups, g => g.Traits.Disperses) ? new() : null;
         Media = new(_interiors);
         (HasMedia, HasNesting) = Tracked();
         CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;
@@ -157,6 +158,17 @@ public sealed class Scene
     /// <summary>The group of each primitive, and, further on, what stands for rays that hit nothing and for those that a medium scatters.</summary>
     internal int[] GroupOfPrimitive { get; }
 
+    /// <summary>Makes the scene that a description describes.</summary>
+    /// <param name="description">The scene.</param>
+    /// <param name="loadPicture">As for <see cref="SceneBuilder"/>.</param>
+    /// <param name="loadModel">As for <see cref="SceneBuilder"/>.</param>
+    /// <exception cref="SceneException">Something is wrong with it: the message says all of it.</exception>
+    public static Scene From(SceneDescription description, Func<string, bool, Picture>? loadPicture = null, Func<string, ImportedModel>? loadModel = null)
+    {
+        SceneBuilder builder = new(loadPicture, loadModel);
+        return builder.Build(description) ?? throw new SceneException(builder.Complaints);
+    }
+
     /// <summary>Everything that can be seen, one by one; what instances show, once for each of them, where it stands when the shutter opens.</summary>
     public IEnumerable<PlacedSurface> Surfaces() => PlacedSurface.All(World);
 
@@ -237,13 +249,11 @@ public sealed class Scene
     // Checks how a scene is to be seen.
     private static (RenderDescription Render, Camera Camera)? View(CameraDescription camera, RenderDescription render, SceneBuilder builder)
     {
-        CheckRange(builder, render, nameof(render.Width), render.Width, 1, 65536);
-        CheckRange(builder, render, nameof(render.Height), render.Height, 1, 65536);
-        CheckRange(builder, render, nameof(render.SamplesPerPixel), render.SamplesPerPixel, 1, 1 << 24);
-        CheckRange(builder, render, nameof(render.MaxDiffuseDepth), render.MaxDiffuseDepth, 0, (int)PathState.DepthMask);
-        CheckRange(builder, render, nameof(render.MaxSpecularDepth), render.MaxSpecularDepth, 0, (int)PathState.DepthMask);
-        CheckRange(builder, render, nameof(render.MaxDepth), render.MaxDepth, -1, RenderDescription.LongestPath);
-        CheckRange(builder, render, nameof(render.RouletteDepth), render.RouletteDepth, 1, RenderDescription.LongestPath);
+        if (!(builder.IsInRange(camera) & builder.IsInRange(render)))
+        {
+            return null;
+        }
+
         if (Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint)
         {
             builder.Error(render, nameof(RenderDescription.SamplesPerPixel), complaint);
@@ -259,11 +269,6 @@ public sealed class Scene
             builder.Error(render.Filter, property, fault);
         }
 
-        if (camera.Lens is { Shape: LensShape.Bladed, Blades: < 3 or > 64 })
-        {
-            builder.Error(camera.Lens, nameof(LensDescription.Blades), $"a bladed lens has 3 to 64 blades, not {camera.Lens.Blades}");
-        }
-
         if (camera.Lens is { Shape: not LensShape.EyeJitter, ApertureRadius: 0, FocusDistance: > 0 })
         {
             builder.Warn(camera.Lens, nameof(LensDescription.FocusDistance), "without an \"apertureRadius\" the lens is a pinhole, and \"focusDistance\" has no effect");
@@ -271,14 +276,5 @@ public sealed class Scene
 
         Camera? made = Camera.Create(camera, render.Width, render.Height, builder);
         return made is null || builder.HasErrors ? null : (render, made);
-    }
-
-    // Scene files are checked by their reader; descriptions may also be made by programs.
-    private static void CheckRange(SceneBuilder builder, RenderDescription render, string property, int value, int minimum, int maximum)
-    {
-        if (value < minimum || value > maximum)
-        {
-            builder.Error(render, property, $"must be from {minimum} to {maximum}, but is {value}");
-        }
     }
 }

@@ -14,7 +14,12 @@ namespace RayTracer.Rendering;
 /// <param name="isInstanced">Whether the shapes stand in a space that instances show.</param>
 internal sealed class ShadingGroup(Material material, SurfaceTable batch, int onlyIndex, bool isInstanced)
 {
+    private MaterialTraits _traits = material.Traits;
+
     public Material Material => material;
+
+    /// <summary>The material's constants, but that it disperses light where another one around it may, too.</summary>
+    public ref readonly MaterialTraits Traits => ref _traits;
 
     public SurfaceTable Batch => batch;
 
@@ -23,12 +28,10 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
     public bool HasShadingNormals { get; } = batch.HasShadingNormals;
 
     /// <summary>Whether light is scattered with other normals than the surface's own, so that it could leak through it.</summary>
-    public bool MayLeak { get; } = batch.HasShadingNormals || material.TurnsNormal;
+    public bool MayLeak { get; } = batch.HasShadingNormals || material.Traits.TurnsNormal;
 
     /// <summary>Whether shading normals may be all that counts (<see cref="Scene.IsLiteral"/>).</summary>
-    public bool MayBeLiteral { get; } = (batch.HasShadingNormals || material.TurnsNormal) && !material.MirrorsNormal;
-
-    public bool UsesTangent { get; } = material.UsesTangent;
+    public bool MayBeLiteral { get; } = (batch.HasShadingNormals || material.Traits.TurnsNormal) && !material.Traits.MirrorsNormal;
 
     /// <summary>Whether the diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>
     public bool HasTint { get; } = batch.HasTint && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
@@ -44,21 +47,7 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
     /// <summary>Number of what is inside; 0 for nothing.</summary>
     public uint Interior { get; set; }
 
-    // The material's constant answers, asked once.
-    public bool IsLit { get; } = material.IsLit;
-
-    public bool HasDensity { get; } = material.HasDensity;
-
-    public bool Emits { get; } = material.Emits;
-
-    public bool UsesUv { get; } = material.UsesUv;
-
-    /// <summary>Whether directions depend on the wavelength: by the material's own index, or by another's around.</summary>
-    public bool Disperses { get; private set; } = material.Disperses;
-
-    public bool IsTransparent { get; } = material.IsTransparent;
-
-    public bool IsNested { get; } = material.Nesting is not null;
+    public bool IsNested { get; } = material.Traits.Nesting is not null;
 
     /// <summary>Makes the groups of a scene, and the table that names the group of each primitive.</summary>
     public static ShadingGroup[] Create(World world, out int[] groupOf)
@@ -83,18 +72,18 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
     public static Interior[] NumberInteriors(ShadingGroup[] groups)
     {
         Interior[] interiors = [.. groups.Select(InteriorOf).OfType<Interior>().Distinct()];
-        bool nestedDisperse = Array.Exists(groups, g => g.IsNested && g.Disperses);
+        bool nestedDisperse = Array.Exists(groups, g => g.IsNested && g.Traits.Disperses);
         foreach (ShadingGroup group in groups)
         {
             group.Interior = (uint)(Array.IndexOf(interiors, InteriorOf(group)) + 1);
-            group.Disperses |= nestedDisperse && group.IsNested;
+            group._traits = group.Traits with { Disperses = group.Traits.Disperses || (nestedDisperse && group.IsNested) };
         }
 
         return interiors;
     }
 
     private static Interior? InteriorOf(ShadingGroup group) =>
-        group.Material.Interior is null && group.Material.Nesting is null ? null : new(group.Material.Interior, group.Material.Nesting);
+        group.Traits is { Interior: null, Nesting: null } ? null : new(group.Traits.Interior, group.Traits.Nesting);
 
     private static void Add(Space space, SurfaceTable table, bool isInstanced, int[] groupOf, List<ShadingGroup> groups)
     {

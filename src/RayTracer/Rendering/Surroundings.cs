@@ -90,7 +90,7 @@ internal sealed unsafe class Surroundings
         uint* index = stackalloc uint[16];
         new Span<uint>(index, 16).Clear();
         ShadingGroup group = _scene.Groups[number];
-        SurfaceShader.Describe(_scene, group, _rays, index, group.UsesUv, out Materials.SurfaceW surface);
+        SurfaceShader.Describe(_scene, group, _rays, index, group.Traits.UsesUv, out Materials.SurfaceW surface);
         uint interior = group.Interior;
         if (interior != 0)
         {

@@ -61,8 +61,8 @@ internal sealed unsafe class Transmittance(Scene scene)
         bool isLight = primitive == light.Primitive && (scene.World.Instances is null || _rays.Instance[ray] == (uint)light.Instance);
         bool isThere = isLight || met >= left * Reached;
         ShadingGroup? group = isThere ? null : scene.Groups[scene.GroupOfPrimitive[primitive]];
-        bool isBoundary = scene.HasMedia && group is { Material.IsBoundary: true };
-        bool isTransparent = scene.WeakensShadows && group is { IsTransparent: true };
+        bool isBoundary = scene.HasMedia && group is { Traits.IsBoundary: true };
+        bool isTransparent = scene.WeakensShadows && group is { Traits.IsTransparent: true };
         if (group is not null && !isBoundary && !isTransparent && !(scene.HasNesting && group.IsNested))
         {
             return;
@@ -87,7 +87,7 @@ internal sealed unsafe class Transmittance(Scene scene)
             return;
         }
 
-        SurfaceShader.Describe(scene, group, _rays, index, group.UsesUv, out Materials.SurfaceW surface);
+        SurfaceShader.Describe(scene, group, _rays, index, group.Traits.UsesUv, out Materials.SurfaceW surface);
         if (isTransparent)
         {
             group.Material.Transparency(surface, out RgbW part);

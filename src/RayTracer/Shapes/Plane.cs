@@ -30,7 +30,7 @@ public sealed record PlaneDescription : ShapeDescription
             return null;
         }
 
-        if (Size is null && material.Emits)
+        if (Size is null && material.Traits.Emits)
         {
             builder.Error(this, nameof(Material), "a plane without end cannot shine: give it a \"size\"");
         }
@@ -105,7 +105,7 @@ public sealed unsafe class Plane : FlatShape
         }
 
         // A plane without end is one again; a rectangle, or uv, only where its sides are what the plane's rule makes them.
-        if (Size is null && !Material.UsesUv)
+        if (Size is null && !Material.Traits.UsesUv)
         {
             return new Plane(Material, Name, point, normal, null);
         }

@@ -50,7 +50,7 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
     public override Shape? Transformed(Transform by)
     {
         // uv would be turned too.
-        if (by.UniformScale() is not { } scale || (Material.UsesUv && !(by.X.A == scale && by.Y.B == scale && by.Z.C == scale)))
+        if (by.UniformScale() is not { } scale || (Material.Traits.UsesUv && !(by.X.A == scale && by.Y.B == scale && by.Z.C == scale)))
         {
             return null;
         }

@@ -1,6 +1,5 @@
 using RayTracer.Description;
 using RayTracer.Rendering;
-using RayTracer.Tests.Rendering;
 
 namespace RayTracer.RenderTests.Bits;
 
@@ -12,6 +11,12 @@ internal static class BitScenes
 
     /// <summary>Glass that disperses light and weakens shadows.</summary>
     public const string DispersingShadows = "dispersing-shadows";
+
+    /// <summary>Boundaries of clouds inside of other materials, between the lamp and what it lights.</summary>
+    public const string WrappedBoundaries = "wrapped-boundaries";
+
+    /// <summary>Large triangles of meshes, shaded with literal normals and transmitting light, before lamps that are meshes.</summary>
+    public const string MeshLamps = "mesh-lamps";
 
     private const string Everything = "everything-";
 
@@ -30,9 +35,45 @@ internal static class BitScenes
         }
         """;
 
+    private const string Clouds = """
+        {
+          "camera": { "position": [0, 1.5, 6], "lookAt": [0, 1, 0], "fieldOfView": 40 },
+          "render": { "width": 32, "height": 24, "samplesPerPixel": 4, "integrator": "volPath", "maxDepth": 8 },
+          "materials": { "cloud": { "type": "invisible", "interior": { "extinction": [2, 1, 0.5], "albedo": [0.9, 0.9, 0.9] } } },
+          "shapes": [
+            { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.7, 0.7, 0.7] } },
+            { "type": "sphere", "center": [-1.5, 1.2, 0], "radius": 0.7, "material": { "type": "mask", "opacity": 0.5, "material": "cloud" } },
+            { "type": "sphere", "center": [0, 1.2, 0], "radius": 0.7, "material": { "type": "bumpMap", "map": { "type": "marble" }, "material": "cloud" } },
+            { "type": "sphere", "center": [1.5, 1.2, 0], "radius": 0.7, "material": { "type": "mix", "first": "cloud", "second": "cloud" } },
+            { "type": "sphere", "center": [0, 4, 0], "radius": 0.3, "material": { "type": "luminaire", "multiplier": 20 } }
+          ]
+        }
+        """;
+
+    private const string Walls = """
+        {
+          "camera": { "position": [0, 3, 12], "lookAt": [0, 0, 0], "fieldOfView": 60 },
+          "render": { "width": 32, "height": 24, "samplesPerPixel": 4, "integrator": "path", "maxDepth": 4, "shadingNormals": "literal" },
+          "shapes": [
+            {
+              "type": "mesh", "positions": [[-10, -10, 0], [10, -10, 0], [10, 10, 0], [-10, 10, 0]], "triangles": [[0, 1, 2], [0, 2, 3]], "shading": "smooth",
+              "material": { "type": "mix", "first": { "type": "diffuse", "color": [0.8, 0.8, 0.8] }, "second": { "type": "translucent", "transmittance": [0.3, 0.5, 0.2] } }
+            },
+            {
+              "type": "mesh", "positions": [[-1, 3, 1], [1, 3, 1], [1, 3, 3], [-1, 3, 3]], "triangles": [[0, 1, 2], [0, 2, 3]],
+              "material": { "type": "luminaire", "multiplier": 30 }
+            },
+            {
+              "type": "mesh", "positions": [[-1, -3, -3], [1, -3, -3], [1, -3, -1], [-1, -3, -1]], "triangles": [[0, 2, 1], [0, 3, 2]],
+              "material": { "type": "luminaire", "color": [1, 0.5, 0.2], "multiplier": 30 }
+            }
+          ]
+        }
+        """;
+
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, "shapes", "cornell", Hills, DispersingShadows, .. Folders.SelectMany(In)];
+        [.. Report, .. Samplers, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, .. Folders.SelectMany(In)];
 
     /// <summary>Names of scenes whose auxiliary images are looked at.</summary>
     public static string[] Auxiliary => ["aov/everything-sobol", "aov/meshes/01-cube", "aov/meshes/02-smooth", "aov/meshes/04-motion-blur"];
@@ -61,6 +102,8 @@ internal static class BitScenes
         ? TestScenes.BuildEverything(name[Everything.Length..])
         : name == Hills ? HillScene.Build()
         : name == DispersingShadows ? TestScenes.Build(Prisms)
+        : name == WrappedBoundaries ? TestScenes.Build(Clouds)
+        : name == MeshLamps ? TestScenes.Build(Walls)
         : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));
 
     private static SceneDescription Small(SceneDescription d, int width, int height) =>

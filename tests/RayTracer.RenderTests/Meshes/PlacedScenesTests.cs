@@ -126,12 +126,12 @@ public class PlacedScenesTests
 
     private static double[] NormalsSeen(string json)
     {
-        AovFilm film = new(new(128, 96), [Aov.Normal]);
+        AovFilm film = new(new(128, 96), [new NormalImage()]);
         new FirstHitPass(Load(json.Replace("\"width\": 32, \"height\": 24, \"samplesPerPixel\": 16", "\"width\": 128, \"height\": 96, \"samplesPerPixel\": 1", StringComparison.Ordinal))).Render(film);
         double[] normals = new double[128 * 96 * 3];
         for (int y = 0; y < 96; y++)
         {
-            film.ReadRow(Aov.Normal, y, normals.AsSpan(y * 128 * 3, 128 * 3));
+            film.ReadRow(new NormalImage(), y, normals.AsSpan(y * 128 * 3, 128 * 3));
         }
 
         return normals;

@@ -4,13 +4,14 @@ using System.Text;
 using System.Text.Json;
 using RayTracer.Scenes;
 using RayTracer.Session;
+using RayTracer.Session.Tests;
 
 namespace RayTracer.Studio.Tests.Document;
 
 /// <summary>The document over HTTP: what a page may ask, and what it is told where it may not.</summary>
 public sealed class DocumentEndpointsTests : IAsyncLifetime
 {
-    private readonly TemporaryFolder _folder = new();
+    private readonly SessionFolder _folder = new();
     private StudioSession _session = null!;
     private StudioServer _server = null!;
     private HttpClient _client = null!;

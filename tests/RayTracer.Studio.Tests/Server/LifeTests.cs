@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Net;
+using RayTracer.Session.Tests;
 
 namespace RayTracer.Studio.Tests.Server;
 

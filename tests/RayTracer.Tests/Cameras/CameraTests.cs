@@ -4,7 +4,6 @@ using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Sampling;
-using RayTracer.Tests.Rendering;
 
 namespace RayTracer.Tests.Cameras;
 

@@ -6,7 +6,6 @@ using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Sampling;
 using RayTracer.Shapes;
-using RayTracer.Tests.Rendering;
 using RayTracer.Tests.Statistics;
 
 namespace RayTracer.Tests.Lights;

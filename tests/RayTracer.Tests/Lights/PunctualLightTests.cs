@@ -4,7 +4,6 @@ using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
-using RayTracer.Tests.Rendering;
 
 namespace RayTracer.Tests.Lights;
 

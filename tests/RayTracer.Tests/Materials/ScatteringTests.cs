@@ -80,8 +80,8 @@ public class ScatteringTests
         Vector3D albedo = default;
         ScatterSamples.OnGrid(material.Material, surface, GridBits - 2, (in ScatterW s, int lane) =>
             albedo += Has(s.Absorbed, lane) ? default : Flux(material, at, surface, s, lane) * Cell * 16);
-        double most = material.Material.Scattering.MostEnergy + material.AlbedoTolerance;
-        Assert.True(material.Material.Scattering.MostEnergy == 1 || material.Material.Scattering.EnergyException is not null);
+        double most = material.Material.Traits.MostEnergy + material.AlbedoTolerance;
+        Assert.True(material.Material.Traits.MostEnergy == 1 || material.Material.Traits.EnergyException is not null);
         Assert.True(Math.Max(albedo.X, Math.Max(albedo.Y, albedo.Z)) < most, $"{material} at {at} sends back {albedo}");
         if (material.Albedo is { } expected)
         {
@@ -100,7 +100,7 @@ public class ScatteringTests
         SurfaceW surface = at.Prepare(material);
         double albedo = 0;
         ScatterSamples.OnGrid(material, surface, GridBits - 2, (in ScatterW s, int lane) => albedo += Has(s.Absorbed, lane) ? 0 : s.Weight.G[lane] * Cell * 16);
-        Assert.InRange(albedo, 1.95, material.Scattering.MostEnergy);
+        Assert.InRange(albedo, 1.95, material.Traits.MostEnergy);
     }
 
     [Theory]
@@ -113,7 +113,7 @@ public class ScatteringTests
             sampled += Has(s.Absorbed, lane) || Has(s.Specular, lane) ? 0 : s.Weight.G[lane] * Cell * 16);
         material.Material.Brdf(surface, out RgbW brdf);
         AssertNear(Math.PI * brdf.G[0], sampled, 1e-4, $"{material} at {at}");
-        Assert.True(material.Material.IsLit || brdf.G[0] == 0);
+        Assert.True(material.Material.Traits.IsLit || brdf.G[0] == 0);
     });
 
     [Theory]
@@ -189,7 +189,7 @@ public class ScatteringTests
             double pdf = Pdf(material, surface, d);
 
             // What is reflected through the surface ends there, though light may be refracted that way.
-            Assert.True(Has(s.Absorbed, lane) ? pdf == 0 || material.Material.Transmits : pdf > 0, $"{material} at {at}: density {pdf}");
+            Assert.True(Has(s.Absorbed, lane) ? pdf == 0 || material.Material.Traits.Transmits : pdf > 0, $"{material} at {at}: density {pdf}");
             if (pdf > 0 && !Has(s.Absorbed, lane) && !material.IsMixture)
             {
                 // A cosine of two directions in single precision is known to a few units in the last place of 1.
@@ -222,7 +222,7 @@ public class ScatteringTests
             largest = Math.Max(largest, a.Dot(facing) > 0.05 && b.Dot(facing) > 0.05 && a.Dot(at.Facing) > 0.05 && b.Dot(at.Facing) > 0.05 ? difference : 0);
         }
 
-        string? exception = material.Material.Scattering.ReciprocityException;
+        string? exception = material.Material.Traits.ReciprocityException;
         Assert.True(exception is null ? largest < 1e-4 : largest > 0.05, $"{material}: there and back differ by {largest}; declared: {exception ?? "reciprocal"}");
     }
 
@@ -232,8 +232,8 @@ public class ScatteringTests
     {
         // A declaration is worth something only if its limit is tested: where all energy is kept, an albedo is known.
         MaterialCase material = MaterialCase.Of(name);
-        bool isTested = MaterialCase.All.Any(c => c.Material.GetType() == material.Material.GetType() && c.Material.Scattering.KeepsEnergy && c.Albedo is not null);
-        Assert.True(!material.Material.Scattering.KeepsEnergy || isTested, $"no white case of {material.Material.GetType().Name}");
+        bool isTested = MaterialCase.All.Any(c => c.Material.GetType() == material.Material.GetType() && c.Material.Traits.KeepsEnergy && c.Albedo is not null);
+        Assert.True(!material.Material.Traits.KeepsEnergy || isTested, $"no white case of {material.Material.GetType().Name}");
     }
 
     [Fact]
@@ -260,7 +260,7 @@ public class ScatteringTests
                 hasDensity |= isSeen;
                 transmits |= isSeen && d.Dot(Facing(surface)) < 0;
             });
-            Assert.True(hasDensity == material.Material.HasDensity && transmits == material.Material.Transmits, $"{material}: density {hasDensity}, through the surface {transmits}");
+            Assert.True(hasDensity == material.Material.Traits.HasDensity && transmits == material.Material.Traits.Transmits, $"{material}: density {hasDensity}, through the surface {transmits}");
         }
     }
 

@@ -183,7 +183,7 @@ public class RTracerTests
 
     private sealed class Faulty(float weight, float direction) : Material
     {
-        public override ScatteringProperties Scattering { get; } = new() { Specular = SpecularLobe.Delta };
+        public override MaterialTraits Traits { get; } = new() { Specular = SpecularLobe.Delta };
 
         public override void Scatter(in SurfaceW surface, RayTracer.Sampling.VertexSamples samples, out ScatterW scatter)
         {

@@ -13,14 +13,14 @@ public class ShadingNormalTests
     public void The_normal_is_that_of_the_corners_mixed_on_the_rays_side(int height)
     {
         Scene scene = Load("[0.3, 1, 0.2], [0.3, 1, 0.2], [-0.1, 1, 0.2], [-0.1, 1, 0.2]", height, """{ "type": "diffuse" }""", "[0, 100, 0]");
-        AovFilm film = new(new(16, 16), [Aov.Normal, Aov.Uv]);
+        AovFilm film = new(new(16, 16), [new NormalImage(), new UvImage()]);
         new FirstHitPass(scene).Render(film);
         double[] normals = new double[16 * 3];
         double[] uv = new double[16 * 2];
         for (int y = 0; y < 16; y++)
         {
-            film.ReadRow(Aov.Normal, y, normals);
-            film.ReadRow(Aov.Uv, y, uv);
+            film.ReadRow(new NormalImage(), y, normals);
+            film.ReadRow(new UvImage(), y, uv);
             for (int x = 0; x < 16; x++)
             {
                 // Corners of u = 1 have the second normal; both are unit vectors before they are mixed.

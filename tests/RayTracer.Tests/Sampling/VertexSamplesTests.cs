@@ -2,7 +2,6 @@ using System.Runtime.CompilerServices;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Sampling;
-using RayTracer.Tests.Rendering;
 
 namespace RayTracer.Tests.Sampling;
 

@@ -1,6 +1,5 @@
 using RayTracer.Numerics;
 using RayTracer.Rendering;
-using RayTracer.Tests.Rendering;
 using RayTracer.Textures;
 
 namespace RayTracer.Tests.Textures;

@@ -136,7 +136,7 @@ public class TextureTests
     public void A_placed_textures_matrix_comes_first()
     {
         // (0.1, 0.2) → (0.1 + 2 · 0.2 + 0.05, 0.5 · 0.1 + 0.2 − 0.3) = (0.55, −0.05) → (1.1, −0.05).
-        PlacedTexture texture = new(new Statistics.UvTexture(), new(2, 1), 0, Vector2.Zero) { Matrix = [1, 2, 0.05f, 0.5f, 1, -0.3f] };
+        PlacedTexture texture = new(new UvTexture(), new(2, 1), 0, Vector2.Zero) { Matrix = [1, 2, 0.05f, 0.5f, 1, -0.3f] };
         texture.Evaluate(0.1f, 0.2f, out RgbW color);
         Assert.Equal(1.1f, color.R[0], 1e-6f);
         Assert.Equal(-0.05f, color.G[0], 1e-6f);
@@ -177,7 +177,7 @@ public class TextureTests
     [Fact]
     public void A_mix_goes_from_one_texture_to_the_other()
     {
-        Texture weight = new PlacedTexture(new Statistics.UvTexture(), Vector2.One, 0, Vector2.Zero);
+        Texture weight = new PlacedTexture(new UvTexture(), Vector2.One, 0, Vector2.Zero);
         MixTexture texture = new(new SolidTexture(new(1, 0, 0)), new SolidTexture(new(3, 0, 0)), weight);
         Assert.Null(texture.Constant);
         Assert.Equal(TextureInputs.Uv, texture.Inputs);

@@ -1,4 +1,5 @@
 using System.Windows.Input;
+using RayTracer.Rendering;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -10,11 +11,13 @@ internal sealed class ExportViewModel : DialogViewModel
     private Choice _bits;
 
     /// <summary>The question.</summary>
-    /// <param name="write">Told the format's extension, without its dot, and what to write; asks where to.</param>
+    /// <param name="write">Takes the format's extension, without its dot, and what to write; asks where to.</param>
     public ExportViewModel(Action<string, PictureRequest> write)
     {
         (_format, _bits) = (Formats[0], Bits[0]);
-        Write = Button(() => write(_format.Value, PictureRequest.Of(int.Parse(_bits.Value, System.Globalization.CultureInfo.InvariantCulture), IsExr ? Layers.Where(l => l.IsOn).Select(l => l.Name) : [])));
+        Write = Button(() => write(_format.Value, PictureRequest.Of(
+            int.Parse(_bits.Value, System.Globalization.CultureInfo.InvariantCulture),
+            HasLayers ? Layers.Where(l => l.IsOn).Select(l => l.Name) : [])));
     }
 
     /// <inheritdoc/>
@@ -31,8 +34,8 @@ internal sealed class ExportViewModel : DialogViewModel
         {
             if (value is not null && Set(ref _format, value))
             {
-                Tell(nameof(IsPng));
-                Tell(nameof(IsExr));
+                Tell(nameof(HasDepth));
+                Tell(nameof(HasLayers));
             }
         }
     }
@@ -49,14 +52,16 @@ internal sealed class ExportViewModel : DialogViewModel
 
     /// <summary>The layers.</summary>
     public IReadOnlyList<LayerChoice> Layers { get; } =
-        [.. new[] { "depth", "normal", "albedo", "uv", "primitive", "bvhCost", "samples" }.Select(l => new LayerChoice(l, SessionTexts.Of($"maps.{l}.0")))];
+        [.. AuxiliaryImage.Known.All.Select(i => new LayerChoice(i.Name, i.Title))];
 
-    /// <summary>Whether it is a PNG file.</summary>
-    public bool IsPng => _format.Value == "png";
+    /// <summary>Whether bits a channel can be chosen.</summary>
+    public bool HasDepth => Chosen.HasDepth;
 
-    /// <summary>Whether it is an OpenEXR file.</summary>
-    public bool IsExr => _format.Value == "exr";
+    /// <summary>Whether it takes auxiliary images.</summary>
+    public bool HasLayers => Chosen.HasLayers;
 
     /// <summary>Writes it.</summary>
     public ICommand Write { get; }
+
+    private PictureFormat Chosen => PictureSaver.Formats.First(f => f.Value == _format.Value);
 }

@@ -122,17 +122,17 @@ internal sealed partial class ViewportViewModel : Observable
     }
 
     /// <summary>What can be shown: the light, or what the renderer knows about each pixel.</summary>
-    public IReadOnlyList<Choice> Maps { get; } = [.. SessionTexts.Keys("maps").Select(m => new Choice(m, SessionTexts.Of($"maps.{m}.0"), SessionTexts.Of($"maps.{m}.1")))];
+    public IReadOnlyList<Choice> Maps { get; } = [.. ViewMap.All.Select(m => new Choice(m.Name, m.Title, m.Why))];
 
     /// <summary>What is shown.</summary>
     public Choice? Map
     {
-        get => Maps.First(m => m.Value.Equals((_state?.Settings.Map ?? ViewMap.Light).ToString(), StringComparison.OrdinalIgnoreCase));
+        get => Maps.First(m => m.Value == (_state?.Settings.Map ?? ViewMap.Light).Name);
         set
         {
             if (!IsTelling && value is not null && value != Map)
             {
-                ViewMap map = Enum.Parse<ViewMap>(value.Value, ignoreCase: true);
+                ViewMap map = ViewMap.Named(value.Value);
                 _hand.Do(s => s.View.Change(v => v with { Map = map }));
             }
         }

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Imaging;
 using RayTracer.Numerics;
 using RayTracer.Textures;
 
@@ -7,8 +8,6 @@ namespace RayTracer.Import;
 /// <summary>The materials that an OBJ file uses, from the MTL files that it names.</summary>
 internal sealed class MtlLibrary(string folder)
 {
-    private static readonly string[] s_pictures = [".png", ".jpg", ".jpeg", ".pfm", ".exr"];
-
     // Statements that change nothing here without loss: ambient light is the scene's, sharpness belongs to reflection maps that are ready-made.
     private static readonly string[] s_ignored = ["Ka", "map_Ka", "sharpness", "map_aat", "illum"];
 
@@ -215,9 +214,9 @@ internal sealed class MtlLibrary(string folder)
 
         string name = Name(ref text);
         string? path = Find(name);
-        if (path is null || !s_pictures.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase))
+        if (path is null || ImageFormat.OfName(path) is null)
         {
-            string fault = path is null ? "is not there" : $"is of no format that is read ({string.Join(", ", s_pictures)})";
+            string fault = path is null ? "is not there" : $"is of no format that is read ({ImageFormat.Endings()})";
             _notes.Add($"the picture {Quotation.Of(name)} {fault}: its colour takes its place");
             return null;
         }

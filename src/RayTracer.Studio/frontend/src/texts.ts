@@ -16,7 +16,6 @@ function textsOf(t: typeof english) {
     ...t,
     /** Commands: name, and what it is for. */
     commands: t.commands as unknown as Record<keyof typeof t.commands, readonly [string, string]>,
-    maps: t.maps as unknown as Record<string, readonly [string, string]>,
     families: t.families as Words,
     theme: t.theme as Words,
     gallery: {

@@ -8,7 +8,7 @@ const parameter = (key: string, kind: string, more: Partial<Parameter> = {}): Pa
 
 const metal: RecordType = { name: "phongMetal", summary: "", isLight: false, parameters: [parameter("color", "texture"), parameter("exponent", "number")] };
 const image: RecordType = { name: "image", summary: "", isLight: false, parameters: [parameter("file", "file", { required: true })] };
-const schema = { schema: {}, types: { material: [metal], texture: [image] }, sections: { camera: { name: "camera", summary: "", isLight: false, parameters: [] } }, refractiveIndices: [], colors: {} } as SchemaAnswer;
+const schema = { schema: {}, types: { material: [metal], texture: [image] }, sections: { camera: { name: "camera", summary: "", isLight: false, parameters: [] } }, refractiveIndices: [], colors: {}, maps: [] } as SchemaAnswer;
 
 test("a type is found in its family, and sections by their names", () => {
   expect(findType(schema, "material", "phongMetal")).toBe(metal);

@@ -65,7 +65,7 @@ internal sealed class Space
     public Bounds Bounds { get; }
 
     /// <summary>Whether anything in it shines.</summary>
-    public bool Shines => Array.Exists(Shapes, s => s.Material.Emits) || Contents.Meshes.Exists(m => m.Materials.Any(material => material.Emits));
+    public bool Shines => Array.Exists(Shapes, s => s.Material.Traits.Emits) || Contents.Meshes.Exists(m => m.Materials.Any(material => material.Traits.Emits));
 
     /// <summary>The tables of all surfaces.</summary>
     public IEnumerable<SurfaceTable> Tables => Mesh is null ? Batches : [.. Batches, Mesh];

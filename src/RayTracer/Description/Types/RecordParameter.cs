@@ -13,7 +13,7 @@ public sealed class RecordParameter
     private readonly PropertyInfo _property;
     private readonly ParameterAttribute _attribute;
 
-    internal RecordParameter(PropertyInfo property, ParameterAttribute attribute, object defaults)
+    internal RecordParameter(PropertyInfo property, ParameterAttribute attribute, object? defaults)
     {
         _property = property;
         _attribute = attribute;
@@ -27,7 +27,7 @@ public sealed class RecordParameter
             _ => null,
         };
         Choices = Kind == ParameterKind.Choice ? [.. Enum.GetNames(ValueType).Select(JsonNamingPolicy.CamelCase.ConvertName)] : [];
-        Default = property.GetValue(defaults);
+        Default = defaults is null ? null : property.GetValue(defaults);
     }
 
     /// <summary>The key in scene files.</summary>
@@ -113,7 +113,7 @@ public sealed class RecordParameter
     {
         foreach (double number in Numbers(value))
         {
-            if (RangeComplaint(number, number == Math.Floor(number) && Math.Abs(number) < 1e15 ? $"{(long)number}" : number == (float)number ? $"{(float)number}" : $"{number}") is { } complaint)
+            if (RangeComplaint(number, Written(number)) is { } complaint)
             {
                 return complaint;
             }
@@ -122,11 +122,32 @@ public sealed class RecordParameter
         return null;
     }
 
+    /// <summary>As <see cref="RangeComplaint(object?)"/>; null is at fault, too, alone or in a list, where a new record has another value.</summary>
+    internal string? Complaint(object? value) => value is null && Default is not null ? "must not be null"
+        : RecordsIn(value).Contains(null!) ? "must not hold null"
+        : RangeComplaint(value);
+
+    /// <summary>The records that a value is, or consists of.</summary>
+    internal IEnumerable<object> RecordsIn(object? value) => value switch
+    {
+        null or string => [],
+        IReadOnlyDictionary<string, TextureDescription> named => named.Values,
+        IReadOnlyDictionary<string, MaterialDescription> named => named.Values,
+        IReadOnlyDictionary<string, ShapeDescription> named => named.Values,
+        IEnumerable<object> list => list,
+        _ => Kind is ParameterKind.Record || Family is not null ? [value] : [],
+    };
+
     internal void Set(object record, object? value) => _property.SetValue(record, value);
 
     // Bounds are compared as floats where values are floats, so that a written bound is itself in range.
     internal string? RangeComplaint(double value, string written)
     {
+        if (!double.IsFinite(value))
+        {
+            return $"must be {(Range.Length > 0 ? Range : "a finite number")}, but is {written}";
+        }
+
         bool isInteger = Kind == ParameterKind.Integer;
         double minimum = isInteger ? Minimum : (float)Minimum;
         double maximum = isInteger ? Maximum : (float)Maximum;
@@ -139,11 +160,16 @@ public sealed class RecordParameter
         return $"must be {Range}, but {(isRounded ? $"{written} rounds to 0" : $"is {written}")}";
     }
 
-    private static IEnumerable<double> Numbers(object? value) => value switch
+    private static string Written(double number) => double.IsInteger(number) && Math.Abs(number) < 1e15 ? $"{(long)number}"
+        : number == (float)number ? $"{(float)number}" : $"{number}";
+
+    // Lists of numbers without a range may be large, and belong to those who mend meshes and matrices.
+    private IEnumerable<double> Numbers(object? value) => value switch
     {
         float f => [f],
         int i => [i],
         long l => [l],
+        IReadOnlyList<float> list when Range.Length > 0 => list.Select(f => (double)f),
         Vector2 v => [v.X, v.Y],
         Vector3 v => [v.X, v.Y, v.Z],
         Rgb c => [c.R, c.G, c.B],

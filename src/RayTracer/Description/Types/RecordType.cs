@@ -19,7 +19,7 @@ public sealed class RecordType
         SceneTypeAttribute? named = type.GetCustomAttribute<SceneTypeAttribute>();
         Name = named?.Name ?? JsonNamingPolicy.CamelCase.ConvertName(type.Name.Replace("Description", "", StringComparison.Ordinal));
         Summary = named?.Summary ?? "";
-        object defaults = Create();
+        object? defaults = type.GetConstructor([]) is null ? null : Create();
         Parameters = [.. type.GetProperties()
             .Select(p => (Property: p, Attribute: p.GetCustomAttribute<ParameterAttribute>()))
             .Where(p => p.Attribute is not null)
@@ -42,7 +42,7 @@ public sealed class RecordType
     public IReadOnlyList<RecordParameter> Parameters { get; }
 
     /// <summary>The type of a description record.</summary>
-    /// <param name="record">The record's C# type, with a constructor that takes nothing.</param>
+    /// <param name="record">The record's C# type. Without a constructor that takes nothing, it cannot be made here, and its parameters have no defaults.</param>
     public static RecordType Of(Type record) => Known.GetOrAdd(record, r => new RecordType(r));
 
     /// <summary>The parameter of a key; null where there is none.</summary>

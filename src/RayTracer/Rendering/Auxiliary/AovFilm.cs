@@ -14,33 +14,28 @@ public sealed class AovFilm
     // Doubles below it are whole units that fit into 64 bits.
     private const double OrdinaryLimit = 16384;
     private readonly Film _film;
-    private readonly Int128[]?[] _sums = new Int128[]?[Enum.GetValues<Aov>().Length];
-    private readonly uint[]? _hits;
+    private readonly (FirstHitImage Image, Int128[] Sums)[] _traced;
     private readonly uint[] _counts;
-    private readonly uint[]? _primitives;
-    private readonly long[]? _costs;
+    private readonly uint[] _hits;
+    private readonly int _mostLetters;
 
     /// <summary>Makes empty images.</summary>
     /// <param name="film">The film that they stand beside: it has the size and the numbers of samples.</param>
-    /// <param name="kinds">Which; memory is taken for no others.</param>
-    public AovFilm(Film film, IEnumerable<Aov> kinds)
+    /// <param name="images">Which; memory is taken for no others.</param>
+    public AovFilm(Film film, IEnumerable<AuxiliaryImage> images)
     {
         _film = film;
-        Kinds = [.. kinds.Distinct().Order()];
+        Images = [.. images.Distinct()];
         long pixels = (long)film.Width * film.Height;
-        foreach (Aov kind in Kinds.Where(IsSummed))
-        {
-            _sums[(int)kind] = new Int128[checked(pixels * Channels(kind))];
-        }
-
+        _traced = [.. Images.OfType<FirstHitImage>().Select(image => (image, new Int128[checked(pixels * image.Letters.Length)]))];
         _counts = new uint[NeedsRays ? pixels : 0];
-        _hits = Has(Aov.Depth) || Has(Aov.Uv) ? new uint[pixels] : null;
-        _primitives = Has(Aov.Primitive) ? new uint[pixels] : null;
-        _costs = Has(Aov.BvhCost) ? new long[pixels] : null;
+        _hits = new uint[_traced.Any(t => t.Image.Mean == MeanOver.Hits) ? pixels : 0];
+        _mostLetters = _traced.Max(t => (int?)t.Image.Letters.Length) ?? 0;
+        Needs = _traced.Aggregate(FirstHitParts.None, (parts, t) => parts | t.Image.Needs);
     }
 
-    /// <summary>The images that there are, in the order of their kinds.</summary>
-    public IReadOnlyList<Aov> Kinds { get; }
+    /// <summary>The images that there are.</summary>
+    public IReadOnlyList<AuxiliaryImage> Images { get; }
 
     /// <summary>Width in pixels.</summary>
     public int Width => _film.Width;
@@ -49,130 +44,96 @@ public sealed class AovFilm
     public int Height => _film.Height;
 
     /// <summary>Whether rays must be traced for them.</summary>
-    internal bool NeedsRays => Kinds.Any(k => k != Aov.Samples);
+    internal bool NeedsRays => _traced.Length > 0;
 
-    /// <summary>Whether the surfaces must be described for them.</summary>
-    internal bool NeedsSurfaces => Has(Aov.Normal) || Has(Aov.Albedo) || Has(Aov.Uv);
-
-    /// <summary>Numbers a pixel of an image.</summary>
-    public static int Channels(Aov kind) => kind switch
-    {
-        Aov.Normal or Aov.Albedo => 3,
-        Aov.Uv => 2,
-        _ => 1,
-    };
-
-    /// <summary>Whether an image's numbers are whole ones that say which or how many, rather than means.</summary>
-    public static bool IsWhole(Aov kind) => kind is Aov.Primitive or Aov.Samples;
+    /// <summary>The parts of hits that they need.</summary>
+    internal FirstHitParts Needs { get; }
 
     /// <summary>Memory in bytes of images of a size.</summary>
-    public static long Bytes(IReadOnlyCollection<Aov> kinds, int width, int height) =>
-        (long)width * height * ((kinds.Count > 0 ? 8 : 0) + kinds.Sum(k => IsSummed(k) ? 16L * Channels(k) : 8));
+    public static long Bytes(IReadOnlyCollection<AuxiliaryImage> images, int width, int height) =>
+        (long)width * height * images.OfType<FirstHitImage>().Aggregate(0L, (sum, image) => long.Max(sum, 8) + (16 * image.Letters.Length));
 
     /// <summary>Whether there is an image.</summary>
-    public bool Has(Aov kind) => Kinds.Contains(kind);
+    public bool Has(AuxiliaryImage image) => Images.Contains(image);
 
     /// <summary>Forgets all samples, so that the memory serves other images of this size and these kinds.</summary>
     public void Clear()
     {
-        foreach (Int128[]? sums in _sums)
-        {
-            Array.Clear(sums ?? []);
-        }
-
-        Array.Clear(_hits ?? []);
+        Array.ForEach(_traced, t => Array.Clear(t.Sums));
+        Array.Clear(_hits);
         Array.Clear(_counts);
-        Array.Clear(_primitives ?? []);
-        Array.Clear(_costs ?? []);
     }
 
     /// <summary>Reads a row of an image.</summary>
-    /// <param name="kind">Which image.</param>
+    /// <param name="image">The image, one of <see cref="Images"/>.</param>
     /// <param name="y">The row, from the top.</param>
-    /// <param name="values">Takes <see cref="Channels"/> numbers a pixel.</param>
-    public void ReadRow(Aov kind, int y, Span<double> values)
+    /// <param name="values">Takes a number for each of <see cref="AuxiliaryImage.Letters"/>, for each pixel.</param>
+    public void ReadRow(AuxiliaryImage image, int y, Span<double> values)
     {
-        int channels = Channels(kind);
+        int letters = image.Letters.Length;
+        Int128[]? sums = Array.Find(_traced, t => t.Image == image).Sums;
         for (int x = 0; x < Width; x++)
         {
-            long pixel = ((long)y * Width) + x;
-            Span<double> at = values.Slice(x * channels, channels);
-            switch (kind)
+            Span<double> at = values.Slice(x * letters, letters);
+            if (image is FilmImage ofFilm)
             {
-                case Aov.Primitive:
-                    at[0] = _primitives![pixel];
-                    break;
-                case Aov.BvhCost:
-                    at[0] = _costs![pixel] / Math.Max(1.0, _counts[pixel]);
-                    break;
-                case Aov.Samples:
-                    at[0] = _film.SampleCount(x, y);
-                    break;
-                default:
-                    ReadMean(kind, pixel, at);
-                    break;
+                ofFilm.Read(_film, x, y, at);
+            }
+            else
+            {
+                ReadMean((FirstHitImage)image, sums!, ((long)y * Width) + x, at);
             }
         }
     }
 
-    /// <summary>Counts a sample of a pixel, and what the first one met.</summary>
-    /// <param name="pixel">The pixel's number.</param>
-    /// <param name="sample">The sample's number.</param>
-    /// <param name="primitive">What it met; null for nothing.</param>
-    /// <param name="distance">How far away that is.</param>
-    internal void AddRay(long pixel, uint sample, uint? primitive, float distance)
+    /// <summary>Counts a sample of a pixel.</summary>
+    internal void Count(long pixel, bool isHit)
     {
         _counts[pixel]++;
-        if (primitive is not { } met)
-        {
-            return;
-        }
-
-        if (_hits is not null)
+        if (isHit && _hits.Length > 0)
         {
             _hits[pixel]++;
         }
-
-        if (_primitives is not null && sample == 0)
-        {
-            _primitives[pixel] = met + 1;
-        }
-
-        Add(Aov.Depth, pixel, 0, distance);
     }
 
-    /// <summary>Adds what it cost to trace a ray.</summary>
-    internal void AddCost(long pixel, long cost) => _costs![pixel] += cost;
-
-    /// <summary>Adds one number of a hit to a sum, if that image is wanted.</summary>
-    internal void Add(Aov kind, long pixel, int channel, float value)
+    /// <summary>Adds a sample to the images that need the surface described, or to the others; one that meets nothing, to all.</summary>
+    internal void Add(long pixel, in FirstHit hit, bool isDescribed)
     {
-        if (_sums[(int)kind] is not { } sums)
+        Span<double> values = stackalloc double[_mostLetters];
+        foreach ((FirstHitImage image, Int128[] sums) in _traced)
         {
-            return;
-        }
+            bool isMissing = hit.Primitive == 0;
+            bool isLater = !isMissing && image.Needs.HasFlag(FirstHitParts.Surface) != isDescribed;
+            if (isLater || (isMissing && image.Mean == MeanOver.Hits) || (hit.Sample > 0 && image.Mean == MeanOver.First))
+            {
+                continue;
+            }
 
-        ref Int128 sum = ref sums[(pixel * Channels(kind)) + channel];
-        double units = double.Round(Math.Clamp(float.IsNaN(value) ? 0 : value, -Limit, Limit) * Units);
-        sum += Math.Abs(value) < OrdinaryLimit ? (long)units : (Int128)units;
+            Span<double> own = values[..image.Letters.Length];
+            own.Clear();
+            image.Read(hit, own);
+            for (int i = 0; i < own.Length; i++)
+            {
+                double units = double.Round(Math.Clamp(double.IsNaN(own[i]) ? 0 : own[i], -Limit, Limit) * Units);
+                sums[(pixel * own.Length) + i] += Math.Abs(own[i]) < OrdinaryLimit ? (long)units : (Int128)units;
+            }
+        }
     }
 
     /// <summary>All that is stored but the film, for comparison.</summary>
     internal byte[] Content() =>
     [
-        .. _sums.SelectMany(s => MemoryMarshal.AsBytes<Int128>(s).ToArray()), .. MemoryMarshal.AsBytes<uint>(_hits).ToArray(), .. MemoryMarshal.AsBytes<uint>(_counts).ToArray(),
-        .. MemoryMarshal.AsBytes<uint>(_primitives).ToArray(), .. MemoryMarshal.AsBytes<long>(_costs).ToArray(),
+        .. _traced.SelectMany(t => MemoryMarshal.AsBytes<Int128>(t.Sums).ToArray()),
+        .. MemoryMarshal.AsBytes<uint>(_hits),
+        .. MemoryMarshal.AsBytes<uint>(_counts),
     ];
 
-    private static bool IsSummed(Aov kind) => kind is Aov.Depth or Aov.Normal or Aov.Albedo or Aov.Uv;
-
-    private void ReadMean(Aov kind, long pixel, Span<double> values)
+    private void ReadMean(FirstHitImage image, Int128[] sums, long pixel, Span<double> values)
     {
-        uint count = kind is Aov.Depth or Aov.Uv ? _hits![pixel] : _counts[pixel];
-        for (int channel = 0; channel < values.Length; channel++)
+        uint count = image.Mean switch { MeanOver.Hits => _hits[pixel], MeanOver.First => 1, _ => _counts[pixel] };
+        for (int i = 0; i < values.Length; i++)
         {
-            double sum = (double)_sums[(int)kind]![(pixel * values.Length) + channel] / Units;
-            values[channel] = count > 0 ? sum / count : kind == Aov.Depth ? double.PositiveInfinity : 0;
+            values[i] = count > 0 ? (double)sums[(pixel * values.Length) + i] / Units / count : image.Nothing;
         }
     }
 }

@@ -12,6 +12,7 @@ internal sealed unsafe class FirstHits
     private readonly PathStream _rays;
     private readonly GroupMembers _members;
     private readonly PinnedBuffer<int> _hits;
+    private readonly long[] _costs;
     private AovFilm _film = null!;
     private Tile _tile;
     private SampleRange _samples;
@@ -23,6 +24,7 @@ internal sealed unsafe class FirstHits
         _generator = new(scene, maxTilePixels);
         _members = new(scene, streamSize);
         _hits = new(scene.World.RoomForHits(streamSize));
+        _costs = new long[_rays.Capacity];
     }
 
     /// <summary>Adds some samples of every pixel of a tile.</summary>
@@ -42,25 +44,25 @@ internal sealed unsafe class FirstHits
                 return;
             }
 
-            if (film.Has(Aov.BvhCost))
+            if (film.Needs.HasFlag(FirstHitParts.Cost))
             {
-                AddCosts();
+                FindCosts();
             }
 
             _scene.World.ClosestHit(_rays, _hits.Pointer);
             AddRays();
-            if (film.NeedsSurfaces)
+            if (film.Needs.HasFlag(FirstHitParts.Surface))
             {
                 AddSurfaces();
             }
         }
     }
 
-    private void AddCosts()
+    private void FindCosts()
     {
         for (int i = 0; i < _rays.Count; i++)
         {
-            _film.AddCost(PixelOf(i, out _), _scene.World.Cost(_rays.Ray(i), _scene.IsTimed ? _rays.Time[i] : 0));
+            _costs[i] = _scene.World.Cost(_rays.Ray(i), _scene.IsTimed ? _rays.Time[i] : 0);
         }
     }
 
@@ -68,8 +70,9 @@ internal sealed unsafe class FirstHits
     {
         for (int i = 0; i < _rays.Count; i++)
         {
-            uint primitive = _rays.Primitive[i];
-            _film.AddRay(PixelOf(i, out uint sample), sample, primitive == _scene.World.Count ? null : primitive, _rays.Distance[i]);
+            FirstHit hit = Hit(i, out long pixel);
+            _film.Count(pixel, hit.Primitive > 0);
+            _film.Add(pixel, hit, isDescribed: false);
         }
     }
 
@@ -88,28 +91,38 @@ internal sealed unsafe class FirstHits
 
     private void AddPacket(ShadingGroup group, uint* index, int count)
     {
-        SurfaceShader.Describe(_scene, group, _rays, index, group.UsesUv || _film.Has(Aov.Uv), out SurfaceW surface);
+        bool usesUv = group.Traits.UsesUv || _film.Needs.HasFlag(FirstHitParts.Uv);
+        SurfaceShader.Describe(_scene, group, _rays, index, usesUv, out SurfaceW surface);
         group.Material.Albedo(surface, out RgbW albedo);
         for (int lane = 0; lane < count; lane++)
         {
-            long pixel = PixelOf((int)index[lane], out _);
-            _film.Add(Aov.Normal, pixel, 0, surface.Facing.X[lane]);
-            _film.Add(Aov.Normal, pixel, 1, surface.Facing.Y[lane]);
-            _film.Add(Aov.Normal, pixel, 2, surface.Facing.Z[lane]);
-            _film.Add(Aov.Albedo, pixel, 0, albedo.R[lane]);
-            _film.Add(Aov.Albedo, pixel, 1, albedo.G[lane]);
-            _film.Add(Aov.Albedo, pixel, 2, albedo.B[lane]);
-            _film.Add(Aov.Uv, pixel, 0, surface.U[lane]);
-            _film.Add(Aov.Uv, pixel, 1, surface.V[lane]);
+            FirstHit hit = Hit((int)index[lane], out long pixel) with
+            {
+                Point = At(surface.Point, lane),
+                Normal = At(surface.Facing, lane),
+                Albedo = new(albedo.R[lane], albedo.G[lane], albedo.B[lane]),
+                Uv = new(surface.U[lane], surface.V[lane]),
+            };
+            _film.Add(pixel, hit, isDescribed: true);
         }
     }
 
-    // The pixel's number in the picture.
-    private long PixelOf(int ray, out uint sample)
+    private static Vector3 At(in Vec3W v, int lane) => new(v.X[lane], v.Y[lane], v.Z[lane]);
+
+    // What a ray meets, but for the surface; and the number of its pixel in the picture.
+    private FirstHit Hit(int ray, out long pixel)
     {
         int path = (int)_rays.Path[ray];
-        sample = (uint)(_samples.First + (path % _samples.Count));
         (int x, int y) = _tile.Pixel(path / _samples.Count);
-        return ((long)y * _film.Width) + x;
+        pixel = ((long)y * _film.Width) + x;
+        uint primitive = _rays.Primitive[ray];
+        return new()
+        {
+            Sample = (uint)(_samples.First + (path % _samples.Count)),
+            Primitive = primitive == _scene.World.Count ? 0 : primitive + 1,
+            Distance = _rays.Distance[ray],
+            Direction = new(_rays.DirectionX[ray], _rays.DirectionY[ray], _rays.DirectionZ[ray]),
+            Cost = _costs[ray],
+        };
     }
 }

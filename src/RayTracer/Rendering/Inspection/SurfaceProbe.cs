@@ -55,7 +55,7 @@ public sealed unsafe class SurfaceProbe
         uint* index = stackalloc uint[FloatW.Count];
         new Span<uint>(index, FloatW.Count).Clear();
         ShadingGroup group = _scene.Groups[_scene.GroupOfPrimitive[name.Primitive]];
-        SurfaceShader.Describe(_scene, group, _rays, index, group.UsesUv, out SurfaceW surface);
+        SurfaceShader.Describe(_scene, group, _rays, index, group.Traits.UsesUv, out SurfaceW surface);
         return new(
             name, _rays.Distance[0], new(surface.Point.X[0], surface.Point.Y[0], surface.Point.Z[0]), new(surface.Facing.X[0], surface.Facing.Y[0], surface.Facing.Z[0]));
     }

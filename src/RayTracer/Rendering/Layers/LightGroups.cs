@@ -13,7 +13,7 @@ internal sealed class LightGroups
     public LightGroups(Scene scene)
     {
         _groupOfLight = [.. scene.Lights.Select(l => Number(l.Label?.Text ?? Unnamed))];
-        if (_names.Count == 0 && Array.Exists(scene.Groups, g => g.Emits))
+        if (_names.Count == 0 && Array.Exists(scene.Groups, g => g.Traits.Emits))
         {
             Number(Unnamed);
         }

@@ -131,6 +131,17 @@ export interface SchemaAnswer {
   sections: Record<string, RecordType>;
   refractiveIndices: { name: string; value: number }[];
   colors: Record<string, string>;
+  maps: ViewMap[];
+}
+
+/** One of the things that the view can show of the picture: its light, or an auxiliary image. */
+export interface ViewMap {
+  name: string;
+  isLight: boolean;
+  title: string;
+  why: string;
+  /** The colours of its legend from left to right: red, green and blue from 0 to 1. */
+  scale: Vec3[];
 }
 
 export interface ValueAnswer {

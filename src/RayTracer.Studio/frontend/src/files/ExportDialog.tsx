@@ -2,7 +2,7 @@ import { useEffect, useState } from "preact/hooks";
 import { get } from "../api/client";
 import type { PictureFormat } from "../api/types";
 import { attempt } from "../state/messages";
-import { dialog } from "../state/store";
+import { dialog, maps } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { DialogBox } from "../ui/DialogBox";
@@ -12,7 +12,6 @@ import { SaveAsDialog } from "./FileDialogs";
 import { nameOf, withExtension } from "./paths";
 
 const t = texts.dialogs;
-const layerNames = ["depth", "normal", "albedo", "uv", "primitive", "bvhCost", "samples"];
 
 /** How to write the picture, then where. */
 export function ExportDialog() {
@@ -55,10 +54,10 @@ export function ExportDialog() {
       {about?.hasLayers && (
         <fieldset>
           <legend>{t.layers}</legend>
-          {layerNames.map((layer) => (
-            <label class="check" key={layer}>
-              <input type="checkbox" checked={layers.includes(layer)} onChange={(e) => toggle(layer, e.currentTarget.checked)} />
-              {texts.maps[layer]?.[0] ?? layer}
+          {maps.value.filter((map) => !map.isLight).map(({ name, title }) => (
+            <label class="check" key={name}>
+              <input type="checkbox" checked={layers.includes(name)} onChange={(e) => toggle(name, e.currentTarget.checked)} />
+              {title}
             </label>
           ))}
         </fieldset>

@@ -1,16 +1,19 @@
-import { map } from "../state/store";
+import type { Vec3 } from "../api/types";
+import { map, maps } from "../state/store";
 import { texts } from "../texts";
 import { showMap } from "../viewport/ViewportBar";
 
+const css = (color: Vec3) => `rgb(${color.map((c) => Math.round(255 * c)).join(" ")})`;
+const gradient = (scale: Vec3[]) => `linear-gradient(90deg, ${scale.map(css).join(", ")})`;
+
 /** What the picture can show instead of the light, and what that tells. */
 export function HeatMaps() {
-  const choices = Object.entries(texts.maps);
   return (
     <div class="maps" role="radiogroup" aria-label={texts.heat.label}>
-      {choices.map(([name, [title, why]]) => (
+      {maps.value.map(({ name, title, why, scale }) => (
         <label class={map.value === name ? "chosen" : ""} key={name}>
           <input type="radio" name="map" value={name} checked={map.value === name} onChange={() => showMap(name)} />
-          <span class={`scale ${name}`} aria-hidden="true" />
+          <span class="scale" style={{ background: gradient(scale) }} aria-hidden="true" />
           <strong>{title}</strong>
           <span class="quiet">{why}</span>
         </label>

@@ -30,6 +30,7 @@ export const recoveries = slice((s) => s.recovery);
 export const jobs = slice((s) => s.jobs);
 export const selection = computed(() => studio.value?.selection ?? null);
 export const revision = computed(() => studio.value?.document.revision ?? -1);
+export const maps = computed(() => schema.value?.maps ?? []);
 export const map = computed(() => studio.value?.render.map ?? "light");
 
 /** Whether this is a fresh Studio: its scene is the one that every Studio starts with, and nothing was done to it. */

@@ -3,7 +3,7 @@ import { Latest } from "../api/latest";
 import { format } from "../json/numbers";
 import { commandButton, type CommandId } from "../state/commands";
 import { attempt, complain } from "../state/messages";
-import { compared, renderState, snapshots, tool, toneState, type Tool } from "../state/store";
+import { compared, maps, renderState, snapshots, tool, toneState, type Tool } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
@@ -23,6 +23,7 @@ const tone = new Latest<object>((change) => post("view/tone", change), complain,
 export function ViewportBar() {
   const now = toneState.value;
   const map = renderState.value?.map ?? "light";
+  const choices = maps.value.map(({ name, title }) => ({ value: name, label: title }));
   const kept = snapshots.value ?? [];
   const keptChoices = [{ value: "", label: t.noCompare }, ...kept.map((s) => ({ value: String(s.id), label: s.label }))];
   return (
@@ -35,7 +36,7 @@ export function ViewportBar() {
         <Button {...commandButton("fit")} />
         <Button {...commandButton("actualSize")} />
       </div>
-      <Select label={t.map} tip={t.mapWhy} value={map} choices={Object.entries(texts.maps).map(([value, [label]]) => ({ value, label }))} onChange={showMap} />
+      <Select label={t.map} tip={t.mapWhy} value={map} choices={choices} onChange={showMap} />
       {now && (
         <>
           <div class="pair" data-tip={t.exposureWhy}>

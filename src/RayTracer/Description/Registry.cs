@@ -1,0 +1,28 @@
+using System.Collections.Immutable;
+
+namespace RayTracer.Description;
+
+/// <summary>The things of one kind that are known by name, whatever its case: the program's, and those of other assemblies.</summary>
+/// <param name="kind">The kind's name, for messages.</param>
+/// <param name="names">Returns all names of a thing, by any of which it is found.</param>
+/// <param name="builtIn">The program's things.</param>
+public sealed class Registry<T>(string kind, Func<T, IEnumerable<string>> names, params ReadOnlySpan<T> builtIn)
+    where T : class
+{
+    private ImmutableList<T> _all = [.. builtIn];
+
+    /// <summary>The things: the program's, then others in the order in which they were added.</summary>
+    public IReadOnlyList<T> All => _all;
+
+    /// <summary>Returns the thing of a name; null where there is none.</summary>
+    public T? Find(string name) => _all.Find(thing => names(thing).Contains(name, StringComparer.OrdinalIgnoreCase));
+
+    /// <summary>Adds a thing.</summary>
+    /// <exception cref="ArgumentException">One of its names is taken.</exception>
+    public void Add(T thing) => ImmutableInterlocked.Update(ref _all, all =>
+    {
+        string? taken = names(thing).FirstOrDefault(name => Find(name) is not null);
+        return taken is null ? all.Add(thing)
+            : throw new ArgumentException($"There is another {kind} \"{taken}\": {thing.GetType()} needs another name.", nameof(thing));
+    });
+}

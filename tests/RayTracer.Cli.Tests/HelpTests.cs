@@ -1,0 +1,116 @@
+using System.Text.RegularExpressions;
+using RayTracer.Cli;
+
+namespace RayTracer.Cli.Tests;
+
+/// <summary>What is made from the commands: shell completion and the manual page.</summary>
+public class HelpTests
+{
+    private static readonly IReadOnlyList<VerbHelp> s_verbs = CommandLine.Help(new(TextWriter.Null, TextWriter.Null));
+
+    [Theory]
+    [InlineData("bash")]
+    [InlineData("zsh")]
+    [InlineData("fish")]
+    [InlineData("pwsh")]
+    public void A_shell_gets_every_verb_and_option(string shell)
+    {
+        CliRun run = CliRun.Of("completion", shell);
+        Assert.Equal((0, ""), (run.Status, run.Error));
+        foreach (VerbHelp verb in s_verbs)
+        {
+            string[] lines = [.. run.Output.Split('\n').Where(l => Regex.IsMatch(l, $@"\b{verb.Name.Split(' ')[^1]}\b", RegexOptions.None, TimeSpan.FromSeconds(10)))];
+            Assert.NotEmpty(lines);
+            Assert.All(verb.Options.SelectMany(o => o.Names), name => Assert.Contains(shell == "fish" ? $" -{(name[1] == '-' ? "l " + name[2..] : "s " + name[1..])} " : name, run.Output + " ", StringComparison.Ordinal));
+        }
+
+        Assert.DoesNotContain("\r", run.Output, StringComparison.Ordinal);
+    }
+
+    [ProgramFact("bash")]
+    public void Bash_completes()
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder["c.bash"], CliRun.Of("completion", "bash").Output);
+        string script = $$"""
+            source '{{folder["c.bash"]}}'
+            t() { COMP_WORDS=(raytracer "$@"); COMP_CWORD=$#; COMPREPLY=(); _raytracer; echo "${COMPREPLY[*]}"; }
+            t ren; t render --integ; t render --integrator vol; t render -o ''; t completion p; t check --format s
+            t cluster ''; t cluster slurm --pa; t cluster slurm --tonemap re; t render --frames ''; t reproduce ''
+            t render --tonemap = a; t render --chroma =
+            """;
+        string[] words = ["render", "--integrator", "volpath", "", "pwsh", "sarif", "slurm", "--partition", "reinhard", "", "report complexity", "aces agx", "full half"];
+        Assert.Equal((0, string.Concat(words.Select(w => w + "\n"))), ProgramFactAttribute.Run("bash", "-c", script));
+    }
+
+    [ProgramFact("fish")]
+    public void Fish_completes()
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder["c.fish"], CliRun.Of("completion", "fish").Output);
+        string script = $$"""
+            source '{{folder["c.fish"]}}'
+            for line in 'cluster ' 'cluster slurm --pa' 'render --tonemap=ag' 'reproduce '
+                complete -C "raytracer $line" | string replace -r '\t.*' ''
+            end
+            true
+            """;
+        Assert.Equal((0, "slurm\n--partition\n--tonemap=agx\ncomplexity\nreport\n"), ProgramFactAttribute.Run("fish", "--no-config", "-c", script));
+    }
+
+    [Fact]
+    public void Only_words_that_can_be_typed_are_offered()
+    {
+        IEnumerable<string> words = s_verbs.SelectMany(v => v.Choices.Concat(v.Options.SelectMany(o => o.Choices)));
+        Assert.All(words, w => Assert.DoesNotContain(w, char.IsAsciiLetterUpper));
+        Assert.Contains(s_verbs, v => v is { Name: "cluster slurm", Options.Count: > 10 });
+        Assert.Contains("--tonemap=[", CliRun.Of("completion", "zsh").Output, StringComparison.Ordinal);
+    }
+
+    [ProgramFact("zsh")]
+    public void Zsh_reads_its_script() => IsRead("zsh", "-n");
+
+    [ProgramFact("fish")]
+    public void Fish_reads_its_script() => IsRead("fish", "-n");
+
+    [Fact]
+    public void A_shell_that_is_not_known_is_refused()
+    {
+        CliRun run = CliRun.Of("completion", "bsh");
+        Assert.Equal((2, ""), (run.Status, run.Output));
+        Assert.Contains("unknown shell \"bsh\" (did you mean \"bash\"?), expected one of bash, zsh, fish, pwsh", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void The_manual_page_has_every_verb_and_option()
+    {
+        string page = CliRun.Of("man").Output;
+        Assert.StartsWith(".TH RAYTRACER 1 ", page, StringComparison.Ordinal);
+        Assert.All(s_verbs, verb => Assert.Contains($"\n.SS {verb.Name}\n", page, StringComparison.Ordinal));
+        Assert.All(s_verbs.SelectMany(v => v.Options).SelectMany(o => o.Names), name => Assert.Contains($"\\fB{name.Replace("-", "\\-", StringComparison.Ordinal)}\\fR", page, StringComparison.Ordinal));
+        Assert.All(page, c => Assert.InRange(c, '\n', '~'));
+    }
+
+    [ProgramFact("groff")]
+    public void The_manual_page_is_set_without_warnings()
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder["raytracer.1"], CliRun.Of("man").Output);
+        (int status, string output) = ProgramFactAttribute.Run("groff", "-man", "-ww", "-Tutf8", "-z", folder["raytracer.1"]);
+        Assert.Equal((0, ""), (status, output));
+    }
+
+    [Fact]
+    public void The_version_has_the_commit_of_the_sources()
+    {
+        CliRun run = CliRun.Of("--version");
+        Assert.Matches(@"^raytracer \d+\.\d+\.\d+ \((commit [0-9a-f]{12}, )?\d+ lanes\)\s*$", run.Output);
+    }
+
+    private static void IsRead(string shell, string check)
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder["script"], CliRun.Of("completion", shell).Output);
+        Assert.Equal((0, ""), ProgramFactAttribute.Run(shell, check, folder["script"]));
+    }
+}

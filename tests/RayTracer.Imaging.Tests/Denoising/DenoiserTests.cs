@@ -1,0 +1,134 @@
+using RayTracer.Imaging;
+using RayTracer.Numerics;
+using RayTracer.Rendering;
+using RayTracer.Testing;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging.Tests;
+
+public class DenoiserTests
+{
+    [Fact]
+    public void Noise_becomes_a_fraction_of_what_it_was_and_edges_stay()
+    {
+        // The scene of the report: textured floor, glass, mirrors. Against a converged reference.
+        int size = TestSettings.Scale(96, 200);
+        Scene noisy = Report(size, 16, 1);
+        HalfRender[] halves = Halves(noisy);
+        Film raw = new(size, size);
+        raw.Merge(halves[0].Film);
+        raw.Merge(halves[1].Film);
+        Film reference = new RTracer(Report(size, TestSettings.Scale(400, 1600), 2)).Render().Film;
+        Picture denoised = Denoiser.Denoise(halves[0], halves[1]);
+        double before = Error(raw, reference);
+        double after = Error(denoised, reference);
+        Assert.InRange(after / before, 0, 0.6);
+        Assert.Equal(Mean(raw), Mean(denoised), 0.01 * Mean(raw));
+    }
+
+    [Fact]
+    public void Two_halves_make_the_film_of_one_go_to_the_bit()
+    {
+        Scene scene = TestScenes.BuildEverything();
+        HalfRender[] halves = Halves(scene);
+        Film merged = new(scene.Render.Width, scene.Render.Height);
+        merged.Merge(halves[1].Film);
+        merged.Merge(halves[0].Film);
+        Assert.Equal(new RTracer(scene).Render().Film.ComputeHash(), merged.ComputeHash());
+    }
+
+    [Fact]
+    public void What_has_no_noise_is_unchanged_to_the_bit()
+    {
+        Scene scene = TestScenes.Build("""
+            { "background": [0.3, 0.7, 0.123], "render": { "width": 37, "height": 21, "samplesPerPixel": 6 }, "shapes": [{ "type": "sphere", "center": [0, 0, 99] }] }
+            """);
+        HalfRender[] halves = Halves(scene);
+        Picture denoised = Denoiser.Denoise(halves[0], halves[1]);
+        for (int i = 0; i < denoised.Pixels.Length; i++)
+        {
+            Assert.Equal(halves[0].Film.Mean(0, 0) is var c ? (i % 3) switch { 0 => c.R, 1 => c.G, _ => c.B } : 0, denoised.Pixels[i]);
+        }
+    }
+
+    [Fact]
+    public void Threads_change_no_bit()
+    {
+        HalfRender[] halves = Halves(TestScenes.BuildEverything());
+        float[] one = Denoiser.Denoise(halves[0], halves[1], 1).Pixels;
+        Assert.All(one, p => Assert.True(float.IsFinite(p)));
+        Assert.Equal(one, Denoiser.Denoise(halves[0], halves[1], 2).Pixels);
+        Assert.Equal(one, Denoiser.Denoise(halves[0], halves[1], 7).Pixels);
+    }
+
+    [Fact]
+    public void A_crop_is_denoised_and_the_rest_stays_black()
+    {
+        Scene scene = TestScenes.BuildEverything();
+        HalfRender[] halves = Halves(scene, new(10, 5, 20, 15));
+        Picture denoised = Denoiser.Denoise(halves[0], halves[1]);
+        for (int y = 0; y < denoised.Height; y++)
+        {
+            for (int x = 0; x < denoised.Width; x++)
+            {
+                float green = denoised.Pixels[(3 * ((y * denoised.Width) + x)) + 1];
+                Assert.Equal(x is >= 10 and < 30 && y is >= 5 and < 20, green > 0);
+            }
+        }
+    }
+
+    [Fact]
+    public void Halves_of_different_sizes_are_refused() =>
+        Assert.Throws<ArgumentException>(() => Denoiser.Denoise(HalfRender.Create(4, 3), HalfRender.Create(4, 4)));
+
+    private static Scene Report(int size, int samples, long seed) => SceneRuns.Load(ProjectFolder.PathOf("scenes", "report", "scene1.json"), d => d with
+    {
+        Render = d.Render with { Width = size, Height = size, SamplesPerPixel = samples, Seed = seed + (100L * TestSettings.Seed) },
+    });
+
+    private static HalfRender[] Halves(Scene scene, Tile? crop = null)
+    {
+        (int width, int height, int count) = (scene.Render.Width, scene.Render.Height, scene.Render.SamplesPerPixel);
+        SampleRange[] ranges = [new(0, count / 2), new(count / 2, count)];
+        return [.. ranges.Select(range =>
+        {
+            HalfRender half = HalfRender.Create(width, height);
+            RenderOptions options = new() { Samples = range, Crop = crop };
+            new RTracer(scene, options).Render(half.Film);
+            new FirstHitPass(scene, options).Render(half.Features);
+            return half;
+        })];
+    }
+
+    // Mean squared error relative to the reference's brightness.
+    private static double Error(IImageRows image, Film reference)
+    {
+        float[] row = new float[3 * reference.Width];
+        double sum = 0;
+        for (int y = 0; y < reference.Height; y++)
+        {
+            image.ReadRow(y, row);
+            for (int x = 0; x < reference.Width; x++)
+            {
+                Rgb r = reference.Mean(x, y);
+                Rgb d = new(row[3 * x] - r.R, row[(3 * x) + 1] - r.G, row[(3 * x) + 2] - r.B);
+                sum += ((d.R * d.R) + (d.G * d.G) + (d.B * d.B)) / (0.01 + (r.Luminance * r.Luminance));
+            }
+        }
+
+        return sum / (reference.Width * reference.Height);
+    }
+
+    private static double Mean(IImageRows image)
+    {
+        float[] row = new float[3 * image.Width];
+        double sum = 0;
+        for (int y = 0; y < image.Height; y++)
+        {
+            image.ReadRow(y, row);
+            sum += row.Sum(v => (double)v);
+        }
+
+        return sum / (3.0 * image.Width * image.Height);
+    }
+}

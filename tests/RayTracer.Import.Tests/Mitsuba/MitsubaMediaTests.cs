@@ -1,0 +1,61 @@
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Media;
+using RayTracer.Shapes;
+
+namespace RayTracer.Import.Tests;
+
+/// <summary>What is inside of shapes, and around cameras.</summary>
+public class MitsubaMediaTests
+{
+    private const string Fog = """<medium type="homogeneous" name="interior"><rgb name="sigma_t" value="1 2 3"/><float name="scale" value="2"/><rgb name="albedo" value="0.5 0.6 0.7"/></medium>""";
+
+    [Theory]
+    [InlineData("""<bsdf type="null"/>""")]
+    [InlineData("""<bsdf type="dielectric"/>""")]
+    [InlineData("""<bsdf type="roughdielectric"/>""")]
+    [InlineData("""<bsdf type="thindielectric"/>""")]
+    [InlineData("""<bsdf type="principled"><float name="spec_trans" value="1"/></bsdf>""")]
+    [InlineData("""<bsdf type="mask"><float name="opacity" value="0.5"/><bsdf type="diffuse"/></bsdf>""")]
+    [InlineData("""<bsdf type="blendbsdf"><float name="weight" value="0.5"/><bsdf type="diffuse"/><bsdf type="dielectric"/></bsdf>""")]
+    public void Shapes_that_let_light_in_are_filled(string bsdf)
+    {
+        MediumDescription interior = Of(Assert.Single(TestScene.Of($"""<shape type="sphere">{bsdf}{Fog}</shape>""").Shapes));
+        Assert.Equal(new(2, 4, 6), interior.Extinction);
+        Assert.Equal(new(0.5f, 0.6f, 0.7f), interior.Albedo);
+    }
+
+    [Theory]
+    [InlineData("""<shape type="sphere"><bsdf type="diffuse"/>FOG</shape>""", "nothing is seen of a medium in a shape that lets no light in")]
+    [InlineData("""<shape type="sphere"><bsdf type="null"/>EXTERIOR</shape>""", "what is outside a shape is told here by the shapes around it: this has no effect")]
+    public void Media_without_effect_are_warned_of(string shape, string warning) =>
+        Assert.Equal(warning, TestScene.Complaint(shape.Replace("FOG", Fog, StringComparison.Ordinal).Replace("EXTERIOR", Fog.Replace("interior", "exterior", StringComparison.Ordinal), StringComparison.Ordinal)));
+
+    [Fact]
+    public void The_medium_of_a_camera_is_told_by_what_is_around_it()
+    {
+        string sensor = TestScene.Sensor.Replace("</sensor>", Fog.Replace("interior", "around", StringComparison.Ordinal) + "</sensor>", StringComparison.Ordinal);
+        Assert.Equal("what the camera stands in is told here by the shapes around it: this has no effect", TestScene.Complaint("", sensor));
+    }
+
+    [Fact]
+    public void A_medium_may_stand_by_itself_and_fill_several_shapes()
+    {
+        string medium = Fog.Replace(" name=\"interior\"", " id=\"fog\"", StringComparison.Ordinal);
+        const string ball = """<shape type="sphere"><bsdf type="null"/><ref id="fog" name="interior"/></shape>""";
+        Assert.All(TestScene.Of(medium + ball + ball).Shapes, s => Assert.Equal(new(2, 4, 6), Of(s).Extinction));
+    }
+
+    private static MediumDescription Of(ShapeDescription shape) => Of(shape.Material);
+
+    private static MediumDescription Of(MaterialDescription material) => material switch
+    {
+        InvisibleMaterialDescription m => m.Interior,
+        GlassDescription m => m.Interior,
+        ThinDielectricMaterialDescription m => m.Interior,
+        PrincipledMaterialDescription m => m.Interior,
+        MaskMaterialDescription m => m.Interior,
+        MixMaterialDescription m => Of(m.Second),
+        _ => new(),
+    };
+}

@@ -1,0 +1,175 @@
+using RayTracer.Imaging;
+using RayTracer.Jobs;
+using RayTracer.Rendering;
+using RayTracer.Session;
+
+namespace RayTracer.Session.Tests;
+
+/// <summary>Films and images of the program are opened as they were rendered, gone on with, and written.</summary>
+public sealed class FilmTests
+{
+    private const string Scene = """
+        {
+          "camera": { "position": [0, 1.6, 5], "lookAt": [0, 0.9, 0] }, // from the front
+          "render": { "width": 24, "height": 16, "samplesPerPixel": 8 },
+          "background": [0.52, 0.7, 0.95],
+          "shapes": [{ "type": "sphere", "name": "ball", "center": [0, 1, 0], "radius": 1 }],
+          "lights": [{ "type": "sphere", "center": [2.5, 4, 2.5], "radius": 0.5, "material": { "type": "luminaire", "multiplier": 30 } }],
+        }
+        """;
+
+    [Fact]
+    public async Task A_film_is_gone_on_with_to_the_bits_of_one_render()
+    {
+        using TestSession test = new();
+        string scene = await Written(test);
+        await OpenFile(test, scene);
+        await test.Done();
+        string whole = await test.FilmHash();
+        string part = await Film(test, "part.rtfilm", stopAt: 3);
+        await OpenFile(test, part);
+        Assert.Equal((scene, false), (test.Session.Document.Place.Path, test.Session.Document.IsDirty));
+        await test.Done();
+        Assert.Equal(whole, await test.FilmHash());
+
+        // More samples than were asked for at first, too.
+        test.Session.View.Change(s => s with { Samples = 11 });
+        string more = Rendered(scene, 11);
+        Assert.Equal(more, await test.FilmHash());
+        string saved = Path.Combine(test.Folder, "saved.rtfilm");
+        await Save(test, saved);
+        (FilmHeader header, Film film) = FilmFile.Read(saved);
+        Assert.Equal((more, scene, "0..10", 11), (film.ComputeHash(), header.Scene, header.SamplesText, header.Total));
+        Assert.Equal(FilmFile.ReadHeader(part).Content, header.Content);
+    }
+
+    [Fact]
+    public async Task An_image_that_carries_its_film_is_gone_on_with_as_that_film()
+    {
+        using TestSession test = new();
+        string scene = await Written(test);
+        await OpenFile(test, scene);
+        await test.Done();
+        string whole = await test.FilmHash();
+        (FilmHeader header, Film film) = FilmFile.Read(await Film(test, "part.rtfilm", stopAt: 3));
+        string image = Path.Combine(test.Folder, "part.exr");
+        FilmExr.Write(image, film, header, new());
+        FilmStart? begun = null;
+        test.Session.Files.Opened += (_, start) => begun = start;
+        await OpenFile(test, image);
+        Assert.Equal("0..2", begun?.Header.SamplesText);
+        await test.Done();
+        Assert.Equal(whole, await test.FilmHash());
+    }
+
+    [Fact]
+    public async Task A_share_of_the_samples_is_gone_on_with_as_a_share()
+    {
+        using TestSession test = new();
+        string scene = await Written(test);
+        await OpenFile(test, scene);
+        await test.Done();
+        ShownScene shown = test.Session.View.RequireShown();
+        Film film = new(24, 16);
+        new RTracer(shown.Scene, new() { Samples = new(2, 4) }).Render(film, null, default);
+        await Save(test, Path.Combine(test.Folder, "whole.rtfilm"));
+        FilmHeader header = FilmFile.ReadHeader(Path.Combine(test.Folder, "whole.rtfilm")) with { Samples = [new(2, 4)], Wanted = new(2, 6) };
+        string share = Path.Combine(test.Folder, "share.rtfilm");
+        FilmFile.Write(share, film, header);
+        await OpenFile(test, share);
+        await test.Until(() => test.Session.View.Loop.Status is { Status: "done", SamplesTotal: 6 } done ? done : null);
+        await Save(test, Path.Combine(test.Folder, "rest.rtfilm"));
+        new RTracer(shown.Scene, new() { Samples = new(4, 6) }).Render(film, null, default);
+        (FilmHeader written, Film result) = FilmFile.Read(Path.Combine(test.Folder, "rest.rtfilm"));
+        Assert.Equal((film.ComputeHash(), "2..5", header.Wanted), (result.ComputeHash(), written.SamplesText, written.Wanted));
+    }
+
+    [Fact]
+    public async Task Options_that_replaced_what_the_scene_says_are_put_into_its_text()
+    {
+        using TestSession test = new();
+        string scene = await Written(test);
+        string image = Path.Combine(test.Folder, "image.png");
+        KeyValuePair<string, string>[] texts = [new("Command", $"raytracer render {scene} -o image.png --width=12 --denoise --height 8 --spp 4 --crop 1,2,3,4 --integrator path")];
+        ImageFile.Write(image, new Film(12, 8), new() { Metadata = texts });
+        await OpenFile(test, image);
+        await test.Done();
+        RenderStatus status = test.Session.View.Loop.Status;
+        Assert.Equal((12, 8, 4, new Tile(1, 2, 3, 4)), (status.Width, status.Height, status.SamplesTotal, status.Region!.Value));
+        Assert.Null(test.Session.Document.Place.Path);
+        Assert.Contains("// from the front", test.Session.Document.Text, StringComparison.Ordinal);
+        Assert.Contains("\"integrator\": \"path\"", test.Session.Document.Text, StringComparison.Ordinal);
+
+        // The text is in no file: it is written beside the film.
+        string film = Path.Combine(test.Folder, "cropped.rtfilm");
+        await Save(test, film);
+        Assert.Equal(Path.Combine(test.Folder, "cropped.json"), FilmFile.ReadHeader(film).Scene);
+        Assert.Equal(test.Session.Document.Text, await File.ReadAllTextAsync(Path.Combine(test.Folder, "cropped.json")));
+        await OpenFile(test, scene);
+        await test.Done();
+        Assert.Equal((8, (Tile?)null), (test.Session.View.Loop.Status.SamplesTotal, test.Session.View.Loop.Status.Region));
+    }
+
+    [Fact]
+    public async Task A_film_of_another_scene_is_not_gone_on_with()
+    {
+        using TestSession test = new();
+        string scene = await Written(test);
+        await OpenFile(test, scene);
+        string film = await Film(test, "old.rtfilm", stopAt: 3);
+        await File.WriteAllTextAsync(scene, Scene.Replace("\"radius\": 1 ", "\"radius\": 1.1 ", StringComparison.Ordinal));
+        await OpenFile(test, film);
+        await test.Done();
+        Assert.Contains("The film is not of scene.json", test.Session.Notices.Newest!.Text, StringComparison.Ordinal);
+        string anew = Rendered(scene, 8);
+        Assert.Equal(anew, await test.FilmHash());
+        File.Delete(scene);
+        Assert.Contains("neither at", Assert.Throws<DocumentException>(() => test.Session.Files.Open(film, discard: true)).Message, StringComparison.Ordinal);
+        string image = Path.Combine(test.Folder, "other.png");
+        ImageFile.Write(image, new Film(2, 2));
+        Assert.Contains("does not say which scene", Assert.Throws<JobException>(() => test.Session.Files.Open(image)).Message, StringComparison.Ordinal);
+        await File.WriteAllTextAsync(film, "no film");
+        Assert.Throws<DocumentException>(() => test.Session.Files.Open(film));
+    }
+
+    private static async Task<string> Written(TestSession test)
+    {
+        string scene = Path.Combine(test.Folder, "scene.json");
+        await File.WriteAllTextAsync(scene, Scene);
+        return scene;
+    }
+
+    private static async Task OpenFile(TestSession test, string path)
+    {
+        test.Session.Files.Open(path);
+        await test.Session.Document.WhenBuilt();
+        await test.Until(() => test.Session.View.Shown is { } shown && shown.Good.Revision == test.Session.Document.Revision ? shown : null);
+    }
+
+    // A film of some of the samples, of the scene that is open.
+    private static async Task<string> Film(TestSession test, string name, int stopAt)
+    {
+        string path = Path.Combine(test.Folder, name);
+        test.Session.View.Change(s => s with { Samples = stopAt }, anew: true);
+        await test.Until(() => test.Session.View.Loop.Status is { Status: "done" } done && done.SamplesTotal == stopAt ? done : null);
+        await Save(test, path);
+        (FilmHeader header, Film film) = FilmFile.Read(path);
+        FilmFile.Write(path, film, header with { Total = 8, Wanted = new(0, 8) });
+        test.Session.View.Change(s => s with { Samples = null });
+        return path;
+    }
+
+    private static string Rendered(string scene, int samples)
+    {
+        Scene built = Scenes.SceneLoader.Load(scene, s => s with { Render = s.Render with { SamplesPerPixel = samples } }).Scene!;
+        return new RTracer(built).Render().Film.ComputeHash();
+    }
+
+    private static async Task Save(TestSession test, string path)
+    {
+        int before = test.Session.Notices.Newest?.Id ?? 0;
+        await test.Session.Pictures.Save(path, PictureRequest.Of(null, []), overwrite: false);
+        Notice notice = await test.Until(() => test.Session.Jobs.Running.Count == 0 && test.Session.Notices.Newest is { } newest && newest.Id > before ? newest : null);
+        Assert.Equal("info", notice.Kind);
+    }
+}

@@ -1,0 +1,137 @@
+using RayTracer.Numerics;
+using RayTracer.Rendering;
+using RayTracer.Session;
+
+namespace RayTracer.Session.Tests;
+
+public sealed class PathInspectorTests
+{
+    private const int Size = 60;
+    private const int Samples = 16;
+
+    public static TheoryData<string> Scenes => ["report/scene1.json", "report/scene2.json", "report/scene3.json", "shapes.json"];
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public async Task Contributions_add_up_to_what_the_film_gets(string path)
+    {
+        using TestSession test = new();
+        ShownScene shown = await test.OpenShipped(path, Size, Samples);
+        await test.Done();
+        foreach ((int x, int y) in Pixels())
+        {
+            InspectedPixel pixel = await test.Session.Paths.Inspect(x, y, 0, Samples);
+            Assert.Equal(Samples, pixel.Samples.Count);
+            Int128[] sums = new Int128[3];
+            foreach (InspectedPath traced in pixel.Samples)
+            {
+                AssertAddsUp(traced);
+                AssertIsSample(shown.Scene, x, y, traced);
+                Add(sums, traced.Radiance);
+            }
+
+            // The film's units and its rounding, from the paths alone.
+            Assert.Equal(pixel.Pixel, new Rgb(Mean(sums[0]), Mean(sums[1]), Mean(sums[2])));
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public async Task Throughput_is_the_product_of_the_weights_before(string path)
+    {
+        using TestSession test = new();
+        await test.OpenShipped(path, Size, Samples);
+        foreach ((int x, int y) in Pixels())
+        {
+            foreach (InspectedPath traced in (await Inspect(test, x, y)).Samples)
+            {
+                Rgb throughput = Rgb.White;
+                foreach (InspectedVertex vertex in traced.Vertices)
+                {
+                    Assert.Equal(throughput, vertex.Throughput);
+                    throughput *= vertex.Weight;
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public async Task Events_tell_what_happened()
+    {
+        using TestSession test = new();
+        await test.OpenShipped("report/scene2.json", Size, Samples);
+        HashSet<string> events = [];
+        foreach ((int x, int y) in Pixels())
+        {
+            foreach (InspectedPath traced in (await Inspect(test, x, y)).Samples)
+            {
+                Assert.Equal("camera", traced.Vertices[0].Event);
+                Assert.All(traced.Vertices.Skip(1).SkipLast(1), v => Assert.Contains(v.Event, new[] { "diffuse", "specular" }));
+                Assert.Contains(traced.Vertices[^1].Event, new[] { "emission", "absorbed", "end", "miss" });
+                Assert.All(traced.Vertices.Where(v => v.Event == "diffuse"), v => Assert.True(v.Pdf > 0));
+                Assert.All(traced.Vertices.Where(v => v.Event == "specular"), v => Assert.Null(v.Pdf));
+                events.UnionWith(traced.Vertices.Select(v => v.Event));
+            }
+        }
+
+        Assert.All(new[] { "camera", "diffuse", "specular", "end" }, e => Assert.Contains(e, events));
+    }
+
+    [Fact]
+    public async Task Pixels_and_samples_that_there_are_not_are_refused()
+    {
+        using TestSession test = new();
+        await test.OpenShipped("report/scene1.json", Size, Samples);
+        foreach ((int x, int y, int first) in new[] { (-1, 0, 0), (Size, 0, 0), (0, Size, 0), (0, 0, Samples), (0, 0, -1) })
+        {
+            await Assert.ThrowsAsync<SessionException>(() => test.Session.Paths.Inspect(x, y, first, 1));
+        }
+    }
+
+    private static async Task<InspectedPixel> Inspect(TestSession test, int x, int y)
+    {
+        await test.Until(() => test.Session.View.Loop.Status.Status != "idle" ? test : null);
+        return await test.Session.Paths.Inspect(x, y, 0, Samples);
+    }
+
+    private static IEnumerable<(int X, int Y)> Pixels() =>
+        from y in Enumerable.Range(0, 6)
+        from x in Enumerable.Range(0, 6)
+        select ((x * 10) + 5, (y * 10) + 5);
+
+    private static void AssertAddsUp(InspectedPath path)
+    {
+        double[] sum = new double[3];
+        foreach (InspectedVertex vertex in path.Vertices)
+        {
+            for (int c = 0; c < 3; c++)
+            {
+                sum[c] += vertex.Contribution[c];
+                Assert.Equal(sum[c], (float)sum[c]);
+                Assert.Equal(vertex.Contribution[c], vertex.Parts.Emitted[c] + vertex.Parts.Ambient[c] + vertex.Parts.Direct[c], 1e-12);
+            }
+        }
+
+        Assert.Equal(path.Radiance, new Rgb((float)sum[0], (float)sum[1], (float)sum[2]));
+    }
+
+    private static void AssertIsSample(Scene scene, int x, int y, InspectedPath path)
+    {
+        Film film = new(Size, Size);
+        new RTracer(scene, new() { Threads = 1, Crop = new(x, y, 1, 1), Samples = new(path.Sample, path.Sample + 1) }).Render(film);
+        Int128[] sums = new Int128[3];
+        Add(sums, path.Radiance);
+        Assert.Equal(film.Mean(x, y), new Rgb(Unit(sums[0]), Unit(sums[1]), Unit(sums[2])));
+    }
+
+    private static void Add(Int128[] sums, Rgb radiance)
+    {
+        sums[0] += (Int128)double.Round(radiance.R * 4294967296.0);
+        sums[1] += (Int128)double.Round(radiance.G * 4294967296.0);
+        sums[2] += (Int128)double.Round(radiance.B * 4294967296.0);
+    }
+
+    private static float Unit(Int128 sum) => (float)((double)sum / 4294967296.0);
+
+    private static float Mean(Int128 sum) => (float)((double)sum * (1 / (4294967296.0 * Samples)));
+}

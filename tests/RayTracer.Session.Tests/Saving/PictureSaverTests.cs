@@ -1,0 +1,98 @@
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Session;
+
+namespace RayTracer.Session.Tests;
+
+public sealed class PictureSaverTests
+{
+    [Theory]
+    [InlineData("a.png", 8)]
+    [InlineData("a.png", 16)]
+    [InlineData("a.pfm", 8)]
+    [InlineData("a.exr", 8)]
+    public async Task A_picture_is_written_as_the_command_writes_it(string name, int bitDepth)
+    {
+        using TestSession test = new();
+        ShownScene shown = await test.OpenShipped("report/scene1.json", 40, 4);
+        await test.Done();
+        test.Session.View.Tone = new(0.5f, ToneMap.Reinhard);
+        string path = Path.Combine(test.Folder, name);
+        await Save(test, path, new(bitDepth, []));
+        Film film = new RTracer(shown.Scene).Render().Film;
+        string expected = Path.Combine(test.Folder, "expected" + Path.GetExtension(name));
+        ImageFile.Write(expected, film, new() { BitDepth = bitDepth, Exposure = 0.5f, ToneMap = ToneMap.Reinhard, Metadata = [.. ImageFile.ReadText(path)] });
+        Assert.Equal(await File.ReadAllBytesAsync(expected), await File.ReadAllBytesAsync(path));
+        if (!name.EndsWith(".pfm", StringComparison.Ordinal))
+        {
+            Dictionary<string, string> texts = new(ImageFile.ReadText(path));
+            Assert.Equal(["Command", "FilmHash", "Samples", "Scene", "Software"], texts.Keys.Order());
+            Assert.Equal((film.ComputeHash(), "4"), (texts["FilmHash"], texts["Samples"]));
+        }
+    }
+
+    [Fact]
+    public async Task Layers_go_into_an_exr_and_beside_a_png()
+    {
+        using TestSession test = new();
+        await test.OpenShipped("report/scene1.json", 40, 4);
+        await test.Done();
+        PictureRequest request = PictureRequest.Of(null, ["depth", "samples"]);
+        await Save(test, Path.Combine(test.Folder, "a.png"), request);
+        Assert.True(File.Exists(Path.Combine(test.Folder, "a.depth.png")));
+        byte[] plain = await test.Session.Pictures.Encode(".exr", PictureRequest.Of(null, []), default);
+        byte[] layered = await test.Session.Pictures.Encode(".exr", request, default);
+        Assert.DoesNotContain("depth.Z", System.Text.Encoding.Latin1.GetString(plain), StringComparison.Ordinal);
+        Assert.Contains("depth.Z", System.Text.Encoding.Latin1.GetString(layered), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Files_are_not_replaced_unasked_and_nonsense_is_refused()
+    {
+        using TestSession test = new();
+        await test.OpenShipped("report/scene1.json", 20, 1);
+        await test.Done();
+        string path = Path.Combine(test.Folder, "a.png");
+        await File.WriteAllTextAsync(path, "mine");
+        PictureRequest plain = PictureRequest.Of(null, []);
+        Assert.Equal(SessionFault.Conflict, (await Assert.ThrowsAsync<SessionException>(() => test.Session.Pictures.Save(path, plain, overwrite: false))).Fault);
+        Assert.Equal("mine", await File.ReadAllTextAsync(path));
+        await Assert.ThrowsAsync<ImageWriteException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "a.gif"), plain, false));
+        await Assert.ThrowsAsync<ImageWriteException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "no", "a.png"), plain, false));
+        Assert.Throws<SessionException>(() => PictureRequest.Of(12, []));
+        Assert.Throws<SessionException>(() => PictureRequest.Of(8, ["beauty"]));
+    }
+
+    [Fact]
+    public async Task The_command_says_what_differs_from_the_scene()
+    {
+        using TestSession test = new();
+        await test.OpenShipped("report/scene1.json", 20, 4);
+        Assert.Equal("raytracer render test.json -o test.png", test.Session.Pictures.Command());
+        test.Session.View.Change(s => s with { Samples = 9, Region = new(1, 2, 3, 4) });
+        test.Session.View.Tone = new(-1.5f, ToneMap.Aces);
+        Assert.Equal("raytracer render test.json -o 'a b.exr' --spp 9 --crop 1,2,3,4 --exposure -1.5 --tonemap aces", test.Session.Pictures.Command("a b.exr"));
+    }
+
+    [Fact]
+    public async Task Snapshots_keep_what_was_seen()
+    {
+        using TestSession test = new();
+        await test.OpenShipped("report/scene1.json", 20, 4);
+        await test.Done();
+        Snapshot snapshot = await test.Session.Snapshots.Take();
+        byte[] before = test.Session.Snapshots.Png(snapshot.Id);
+        test.Session.View.Tone = new(3, ToneMap.Clamp);
+        await test.Session.Snapshots.Take();
+        Assert.Equal(before, test.Session.Snapshots.Png(snapshot.Id));
+        Assert.Equal(2, test.Session.Snapshots.All.Count);
+        Assert.Throws<SessionException>(() => test.Session.Snapshots.Png(99));
+    }
+
+    private static async Task Save(TestSession test, string path, PictureRequest request)
+    {
+        await test.Session.Pictures.Save(path, request, overwrite: false);
+        Notice notice = await test.Until(() => test.Session.Jobs.Running.Count == 0 ? test.Session.Notices.Newest : null);
+        Assert.Equal(("info", $"wrote {path}"), (notice.Kind, notice.Text));
+    }
+}

@@ -1,0 +1,170 @@
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Session;
+
+namespace RayTracer.Session.Tests;
+
+public sealed class RenderLoopTests
+{
+    private const string Scene2 = "report/scene2.json";
+
+    [Theory]
+    [InlineData("report/scene1.json", 1)]
+    [InlineData("report/scene2.json", 2)]
+    [InlineData("report/scene3.json", 3)]
+    public async Task The_film_in_the_end_is_that_of_the_command(string path, int threads)
+    {
+        using TestSession test = new();
+        test.Session.View.Change(s => s with { Threads = threads });
+        ShownScene shown = await test.OpenShipped(path, 72, 25);
+        await test.Done();
+        Assert.Equal(HashOf(shown.Scene), await Hash(test));
+    }
+
+    [Fact]
+    public async Task The_film_is_the_same_with_all_its_frames_looked_at_and_all_settings_changed_that_change_no_picture()
+    {
+        using TestSession test = new();
+        ShownScene shown = await test.OpenShipped(Scene2, 96, 64);
+        using CancellationTokenSource end = new();
+        Task watching = Watch(test.Session.View.Frames, end.Token);
+        test.Session.View.Change(s => s with { Map = ViewMap.Named("normal") });
+        test.Session.View.Change(s => s with { Threads = 2, Mode = RenderMode.Paused });
+        test.Session.View.Tone = new(1.5f, ToneMap.Agx);
+        test.Session.View.Change(s => s with { Map = ViewMap.Named("error"), Mode = RenderMode.Running });
+        await test.Done();
+        await end.CancelAsync();
+        await watching;
+        Assert.Equal(HashOf(shown.Scene), await Hash(test));
+    }
+
+    [Theory]
+    [InlineData("sobol", 16)]
+    [InlineData("jittered", 9)]
+    public async Task The_denoised_picture_is_that_of_the_command_in_the_end(string sampler, int samples)
+    {
+        using TestSession test = new();
+        test.Session.View.Change(s => s with { Map = ViewMap.Denoised });
+        string text = File.ReadAllText(ProjectFolder.PathOf("scenes", Scene2));
+        ShownScene shown = await test.Open(JsonText.Of(text).Set("/render/width", 48).Set("/render/height", 40).Set("/render/samplesPerPixel", samples).Set("/render/sampler", sampler).Text);
+        using FrameLease frame = await test.Frame(wanted: info => info.IsLast && info.PictureWidth == 48);
+        HalfRender[] halves = [HalfRender.Create(48, 40), HalfRender.Create(48, 40)];
+        SampleRange[] ranges = [new(0, samples / 2), new(samples / 2, samples)];
+        for (int i = 0; i < 2; i++)
+        {
+            new RTracer(shown.Scene, new() { Samples = ranges[i] }).Render(halves[i].Film);
+            new FirstHitPass(shown.Scene, new() { Samples = ranges[i] }).Render(halves[i].Features);
+        }
+
+        float[] expected = Denoiser.Denoise(halves[0], halves[1]).Pixels;
+        Assert.All(Enumerable.Range(0, 40), y => Assert.Equal(expected.AsSpan(3 * 48 * y, 3 * 48), frame.Picture.Row(y)));
+        Assert.Equal(HashOf(shown.Scene), await Hash(test));
+    }
+
+    [Fact]
+    public async Task More_samples_go_on_with_those_that_there_are()
+    {
+        using TestSession test = new();
+        string text = File.ReadAllText(ProjectFolder.PathOf("scenes", Scene2));
+        ShownScene first = await test.Open(JsonText.Of(text).Set("/render/width", 64).Set("/render/height", 64).Set("/render/samplesPerPixel", 16).Set("/render/sampler", "sobol").Text);
+        await test.Done();
+        test.Session.View.Change(s => s with { Samples = 40 });
+        ShownScene more = test.Session.View.Shown!;
+        Assert.Equal(first.Picture, more.Picture);
+        await test.Done();
+        Assert.Equal(HashOf(more.Scene), await Hash(test));
+    }
+
+    [Fact]
+    public async Task Samplers_that_place_all_samples_together_begin_anew_for_more()
+    {
+        using TestSession test = new();
+        string text = File.ReadAllText(ProjectFolder.PathOf("scenes", Scene2));
+        ShownScene first = await test.Open(JsonText.Of(text).Set("/render/width", 40).Set("/render/height", 40).Set("/render/samplesPerPixel", 4).Set("/render/sampler", "jittered").Text);
+        await test.Done();
+        test.Session.View.Change(s => s with { Samples = 9 });
+        ShownScene more = test.Session.View.Shown!;
+        Assert.NotEqual(first.Picture, more.Picture);
+        await test.Done();
+        Assert.Equal(HashOf(more.Scene), await Hash(test));
+        Assert.Throws<SessionException>(() => test.Session.View.Change(s => s with { Samples = 10 }));
+    }
+
+    [Fact]
+    public async Task A_region_gets_the_samples_that_the_command_gives_it()
+    {
+        using TestSession test = new();
+        ShownScene shown = await test.OpenShipped(Scene2, 64, 9);
+        Tile region = new(10, 20, 30, 17);
+        test.Session.View.Change(s => s with { Region = region });
+        await test.Done();
+        Film film = new(64, 64);
+        new RTracer(shown.Scene, new() { Crop = region }).Render(film);
+        Assert.Equal(film.ComputeHash(), await Hash(test));
+        Assert.Throws<SessionException>(() => test.Session.View.Change(s => s with { Region = new(60, 0, 5, 5) }));
+    }
+
+    [Fact]
+    public async Task A_newer_scene_does_not_wait_for_the_end_of_an_older_one()
+    {
+        using TestSession test = new();
+
+        // Alone, this would take hours; the next picture is done although it never ends.
+        await test.OpenShipped(Scene2, 2000, 1 << 20);
+        ShownScene small = await test.OpenShipped(Scene2, 24, 4);
+        await test.Done();
+        Assert.Equal(HashOf(small.Scene), await Hash(test));
+    }
+
+    [Fact]
+    public async Task What_is_stopped_stays_so_and_what_is_paused_goes_on()
+    {
+        using TestSession test = new();
+        await test.OpenShipped(Scene2, 200, 1 << 20);
+        test.Session.View.Change(s => s with { Mode = RenderMode.Paused });
+        RenderStatus paused = await test.Until(() => test.Session.View.Loop.Status is { Status: "paused" } s ? s : null);
+        test.Session.View.Change(s => s with { Mode = RenderMode.Running });
+        await test.Until(() => test.Session.View.Loop.Status is { Status: "rendering" } s && s.Samples > paused.Samples ? s : null);
+        test.Session.View.Change(s => s with { Mode = RenderMode.Stopped });
+        await test.Until(() => test.Session.View.Loop.Status is { Status: "stopped" } s ? s : null);
+        int samples = await test.Session.View.Loop.Look((_, _, count) => count);
+        Assert.Equal(samples, await test.Session.View.Loop.Look((_, _, count) => count));
+    }
+
+    [Fact]
+    public async Task A_picture_too_large_for_the_memory_is_refused_in_words_and_the_next_one_rendered()
+    {
+        using TestSession test = new();
+        await test.OpenShipped(Scene2, 65536, 1);
+        Notice notice = await test.Until(() => test.Session.Notices.Newest);
+        Assert.Contains("memory", notice.Text, StringComparison.Ordinal);
+        await test.OpenShipped(Scene2, 16, 1);
+        await test.Done();
+    }
+
+    [Fact]
+    public async Task The_error_of_earlier_pictures_shrinks_with_their_samples()
+    {
+        using TestSession test = new();
+        await test.OpenShipped(Scene2, 64, 64);
+        await test.Done();
+        Convergence convergence = await test.Session.View.Loop.Convergence();
+        Assert.Equal([1, 2, 4, 8, 16, 32], convergence.Points.Select(p => p.Samples));
+        Assert.True(convergence.Points.Zip(convergence.Points.Skip(1)).All(p => p.Second.Error < p.First.Error));
+        Assert.InRange(convergence.Slope!.Value, -1.5, -0.3);
+    }
+
+    internal static string HashOf(Scene scene) => new RTracer(scene).Render().Film.ComputeHash();
+
+    private static Task<string> Hash(TestSession test) => test.Session.View.Loop.Look((film, _, _) => film.ComputeHash());
+
+    private static async Task Watch(FrameBoard frames, CancellationToken end)
+    {
+        long version = 0;
+        while (await frames.Wait(version, end))
+        {
+            using FrameLease frame = frames.Borrow()!;
+            version = frame.Version;
+        }
+    }
+}
