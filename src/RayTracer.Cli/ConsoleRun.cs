@@ -83,12 +83,7 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
     public void Read(IReadOnlyList<Diagnostic> diagnostics) => streams.Read(diagnostics);
 
     /// <inheritdoc/>
-    public void End(JobStage stage)
-    {
-        _progress?.Dispose();
-        _progress = null;
-        _stages.End(stage);
-    }
+    public void End(JobStage stage) => _stages.End(stage);
 
     /// <inheritdoc/>
     public IProgress<RenderProgress>? Begin() => _progress =

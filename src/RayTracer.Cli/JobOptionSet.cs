@@ -27,8 +27,8 @@ internal sealed class JobOptionSet
     /// <summary>Whether an option was given.</summary>
     public bool Has(ParseResult result, string name) => Values(result, _options.First(o => o.Option.Name == name).Symbol).Any();
 
-    /// <summary>A job with the values that were given.</summary>
-    public RenderJob Put(ParseResult result, RenderJob job) => _options.Aggregate(job, (all, o) => Values(result, o.Symbol).Aggregate(all, o.Option.Put));
+    /// <summary>A job with the values that were given; options go before settings.</summary>
+    public RenderJob Put(ParseResult result, RenderJob job) => _options.OrderByDescending(o => o.Option.IsRepeated).Aggregate(job, (all, o) => Values(result, o.Symbol).Aggregate(all, o.Option.Put));
 
     /// <summary>The job of no scene with the values that were given.</summary>
     public RenderJob Given(ParseResult result) => Put(result, s_none);

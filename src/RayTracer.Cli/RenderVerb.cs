@@ -1,4 +1,5 @@
 using System.CommandLine;
+using RayTracer.Imaging;
 using RayTracer.Jobs;
 
 namespace RayTracer.Cli;

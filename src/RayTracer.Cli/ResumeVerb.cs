@@ -62,7 +62,7 @@ internal sealed class ResumeVerb
         {
             CheckLayers(file);
         }
-        else if (JobRules.Complaint(job with { Outputs = [] }) is { } complaint)
+        else if (JobRules.Complaint(job with { Outputs = [], Writing = new() }) is { } complaint)
         {
             throw new CommandException(ExitStatus.Usage, complaint);
         }

@@ -86,7 +86,7 @@ internal static class VerifyVerb
     {
         if (claim.IsOld)
         {
-            OldFilms.CheckBits(scene, claim.File);
+            OldFilms.CheckBits(scene, $"'{claim.File}'");
         }
 
         return range is { } samples && samples.End > scene.Render.SamplesPerPixel && !ContentHash.HasPattern(scene.Render)

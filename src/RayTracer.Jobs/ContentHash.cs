@@ -20,7 +20,6 @@ public class ContentHash : IDisposable
 {
     private readonly IncrementalHash _hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
     private readonly Dictionary<object, int> _seen = new(ReferenceEqualityComparer.Instance);
-    private readonly List<string> _changed = [];
     private readonly string _folder;
 
     private protected ContentHash(string folder) => _folder = folder;
@@ -33,6 +32,11 @@ public class ContentHash : IDisposable
     {
         using ContentHash hash = new(Path.GetDirectoryName(path) ?? "");
         hash.Text($"{crop}");
+        foreach (BitVersion version in BitVersions.Of(scene))
+        {
+            hash.Text($"{version.Name} {version.Version}");
+        }
+
         return hash.Of(scene);
     }
 
@@ -42,14 +46,6 @@ public class ContentHash : IDisposable
     /// <param name="crop">The part that is rendered; null for all.</param>
     public static string OfPicture(SceneDescription scene, string path, Tile? crop) =>
         string.Create(CultureInfo.InvariantCulture, $"{Of(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
-
-    /// <summary>The kinds of things in a scene whose bits are others than in the first format of films.</summary>
-    public static IReadOnlyCollection<string> Changed(SceneDescription scene)
-    {
-        using ContentHash hash = new("");
-        hash.Add(scene with { Animation = [] });
-        return hash._changed;
-    }
 
     /// <summary>Whether where a sample lies depends on how many there are.</summary>
     public static bool HasPattern(RenderDescription render) => render.Sampler is SamplerKind.Jittered or SamplerKind.Regular;
@@ -66,18 +62,6 @@ public class ContentHash : IDisposable
     {
         Add(scene with { Animation = [], Render = scene.Render with { SamplesPerPixel = HasPattern(scene.Render) ? scene.Render.SamplesPerPixel : 1 } });
         return Convert.ToHexStringLower(_hash.GetHashAndReset());
-    }
-
-    /// <summary>What stands for a kind of things, a type or a choice, with the version of its bits.</summary>
-    private protected virtual string Name(string kind)
-    {
-        int version = BitVersions.Of(kind);
-        if (version > 1 && !_changed.Contains(kind))
-        {
-            _changed.Add(kind);
-        }
-
-        return version > 1 ? $"{kind} {version}" : kind;
     }
 
     /// <summary>Whether a value counts: one that is as it is without being given has no effect.</summary>
@@ -116,10 +100,7 @@ public class ContentHash : IDisposable
             case IFormattable number and not Enum:
                 Text(number.ToString(null, CultureInfo.InvariantCulture));
                 break;
-            case Enum:
-                Text(Name($"{value}"));
-                break;
-            case bool:
+            case Enum or bool:
                 Text($"{value}");
                 break;
             case IDictionary named:
@@ -190,7 +171,7 @@ public class ContentHash : IDisposable
         }
 
         RecordType type = RecordType.Of(record.GetType());
-        Text($"record {Name(type.Name)}");
+        Text($"record {type.Name}");
         foreach (RecordParameter parameter in type.Parameters)
         {
             object? value = parameter.Get(record);

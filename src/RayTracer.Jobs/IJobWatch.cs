@@ -39,7 +39,7 @@ public interface IJobWatch
     {
     }
 
-    /// <summary>Begins to show how far the rendering is, until its stage ends; null where nothing is shown.</summary>
+    /// <summary>Begins to show how far the rendering is, until that is disposed of; null where nothing is shown.</summary>
     IProgress<RenderProgress>? Begin() => null;
 
     /// <summary>Takes the film as it is after a pass.</summary>

@@ -93,9 +93,11 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         _auxiliary = new(film, job.Aovs);
         _denoising = job.Denoise ? Denoising.Create(scene) : null;
         IProgress<RenderProgress>? progress = watch.Begin();
+        using IDisposable? shown = progress as IDisposable;
         long start = Stopwatch.GetTimestamp();
         JobResult result = Render(scene, film, options, progress, cancellation);
         result = result with { Seconds = Stopwatch.GetElapsedTime(start).TotalSeconds };
+        shown?.Dispose();
         watch.End(JobStage.Render);
         return result;
     }
@@ -105,7 +107,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
     {
         watch.End(JobStage.Load);
         RenderDescription render = scene.Render;
-        SceneSetting? changed = job.Settings.LastOrDefault(s => s.Path is RenderJob.SamplesPath or "render.sampler");
+        SceneSetting? changed = job.Settings.LastOrDefault(s => s.Path == RenderJob.SamplesPath) ?? job.Settings.LastOrDefault(s => s.Path == "render.sampler");
         return changed is not null && Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint
             ? throw new JobException(JobFault.Request, $"{JobOptions.Given(changed)}: {complaint}")
             : _decision.Widen(Change?.Invoke(scene) ?? scene);

@@ -23,6 +23,7 @@ public static class OldFilms
     {
         RenderJob job = new() { Scene = "" };
         string? scene = null;
+        List<(JobOption Option, string Word)> values = [];
         for (int i = 0; i < words.Count; i++)
         {
             string[] parts = words[i].StartsWith("--", StringComparison.Ordinal) ? words[i].Split('=', 2) : [words[i]];
@@ -32,7 +33,7 @@ public static class OldFilms
             }
             else if (JobOptions.Find(parts[0]) is { } option)
             {
-                job = Put(job, option, parts.Length > 1 || option.Form is null || i + 1 == words.Count ? parts[^1] : words[++i], file);
+                values.Add((option, parts.Length > 1 || option.Form is null || i + 1 == words.Count ? parts[^1] : words[++i]));
             }
             else if (!words[i].StartsWith('-'))
             {
@@ -40,6 +41,8 @@ public static class OldFilms
             }
         }
 
+        // Options went before settings.
+        job = values.OrderByDescending(v => v.Option.IsRepeated).Aggregate(job, (all, v) => Put(all, v.Option, v.Word, file));
         return scene is null ? throw new JobException($"'{file}' does not say which scene it shows") : job with { Scene = scene };
     }
 
@@ -57,7 +60,7 @@ public static class OldFilms
             return header;
         }
 
-        CheckBits(scene, header.Scene);
+        CheckBits(scene, "the film");
         return header with { Content = ContentHash.Of(scene, path, crop) + header.Content[old.Length..], Settings = Settings(header), Words = null };
     }
 
@@ -72,9 +75,9 @@ public static class OldFilms
     /// <exception cref="JobException">They have.</exception>
     public static void CheckBits(SceneDescription scene, string file)
     {
-        if (ContentHash.Changed(scene) is { Count: > 0 } kinds)
+        if (BitVersions.Of(scene) is { Count: > 0 } kinds)
         {
-            throw new JobException($"'{file}' was rendered before a fault was mended, so that its bits are others now: those of scenes with {string.Join(", ", kinds)}");
+            throw new JobException($"{file} was rendered before a fault was mended: the bits of scenes with {string.Join(" or ", kinds.Select(k => k.Name))} are others now");
         }
     }
 
@@ -87,7 +90,7 @@ public static class OldFilms
 
     /// <summary>The content hash of a whole picture of the first format; empty where its bits have changed since.</summary>
     public static string OfPicture(SceneDescription scene, string path, Tile? crop) =>
-        ContentHash.Changed(scene).Count > 0 ? "" : string.Create(CultureInfo.InvariantCulture, $"{Content(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
+        BitVersions.Of(scene).Count > 0 ? "" : string.Create(CultureInfo.InvariantCulture, $"{Content(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
 
     private static RenderJob Put(RenderJob job, JobOption option, string word, string file)
     {
@@ -110,8 +113,6 @@ public static class OldFilms
             Text($"{crop}");
             return Of(scene);
         }
-
-        private protected override string Name(string kind) => kind;
 
         private protected override bool Counts(RecordParameter parameter, object? value) => true;
 

@@ -39,7 +39,7 @@ public class HelpTests
             t cluster ''; t cluster slurm --pa; t cluster slurm --tonemap re; t render --frames ''; t reproduce ''
             t render --tonemap = a; t render --chroma =
             """;
-        string[] words = ["render", "--integrator", "volpath", "", "pwsh", "sarif", "slurm", "--partition", "reinhard", "", "report complexity", "aces agx", "full half"];
+        string[] words = ["render", "--integrator", "volPath", "", "pwsh", "sarif", "slurm", "--partition", "reinhard", "", "report complexity", "aces agx", "full half"];
         Assert.Equal((0, string.Concat(words.Select(w => w + "\n"))), ProgramFactAttribute.Run("bash", "-c", script));
     }
 

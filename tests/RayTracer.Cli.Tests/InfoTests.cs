@@ -27,14 +27,14 @@ public sealed class InfoTests : IDisposable
             ("film", 24, 16, "1..2", 2, "1..2", 2, 4, true, "[2,3,10,9]", _scene, hash),
             (Text(json, "kind"), Number(json, "width"), Number(json, "height"), Text(json, "samples"), Number(json, "heldSamples"), Text(json, "wanted"), Number(json, "wantedSamples"), Number(json, "totalSamples"),
                 json.GetProperty("complete").GetBoolean(), json.GetProperty("crop").GetRawText().ReplaceLineEndings("").Replace(" ", "", StringComparison.Ordinal), Text(json, "scene"), Text(json, "filmHash")));
-        Assert.Equal(["--seed", "7"], json.GetProperty("overrides").EnumerateArray().Select(w => w.GetString()!));
+        Assert.Equal(["render.seed=7"], json.GetProperty("settings").EnumerateArray().Select(w => w.GetString()!));
         Assert.Equal(FilmFile.ReadHeader(film).Content, Text(json, "contentHash"));
         Assert.StartsWith("raytracer ", Text(json, "software"));
         Assert.Equal(new FileInfo(film).Length, Number(json, "fileBytes"));
 
         CliRun told = CliRun.Of("info", film);
         Assert.Contains("samples    1..2: 2 of 2 wanted (1..2), complete", told.Output, StringComparison.Ordinal);
-        Assert.Contains("options    --seed 7", told.Output, StringComparison.Ordinal);
+        Assert.Contains("settings   render.seed=7", told.Output, StringComparison.Ordinal);
         Assert.DoesNotContain(hash, told.Output, StringComparison.Ordinal);
 
         FilmFile.Write(film, FilmFile.Read(film).Film, FilmFile.ReadHeader(film) with { Wanted = new(1, 9), Scene = "a\u001b[31mb" });
@@ -51,7 +51,7 @@ public sealed class InfoTests : IDisposable
         Assert.Equal(0, CliRun.Of("render", _scene, "-o", film, "--spp", "1", "--quiet").Status);
         CliRun told = CliRun.Of("resume", film, "--spp", "16777216", "--time", "0.1s");
         Assert.Equal(0, told.Status);
-        Assert.Matches(@"\nthe time ended at \d+ of 16777216 samples: ""raytracer resume [^""]*a.rtfilm"" goes on", told.Output);
+        Assert.Matches(@"\nthe time ended at \d+ of 16777216 samples: ""raytracer resume [^""]*a.rtfilm"" continues", told.Output);
         JsonElement json = Json("resume", film, "--time", "0.1s", "--json", "--quiet");
         Assert.False(json.GetProperty("complete").GetBoolean());
         Assert.Equal(Text(json, "samples"), Text(Json("info", film, "--json"), "samples"));

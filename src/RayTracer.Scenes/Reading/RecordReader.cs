@@ -170,7 +170,7 @@ internal sealed class RecordReader
 
         for (int i = 0; i < parameter.Choices.Count; i++)
         {
-            if (parameter.Choices[i] == node.Text)
+            if (parameter.Choices[i].Equals(node.Text, StringComparison.OrdinalIgnoreCase))
             {
                 return Enum.GetValues(parameter.ValueType).GetValue(i);
             }

@@ -72,8 +72,23 @@ public static class SceneLoader
             return read;
         }
 
+        if (settings.All(s => s.Path.StartsWith("render.", StringComparison.Ordinal)))
+        {
+            return SetRender(read, scene, settings);
+        }
+
         SceneReadResult native = SceneReader.ReadText(SceneWriter.Write(scene), $"{FileName(read)}, converted", settings);
         return new(native.Source, native.Root, native.Partial, native.SourceMap, read.Diagnostics.Concat(native.Diagnostics));
+    }
+
+    // Everything else is not converted, and keeps its places in the file.
+    private static SceneReadResult SetRender(SceneReadResult read, SceneDescription scene, IReadOnlyList<SceneSetting> settings)
+    {
+        string text = SceneWriter.Write(new() { Camera = scene.Camera, Render = scene.Render });
+        SceneReadResult native = SceneReader.ReadText(text, $"{FileName(read)}, converted", settings);
+        SceneDescription changed = scene with { Render = native.Partial?.Render ?? scene.Render };
+        read.SourceMap.Follow(scene, changed);
+        return new(read.Source, read.Root, changed, read.SourceMap, read.Diagnostics.Concat(native.Diagnostics));
     }
 
     /// <summary>Builds the scene of a description that has been read; it remembers the records that its parts were made from.</summary>

@@ -72,9 +72,9 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
             throw new SessionException("Each frame has its own file: give its number's place in the name, as in frame-####.png.");
         }
 
-        ViewSettings settings = view.Settings;
         ShownScene shown = view.RequireShown();
-        RenderJob job = ViewJob.Of(document.Place, null, settings with { Samples = shown.Scene.Render.SamplesPerPixel, Map = default }, view.Tone, full) with
+        ViewSettings settings = new() { Region = view.Settings.Region, Threads = view.Settings.Threads, Samples = shown.Scene.Render.SamplesPerPixel };
+        RenderJob job = ViewJob.Of(document.Place, shown.Description, settings, view.Tone, full) with
         {
             Scene = Path.GetFullPath(document.Place.Path ?? Path.Combine(document.Place.Folder, document.Place.Name)),
             Text = shown.Good.Text,

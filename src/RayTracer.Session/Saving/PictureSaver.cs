@@ -111,7 +111,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     }
 
     /// <summary>The command that would render the picture.</summary>
-    public string Command() => Job(null).Command;
+    public string Command(string? output = null) => Job(output).Command;
 
     private RenderJob Job(string? output) => ViewJob.Of(document.Place, document.Read.Description, view.Settings, view.Tone, output);
 

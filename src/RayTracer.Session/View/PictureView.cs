@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Sampling;
