@@ -89,7 +89,7 @@ internal static class VerifyVerb
             OldFilms.CheckBits(scene, $"'{claim.File}'");
         }
 
-        return range is { } samples && samples.End > scene.Render.SamplesPerPixel && !ContentHash.HasPattern(scene.Render)
+        return range is { } samples && samples.End > scene.Render.SamplesPerPixel && !scene.Render.Sampler.DependsOnCount
             ? scene with { Render = scene.Render with { SamplesPerPixel = samples.End } }
             : scene;
     }

@@ -11,7 +11,7 @@ public static class AovFiles
     /// <param name="name">The image's name.</param>
     public static string Beside(string path, string name) => Path.ChangeExtension(path, $".{name}{Path.GetExtension(path)}");
 
-    /// <summary>The image as it is written to a file of its own.</summary>
+    /// <summary>The image as it is written to a separate file.</summary>
     /// <param name="path">The file: a PNG or JPEG holds colours to look at, any other the numbers.</param>
     /// <param name="film">The images.</param>
     /// <param name="image">Which of them.</param>

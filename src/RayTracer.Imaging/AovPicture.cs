@@ -46,7 +46,7 @@ public sealed class AovPicture : IImageRows
     /// <inheritdoc/>
     public int Height => _film.Height;
 
-    /// <summary>What the colours mean, for the reader of the picture.</summary>
+    /// <summary>The meaning of the colours, for the reader of the picture.</summary>
     public string Legend => _image.Legend(_range);
 
     /// <inheritdoc/>

@@ -3,7 +3,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>An auxiliary image as numbers in three channels, in a PFM of its own: one number three times, or two and a zero.</summary>
+/// <summary>An auxiliary image as numbers in three channels, in a separate PFM file: one number three times, or two and a zero.</summary>
 /// <param name="film">The images.</param>
 /// <param name="image">Which of them.</param>
 public sealed class AovRows(AovFilm film, AuxiliaryImage image) : IImageRows

@@ -15,8 +15,12 @@ public static class AtomicFile
 
     /// <summary>Writes a file.</summary>
     /// <param name="path">Where to; the folder must exist. A symbolic link stays one: the file that it names is replaced.</param>
-    /// <param name="write">Writes the content to a stream that can seek. What it throws, other than input/output errors, passes through unchanged.</param>
-    /// <exception cref="ImageWriteException">The file cannot be written: the folder is missing or not writable, the disk is full, and so on.</exception>
+    /// <param name="write">
+    /// Writes the content to a stream that can seek. What it throws, other than input/output errors, passes through unchanged.
+    /// </param>
+    /// <exception cref="ImageWriteException">
+    /// The file cannot be written: the folder is missing or not writable, the disk is full, and so on.
+    /// </exception>
     public static void Write(string path, Action<Stream> write)
     {
         string? temporary = null;
@@ -45,7 +49,10 @@ public static class AtomicFile
         }
     }
 
-    /// <summary>Tells at once, before a long computation, whether a later <see cref="Write"/> has a chance: the folder exists, and no folder has the file's name.</summary>
+    /// <summary>
+    /// Checks before a long computation that a later <see cref="Write"/> has a chance: the folder exists, and no folder has the
+    /// file's name.
+    /// </summary>
     /// <param name="path">Where a file is to be written.</param>
     /// <exception cref="ImageWriteException">The file cannot be written there.</exception>
     public static void Check(string path)
@@ -60,7 +67,10 @@ public static class AtomicFile
         }
     }
 
-    /// <summary>As <see cref="Check"/>; and tries whether the folder takes a file: access rights, read-only file systems and quotas have too many forms to be looked up.</summary>
+    /// <summary>
+    /// As <see cref="Check"/>; and tries whether the folder takes a file: access rights, read-only file systems and quotas have too many
+    /// forms to be looked up.
+    /// </summary>
     /// <param name="path">Where a file is to be written.</param>
     /// <exception cref="ImageWriteException">The file cannot be written there.</exception>
     public static void Try(string path)
@@ -77,7 +87,10 @@ public static class AtomicFile
         }
     }
 
-    /// <summary>Deletes the temporary files that processes which were killed have left beside a file: those of its name that nobody has open or wrote to lately.</summary>
+    /// <summary>
+    /// Deletes the temporary files that processes which were killed have left beside a file: those of its name that nobody has open or
+    /// wrote to lately.
+    /// </summary>
     /// <param name="path">The file that they were to become.</param>
     /// <param name="before">Those that were last written to before this time, UTC.</param>
     public static void Sweep(string path, DateTime before)
@@ -100,8 +113,9 @@ public static class AtomicFile
         }
     }
 
-    /// <summary>A name for a temporary file in the folder of the file that it becomes: one of its own for every writer.</summary>
-    public static string Temporary(string target) => Path.Combine(Path.GetDirectoryName(target)!, $"{Start(target)}.{Guid.NewGuid():N}{Ending}");
+    /// <summary>A name for a temporary file in the folder of the file that it becomes: a different one for every writer.</summary>
+    public static string Temporary(string target) =>
+        Path.Combine(Path.GetDirectoryName(target)!, $"{Start(target)}.{Guid.NewGuid():N}{Ending}");
 
     // The rights that the owner of the old file gave: what nobody else may read stays so.
     private static void KeepMode(string target, FileStream stream)

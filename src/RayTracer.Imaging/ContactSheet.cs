@@ -46,7 +46,7 @@ public sealed class ContactSheet
         }
     }
 
-    /// <summary>What has been drawn: linear RGB.</summary>
+    /// <summary>The drawing: linear RGB.</summary>
     public Picture Picture => _canvas.Picture;
 
     /// <summary>Width of each image.</summary>
@@ -98,4 +98,13 @@ public sealed class ContactSheet
             _canvas.Write(_rows.Values[row], SheetCanvas.Gap, Top(row, block) + ((_height - _canvas.Line) / 2), Math.Max(0, Margin - SheetCanvas.Gap));
         }
     }
+}
+
+/// <summary>The setting that changes along an axis of a <see cref="ContactSheet"/>.</summary>
+/// <param name="Name">What it is called.</param>
+/// <param name="Values">What it is at each step.</param>
+public sealed record SheetAxis(string Name, IReadOnlyList<string> Values)
+{
+    /// <summary>An axis of one step without a name.</summary>
+    public static SheetAxis None { get; } = new("", [""]);
 }

@@ -13,7 +13,9 @@ public sealed class DifferenceRows : IImageRows
     /// <summary>Sets the two images.</summary>
     /// <param name="image">Linear RGB.</param>
     /// <param name="reference">Linear RGB, of the same size.</param>
-    /// <param name="scale">What differences are multiplied by, to be seen. Where a value is NaN or infinite in either image, the result is 1.</param>
+    /// <param name="scale">
+    /// The factor of differences, so that they are seen. Where a value is NaN or infinite in either image, the result is 1.
+    /// </param>
     /// <exception cref="PictureException">The images differ in size.</exception>
     public DifferenceRows(IImageRows image, IImageRows reference, float scale = 1)
     {

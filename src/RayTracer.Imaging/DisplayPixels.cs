@@ -23,7 +23,7 @@ public static class DisplayPixels
         }
     }
 
-    /// <summary>What an exposure multiplies light by.</summary>
+    /// <summary>The factor by which an exposure multiplies light.</summary>
     /// <param name="exposureStops">The exposure in stops; each doubles the light.</param>
     public static float Factor(float exposureStops) => (float)PortableMath.Exp2(exposureStops);
 }

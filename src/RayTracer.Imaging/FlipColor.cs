@@ -2,7 +2,10 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Imaging;
 
-/// <summary>The colour spaces of FLIP (Andersson et al. 2020, sections 4.1.1 and 4.1.3): opponent colours to blur in, and uniform ones to compare in.</summary>
+/// <summary>
+/// The colour spaces of FLIP (Andersson et al. 2020, sections 4.1.1 and 4.1.3): opponent colours to blur in, and uniform ones to compare
+/// in.
+/// </summary>
 internal readonly record struct FlipColor(double X, double Y, double Z)
 {
     // Linear RGB of sRGB's primaries and white to XYZ, row by row; white is the sum of each row.

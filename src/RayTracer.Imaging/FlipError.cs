@@ -4,12 +4,14 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// How different two images look to somebody who flips between them: LDR-FLIP (Andersson et al. 2020), with its published parameters. For each
-/// pixel a number from 0 (alike) to 1: a difference of colours, blurred as the eye blurs them, raised where edges and points differ.
+/// The difference that somebody sees who flips between two images: LDR-FLIP (Andersson et al. 2020), with its published parameters. For
+/// each pixel a number from 0 (alike) to 1: a difference of colours, blurred as the eye blurs them, raised where edges and points differ.
 /// </summary>
 public sealed class FlipError : IImageRows
 {
-    /// <summary>Pixels a degree of the field of view for a display 0.7 m wide with 3840 columns, seen from 0.7 m: 0.7 · 3840/0.7 · π/180.</summary>
+    /// <summary>
+    /// Pixels a degree of the field of view for a display 0.7 m wide with 3840 columns, seen from 0.7 m: 0.7 · 3840/0.7 · π/180.
+    /// </summary>
     public const double StandardPixelsPerDegree = 3840 * double.Pi / 180;
 
     private const double ColorExponent = 0.7;
@@ -83,7 +85,8 @@ public sealed class FlipError : IImageRows
         }
     }
 
-    // A distance of colours as an error: up to the knee it takes nearly all of the range, for people hardly tell large differences apart.
+    // A distance of colours as an error: up to the knee it takes nearly all of the range, for people hardly see which of two large
+    // differences is larger.
     private static double Error(double distance)
     {
         double power = Power(distance, ColorExponent);
@@ -92,5 +95,6 @@ public sealed class FlipError : IImageRows
         return Math.Clamp(error, 0, 1);
     }
 
-    private static double Power(double x, double exponent) => x > 1e-300 ? PortableMath.Exp2(exponent * PortableMath.Log2(x)) : exponent == 0 ? 1 : 0;
+    private static double Power(double x, double exponent) =>
+        x > 1e-300 ? PortableMath.Exp2(exponent * PortableMath.Log2(x)) : exponent == 0 ? 1 : 0;
 }

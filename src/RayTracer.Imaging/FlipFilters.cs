@@ -1,8 +1,8 @@
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// The filters of FLIP for a density of pixels, as one-dimensional halves: the eye's contrast sensitivity to each opponent colour (Andersson et al. 2020, section 4.1.2,
-/// Equation 5 and Table 1), and those that find edges and points (section 4.2).
+/// The filters of FLIP for a density of pixels, as one-dimensional halves: the eye's contrast sensitivity to each opponent colour
+/// (Andersson et al. 2020, section 4.1.2, Equation 5 and Table 1), and those that find edges and points (section 4.2).
 /// </summary>
 internal sealed class FlipFilters
 {

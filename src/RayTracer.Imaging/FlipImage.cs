@@ -2,7 +2,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>What FLIP compares of an image: colours as blurred as the eye sees them, and how strong edges and points are.</summary>
+/// <summary>
+/// The features of an image that FLIP compares: colours as blurred as the eye sees them, and how strong edges and points are.
+/// </summary>
 internal sealed class FlipImage
 {
     private readonly int _width;
@@ -38,10 +40,10 @@ internal sealed class FlipImage
         Points = Length(Filter(grey, filters.Point, filters.Blur), Filter(grey, filters.Blur, filters.Point));
     }
 
-    /// <summary>How strong the edge through each pixel is.</summary>
+    /// <summary>The strength of the edge through each pixel.</summary>
     public float[] Edges { get; }
 
-    /// <summary>How much each pixel is a point.</summary>
+    /// <summary>The degree to which each pixel is a point.</summary>
     public float[] Points { get; }
 
     /// <summary>The blurred colour of a pixel, as <see cref="FlipColor.Uniform"/> has it.</summary>

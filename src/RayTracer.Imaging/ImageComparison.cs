@@ -3,21 +3,31 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// How much an image differs from a reference. Values that are NaN or infinite in either image are left out of every measure and
+/// The difference of an image from a reference. Values that are NaN or infinite in either image are left out of every measure and
 /// counted (SSIM takes them as black in both); all numbers are computed in double precision in one fixed order.
 /// </summary>
 public sealed record ImageComparison
 {
-    /// <summary>Root of the mean squared difference over all pixels and channels, in units of linear light; NaN if nothing can be compared.</summary>
+    /// <summary>
+    /// Root of the mean squared difference over all pixels and channels, in units of linear light; NaN if nothing can be compared.
+    /// </summary>
     public required double Rmse { get; init; }
 
-    /// <summary>Mean of (a − b)²/(b² + 0.01), b being the reference (Rousselle, Knaus, Zwicker 2011, section 3); NaN if nothing can be compared.</summary>
+    /// <summary>
+    /// Mean of (a − b)²/(b² + 0.01), b being the reference (Rousselle, Knaus, Zwicker 2011, section 3); NaN if nothing can be compared.
+    /// </summary>
     public required double RelativeMse { get; init; }
 
-    /// <summary>Peak signal-to-noise ratio in decibels, −10 log₁₀ of the mean squared difference, the peak being linear light of 1; infinite for equal images.</summary>
+    /// <summary>
+    /// Peak signal-to-noise ratio in decibels, −10 log₁₀ of the mean squared difference, the peak being linear light of 1; infinite for
+    /// equal images.
+    /// </summary>
     public required double Psnr { get; init; }
 
-    /// <summary>Structural similarity (Wang, Bovik, Sheikh, Simoncelli 2004, Equation 13) of the sRGB-encoded luma; 1 for equal images; NaN if a side has less than 11 pixels.</summary>
+    /// <summary>
+    /// Structural similarity (Wang, Bovik, Sheikh, Simoncelli 2004, Equation 13) of the sRGB-encoded luma; 1 for equal images; NaN if a
+    /// side has less than 11 pixels.
+    /// </summary>
     public required double Ssim { get; init; }
 
     /// <summary>The largest absolute difference of one channel.</summary>
@@ -32,7 +42,7 @@ public sealed record ImageComparison
     /// <summary>Channel of the largest difference: 0 red, 1 green, 2 blue.</summary>
     public required int LargestChannel { get; init; }
 
-    /// <summary>How many values were left out because they are NaN or infinite in one or both images.</summary>
+    /// <summary>The number of values left out because they are NaN or infinite in one or both images.</summary>
     public required long NotFinite { get; init; }
 
     /// <summary>Compares two images of one size, row by row.</summary>

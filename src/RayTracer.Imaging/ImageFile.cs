@@ -8,7 +8,9 @@ public static class ImageFile
 {
     /// <summary>Reads a picture file; its format is recognized by its first bytes, not by its name.</summary>
     /// <param name="path">The file, of at most 2 GiB.</param>
-    /// <param name="raw">Whether a PNG's or JPEG's values are data (0 to 1) rather than sRGB-encoded colours. PFM and OpenEXR are linear in any case.</param>
+    /// <param name="raw">
+    /// Whether a PNG's or JPEG's values are data (0 to 1) rather than sRGB-encoded colours. PFM and OpenEXR are linear in any case.
+    /// </param>
     /// <returns>Linear RGB.</returns>
     /// <exception cref="PictureException">The file is missing, of no known format, damaged or too large; the message names it.</exception>
     public static Picture Read(string path, bool raw = false) => OfFile(path, file => Decode(file, raw));
@@ -17,7 +19,9 @@ public static class ImageFile
     /// <param name="file">The whole file.</param>
     /// <param name="raw">Whether a PNG's or JPEG's values are data (0 to 1) rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB.</returns>
-    /// <exception cref="PictureException">The file is of no known format, damaged or too large; the message is a clause to follow the file's name and a colon.</exception>
+    /// <exception cref="PictureException">
+    /// The file is of no known format, damaged or too large; the message is a clause to follow the file's name and a colon.
+    /// </exception>
     public static Picture Decode(ReadOnlySpan<byte> file, bool raw = false) => Known(file).Read(file, raw);
 
     /// <summary>Reads how opaque the pixels of a picture file in memory are.</summary>
@@ -28,12 +32,14 @@ public static class ImageFile
 
     /// <summary>Reads all that a picture file holds, in one go: it may be a pipe.</summary>
     /// <param name="path">The file.</param>
-    /// <returns>The picture; its texts, as <see cref="ReadText"/> has them; and of an OpenEXR file the channels that are not of the picture.</returns>
+    /// <returns>
+    /// The picture; its texts, as <see cref="ReadText"/> has them; and of an OpenEXR file the channels that are not of the picture.
+    /// </returns>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
     public static (Picture Picture, IReadOnlyList<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) ReadAll(string path) =>
         OfFile(path, file => (Decode(file), Known(file).ReadText(file), Known(file).ReadLayers(file)));
 
-    /// <summary>Whether a file is there and its first bytes are those of a picture or film.</summary>
+    /// <summary>Returns whether a file is there and its first bytes are those of a picture or film.</summary>
     /// <param name="path">The file.</param>
     public static bool IsImage(string path) => FormatOf(path) is not null;
 
@@ -70,7 +76,10 @@ public static class ImageFile
     /// <exception cref="PictureException">As for <see cref="Decode"/>.</exception>
     public static ImageDescription Describe(ReadOnlySpan<byte> file) => Known(file).Describe(file);
 
-    /// <summary>Reads the texts that a picture file carries, in their order; of a PFM, none. Comments of a JPEG that name no key are called "Comment".</summary>
+    /// <summary>
+    /// Reads the texts that a picture file carries, in their order; of a PFM, none. Comments of a JPEG that name no key are called
+    /// "Comment".
+    /// </summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, file => Known(file).ReadText(file));
@@ -79,7 +88,9 @@ public static class ImageFile
     /// <param name="path">Where to; the folder must exist.</param>
     /// <param name="image">Linear RGB.</param>
     /// <param name="options">Details; by default 8 bits, JPEG of quality 90, no tone map, OpenEXR of halves with ZIP, no metadata.</param>
-    /// <exception cref="ImageWriteException">The extension is unknown, the options cannot be met, or the file cannot be written.</exception>
+    /// <exception cref="ImageWriteException">
+    /// The extension is unknown, the options cannot be met, or the file cannot be written.
+    /// </exception>
     public static void Write(string path, IImageRows image, ImageWriteOptions? options = null)
     {
         ImageFormat format = Named(path);

@@ -1,12 +1,14 @@
 namespace RayTracer.Imaging;
 
-/// <summary>How <see cref="ImageFile.Write"/> writes; what does not apply to the format of the file is ignored.</summary>
+/// <summary>The options of <see cref="ImageFile.Write"/>; what does not apply to the format of the file is ignored.</summary>
 public sealed record ImageWriteOptions
 {
     /// <summary>PNG: bits a channel, 8 (the default) or 16.</summary>
     public int BitDepth { get; init; } = 8;
 
-    /// <summary>PNG and JPEG: the tone map; by default none, <see cref="ToneMap.Clamp"/>. PFM and OpenEXR hold the linear light as it is.</summary>
+    /// <summary>
+    /// PNG and JPEG: the tone map; by default none, <see cref="ToneMap.Clamp"/>. PFM and OpenEXR hold the linear light as it is.
+    /// </summary>
     public ToneMap ToneMap { get; init; } = ToneMap.Clamp;
 
     /// <summary>PNG and JPEG: the exposure in stops, −100 to 100; each stop doubles the light.</summary>
@@ -24,13 +26,16 @@ public sealed record ImageWriteOptions
     /// <summary>OpenEXR: the compression; ZIP by default.</summary>
     public ExrCompression ExrCompression { get; init; } = ExrCompression.Zip;
 
-    /// <summary>PNG, JPEG and OpenEXR: texts to keep in the file, such as the command that made it; see <see cref="PngWriter"/> for what a key may be. PFM has no place for them.</summary>
+    /// <summary>
+    /// PNG, JPEG and OpenEXR: texts to keep in the file, such as the command that made it; see <see cref="PngWriter"/> for what a key may
+    /// be. PFM has no place for them.
+    /// </summary>
     public IReadOnlyList<KeyValuePair<string, string>> Metadata { get; init; } = [];
 
     /// <summary>OpenEXR: whether the film itself goes along, as <see cref="FilmExr"/> writes it.</summary>
     public bool ExrFilm { get; init; }
 
-    /// <summary>Whether a file of some name shall carry the film.</summary>
+    /// <summary>Returns whether a file of some name shall carry the film.</summary>
     public bool TakesFilm(string path) => FilmFile.IsNamed(path) || (ExrFilm && FilmExr.IsNamed(path));
 
     /// <summary>OpenEXR: channels to write beside those of the image.</summary>

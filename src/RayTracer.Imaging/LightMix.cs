@@ -4,7 +4,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>A picture whose lights are layers of their own, so that each can be made brighter, darker or coloured after rendering.</summary>
+/// <summary>
+/// A picture whose lights are layers of their own, so that each can be made brighter, darker or coloured after rendering.
+/// </summary>
 public sealed class LightMix
 {
     private const string Channels = "RGB";
@@ -58,8 +60,8 @@ public sealed class LightMix
     }
 
     /// <summary>
-    /// How much of the file's own picture the lights lack, or have too much: the mean difference over the mean, both in absolute values. That picture
-    /// may be rounded to halves, which costs at most 0.0005.
+    /// The share of the file's picture that the lights lack, or have too much: the mean difference over the mean, both in absolute values.
+    /// That picture may be rounded to halves, which costs at most 0.0005.
     /// </summary>
     /// <exception cref="PictureException">The file is damaged, or has no picture but the layers.</exception>
     public double Missing()

@@ -2,7 +2,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>What the picture readers accept, so that a hostile file cannot ask for more memory than its own size justifies.</summary>
+/// <summary>The limits of the picture readers, so that a hostile file cannot ask for more memory than its own size justifies.</summary>
 public static class PictureLimits
 {
     /// <summary>The largest number of pixels that is read: 2²⁸ (16,384 × 16,384, 3 GiB as floats).</summary>

@@ -40,5 +40,6 @@ public static class ScaledRows
         return small;
     }
 
-    private static (int First, int End) Range(int index, int count, int all) => ((int)((long)index * all / count), (int)((long)(index + 1) * all / count));
+    private static (int First, int End) Range(int index, int count, int all) =>
+        ((int)((long)index * all / count), (int)((long)(index + 1) * all / count));
 }

@@ -24,7 +24,7 @@ internal sealed class SheetCanvas
         Picture = new(width, height, pixels);
     }
 
-    /// <summary>What has been drawn: linear RGB.</summary>
+    /// <summary>The drawing: linear RGB.</summary>
     public Picture Picture { get; }
 
     /// <summary>Pixels across a dot of the letters.</summary>
@@ -33,8 +33,11 @@ internal sealed class SheetCanvas
     /// <summary>Pixels from one line of text to the next.</summary>
     public int Line => LineFor(Dot);
 
-    /// <summary>How large letters are beside images of a size: lines of them are no higher than an image, but for the flattest.</summary>
-    public static int DotFor(int width, int height = int.MaxValue) => Math.Clamp(Math.Min(width / 200, height / (SmallFont.Height + 3)), 1, 8);
+    /// <summary>
+    /// Returns the size of letters beside images of a size: lines of them are no higher than an image, but for the flattest.
+    /// </summary>
+    public static int DotFor(int width, int height = int.MaxValue) =>
+        Math.Clamp(Math.Min(width / 200, height / (SmallFont.Height + 3)), 1, 8);
 
     /// <summary>Pixels from one line of text to the next.</summary>
     public static int LineFor(int dot) => (SmallFont.Height + 3) * dot;

@@ -1,6 +1,9 @@
 namespace RayTracer.Imaging;
 
-/// <summary>Letters of five by seven dots, for labels in pictures: digits, capitals and some signs. Small letters are shown as capitals, others as a block.</summary>
+/// <summary>
+/// Letters of five by seven dots, for labels in pictures: digits, capitals and some signs. Small letters are shown as capitals, others as a
+/// block.
+/// </summary>
 internal static class SmallFont
 {
     /// <summary>Columns from one letter to the next.</summary>
@@ -23,7 +26,7 @@ internal static class SmallFont
         "0A0A0000000000", "04040000000000", "02040810080402", "08040201020408", "00150E1F0E1500",
     ];
 
-    /// <summary>Whether a letter has a dot.</summary>
+    /// <summary>Returns whether a letter has a dot.</summary>
     /// <param name="letter">The letter.</param>
     /// <param name="x">Column, 0 to 4.</param>
     /// <param name="y">Row, from the top.</param>

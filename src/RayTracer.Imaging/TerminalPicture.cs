@@ -4,7 +4,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>How a terminal can show pictures.</summary>
+/// <summary>The ways in which a terminal can show pictures.</summary>
 public enum TerminalGraphics
 {
     /// <summary>Upper half blocks, whose two halves have 24-bit colours of their own.</summary>
@@ -27,12 +27,12 @@ public static class TerminalPicture
     private const string Darkness = " .:-=+*#%@";
     private const int KittyChunk = 4096;
 
-    // Levels of red, green and blue of the palette for sixels: eyes tell more greens.
+    // Levels of red, green and blue of the palette for sixels: eyes distinguish more greens.
     private const int Reds = 6;
     private const int Greens = 7;
     private const int Blues = 6;
 
-    /// <summary>What the variables of an environment say about the terminal.</summary>
+    /// <summary>Returns what the variables of an environment say about the terminal.</summary>
     /// <param name="variable">The value of a variable; null where there is none.</param>
     public static TerminalGraphics Of(Func<string, string?> variable)
     {
@@ -63,9 +63,11 @@ public static class TerminalPicture
         return ScaledRows.Shrink(image, width, Math.Clamp((int)Math.Round(height), 1, image.Height));
     }
 
-    private static byte Code(Picture picture, int x, int y, int channel) => SrgbCurve.Encode8(picture.Pixels[(3 * ((y * picture.Width) + x)) + channel]);
+    private static byte Code(Picture picture, int x, int y, int channel) =>
+        SrgbCurve.Encode8(picture.Pixels[(3 * ((y * picture.Width) + x)) + channel]);
 
-    private static string Color(Picture picture, int x, int y) => $"{Code(picture, x, y, 0)};{Code(picture, x, y, 1)};{Code(picture, x, y, 2)}";
+    private static string Color(Picture picture, int x, int y) =>
+        $"{Code(picture, x, y, 0)};{Code(picture, x, y, 1)};{Code(picture, x, y, 2)}";
 
     private static string Blocks(Picture picture)
     {

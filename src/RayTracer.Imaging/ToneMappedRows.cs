@@ -13,7 +13,9 @@ public sealed class ToneMappedRows : IImageRows
     /// <summary>Sets the image and how it is seen.</summary>
     /// <param name="source">Linear light.</param>
     /// <param name="map">The curve, applied after the exposure.</param>
-    /// <param name="exposureStops">Exposure in stops, −100 to 100: light is multiplied by 2 to this power (exactly, for whole stops).</param>
+    /// <param name="exposureStops">
+    /// Exposure in stops, −100 to 100: light is multiplied by 2 to this power (exactly, for whole stops).
+    /// </param>
     /// <exception cref="ArgumentOutOfRangeException">An exposure that is outside its range or NaN, or an undefined curve.</exception>
     public ToneMappedRows(IImageRows source, ToneMap map, float exposureStops)
     {

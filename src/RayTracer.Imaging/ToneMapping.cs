@@ -8,7 +8,10 @@ public static class ToneMapping
     // Beyond this every curve has long been flat; it keeps products of two such numbers finite.
     private const float Brightest = 1e15f;
 
-    /// <summary>Maps a colour. A NaN channel may spread to the others; no other input gives NaN, except with <see cref="ToneMap.Clamp"/>, which is the identity.</summary>
+    /// <summary>
+    /// Maps a colour. A NaN channel may spread to the others; no other input gives NaN, except with <see cref="ToneMap.Clamp"/>, which is
+    /// the identity.
+    /// </summary>
     /// <param name="map">The curve.</param>
     /// <param name="colour">Linear light, any value.</param>
     /// <returns>Linear light of the display. It may lie slightly outside [0, 1], which the encoding cuts off.</returns>
@@ -68,4 +71,22 @@ public static class ToneMapping
 
     // x^2.2 = x²·x^⅕
     private static float DisplayPower(double x) => x <= 0 ? 0 : (float)(x * x * PortableMath.FifthRoot(x));
+}
+
+/// <summary>The curves that bring linear light of any strength into the [0, 1] that a display can show.</summary>
+public enum ToneMap
+{
+    /// <summary>As it is; what lies outside [0, 1] is cut off. The only choice under which a PNG is exactly the film.</summary>
+    Clamp,
+
+    /// <summary>L/(1 + L) of the luminance, hue kept (Reinhard, Stark, Shirley, Ferwerda 2002, Equation 3).</summary>
+    Reinhard,
+
+    /// <summary>
+    /// Film-like: Stephen Hill's fit of the ACES reference rendering and sRGB output transforms (Hill 2016, in Pettineo's BakingLab).
+    /// </summary>
+    Aces,
+
+    /// <summary>Film-like, bright colours fade to white: Troy Sobotka's AgX in the polynomial approximation of Wrensch 2023.</summary>
+    Agx,
 }

@@ -47,9 +47,6 @@ public class ContentHash : IDisposable
     public static string OfPicture(SceneDescription scene, string path, Tile? crop) =>
         string.Create(CultureInfo.InvariantCulture, $"{Of(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
 
-    /// <summary>Whether where a sample lies depends on how many there are.</summary>
-    public static bool HasPattern(RenderDescription render) => render.Sampler is SamplerKind.Jittered or SamplerKind.Regular;
-
     /// <inheritdoc/>
     public void Dispose()
     {
@@ -60,7 +57,7 @@ public class ContentHash : IDisposable
     /// <summary>The hash of what was added, and a scene.</summary>
     private protected string Of(SceneDescription scene)
     {
-        Add(scene with { Animation = [], Render = scene.Render with { SamplesPerPixel = HasPattern(scene.Render) ? scene.Render.SamplesPerPixel : 1 } });
+        Add(scene with { Animation = [], Render = scene.Render with { SamplesPerPixel = scene.Render.Sampler.DependsOnCount ? scene.Render.SamplesPerPixel : 1 } });
         return Convert.ToHexStringLower(_hash.GetHashAndReset());
     }
 
@@ -96,6 +93,9 @@ public class ContentHash : IDisposable
                 break;
             case string text:
                 Text(text);
+                break;
+            case NamedValue { Name: var name }:
+                Text(char.ToUpperInvariant(name[0]) + name[1..]);
                 break;
             case IFormattable number and not Enum:
                 Text(number.ToString(null, CultureInfo.InvariantCulture));

@@ -108,7 +108,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         watch.End(JobStage.Load);
         RenderDescription render = scene.Render;
         SceneSetting? changed = job.Settings.LastOrDefault(s => s.Path == RenderJob.SamplesPath) ?? job.Settings.LastOrDefault(s => s.Path == "render.sampler");
-        return changed is not null && Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint
+        return changed is not null && render.Sampler.Complaint(render.SamplesPerPixel) is { } complaint
             ? throw new JobException(JobFault.Request, $"{JobOptions.Given(changed)}: {complaint}")
             : _decision.Widen(Change?.Invoke(scene) ?? scene);
     }
@@ -274,7 +274,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         }
         catch (ArgumentException e)
         {
-            string hint = LightLayerFilm.Splits(scene.Render.Integrator) ? "give several of them one \"lightGroup\"" : "choose another --integrator";
+            string hint = scene.Render.Integrator.Has(IntegratorTraits.Layers) ? "give several of them one \"lightGroup\"" : "choose another --integrator";
             throw new JobException(JobFault.Request, $"--aov: {char.ToLowerInvariant(e.Message[0])}{e.Message[1..].Split(" (Parameter '")[0].TrimEnd('.')}: {hint}");
         }
     }

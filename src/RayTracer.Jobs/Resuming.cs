@@ -29,7 +29,7 @@ internal static class Resuming
             JobFault.File, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of {FilmHeader.Text(header.Wanted)}, which are asked for");
     }
 
-    private static JobException OtherFilm(RenderJob job, FilmHeader header, RenderDescription render) => ContentHash.HasPattern(render) && render.SamplesPerPixel != header.Total
+    private static JobException OtherFilm(RenderJob job, FilmHeader header, RenderDescription render) => render.Sampler.DependsOnCount && render.SamplesPerPixel != header.Total
         ? new(JobFault.Request, $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, "
             + $"so that a film of {header.Total} cannot be given more or fewer: render it from scratch, or with --sampler sobol")
         : OtherScene(job.Scene);

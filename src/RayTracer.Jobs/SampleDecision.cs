@@ -34,7 +34,7 @@ public sealed class SampleDecision(RenderJob job)
             return scene;
         }
 
-        if (ContentHash.HasPattern(render))
+        if (render.Sampler.DependsOnCount)
         {
             string option = job.Adaptive ? "--adaptive" : job.Noise is not null ? "--noise" : "--time";
             throw new JobException(JobFault.Request, $"{option}: the pattern of the {render.Sampler.ToString().ToLowerInvariant()} sampler needs the number of samples beforehand: "

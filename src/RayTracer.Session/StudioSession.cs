@@ -1,6 +1,8 @@
 using RayTracer.Import;
 using RayTracer.Jobs;
 
+using System.Collections.Concurrent;
+
 namespace RayTracer.Session;
 
 /// <summary>
@@ -9,6 +11,7 @@ namespace RayTracer.Session;
 public sealed class StudioSession : IDisposable
 {
     private readonly DocumentSession _document;
+    private readonly ConcurrentDictionary<Type, object> _parts = new();
 
     /// <summary>Starts a session with a new scene.</summary>
     /// <param name="folders">The user's folders; null for those of whoever runs the program.</param>
@@ -23,11 +26,11 @@ public sealed class StudioSession : IDisposable
         View = new(Document);
         Camera = new(Document, View);
         Snapshots = new(View, time ?? TimeProvider.System);
-        Paths = new(View);
+        Handles = new(Edits, View);
         Pictures = new(Document, View, Jobs);
         Background = new(Document, View, Jobs);
         Lights = new(Document, View, Jobs);
-        ReportTimes = new(scenes ?? ScenesFolder.Find());
+        Scenes = scenes ?? ScenesFolder.Find();
         Notices.Changed += (_, _) => Changes.Advance();
         Jobs.Changed += (_, _) => Changes.Advance();
         Document.Changed += Changes.Advance;
@@ -76,8 +79,8 @@ public sealed class StudioSession : IDisposable
     /// <summary>Earlier pictures.</summary>
     public SnapshotList Snapshots { get; }
 
-    /// <summary>How the light of pixels came about.</summary>
-    public PathInspector Paths { get; }
+    /// <summary>Moves, turns and scales things by their handles.</summary>
+    public HandleDrags Handles { get; }
 
     /// <summary>Writes pictures.</summary>
     public PictureSaver Pictures { get; }
@@ -88,8 +91,12 @@ public sealed class StudioSession : IDisposable
     /// <summary>Balances the lights of rendered pictures.</summary>
     public LightBalance Lights { get; }
 
-    /// <summary>The report's times.</summary>
-    public ReportTimes ReportTimes { get; }
+    /// <summary>The folder of the scenes that come with the program; null where there is none.</summary>
+    public string? Scenes { get; }
+
+    /// <summary>A part of the session that is made when it is first asked for.</summary>
+    public T Part<T>()
+        where T : class, ISessionPart<T> => (T)_parts.GetOrAdd(typeof(T), _ => T.Of(this));
 
     // A film or image is shown as it was rendered.
     private void Begin(RenderJob? origin, FilmStart? start)
@@ -110,4 +117,12 @@ public sealed class StudioSession : IDisposable
         View.Dispose();
         _document.Dispose();
     }
+}
+
+/// <summary>What a session has only where it is asked for: a tab's own part, say.</summary>
+/// <typeparam name="T">The part.</typeparam>
+public interface ISessionPart<T>
+{
+    /// <summary>Makes the part of a session.</summary>
+    static abstract T Of(StudioSession session);
 }

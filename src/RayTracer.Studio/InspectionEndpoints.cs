@@ -10,7 +10,7 @@ internal static class InspectionEndpoints
     public static void MapInspection(this RouteGroupBuilder api, StudioSession session)
     {
         api.MapGet("/pick", (float x, float y) => Answers.Json(Picking.At(session.View.RequireShown(), x, y)));
-        api.MapGet("/paths", async (int x, int y, int? first, int? count) => Answers.Json(await session.Paths.Inspect(x, y, first ?? 0, count ?? 16)));
+        api.MapGet("/paths", async (int x, int y, int? first, int? count) => Answers.Json(await session.Part<PathInspector>().Inspect(x, y, first ?? 0, count ?? 16)));
         api.MapGet("/wireframe", () =>
         {
             ShownScene shown = session.View.RequireShown();
@@ -19,7 +19,7 @@ internal static class InspectionEndpoints
         api.MapGet("/convergence", async () => Answers.Json(await session.View.Loop.Convergence()));
         api.MapGet("/times", async (HttpContext context) =>
         {
-            ReportTime[] times = await session.ReportTimes.Measure().WaitAsync(context.RequestAborted);
+            ReportTime[] times = await session.Part<ReportTimes>().Measure().WaitAsync(context.RequestAborted);
             return Answers.Json(new { machine = ReportScene.Machine, threads = ReportTimes.Threads, times });
         });
     }

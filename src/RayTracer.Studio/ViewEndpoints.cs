@@ -31,15 +31,21 @@ internal static class ViewEndpoints
         view.MapPost("/snapshot", async () => Answers.Json(await session.Snapshots.Take()));
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
         view.MapGet("/mask", (string pointer) => Answers.Json(Picking.Mask(session.View.RequireShown(), pointer)));
-        view.MapGet("/gizmo", (string pointer) =>
+        view.MapPost("/gizmo", (HandlesRequest request) =>
         {
             ShownScene shown = session.View.RequireShown();
-            Gizmo gizmo = Gizmo.Of(shown, pointer);
-            return Answers.Json(new { gizmo.Center, gizmo.Radius, bounds = new[] { gizmo.Minimum, gizmo.Maximum }, camera = CameraFrame.Of(shown) });
+            return Answers.Json(Gizmo.Of(shown, request.Pointer).Handles(CameraFrame.Of(shown), request.Kind, request.Length));
+        });
+        view.MapPost("/drag", (HandleDrag way) =>
+        {
+            session.Handles.Drag(way);
+            return Answers.Done(session);
         });
     }
 
     internal sealed record PixelRequest(float X, float Y);
+
+    internal sealed record HandlesRequest(string Pointer, GizmoKind Kind, float Length);
 
     internal sealed record ToneRequest(float? Exposure, ToneMap? ToneMap);
 

@@ -17,8 +17,11 @@ public class KernelBenchmarks
     private PrimitiveList _primitives = null!;
 
     /// <summary>Which sampler is measured.</summary>
-    [ParamsAllValues]
-    public SamplerKind Sampler { get; set; }
+    [ParamsSource(nameof(Samplers))]
+    public SamplerKind Sampler { get; set; } = SamplerKind.Sobol;
+
+    /// <summary>All of them.</summary>
+    public static IEnumerable<SamplerKind> Samplers => SamplerKind.Known.All;
 
     private Sampler _sampler = null!;
 

@@ -200,7 +200,7 @@ public sealed class FilmExrTests : IDisposable
         Assert.Equal(0, ProgramFactAttribute.Run("exrmaketiled", "-o", "-z", "piz", _image, _folder["b.exr"]).ExitCode);
         TestPictures.AssertSameBits(ImageFile.Read(_image), ImageFile.Read(_folder["b.exr"]));
         Assert.Equal(ExrReader.ReadChannel(File.ReadAllBytes(_image), "film.red.0"), ExrReader.ReadChannel(File.ReadAllBytes(_folder["b.exr"]), "film.red.0"));
-        CliRun.Refused(4, "another program has written it anew, with tiles", "merge", _folder["b.exr"], "--json");
+        CliRun.Refused(4, "another program has rewritten it, with tiles", "merge", _folder["b.exr"], "--json");
     }
 
     [ProgramFact("mkfifo")]

@@ -9,9 +9,9 @@ internal static class ChildProcess
 
     /// <summary>What it prints; it must end well.</summary>
     /// <param name="program">File name of the program.</param>
-    /// <param name="setting">A setting of the runtime, "NAME=value", or "".</param>
+    /// <param name="settings">Settings of the runtime, "NAME=value", with spaces between them.</param>
     /// <param name="args">Its arguments.</param>
-    public static string Run(string program, string setting, params string[] args)
+    public static string Run(string program, string settings, params string[] args)
     {
         ProcessStartInfo start = new("dotnet", [Path.Combine(AppContext.BaseDirectory, program), .. args])
         {
@@ -19,16 +19,17 @@ internal static class ChildProcess
             RedirectStandardOutput = true,
         };
         start.Environment.Remove("DOTNET_MaxVectorTBitWidth");
-        if (setting.Split('=') is [string name, string value])
+        foreach (string setting in settings.Split(' ', StringSplitOptions.RemoveEmptyEntries))
         {
-            start.Environment[name] = value;
+            string[] parts = setting.Split('=');
+            start.Environment[parts[0]] = parts[1];
         }
 
         using Process process = Process.Start(start)!;
         try
         {
             Task<string> output = process.StandardOutput.ReadToEndAsync();
-            Assert.True(process.WaitForExit(s_patience), $"still running with {setting}");
+            Assert.True(process.WaitForExit(s_patience), $"still running with {settings}");
             Assert.Equal(0, process.ExitCode);
             return output.Result;
         }

@@ -46,7 +46,10 @@ public static class ErrorBudget
     /// <summary>Pixel filters, images of edges through them, and noise.</summary>
     public static TestFamily Filters { get; } = new("filters", 2e-5, 200, "samples are spread as the filter's curve, edges as its integral, and noise about zero");
 
+    /// <summary>Scenes with features two by two, against equal ones that are made otherwise.</summary>
+    public static TestFamily Pairs { get; } = new("pairs", 2e-5, 40, "equal scenes that are made otherwise have the same expected image");
+
     /// <summary>All families.</summary>
     public static IReadOnlyList<TestFamily> Families { get; } =
-        [Oracle, References, Warps, Lights, Materials, Samplers, Analytic, Geometry, Transport, NullRuns, Images, Filters];
+        [Oracle, References, Warps, Lights, Materials, Samplers, Analytic, Geometry, Transport, NullRuns, Images, Filters, Pairs];
 }

@@ -8,12 +8,6 @@ namespace RayTracer.Desktop.ViewModels;
 /// <param name="showTab">Shows a tab of the properties.</param>
 internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<string> showTab)
 {
-    // Shapes that shine as they are; others can be given a luminaire.
-    private static readonly HashSet<string> Lamps = ["sphere", "disk", "rectangle", "plane", "triangle", "box", "cylinder", "cone", "torus"];
-
-    // What consists of long lists is written as text.
-    private static readonly HashSet<string> InSource = ["mesh", "group"];
-
     /// <summary>What can be added.</summary>
     public IReadOnlyList<AddGroup> Families { get; private set; } = [];
 
@@ -23,17 +17,11 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
     /// <summary>Lists what can be added.</summary>
     public void Load()
     {
-        IReadOnlyList<CatalogueType> shapes = PanelContext.Catalogue.Types["shape"];
-        (string Family, IEnumerable<CatalogueType> Types)[] families =
-        [
-            ("shape", shapes.Where(t => !t.IsLight && !InSource.Contains(t.Name))),
-            ("light", [.. shapes.Where(t => t.IsLight), .. shapes.Where(t => Lamps.Contains(t.Name))]),
-            ("environment", PanelContext.Catalogue.Types["environment"]),
-            ("material", PanelContext.Catalogue.Types["material"]),
-            ("texture", PanelContext.Catalogue.Types["texture"]),
-        ];
+        string[] families = ["shape", "light", "environment", "material", "texture"];
+        CatalogueType[] types = [.. PanelContext.Catalogue.Types.Values.SelectMany(t => t)];
         Families = [.. families.Select(f => new AddGroup(
-            SessionTexts.Of($"families.{f.Family}"), [.. f.Types.Select(t => new AddItem(Figures.Spaced(t.Name), t.Summary, new ActionCommand(() => Add(f.Family, t))))]))];
+            SessionTexts.Of($"families.{f}"),
+            [.. types.Where(t => t.AddedAs.Contains(f)).OrderBy(t => t.AddedAs.Count).Select(t => new AddItem(Figures.Spaced(t.Name), t.Summary, new ActionCommand(() => Add(f, t))))]))];
     }
 
     /// <summary>Adds a thing; one that cannot be without a file asks for it first.</summary>

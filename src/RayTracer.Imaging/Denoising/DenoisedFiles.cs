@@ -2,7 +2,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>How denoised pictures are called and stored in files.</summary>
+/// <summary>Denoised pictures as files and layers of files.</summary>
 public static class DenoisedFiles
 {
     private const string Name = "denoised";

@@ -5,16 +5,17 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// Takes noise out of renders: non-local means (Buades, Coll &amp; Morel 2005) over two halves of the samples, each filtered with weights that
-/// the other one gives, so that no noise chooses its own weights (Rousselle, Knaus &amp; Zwicker 2012), and guided by normals and albedos (Rousselle, Manzi &amp; Zwicker 2013).
-/// A pixel's result depends on its surroundings only, in a fixed order: it is the same to the bit for any number of threads.
+/// Takes noise out of renders: non-local means (Buades, Coll &amp; Morel 2005) over two halves of the samples, each filtered with weights
+/// that the other one gives, so that no noise chooses its own weights (Rousselle, Knaus &amp; Zwicker 2012), and guided by normals and
+/// albedos (Rousselle, Manzi &amp; Zwicker 2013). A pixel's result depends on its surroundings only, in a fixed order: it is the same to
+/// the bit for any number of threads.
 /// </summary>
 public static class Denoiser
 {
     /// <summary>Memory that is taken besides the halves, in bytes a pixel of a large picture.</summary>
     public const int BytesPerPixel = 200;
 
-    /// <summary>How far away a pixel's likes are looked for, in pixels.</summary>
+    /// <summary>The distance up to which a pixel's likes are looked for, in pixels.</summary>
     internal const int Window = 8;
 
     // Half the side of the patches that are compared.
@@ -117,7 +118,8 @@ public static class Denoiser
             }
         }
 
-        // Differences between each pixel and the one that lies dx, dy from it, in units of what noise makes expected; then their sums along rows.
+        // Differences between each pixel and the one that lies dx, dy from it, in units of what noise makes expected; then their sums along
+        // rows.
         private void Compare(int guide, int dx, int dy)
         {
             int lanes = Vector<float>.Count;

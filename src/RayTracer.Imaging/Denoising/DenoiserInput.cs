@@ -2,7 +2,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Imaging;
 
-/// <summary>What a denoiser compares, made from two halves of a picture's samples.</summary>
+/// <summary>The planes that a denoiser compares, made from two halves of a picture's samples.</summary>
 internal sealed class DenoiserInput
 {
     private const int VarianceRadius = 3;
@@ -54,7 +54,7 @@ internal sealed class DenoiserInput
     /// <summary>Estimated variance of each of them.</summary>
     public PaddedPlane[] FeatureVariances { get; }
 
-    /// <summary>What squared differences of features are multiplied by.</summary>
+    /// <summary>The factors of squared differences of features.</summary>
     public PaddedPlane[] FeatureScales { get; }
 
     private static PaddedPlane[] Planes(int width, int height) => [new(width, height), new(width, height), new(width, height)];
@@ -69,8 +69,9 @@ internal sealed class DenoiserInput
         Array.ForEach([.. colors, spread], p => p.Extend());
     }
 
-    // The spread of a pixel's samples is known well but too large, for the samples are stratified; half the squared difference of the halves
-    // is right but noisy. So the one is scaled by the ratio of their means around the pixel (Rousselle, Knaus & Zwicker 2012, section 4.2).
+    // The spread of a pixel's samples is known well but too large, for the samples are stratified; half the squared difference of the
+    // halves is right but noisy. So the one is scaled by the ratio of their means around the pixel (Rousselle, Knaus & Zwicker 2012,
+    // section 4.2).
     private void EstimateVariances(PaddedPlane[] spread)
     {
         PaddedPlane[] around = [spread[0].Blurred(VarianceRadius), spread[1].Blurred(VarianceRadius)];

@@ -3,12 +3,15 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Films in any file that carries one: film files (<see cref="FilmFile"/>), and OpenEXR images with the sums as layers (<see cref="FilmExr"/>).</summary>
+/// <summary>
+/// Films in any file that carries one: film files (<see cref="FilmFile"/>), and OpenEXR images with the sums as layers
+/// (<see cref="FilmExr"/>).
+/// </summary>
 public static class CarriedFilm
 {
     private static readonly Lock s_reading = new();
 
-    /// <summary>Whether a file is named as a film, or is an image that carries one.</summary>
+    /// <summary>Returns whether a file is named as a film, or is an image that carries one.</summary>
     public static bool Is(string path) => FilmFile.IsNamed(path) || FilmExr.Is(path);
 
     /// <inheritdoc cref="FilmFile.ReadHeader"/>
@@ -60,7 +63,7 @@ public static class CarriedFilm
         }
         catch (PictureException)
         {
-            // No film, or none that could be gone on with.
+            // No film, or none that could be resumed.
             return null;
         }
     }

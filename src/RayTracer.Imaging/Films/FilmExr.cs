@@ -6,12 +6,14 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// OpenEXR images that carry their film to the bit, so that samples can be added to it as to a <see cref="FilmFile"/>. Sums and numbers of samples are channels of
-/// 32-bit unsigned integers, which none of the format's compressions changes. docs/long-renders.md describes them.
+/// OpenEXR images that carry their film to the bit, so that samples can be added to it as to a <see cref="FilmFile"/>. Sums and numbers of
+/// samples are channels of 32-bit unsigned integers, which none of the format's compressions changes. docs/long-renders.md describes them.
 /// </summary>
 public static class FilmExr
 {
-    /// <summary>The largest number of pixels that is written with the film, 2²⁵ (a picture of 8K): files of more than 2 GiB could not be read again.</summary>
+    /// <summary>
+    /// The largest number of pixels that is written with the film, 2²⁵ (a picture of 8K): files of more than 2 GiB could not be read again.
+    /// </summary>
     public const long MaxPixels = 1L << 25;
 
     private const string Extension = ".exr";
@@ -25,10 +27,13 @@ public static class FilmExr
     private const int LongestHead = 1 << 23;
     private static readonly string[] s_sums = ["red", "green", "blue", "square"];
 
-    /// <summary>Whether a file's name is one of an OpenEXR image.</summary>
+    /// <summary>Returns whether a file's name is one of an OpenEXR image.</summary>
     public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Whether a file is named as an OpenEXR image, and is one that carries its film; false also where there is no file, or a damaged one.</summary>
+    /// <summary>
+    /// Returns whether a file is named as an OpenEXR image, and is one that carries its film; false also where there is no file, or a
+    /// damaged one.
+    /// </summary>
     public static bool Is(string path)
     {
         try
@@ -41,7 +46,7 @@ public static class FilmExr
         }
     }
 
-    /// <summary>Whether a file is there and begins as an OpenEXR image.</summary>
+    /// <summary>Returns whether a file is there and begins as an OpenEXR image.</summary>
     internal static bool IsImage(string path)
     {
         try
@@ -55,7 +60,10 @@ public static class FilmExr
         }
     }
 
-    /// <summary>Writes a picture with its film. The file is there whole or not at all, and what was there before stays until then (<see cref="AtomicFile"/>).</summary>
+    /// <summary>
+    /// Writes a picture with its film. The file is there whole or not at all, and what was there before stays until then
+    /// (<see cref="AtomicFile"/>).
+    /// </summary>
     /// <param name="path">Where to; the name ends with .exr.</param>
     /// <param name="film">The film.</param>
     /// <param name="header">What to say of it.</param>
@@ -81,13 +89,14 @@ public static class FilmExr
 
     /// <summary>Reads what a file says about its film.</summary>
     /// <exception cref="PictureException">It cannot be read, is damaged, or carries no film.</exception>
-    public static FilmHeader ReadHeader(string path) => ImageFile.OfFile(path, file => HeaderOf(ExrHeader.Parse(file)), "film", LongestHead);
+    public static FilmHeader ReadHeader(string path) =>
+        ImageFile.OfFile(path, file => HeaderOf(ExrHeader.Parse(file)), "film", LongestHead);
 
     /// <summary>Reads a film.</summary>
     /// <inheritdoc cref="ReadHeader"/>
     public static (FilmHeader Header, Film Film) Read(string path) => ImageFile.OfFile(path, file => Read(file), "film");
 
-    /// <summary>Whether a channel is one of those that are the film.</summary>
+    /// <summary>Returns whether a channel is one of those that are the film.</summary>
     public static bool IsOfFilm(string channel) => channel.StartsWith(Layer, StringComparison.Ordinal);
 
     /// <summary>The names of a file's layers beside picture and film.</summary>

@@ -6,8 +6,8 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// Files that hold a film to the bit (.rtfilm): samples can be added to them later, and films of other samples of the same scene can be merged.
-/// docs/long-renders.md describes the format: signature, version, header and rows, each with a check of all before.
+/// Files that hold a film to the bit (.rtfilm): samples can be added to them later, and films of other samples of the same scene can be
+/// merged. docs/long-renders.md describes the format: signature, version, header and rows, each with a check of all before.
 /// </summary>
 public static class FilmFile
 {
@@ -24,10 +24,12 @@ public static class FilmFile
     /// <summary>The first bytes; as in PNG, line ends that are changed on the way show at once.</summary>
     public static ReadOnlySpan<byte> Signature => "RTFILM\r\n"u8;
 
-    /// <summary>Whether a file's name says that it holds a film.</summary>
+    /// <summary>Returns whether a file's name says that it holds a film.</summary>
     public static bool IsNamed(string path) => path.EndsWith(Extension, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Writes a film. The file is there whole or not at all, and what was there before stays until then (<see cref="AtomicFile"/>).</summary>
+    /// <summary>
+    /// Writes a film. The file is there whole or not at all, and what was there before stays until then (<see cref="AtomicFile"/>).
+    /// </summary>
     /// <exception cref="ImageWriteException">It cannot be written.</exception>
     public static void Write(string path, Film film, FilmHeader header) => AtomicFile.Write(path, stream =>
     {
@@ -86,7 +88,10 @@ public static class FilmFile
     /// <summary>Adds the samples of a file to a film of its size.</summary>
     /// <param name="path">The file.</param>
     /// <param name="film">The film.</param>
-    /// <param name="adding">One of these is held while a row is added: with the same ones, several files may be added at once. (The sums are exact: their order does not matter.)</param>
+    /// <param name="adding">
+    /// One of these is held while a row is added: with the same ones, several files may be added at once. (The sums are exact: their order
+    /// does not matter.)
+    /// </param>
     /// <exception cref="PictureException">It cannot be read, or is damaged: the film then holds a part of the samples.</exception>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
     public static FilmHeader AddTo(string path, Film film, params Lock[] adding) => OfFile(path, stream =>
@@ -102,7 +107,7 @@ public static class FilmFile
         return header;
     });
 
-    /// <summary>Whether sums need more than 64 bits.</summary>
+    /// <summary>Returns whether sums need more than 64 bits.</summary>
     internal static bool AreWide(Int128[] sums) => Array.Exists(sums, s => s < long.MinValue || s > long.MaxValue);
 
     // A row is a byte of flags, the counts (one where all are equal), and the sums (of 8 bytes where all fit into them, else of 16).

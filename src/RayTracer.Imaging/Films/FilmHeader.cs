@@ -4,7 +4,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>What a film file says about its film.</summary>
+/// <summary>The header of a film file, which describes its film.</summary>
 public sealed record FilmHeader
 {
     private const string SettingsKey = "settings";
@@ -25,7 +25,7 @@ public sealed record FilmHeader
     /// <summary>The samples of each pixel that it is meant to come to hold.</summary>
     public required SampleRange Wanted { get; init; }
 
-    /// <summary>How many samples a pixel of the whole picture has.</summary>
+    /// <summary>The number of samples that a pixel of the whole picture has.</summary>
     public required int Total { get; init; }
 
     /// <summary>The part of the picture that was rendered; null for all of it.</summary>
@@ -43,7 +43,7 @@ public sealed record FilmHeader
     /// <summary>The program that wrote it.</summary>
     public string Software { get; init; } = "";
 
-    /// <summary>Whether it holds all the samples that it is meant to.</summary>
+    /// <summary>True where it holds all the samples that it is meant to.</summary>
     public bool IsComplete => Samples is [var only] && only == Wanted;
 
     /// <summary>The samples as people write them, the last one included: 0..63.</summary>

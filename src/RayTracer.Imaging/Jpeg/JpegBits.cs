@@ -21,7 +21,7 @@ internal ref struct JpegBits
         Position = position;
     }
 
-    /// <summary>Where the next byte is read from; at the scan's end, its marker.</summary>
+    /// <summary>The position of the next byte; at the scan's end, its marker.</summary>
     public int Position { get; private set; }
 
     /// <summary>Reads one symbol.</summary>
@@ -41,7 +41,8 @@ internal ref struct JpegBits
     }
 
     // Apart, so that what is done for every symbol stays short enough to be inlined.
-    private static void ThrowNoCode(int position) => throw new PictureException($"its image data holds a code that its Huffman table does not (before byte {position})");
+    private static void ThrowNoCode(int position) =>
+        throw new PictureException($"its image data holds a code that its Huffman table does not (before byte {position})");
 
     /// <summary>Reads one symbol, and the number with a sign that has as many bits as the symbol's low four bits say.</summary>
     /// <exception cref="PictureException">The bits are those of no code.</exception>
@@ -72,7 +73,7 @@ internal ref struct JpegBits
         return (int)(_bits >> _count) & ((1 << length) - 1);
     }
 
-    /// <summary>Reads a number of up to 16 bits whose first bit tells its sign.</summary>
+    /// <summary>Reads a number of up to 16 bits whose first bit is its sign.</summary>
     public int Signed(int length) => JpegHuffmanTable.Extend(Number(length), length);
 
     /// <summary>Checks that all that was read was there.</summary>

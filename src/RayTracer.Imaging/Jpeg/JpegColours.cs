@@ -2,7 +2,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>What the components of a JPEG picture mean.</summary>
+/// <summary>The colours of the components of a JPEG picture.</summary>
 internal enum JpegColourSpace
 {
     /// <summary>One component.</summary>

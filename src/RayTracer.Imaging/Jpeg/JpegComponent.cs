@@ -53,7 +53,9 @@ internal sealed class JpegComponent(byte id, int horizontal, int vertical, int q
         _isDone = new bool[unitsDown * vertical];
     }
 
-    /// <summary>A row of blocks, 64 coefficients each; it takes memory only from its first use on, so that a mere claim of size costs nothing.</summary>
+    /// <summary>
+    /// A row of blocks, 64 coefficients each; it takes memory only from its first use on, so that a mere claim of size costs nothing.
+    /// </summary>
     public short[] BlockRow(int row)
     {
         short[] blocks = _coefficients[row] ?? _spare ?? new short[Stride * Side];
@@ -61,7 +63,9 @@ internal sealed class JpegComponent(byte id, int horizontal, int vertical, int q
         return _coefficients[row] = blocks;
     }
 
-    /// <summary>Remembers the quantization that holds at its first scan; tables may be defined anew after it (T.81, section B.2.4.1).</summary>
+    /// <summary>
+    /// Remembers the quantization that holds at its first scan; tables may be redefined after it (T.81, section B.2.4.1).
+    /// </summary>
     /// <exception cref="PictureException">There is no such table.</exception>
     public void LatchQuantization(float[]?[] tables) => _steps ??= tables[quantization]
         ?? throw new PictureException($"its quantization table {quantization} is missing");

@@ -3,7 +3,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>What the frame header (ITU-T T.81, section B.2.2) says of the whole picture.</summary>
+/// <summary>The frame header (ITU-T T.81, section B.2.2), which describes the whole picture.</summary>
 internal sealed class JpegFrame
 {
     private JpegFrame(int width, int height, bool progressive, JpegComponent[] components)
@@ -28,7 +28,7 @@ internal sealed class JpegFrame
     /// <summary>Height in pixels.</summary>
     public int Height { get; }
 
-    /// <summary>Whether the scans refine each other.</summary>
+    /// <summary>True where the scans refine each other.</summary>
     public bool IsProgressive { get; }
 
     /// <summary>One, three or four components.</summary>

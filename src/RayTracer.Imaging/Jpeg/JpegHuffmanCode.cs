@@ -1,6 +1,8 @@
 namespace RayTracer.Imaging;
 
-/// <summary>The Huffman code with the fewest bits for symbols that come so often, with at most 16 bits each (ITU-T T.81, annex K.2).</summary>
+/// <summary>
+/// The Huffman code with the fewest bits for symbols that come so often, with at most 16 bits each (ITU-T T.81, annex K.2).
+/// </summary>
 internal sealed class JpegHuffmanCode
 {
     private const int Symbols = 256;

@@ -66,11 +66,14 @@ internal sealed class JpegHuffmanTable
         return found != 0 ? found : FindLong(bits);
     }
 
-    /// <summary>The code that 16 bits begin with, and the number after it: the number times 65,536, plus the symbol times 256, plus how many bits both take; 0 where these are too many.</summary>
+    /// <summary>
+    /// The code that 16 bits begin with, and the number after it: the number times 65,536, plus the symbol times 256, plus how many bits
+    /// both take; 0 where these are too many.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int FindWithNumber(int bits) => _known[bits >> (LongestCode - KnownBits)];
 
-    /// <summary>A number whose first bit tells its sign (T.81, figure F.12).</summary>
+    /// <summary>A number whose first bit is its sign (T.81, figure F.12).</summary>
     /// <param name="bits">The number's bits.</param>
     /// <param name="length">How many these are.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -3,7 +3,9 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>Turns an image into the quantized coefficients of luminance and two differences of colour.</summary>
-/// <remarks>All arithmetic is of floats, with the operations in a fixed order and none fused, so that files have the same bytes on every machine.</remarks>
+/// <remarks>
+/// All arithmetic is of floats, with the operations in a fixed order and none fused, so that files have the same bytes on every machine.
+/// </remarks>
 internal sealed class JpegPlanes
 {
     private const int Side = JpegComponent.Side;

@@ -1,6 +1,9 @@
 namespace RayTracer.Imaging;
 
-/// <summary>Steps of coefficients (ITU-T T.81, annex K.1) for a quality from 1 to 100, scaled as libjpeg scales them, so that a number means what it means elsewhere.</summary>
+/// <summary>
+/// Steps of coefficients (ITU-T T.81, annex K.1) for a quality from 1 to 100, scaled as libjpeg scales them, so that a number means what it
+/// means elsewhere.
+/// </summary>
 internal static class JpegQuantization
 {
     private static readonly byte[] s_luminance =

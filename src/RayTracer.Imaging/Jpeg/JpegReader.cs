@@ -26,7 +26,9 @@ public static class JpegReader
     /// <param name="file">The whole file.</param>
     /// <param name="raw">Whether the values are data, to be divided by 255, rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB from 0 to 1, or the raw values from 0 to 1; grey has three equal channels.</returns>
-    /// <exception cref="PictureException">The file is no JPEG, is damaged, of a kind that is not read, or beyond <see cref="PictureLimits"/>.</exception>
+    /// <exception cref="PictureException">
+    /// The file is no JPEG, is damaged, of a kind that is not read, or beyond <see cref="PictureLimits"/>.
+    /// </exception>
     public static Picture Read(ReadOnlySpan<byte> file, bool raw = false)
     {
         Require(file.StartsWith(Signature), "it does not begin as a JPEG file does");
@@ -53,7 +55,9 @@ public static class JpegReader
         return picture;
     }
 
-    /// <summary>Reads the comments (COM) that a file carries before its image data: <c>key: value</c>, or a text that is called "Comment".</summary>
+    /// <summary>
+    /// Reads the comments (COM) that a file carries before its image data: <c>key: value</c>, or a text that is called "Comment".
+    /// </summary>
     /// <param name="file">The whole file.</param>
     /// <exception cref="PictureException">The file is no JPEG, or is damaged.</exception>
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(ReadOnlySpan<byte> file)
@@ -139,7 +143,7 @@ public static class JpegReader
 
         public int AdobeTransform { get; set; }
 
-        // JFIF is always YCbCr; then Adobe's marker tells; then names of components (as libjpeg decides).
+        // JFIF is always YCbCr; then Adobe's marker decides; then names of components (as libjpeg decides).
         public JpegColourSpace ColourSpace()
         {
             JpegComponent[] components = Frame!.Components;

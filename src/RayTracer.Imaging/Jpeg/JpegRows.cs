@@ -10,7 +10,9 @@ internal static class JpegRows
 {
     private const int Count = 8;
 
-    /// <summary>Samples between two rows: three quarters of the near one and a quarter of the far one, which is exact; or those of one row alone.</summary>
+    /// <summary>
+    /// Samples between two rows: three quarters of the near one and a quarter of the far one, which is exact; or those of one row alone.
+    /// </summary>
     /// <param name="near">The near row.</param>
     /// <param name="far">As many samples of the far row, or none.</param>
     /// <param name="mixed">Receives the mixture.</param>
@@ -60,7 +62,9 @@ internal static class JpegRows
         }
     }
 
-    /// <summary>The nearest codes of red, green and blue: ITU-T T.871 (JFIF), section 7, which is Rec. 601 luminance with all codes used.</summary>
+    /// <summary>
+    /// The nearest codes of red, green and blue: ITU-T T.871 (JFIF), section 7, which is Rec. 601 luminance with all codes used.
+    /// </summary>
     /// <param name="y">Luminance.</param>
     /// <param name="cb">Difference of blue.</param>
     /// <param name="cr">Difference of red.</param>

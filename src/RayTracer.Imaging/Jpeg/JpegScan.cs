@@ -55,7 +55,7 @@ internal sealed class JpegScan
         }
     }
 
-    /// <summary>Where a coefficient of a given place in a scan, or in a quantization table, stands in a block.</summary>
+    /// <summary>Returns the place in a block of a coefficient that has a given place in a scan or quantization table.</summary>
     public static int PlaceOf(int index) => ZigZag[index];
 
     /// <summary>Reads the scan's data.</summary>

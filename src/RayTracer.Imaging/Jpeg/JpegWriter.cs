@@ -3,7 +3,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Writes JPEG files (ITU-T T.81, baseline, with the best Huffman codes for each image; ITU-T T.871, JFIF): sRGB-encoded, the same bytes on every machine.</summary>
+/// <summary>
+/// Writes JPEG files (ITU-T T.81, baseline, with the best Huffman codes for each image; ITU-T T.871, JFIF): sRGB-encoded, the same bytes on
+/// every machine.
+/// </summary>
 public static class JpegWriter
 {
     /// <summary>The quality that is written where none is asked for.</summary>
@@ -12,7 +15,7 @@ public static class JpegWriter
     /// <summary>The largest width and height of a JPEG file.</summary>
     public const int MaxSide = 65_535;
 
-    /// <summary>What follows a text's key where the text goes on.</summary>
+    /// <summary>The end of a text's key in segments that continue the text.</summary>
     internal const string Continued = " (continued)";
 
     // What a segment holds behind its own length.
@@ -26,7 +29,10 @@ public static class JpegWriter
     /// <param name="image">Linear RGB; what lies outside [0, 1] is cut off, NaN becomes 0.</param>
     /// <param name="quality">1 to 100, on libjpeg's scale.</param>
     /// <param name="chroma">How many differences of colour are kept; null for all from quality 90 on, below it a quarter.</param>
-    /// <param name="metadata">Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes goes on in further ones, called <c>key (continued)</c>.</param>
+    /// <param name="metadata">
+    /// Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes goes on in further ones, called
+    /// <c>key (continued)</c>.
+    /// </param>
     /// <exception cref="ArgumentException">A quality outside its range, or an image that is too large for the format.</exception>
     public static void Write(Stream output, IImageRows image, int quality = StandardQuality, JpegChroma? chroma = null, IEnumerable<KeyValuePair<string, string>>? metadata = null)
     {
@@ -96,5 +102,16 @@ public static class JpegWriter
         }
     }
 
-    private static void WriteSegment(Stream output, byte marker, byte[] data) => output.Write([0xFF, marker, (byte)((data.Length + 2) >> 8), (byte)(data.Length + 2), .. data]);
+    private static void WriteSegment(Stream output, byte marker, byte[] data) =>
+        output.Write([0xFF, marker, (byte)((data.Length + 2) >> 8), (byte)(data.Length + 2), .. data]);
+}
+
+/// <summary>The differences of colour that a JPEG file keeps.</summary>
+public enum JpegChroma
+{
+    /// <summary>One of each for every pixel (4:4:4).</summary>
+    Full,
+
+    /// <summary>One of each for every square of four pixels, their mean (4:2:0): smaller files, blurred edges between colours.</summary>
+    Half,
 }

@@ -3,8 +3,9 @@ using System.Buffers.Binary;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// Restores blocks of the compressions B44 and B44A (ImfB44Compressor of OpenEXR's reference implementation): squares of 4 × 4 halves as one
-/// number and 15 differences of 6 bits that share an exponent; with B44A, even squares as the number alone. Other channels are as they are.
+/// Restores blocks of the compressions B44 and B44A (ImfB44Compressor of OpenEXR's reference implementation): squares of 4 × 4 halves as
+/// one number and 15 differences of 6 bits that share an exponent; with B44A, even squares as the number alone. Other channels are as they
+/// are.
 /// </summary>
 internal static class B44Decoder
 {

@@ -3,16 +3,21 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Pixels of an OpenEXR file that are compressed together, rows or a tile, and where they are in it; rows and columns count from 0.</summary>
+/// <summary>
+/// Pixels of an OpenEXR file that are compressed together, rows or a tile, and where they are in it; rows and columns count from 0.
+/// </summary>
 internal readonly record struct ExrBlock(int FirstRow, int Rows, int FirstColumn, int Columns, int Bytes, int Offset, int PackedBytes)
 {
     /// <summary>Bytes of a channel's part of a row, before compression.</summary>
     /// <param name="header">The file's header.</param>
     /// <param name="channel">The channel.</param>
     /// <param name="row">The row within the block, from 0.</param>
-    public int RowBytes(ExrHeader header, ExrChannel channel, int row) => (int)channel.Bytes(header.Top + FirstRow + row, 1, header.Left + FirstColumn, Columns);
+    public int RowBytes(ExrHeader header, ExrChannel channel, int row) =>
+        (int)channel.Bytes(header.Top + FirstRow + row, 1, header.Left + FirstColumn, Columns);
 
-    /// <summary>Finds all blocks of full size through the table of their offsets; they may be in any order, but each must be there once.</summary>
+    /// <summary>
+    /// Finds all blocks of full size through the table of their offsets; they may be in any order, but each must be there once.
+    /// </summary>
     /// <exception cref="PictureException">A block is missing or cannot be what it claims to be.</exception>
     public static ExrBlock[] Find(ReadOnlySpan<byte> file, ExrHeader header)
     {

@@ -3,7 +3,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Compression of one OpenEXR block (openexr.com, "OpenEXR File Layout", and ImfZip, ImfRle of the reference implementation).</summary>
+/// <summary>
+/// Compression of one OpenEXR block (openexr.com, "OpenEXR File Layout", and ImfZip, ImfRle of the reference implementation).
+/// </summary>
 internal static class ExrBlockCodec
 {
     private const int LongestRun = 127;

@@ -3,7 +3,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Everything that is written to an OpenEXR file, channel by channel, in the order of their names, which the format demands.</summary>
+/// <summary>
+/// Everything that is written to an OpenEXR file, channel by channel, in the order of their names, which the format demands.
+/// </summary>
 internal sealed class ExrChannelRows
 {
     private const float LargestHalf = 65504;
@@ -32,7 +34,7 @@ internal sealed class ExrChannelRows
         }
     }
 
-    /// <summary>Whether a channel may be called so.</summary>
+    /// <summary>Returns whether a channel may have a name.</summary>
     public static bool CanHold(string name) => name.Length is > 0 and <= ExrFormat.LongName && name.All(c => c is > ' ' and <= '~');
 
     /// <summary>The channels, in the order in which rows hold them.</summary>

@@ -1,6 +1,6 @@
 namespace RayTracer.Imaging;
 
-/// <summary>How the pixels of an OpenEXR file are compressed, always without loss; the values are the file format's.</summary>
+/// <summary>The compressions of pixels in OpenEXR files, all without loss; the values are the file format's.</summary>
 public enum ExrCompression
 {
     /// <summary>Not at all.</summary>

@@ -1,6 +1,8 @@
 namespace RayTracer.Imaging;
 
-/// <summary>What reader and writer of OpenEXR agree on ("Technical Introduction to OpenEXR" and "OpenEXR File Layout", openexr.com).</summary>
+/// <summary>
+/// The facts that reader and writer of OpenEXR share ("Technical Introduction to OpenEXR" and "OpenEXR File Layout", openexr.com).
+/// </summary>
 internal static class ExrFormat
 {
     public const int Version = 2;
@@ -52,6 +54,6 @@ internal static class ExrFormat
         _ => 1,
     };
 
-    /// <summary>How many times fewer bytes there can be at most; of four bytes, PXR24 packs three.</summary>
+    /// <summary>The largest ratio of bytes to compressed bytes; of four bytes, PXR24 packs three.</summary>
     public static long MaxRatio(ExrCompression compression) => PictureLimits.MaxDeflateRatio * (compression == Pxr24 ? 2 : 1);
 }

@@ -40,10 +40,10 @@ internal sealed class ExrHeader
     /// <summary>The string attributes that are not the format's own, in their order.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Texts => _texts;
 
-    /// <summary>Whether the file is one of several parts, even if there is only one.</summary>
+    /// <summary>True where the file is one of several parts, even if there is only one.</summary>
     public bool IsMultiPart { get; private set; }
 
-    /// <summary>Whether blocks are tiles rather than rows.</summary>
+    /// <summary>True where blocks are tiles rather than rows.</summary>
     public bool IsTiled { get; private set; }
 
     /// <summary>Columns of a block; fewer at the right edge.</summary>
@@ -58,7 +58,7 @@ internal sealed class ExrHeader
     /// <summary>Blocks one above the other.</summary>
     public int BlocksDown => (int)(((long)Height + BlockHeight - 1) / BlockHeight);
 
-    /// <summary>Where the table of blocks begins.</summary>
+    /// <summary>The position of the table of blocks.</summary>
     public int End { get; private set; }
 
     public static ExrHeader Parse(ReadOnlySpan<byte> file)
@@ -228,4 +228,20 @@ internal sealed class ExrHeader
             throw new PictureException($"its tiles of {width}×{height} pixels are too small for a picture of {Width}×{Height} pixels with {Channels.Count} channels");
         }
     }
+}
+
+/// <summary>A channel of an OpenEXR file: it has a value where x and y are multiples of the steps.</summary>
+internal readonly record struct ExrChannel(string Name, ExrPixelType Type, bool IsPerceptual, int StepX, int StepY)
+{
+    /// <summary>Bytes of one value.</summary>
+    public int ValueBytes => Type == ExrPixelType.Half ? 2 : 4;
+
+    /// <summary>Bytes of the channel's part of a rectangle.</summary>
+    public long Bytes(int top, int rows, int left, int columns) =>
+        Multiples(left, columns, StepX) * Multiples(top, rows, StepY) * ValueBytes;
+
+    private static long Multiples(int first, int count, int step) =>
+        FloorDivide((long)first + count - 1, step) - FloorDivide((long)first - 1, step);
+
+    private static long FloorDivide(long a, int b) => a >= 0 ? a / b : -((-a + b - 1) / b);
 }

@@ -1,6 +1,6 @@
 namespace RayTracer.Imaging;
 
-/// <summary>What one value of an OpenEXR channel is; the values are the file format's.</summary>
+/// <summary>The types of values of OpenEXR channels; the values are the file format's.</summary>
 public enum ExrPixelType
 {
     /// <summary>32-bit unsigned integer; written in layers only.</summary>

@@ -5,7 +5,7 @@ namespace RayTracer.Imaging;
 /// <summary>Blocks whose compression holds one channel after the other, as numbers of 16 bits.</summary>
 internal static class ExrPlanes
 {
-    /// <summary>How many values a channel has in a row of a block, and in how many rows.</summary>
+    /// <summary>The number of values a channel has in a row of a block, and in how many rows.</summary>
     public static (int Width, int Height) Extent(ExrHeader header, ExrBlock block, ExrChannel channel)
     {
         int width = 0;

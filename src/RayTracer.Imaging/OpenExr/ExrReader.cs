@@ -19,7 +19,9 @@ public static class ExrReader
     /// <summary>Reads the data window of a picture.</summary>
     /// <param name="file">The whole file.</param>
     /// <returns>The values as linear RGB; half, float and unsigned integers all become floats, grey has three equal channels.</returns>
-    /// <exception cref="PictureException">The file is no OpenEXR, is of another kind than said above, is damaged, or is beyond <see cref="PictureLimits"/>.</exception>
+    /// <exception cref="PictureException">
+    /// The file is no OpenEXR, is of another kind than said above, is damaged, or is beyond <see cref="PictureLimits"/>.
+    /// </exception>
     public static Picture Read(ReadOnlySpan<byte> file)
     {
         ExrHeader header = ExrHeader.Parse(file);
@@ -74,12 +76,12 @@ public static class ExrReader
     {
         if (header.IsTiled)
         {
-            throw new PictureException("another program has written it anew, with tiles, from which its integers are not read");
+            throw new PictureException("another program has rewritten it, with tiles, from which its integers are not read");
         }
 
         if (names.FirstOrDefault(n => !header.Channels.Any(c => c is { StepX: 1, StepY: 1, Type: ExrPixelType.Uint } && c.Name == n)) is { } missing)
         {
-            throw new PictureException($"it has no channel {missing} with an unsigned integer for every pixel: another program has written it anew");
+            throw new PictureException($"it has no channel {missing} with an unsigned integer for every pixel: another program has rewritten it");
         }
 
         int[] targets = [.. header.Channels.Select(c => Array.IndexOf(names, c.Name))];
@@ -134,7 +136,10 @@ public static class ExrReader
 
     /// <summary>Adds channels up to a picture.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="parts">By the name of a channel, to which channel of the picture it is added, from 0, and what it is multiplied by. Other channels are skipped.</param>
+    /// <param name="parts">
+    /// By the name of a channel, to which channel of the picture it is added, from 0, and what it is multiplied by. Other channels are
+    /// skipped.
+    /// </param>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
     public static Picture Sum(ReadOnlySpan<byte> file, IReadOnlyDictionary<string, (int Channel, float Factor)> parts)
     {

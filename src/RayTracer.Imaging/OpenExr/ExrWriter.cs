@@ -13,11 +13,19 @@ public static class ExrWriter
     /// <summary>Writes an image, a block of at most 16 rows at a time: no more is in memory.</summary>
     /// <param name="output">Where to; it must be able to seek, for the table of blocks before the pixels.</param>
     /// <param name="image">Linear RGB.</param>
-    /// <param name="type">Half or float. Floats are kept bit for bit; for halves, finite values are rounded to the nearest and cut off at ±65504.</param>
+    /// <param name="type">
+    /// Half or float. Floats are kept bit for bit; for halves, finite values are rounded to the nearest and cut off at ±65504.
+    /// </param>
     /// <param name="compression">Compression, without loss.</param>
-    /// <param name="metadata">Text to keep with the image as string attributes: keys of 1 to 255 bytes without NUL, each once, that are not attributes of the format itself.</param>
+    /// <param name="metadata">
+    /// Text to keep with the image as string attributes: keys of 1 to 255 bytes without NUL, each once, that are not attributes of the
+    /// format itself.
+    /// </param>
     /// <param name="layers">Channels to write beside the image's own, each in its own type.</param>
-    /// <exception cref="ArgumentException">A stream that cannot seek, the type <see cref="ExrPixelType.Uint"/> for the image, or metadata or names of channels that OpenEXR cannot hold.</exception>
+    /// <exception cref="ArgumentException">
+    /// A stream that cannot seek, the type <see cref="ExrPixelType.Uint"/> for the image, or metadata or names of channels that OpenEXR
+    /// cannot hold.
+    /// </exception>
     public static void Write(
         Stream output,
         IImageRows image,

@@ -3,8 +3,8 @@ using System.Buffers.Binary;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// Restores blocks of the compression PIZ (ImfPizCompressor, ImfHuf and ImfWav of OpenEXR's reference implementation): 16-bit numbers, of which
-/// only those that occur are counted, as a wavelet transform of each channel, in Huffman codes.
+/// Restores blocks of the compression PIZ (ImfPizCompressor, ImfHuf and ImfWav of OpenEXR's reference implementation): 16-bit numbers, of
+/// which only those that occur are counted, as a wavelet transform of each channel, in Huffman codes.
 /// </summary>
 internal static class PizDecoder
 {

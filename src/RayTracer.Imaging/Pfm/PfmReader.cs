@@ -10,11 +10,13 @@ public static class PfmReader
 {
     private const int LongestWord = 32;
 
-    /// <summary>Whether a file begins as a portable float map does.</summary>
+    /// <summary>Returns whether a file begins as a portable float map does.</summary>
     public static bool IsPfm(ReadOnlySpan<byte> file) =>
         file.Length > 2 && file[0] == 'P' && file[1] is (byte)'F' or (byte)'f' && IsSpace(file[2]);
 
-    /// <summary>Reads a picture. Values are taken as they are, bit for bit; of the scale only the sign counts, which is the byte order.</summary>
+    /// <summary>
+    /// Reads a picture. Values are taken as they are, bit for bit; of the scale only the sign counts, which is the byte order.
+    /// </summary>
     /// <param name="file">The whole file.</param>
     /// <returns>The values as linear RGB; grey has three equal channels.</returns>
     /// <exception cref="PictureException">The file is no PFM, is cut off, or is beyond <see cref="PictureLimits"/>.</exception>

@@ -4,8 +4,8 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// An animated PNG (W3C PNG specification, third edition, sections 11.3.4.1 to 11.3.4.3): pictures of one size, shown one after the other without end.
-/// Programs that know no animation show the first. The compressed pictures are in memory until they are written.
+/// An animated PNG (W3C PNG specification, third edition, sections 11.3.4.1 to 11.3.4.3): pictures of one size, shown one after the other
+/// without end. Programs that know no animation show the first. The compressed pictures are in memory until they are written.
 /// </summary>
 /// <param name="texts">Texts to keep in the file.</param>
 /// <param name="secondsPerFrame">How long each picture is shown.</param>
@@ -19,7 +19,7 @@ public sealed class AnimatedPng(IEnumerable<KeyValuePair<string, string>> texts,
     /// <summary>Returns whether a file's name is that of an animated PNG and of nothing else.</summary>
     public static bool IsNamed(string path) => path.EndsWith(".apng", StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>How many pictures it has.</summary>
+    /// <summary>The number of its pictures.</summary>
     public int Count => _frames.Count;
 
     /// <summary>Adds a picture.</summary>

@@ -53,3 +53,13 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, P
         return new PngHeader((int)width, (int)height, depth, type, data[12] == 1);
     }
 }
+
+/// <summary>The kinds of PNG pixels, with the specification's numbers.</summary>
+internal enum PngColourType
+{
+    Grey = 0,
+    Rgb = 2,
+    Palette = 3,
+    GreyAlpha = 4,
+    RgbAlpha = 6,
+}

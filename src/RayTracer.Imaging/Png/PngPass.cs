@@ -1,6 +1,8 @@
 namespace RayTracer.Imaging;
 
-/// <summary>A part of the pixels, on a regular grid, that is stored as an image of its own: all of them, or one of Adam7's seven passes.</summary>
+/// <summary>
+/// A part of the pixels, on a regular grid, that is stored as a separate image: all of them, or one of Adam7's seven passes.
+/// </summary>
 internal readonly record struct PngPass(int X, int Y, int StepX, int StepY, int Width, int Height)
 {
     /// <summary>The passes of a file that have pixels, in their order (W3C PNG specification, section 8).</summary>

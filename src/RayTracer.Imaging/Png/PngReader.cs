@@ -22,7 +22,7 @@ public static class PngReader
 
     /// <summary>Reads how opaque a picture's pixels are.</summary>
     /// <param name="file">The whole file.</param>
-    /// <returns>0 for transparent to 1 for opaque, in all three channels; null where the file has no channel of its own for that.</returns>
+    /// <returns>0 for transparent to 1 for opaque, in all three channels; null where the file has no channel for that.</returns>
     /// <exception cref="PictureException">As for <see cref="Read(ReadOnlySpan{byte}, bool)"/>.</exception>
     public static Picture? ReadAlpha(ReadOnlySpan<byte> file)
     {

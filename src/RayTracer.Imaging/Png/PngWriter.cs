@@ -12,7 +12,10 @@ public static class PngWriter
     /// <param name="output">Where to.</param>
     /// <param name="image">Linear RGB; what lies outside [0, 1] is cut off, NaN becomes 0.</param>
     /// <param name="bitDepth">Bits a channel: 8 or 16.</param>
-    /// <param name="metadata">Text to keep with the image: keys of 1 to 79 printable Latin-1 characters, without spaces at the ends or side by side; values without NUL.</param>
+    /// <param name="metadata">
+    /// Text to keep with the image: keys of 1 to 79 printable Latin-1 characters, without spaces at the ends or side by side; values
+    /// without NUL.
+    /// </param>
     /// <exception cref="ArgumentException">A bit depth that is neither 8 nor 16, or metadata that PNG cannot hold.</exception>
     public static void Write(Stream output, IImageRows image, int bitDepth = 8, IEnumerable<KeyValuePair<string, string>>? metadata = null)
     {

@@ -5,8 +5,8 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// Reads Radiance pictures (.hdr, .pic; Ward 1991): red, green and blue of eight bits each with a common exponent, plain or run-length coded in
-/// either way. A value is its mantissa · 2^(exponent − 136), as most programs read it; exposures in the header are undone.
+/// Reads Radiance pictures (.hdr, .pic; Ward 1991): red, green and blue of eight bits each with a common exponent, plain or run-length
+/// coded in either way. A value is its mantissa · 2^(exponent − 136), as most programs read it; exposures in the header are undone.
 /// </summary>
 public static class HdrReader
 {
@@ -18,13 +18,15 @@ public static class HdrReader
     // A run of 127 equal bytes takes two; four bytes repeat a pixel 255 times.
     private const long MostPixelsPerByte = 64;
 
-    /// <summary>How such a file begins.</summary>
+    /// <summary>The first bytes of a file.</summary>
     public static ReadOnlySpan<byte> Signature => "#?"u8;
 
     /// <summary>Reads a picture.</summary>
     /// <param name="file">The whole file.</param>
     /// <returns>Linear RGB.</returns>
-    /// <exception cref="PictureException">The file is no Radiance picture, is cut off or damaged, or is beyond <see cref="PictureLimits"/>.</exception>
+    /// <exception cref="PictureException">
+    /// The file is no Radiance picture, is cut off or damaged, or is beyond <see cref="PictureLimits"/>.
+    /// </exception>
     public static Picture Read(ReadOnlySpan<byte> file)
     {
         ReadOnlySpan<byte> rest = file;
@@ -51,10 +53,14 @@ public static class HdrReader
         return picture;
     }
 
-    /// <summary>Reads the texts that a file carries: comments, <c># key: value</c> in UTF-8 or a text that is called "Comment", and variables, <c>KEY=value</c>.</summary>
+    /// <summary>
+    /// Reads the texts that a file carries: comments, <c># key: value</c> in UTF-8 or a text that is called "Comment", and variables,
+    /// <c>KEY=value</c>.
+    /// </summary>
     /// <param name="file">The whole file.</param>
     /// <exception cref="PictureException">The header is damaged.</exception>
-    public static IReadOnlyList<KeyValuePair<string, string>> ReadText(ReadOnlySpan<byte> file) => [.. Header(ref file).Skip(1).Select(Text).OfType<KeyValuePair<string, string>>()];
+    public static IReadOnlyList<KeyValuePair<string, string>> ReadText(ReadOnlySpan<byte> file) =>
+        [.. Header(ref file).Skip(1).Select(Text).OfType<KeyValuePair<string, string>>()];
 
     /// <summary>Reads what a file says of itself.</summary>
     /// <param name="file">The whole file.</param>

@@ -4,8 +4,9 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>
-/// Writes Radiance pictures (.hdr; Ward 1991), run-length coded: red, green and blue of eight bits each with a common exponent, so that a value is off by at
-/// most 1/256 of the pixel's largest. Rounded to the nearest; what is below 0 or no number is 0, and what is too bright is the brightest there is.
+/// Writes Radiance pictures (.hdr; Ward 1991), run-length coded: red, green and blue of eight bits each with a common exponent, so that a
+/// value is off by at most 1/256 of the pixel's largest. Rounded to the nearest; what is below 0 or no number is 0, and what is too bright
+/// is the brightest there is.
 /// </summary>
 public static class HdrWriter
 {
@@ -18,7 +19,9 @@ public static class HdrWriter
     /// <summary>Writes an image.</summary>
     /// <param name="output">Where to.</param>
     /// <param name="image">Linear RGB.</param>
-    /// <param name="metadata">Texts to keep as comments, <c># key: value</c> in UTF-8; may be null. One that has line ends, or some 65,000 bytes, is left out.</param>
+    /// <param name="metadata">
+    /// Texts to keep as comments, <c># key: value</c> in UTF-8; may be null. One that has line ends, or some 65,000 bytes, is left out.
+    /// </param>
     public static void Write(Stream output, IImageRows image, IReadOnlyList<KeyValuePair<string, string>>? metadata = null)
     {
         int width = image.Width;

@@ -168,16 +168,13 @@ internal sealed class RecordReader
             return null;
         }
 
-        for (int i = 0; i < parameter.Choices.Count; i++)
+        object? value = parameter.Choice(node.Text);
+        if (value is null)
         {
-            if (parameter.Choices[i].Equals(node.Text, StringComparison.OrdinalIgnoreCase))
-            {
-                return Enum.GetValues(parameter.ValueType).GetValue(i);
-            }
+            _bag.Unknown(node.Start, $"unknown value {Quotation.Of(node.Text)} for {Quotation.Of(parameter.Key)}", node.Text, parameter.Choices, "expected one of");
         }
 
-        _bag.Unknown(node.Start, $"unknown value {Quotation.Of(node.Text)} for {Quotation.Of(parameter.Key)}", node.Text, parameter.Choices, "expected one of");
-        return null;
+        return value;
     }
 
     // A list of those elements that could be read.

@@ -71,7 +71,7 @@ public sealed class SceneWriter
         long number => number,
         bool flag => flag,
         string text => text,
-        Enum choice => JsonNamingPolicy.CamelCase.ConvertName(choice.ToString()),
+        Enum or NamedValue => NamedValues.NameOf(value),
         Vector2 v => new JsonArray(Number(v.X), Number(v.Y)),
         Vector3 v => new JsonArray(Number(v.X), Number(v.Y), Number(v.Z)),
         Rgb c => new JsonArray(Number(c.R), Number(c.G), Number(c.B)),

@@ -45,16 +45,9 @@ public static class SceneThings
             return (text.Set(pointer, NewThing.Plain(record, file)), pointer);
         }
 
-        JsonObject shape = NewThing.Shape(record, SceneView.Of(text.Root), Place(text, near), text.Root.Find("objects")?.Members.Select(m => m.Key).FirstOrDefault(), file);
-        if (isLight && !record.IsLight)
-        {
-            shape["material"] = NewThing.Lamp();
-            if (type == "plane")
-            {
-                shape["size"] = new JsonArray(1, 1);
-            }
-        }
-
+        SketchView view = NewThing.View(text.Root) with { Shines = isLight, File = file };
+        string? objectName = text.Root.Find("objects")?.Members.Select(m => m.Key).FirstOrDefault();
+        JsonObject shape = NewThing.Shape(record, Beside(text, near, view), objectName);
         string list = isLight ? "/lights" : "/shapes";
         text = text.Set($"{list}/-", shape);
         return (text, JsonEdit.LastOf(text, list));
@@ -83,7 +76,7 @@ public static class SceneThings
 
         if (thing.Family == SceneTypes.Shapes && thing.Type is not null)
         {
-            SceneView view = SceneView.Of(text.Root);
+            SketchView view = NewThing.View(text.Root);
             text = ShapePlacement.Translate(text, copy, view.Right * view.Size);
         }
 
@@ -187,11 +180,9 @@ public static class SceneThings
     private static IEnumerable<SceneValue> Shapes(JsonNode root) => SceneValue.Scene(root).WithInner().Where(v => v is { Family.Noun: "shape", Node.Kind: JsonKind.Object });
 
     // In the middle of the picture, or beside another thing.
-    private static Vector3 Place(JsonText text, string? near)
-    {
-        SceneView view = SceneView.Of(text.Root);
-        return near is not null && SceneValue.At(text.Root, near) is { Type: not null, Family.Noun: "shape" } ? ShapePlacement.Middle(text, near) + (view.Right * (2 * view.Size)) : view.Target;
-    }
+    private static SketchView Beside(JsonText text, string? near, SketchView view) =>
+        near is not null && SceneValue.At(text.Root, near) is { Type: not null, Family.Noun: "shape" }
+            ? view with { Target = ShapePlacement.Middle(text, near) + (view.Right * (2 * view.Size)) } : view;
 
     private static string FreeName(JsonNode root, TypeFamily family, string name)
     {

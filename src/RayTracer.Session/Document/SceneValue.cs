@@ -91,20 +91,39 @@ public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter?
     }
 
     /// <summary>Three numbers of a parameter of this record, or its default.</summary>
-    public Vector3 Vector(string key)
-    {
-        SceneValue? child = Child(key);
-        return child?.Node is { Kind: JsonKind.Array, Items.Count: 3 } node && node.Items.All(i => i.Kind == JsonKind.Number)
-            ? new(ToFloat(node.Items[0]), ToFloat(node.Items[1]), ToFloat(node.Items[2]))
-            : child?.Parameter?.Default as Vector3? ?? default;
-    }
+    public Vector3 Vector(string key) => Child(key) is { } child ? (child.Written ?? child.Parameter!.Default) as Vector3? ?? default : default;
 
     /// <summary>A number of a parameter of this record, or its default.</summary>
-    public float Number(string key)
+    public float Number(string key) =>
+        Child(key) is { } child ? Convert.ToSingle(child.Written ?? child.Parameter!.Default, CultureInfo.InvariantCulture) : 0;
+
+    /// <summary>A record of this type with the numbers and choices that are written here; what cannot be read keeps its default.</summary>
+    public object Record()
     {
-        SceneValue? child = Child(key);
-        return child?.Node is { Kind: JsonKind.Number } node ? ToFloat(node) : Convert.ToSingle(child?.Parameter?.Default ?? 0f, CultureInfo.InvariantCulture);
+        object record = Type!.Create();
+        foreach (RecordParameter parameter in Type.Parameters)
+        {
+            if (Child(parameter.Key)!.Written is { } value)
+            {
+                parameter.Set(record, value);
+            }
+        }
+
+        return record;
     }
+
+    // The number, the two or three in brackets, or the choice that the parameter takes; null where something else is written.
+    private object? Written => (Parameter!.Kind, Node) switch
+    {
+        (ParameterKind.Number, { Kind: JsonKind.Number }) => ToFloat(Node),
+        (ParameterKind.Integer, { Kind: JsonKind.Number }) => (int)ToFloat(Node),
+        (ParameterKind.Choice, { Kind: JsonKind.String }) => Enum.GetValues(Parameter.ValueType).Cast<object>().ElementAtOrDefault(Parameter.Choices.ToList().IndexOf(Node.Text)),
+        (ParameterKind.Vector2, { Kind: JsonKind.Array }) when Floats(Node) is [var x, var y] => new Vector2(x, y),
+        (ParameterKind.Vector3, { Kind: JsonKind.Array }) when Floats(Node) is [var x, var y, var z] => new Vector3(x, y, z),
+        _ => null,
+    };
+
+    private static float[] Floats(JsonNode list) => list.Items.All(i => i.Kind == JsonKind.Number) ? [.. list.Items.Select(ToFloat)] : [];
 
     internal static float ToFloat(JsonNode number) => float.Parse(number.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
 

@@ -1,9 +1,8 @@
 using System.Numerics;
-using System.Text.Json.Nodes;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Scenes;
-using JsonNode = RayTracer.Scenes.JsonNode;
+using Json = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Session;
 
@@ -43,7 +42,7 @@ public static class ShapePlacement
     public static Vector3 Middle(JsonText text, string pointer)
     {
         SceneValue shape = Shape(text, pointer);
-        return (Outer(text, pointer) * AtFirst(shape) * TransformEdit.Map(shape.Child("transform"))).Point(ShapeNumbers.Middle(shape));
+        return (Outer(text, pointer) * AtFirst(shape) * TransformEdit.Map(shape.Child("transform"))).Point(Record(shape).Middle);
     }
 
     private static JsonText Place(JsonText text, string pointer, Movement movement)
@@ -61,21 +60,24 @@ public static class ShapePlacement
             return motion.Children().Aggregate(text, (t, frame) => TransformEdit.Append(t, frame.Pointer + "/transform", inner));
         }
 
+        ShapeDescription record = Record(shape);
         bool isPlain = shape.Child("transform")?.Node is not { Items.Count: > 0 };
-        return isPlain && ShapeNumbers.Moved(shape, inner.Map, IsTextured(text.Root, shape)) is { } numbers
-            ? Write(text, shape, numbers)
+        return isPlain && record.Moved(new(inner.Map, IsTextured(text.Root, shape))) is { } moved
+            ? Write(text, shape, record, moved)
             : TransformEdit.Append(text, shape.Pointer + "/transform", inner);
     }
 
-    // Only what changes is written anew.
-    private static JsonText Write(JsonText text, SceneValue shape, JsonObject numbers)
+    private static ShapeDescription Record(SceneValue shape) => (ShapeDescription)shape.Record();
+
+    // Only what changes is written.
+    private static JsonText Write(JsonText text, SceneValue shape, ShapeDescription before, ShapeDescription after)
     {
-        PropertyValues before = PropertyValues.At(text.Root, shape.Pointer);
-        foreach ((string key, System.Text.Json.Nodes.JsonNode? value) in numbers)
+        foreach (RecordParameter parameter in shape.Type!.Parameters)
         {
-            if (!System.Text.Json.Nodes.JsonNode.DeepEquals(before.Effective.GetValueOrDefault(key), value))
+            (object? was, object? value) = (parameter.Get(before), parameter.Get(after));
+            if (!Equals(was, value) && JsonValues.Rounded(value) is var json && !Json.DeepEquals(JsonValues.Rounded(was), json))
             {
-                text = text.Set(JsonPointer.Append(shape.Pointer, key), value?.DeepClone());
+                text = text.Set(JsonPointer.Append(shape.Pointer, parameter.Key), json);
             }
         }
 

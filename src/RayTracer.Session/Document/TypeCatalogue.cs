@@ -18,8 +18,8 @@ public sealed record TypeCatalogue(
     /// <summary>The catalogue.</summary>
     public static TypeCatalogue Instance { get; } = new(
         Json.Parse(SceneSchema.Generate())!,
-        SceneTypes.Families.ToDictionary(f => f.Noun, f => (IReadOnlyList<CatalogueType>)[.. f.Types.Select(CatalogueType.Of)], StringComparer.Ordinal),
-        SceneTypes.Parts.ToDictionary(t => t.Name, CatalogueType.Of, StringComparer.Ordinal),
+        SceneTypes.Families.ToDictionary(f => f.Noun, f => (IReadOnlyList<CatalogueType>)[.. f.Types.Select(t => CatalogueType.Of(t, f))], StringComparer.Ordinal),
+        SceneTypes.Parts.ToDictionary(t => t.Name, t => CatalogueType.Of(t), StringComparer.Ordinal),
         RefractiveIndex.All,
         CssColors.Names.ToDictionary(n => n, n => Outline.Hex(CssColors.Find(n)!.Value), StringComparer.Ordinal),
         ViewMap.All);

@@ -8,9 +8,12 @@ namespace RayTracer.Session;
 
 /// <summary>Shows how the light of a pixel came about: follows its samples once more, in the renderer's own stages.</summary>
 /// <param name="view">The picture.</param>
-public sealed class PathInspector(PictureView view)
+public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector>
 {
     private const int MostPaths = 256;
+
+    /// <inheritdoc/>
+    public static PathInspector Of(StudioSession session) => new(session.View);
 
     /// <summary>Follows some samples of a pixel.</summary>
     /// <param name="x">Column.</param>

@@ -7,7 +7,7 @@ namespace RayTracer.Session;
 
 /// <summary>The report's own times beside this machine's: measured once, with a few samples, when they are first asked for.</summary>
 /// <param name="folder">The folder of the scenes that come with the program; null where there is none.</param>
-public sealed class ReportTimes(string? folder)
+public sealed class ReportTimes(string? folder) : ISessionPart<ReportTimes>
 {
     private const int MeasuredSamples = 4;
     private readonly Lock _lock = new();
@@ -15,6 +15,9 @@ public sealed class ReportTimes(string? folder)
 
     /// <summary>On how many threads is measured.</summary>
     public static int Threads => Environment.ProcessorCount;
+
+    /// <inheritdoc/>
+    public static ReportTimes Of(StudioSession session) => new(session.Scenes);
 
     /// <summary>Measures, if that has not been done yet.</summary>
     /// <exception cref="SessionException">The report's scenes are not there.</exception>

@@ -1,3 +1,4 @@
+using RayTracer.Cameras;
 using RayTracer.Description;
 
 namespace RayTracer.Session;
@@ -34,9 +35,9 @@ public sealed class CameraHand(SceneDocument document, PictureView view)
     public float Focus(float x, float y)
     {
         ShownScene shown = view.RequireShown();
-        if (shown.Camera.Projection == Projection.Spherical)
+        if (ProjectionKind.Of(shown.Camera).LensComplaint is not null)
         {
-            throw new SessionException("A spherical camera has no lens: everything is sharp.");
+            throw new SessionException("This camera has no lens: everything is sharp.");
         }
 
         float distance = Picking.DepthAt(shown, x, y) ?? throw new SessionException("There is nothing to focus on: the ray meets nothing.", SessionFault.Missing);

@@ -17,8 +17,6 @@ public static class CameraMotion
 
     // The nearest that the view comes to straight up and down, where right and left have no meaning.
     private const float LeastDegreesToPole = 0.5f;
-    private const float NarrowestDegrees = 0.1f;
-    private const float WidestDegrees = 170;
 
     /// <summary>Turns the camera around the point that it looks at; its distance and what is up stay.</summary>
     public static CameraDescription Orbit(CameraDescription camera, float dx, float dy)
@@ -31,7 +29,7 @@ public static class CameraMotion
     public static CameraDescription Look(CameraDescription camera, float dx, float dy)
     {
         Vector3 view = camera.LookAt - camera.Position;
-        float degrees = camera.Projection == Projection.Spherical ? DegreesOfHeight : camera.FieldOfView;
+        float degrees = ProjectionKind.Of(camera).DegreesOfHeight(camera);
         return camera with { LookAt = camera.Position + Turned(camera, view, -dx * degrees, dy * degrees) };
     }
 
@@ -48,26 +46,14 @@ public static class CameraMotion
     }
 
     /// <summary>Narrows the field of view (upwards) or widens it; the camera stays.</summary>
-    /// <exception cref="SessionException">The camera is spherical and sees everything.</exception>
-    public static CameraDescription Zoom(CameraDescription camera, float dy)
-    {
-        switch (camera.Projection)
-        {
-            case Projection.Orthographic:
-                return camera with { ViewSize = camera.ViewSize * Factor(dy) };
-            case Projection.Spherical:
-                throw new SessionException("A spherical camera sees all directions: there is no field of view to change.");
-            default:
-                float tangent = LaneMath.Tan(camera.FieldOfView * (float.Pi / 360)) * Factor(dy);
-                float degrees = LaneMath.Atan2(tangent, 1) * (360 / float.Pi);
-                return camera with { FieldOfView = float.Clamp(degrees, NarrowestDegrees, WidestDegrees) };
-        }
-    }
+    /// <exception cref="SessionException">The camera sees everything.</exception>
+    public static CameraDescription Zoom(CameraDescription camera, float dy) => ProjectionKind.Of(camera).Zoomed(camera, Factor(dy))
+        ?? throw new SessionException("This camera sees all directions: there is no field of view to change.");
 
     /// <summary>
     /// Moves the camera towards the point that it looks at (upwards) or away from it; it never gets there. Of an orthographic one, nearness is what it shows.
     /// </summary>
-    public static CameraDescription Dolly(CameraDescription camera, float dy) => camera.Projection == Projection.Orthographic
+    public static CameraDescription Dolly(CameraDescription camera, float dy) => ProjectionKind.Of(camera).IsParallel
         ? Zoom(camera, dy)
         : camera with { Position = camera.LookAt + ((camera.Position - camera.LookAt) * Factor(dy)) };
 
@@ -95,18 +81,7 @@ public static class CameraMotion
     /// <param name="camera">The camera.</param>
     /// <param name="distance">How far away the plane is.</param>
     /// <param name="aspect">Width of the picture over its height.</param>
-    public static float HeightAt(CameraDescription camera, float distance, float aspect)
-    {
-        float perHeight = ViewPlane.Extent(camera.FieldOfViewAxis, aspect, 1);
-        return camera.Projection switch
-        {
-            Projection.Orthographic => camera.ViewSize / perHeight,
-
-            // The quarter of the sphere around the middle, as a pinhole camera would show it.
-            Projection.Spherical => 2 * distance,
-            _ => 2 * distance * LaneMath.Tan(camera.FieldOfView * (float.Pi / 360)) / perHeight,
-        };
-    }
+    public static float HeightAt(CameraDescription camera, float distance, float aspect) => ProjectionKind.Of(camera).HeightAt(camera, distance, aspect);
 
     private static CameraDescription Moved(CameraDescription camera, Vector3 by) =>
         camera with { Position = camera.Position + by, LookAt = camera.LookAt + by };

@@ -5,7 +5,20 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Session;
 
-/// <summary>Where a thing is, to draw handles around.</summary>
+/// <summary>What the handles around a thing do.</summary>
+public enum GizmoKind
+{
+    /// <summary>Move it.</summary>
+    Move,
+
+    /// <summary>Turn it.</summary>
+    Rotate,
+
+    /// <summary>Change its size.</summary>
+    Scale,
+}
+
+/// <summary>The box around a thing, around which handles are drawn.</summary>
 /// <param name="Center">The middle of the box around it.</param>
 /// <param name="Radius">Half the box's diagonal.</param>
 /// <param name="Minimum">The box's smallest coordinates.</param>
@@ -28,4 +41,39 @@ public sealed record Gizmo(Vector3 Center, float Radius, Vector3 Minimum, Vector
             ? new((all.Minimum + all.Maximum) * 0.5f, ((all.Maximum - all.Minimum) * 0.5f).Norm(), all.Minimum, all.Maximum)
             : throw new SessionException("There is no thing of a size there.", SessionFault.Missing);
     }
+
+    /// <summary>The handles, as they are drawn over the picture.</summary>
+    /// <param name="camera">The picture's camera.</param>
+    /// <param name="kind">What they do.</param>
+    /// <param name="length">How long they are, or the radius of rings, in pixels.</param>
+    public GizmoHandles Handles(CameraFrame camera, GizmoKind kind, float length)
+    {
+        float size = camera.LengthOf(length, Center);
+        List<GizmoHandle> handles = [];
+        for (int axis = 0; axis < GizmoDrag.Axes.Count; axis++)
+        {
+            Vector3 along = GizmoDrag.Axes[axis];
+            (Vector3 u, Vector3 v) = WireLines.Across(along);
+            Vector3[] line = kind == GizmoKind.Rotate ? WireLines.Circle(Center, u, v, size) : [Center, Center + (along * size)];
+            Vector2[] points = [.. line.Select(camera.Project).OfType<Vector2>()];
+            if (points.Length > 1)
+            {
+                handles.Add(new(axis, points));
+            }
+        }
+
+        return new(kind, Center, camera.Project(Center), handles);
+    }
 }
+
+/// <summary>The handles around a thing.</summary>
+/// <param name="Kind">What they do.</param>
+/// <param name="Middle">The middle of the thing in the world.</param>
+/// <param name="Center">The same in the picture, in pixels; null behind the eye.</param>
+/// <param name="Handles">Those along or about the axes of the world, as far as they are seen.</param>
+public sealed record GizmoHandles(GizmoKind Kind, Vector3 Middle, Vector2? Center, IReadOnlyList<GizmoHandle> Handles);
+
+/// <summary>A handle along or about an axis.</summary>
+/// <param name="Axis">0 to 2.</param>
+/// <param name="Points">Its line in the picture, in pixels.</param>
+public sealed record GizmoHandle(int Axis, IReadOnlyList<Vector2> Points);

@@ -6,23 +6,10 @@ namespace RayTracer.Session;
 /// <summary>What moving the pointer from one point of the picture to another, with a handle held, changes in the world.</summary>
 /// <param name="camera">How the camera projects.</param>
 /// <param name="center">The middle of the thing.</param>
-public sealed class GizmoDrag(CameraFrame camera, Vector3 center)
+internal sealed class GizmoDrag(CameraFrame camera, Vector3 center)
 {
-    private static readonly Vector3[] Axes = [Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ];
-
-    /// <summary>Where a point of the world is in the picture, in pixels; null behind the eye.</summary>
-    public Vector2? Project(Vector3 point)
-    {
-        Vector3 away = point - camera.Position;
-        float depth = away.Dot(camera.Forward);
-        if (!(depth > 1e-6f))
-        {
-            return null;
-        }
-
-        float scale = PixelsAtOne / depth;
-        return new((camera.Width / 2f) + (away.Dot(camera.Right) * scale), (camera.Height / 2f) - (away.Dot(camera.Up) * scale));
-    }
+    /// <summary>The axes of the world.</summary>
+    public static IReadOnlyList<Vector3> Axes { get; } = [Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ];
 
     /// <summary>The change between two points of the picture.</summary>
     /// <param name="kind">What the handle does.</param>
@@ -32,14 +19,8 @@ public sealed class GizmoDrag(CameraFrame camera, Vector3 center)
     /// <returns>The change; null where it cannot be told, because the axis points at the eye, say.</returns>
     public Placement? Between(GizmoKind kind, int? axis, Vector2 from, Vector2 to) => axis is { } i ? Along(kind, Axes[i], from, to) : Freely(kind, from, to);
 
-    private float PixelsAtOne
-    {
-        get
-        {
-            LaneMath.SinCosTurn(camera.FieldOfView / 720, out float sin, out float cos);
-            return camera.Height / 2f * cos / sin;
-        }
-    }
+    /// <summary>The same handle after a change.</summary>
+    public GizmoDrag After(Placement change) => new(camera, center + (change.Translate ?? default));
 
     private Placement? Freely(GizmoKind kind, Vector2 from, Vector2 to)
     {
@@ -48,7 +29,7 @@ public sealed class GizmoDrag(CameraFrame camera, Vector3 center)
             return OnPlane(from, camera.Forward) is { } a && OnPlane(to, camera.Forward) is { } b ? new(Translate: b - a) : null;
         }
 
-        if (Project(center) is not { } middle)
+        if (camera.Project(center) is not { } middle)
         {
             return null;
         }
@@ -81,7 +62,7 @@ public sealed class GizmoDrag(CameraFrame camera, Vector3 center)
     // The place along an axis through the middle that is nearest to a pixel's ray.
     private float? AlongAxis(Vector2 pixel, Vector3 axis)
     {
-        Vector3 direction = Through(pixel);
+        Vector3 direction = camera.Through(pixel);
         Vector3 between = center - camera.Position;
         float cosine = axis.Dot(direction);
         float determinant = 1 - (cosine * cosine);
@@ -91,7 +72,7 @@ public sealed class GizmoDrag(CameraFrame camera, Vector3 center)
     // Where a pixel's ray meets the plane through the middle.
     private Vector3? OnPlane(Vector2 pixel, Vector3 normal)
     {
-        Vector3 direction = Through(pixel);
+        Vector3 direction = camera.Through(pixel);
         float slope = direction.Dot(normal);
         if (MathF.Abs(slope) < 1e-3f)
         {
@@ -100,11 +81,5 @@ public sealed class GizmoDrag(CameraFrame camera, Vector3 center)
 
         float distance = (center - camera.Position).Dot(normal) / slope;
         return distance > 0 ? camera.Position + (direction * distance) : null;
-    }
-
-    private Vector3 Through(Vector2 pixel)
-    {
-        (float x, float y) = ((pixel.X - (camera.Width / 2f)) / PixelsAtOne, ((camera.Height / 2f) - pixel.Y) / PixelsAtOne);
-        return (camera.Forward + (camera.Right * x) + (camera.Up * y)).Unit();
     }
 }

@@ -18,25 +18,8 @@ public static class Picking
             : new(null, null, null, null, null);
 
     /// <summary>How far along the viewing direction what is seen in the middle of a pixel is; null where nothing is.</summary>
-    public static float? DepthAt(ShownScene shown, float x, float y)
-    {
-        if (Hit(shown, x, y) is not { } hit)
-        {
-            return null;
-        }
-
-        if (shown.Camera.Projection == Projection.Orthographic)
-        {
-            return hit.Distance;
-        }
-
-        // The cosine between the ray and the viewing direction, by where the pixel lies in a picture at distance 1.
-        RenderDescription render = shown.Scene.Render;
-        float pixel = CameraMotion.HeightAt(shown.Camera, 1, shown.Aspect) / render.Height;
-        float across = (MathF.Floor(x) + 0.5f - (0.5f * render.Width)) * pixel;
-        float down = (MathF.Floor(y) + 0.5f - (0.5f * render.Height)) * pixel;
-        return hit.Distance / MathF.Sqrt(1 + (across * across) + (down * down));
-    }
+    public static float? DepthAt(ShownScene shown, float x, float y) =>
+        Hit(shown, x, y) is { } hit ? shown.Scene.Camera.Depth(MathF.Floor(x) + 0.5f, MathF.Floor(y) + 0.5f, hit.Distance) : null;
 
     /// <summary>The pixels in which a thing, or one within it, is what is seen first.</summary>
     /// <param name="shown">The scene.</param>

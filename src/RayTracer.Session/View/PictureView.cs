@@ -221,7 +221,7 @@ public sealed class PictureView : IDisposable
             return;
         }
 
-        if (settings.Samples is { } samples && Sampler.Complaint(shown.Scene.Render.Sampler, samples) is { } complaint)
+        if (settings.Samples is { } samples && shown.Scene.Render.Sampler.Complaint(samples) is { } complaint)
         {
             throw new SessionException($"{char.ToUpperInvariant(complaint[0])}{complaint[1..]}.");
         }
@@ -321,7 +321,7 @@ public sealed class PictureView : IDisposable
         SceneDescription description = good.Read.Description!;
         CameraDescription camera = _hand ?? description.Camera;
         RenderDescription render = description.Render;
-        if (_settings.Samples is { } samples && Sampler.Complaint(render.Sampler, samples) is null)
+        if (_settings.Samples is { } samples && render.Sampler.Complaint(samples) is null)
         {
             render = render with { SamplesPerPixel = samples };
         }
@@ -336,9 +336,7 @@ public sealed class PictureView : IDisposable
     {
         RenderDescription render = a.Scene.Render;
 
-        // These samplers' first points do not depend on how many follow.
-        bool mayGrow = render.Sampler is SamplerKind.Sobol or SamplerKind.Independent;
-        RenderDescription wanted = mayGrow ? b.Scene.Render with { SamplesPerPixel = render.SamplesPerPixel } : b.Scene.Render;
+        RenderDescription wanted = render.Sampler.DependsOnCount ? b.Scene.Render : b.Scene.Render with { SamplesPerPixel = render.SamplesPerPixel };
         return DescriptionEquality.Same(render, wanted) && DescriptionEquality.Same(a.Camera, b.Camera)
             && (ReferenceEquals(a.Good, b.Good) || DescriptionEquality.SameThings(a.Description, b.Description));
     }

@@ -13,11 +13,11 @@ public sealed class Camera
     private readonly CameraProjection _projection;
     private readonly Lens? _lens;
     private readonly Motion _motion;
-    private readonly Vector3 _position;
+    private readonly CameraView _view;
 
-    private Camera(CameraProjection projection, Lens? lens, Motion motion, Vector3 position)
+    private Camera(CameraProjection projection, Lens? lens, Motion motion, in CameraView view)
     {
-        _position = position;
+        _view = view;
         _projection = projection;
         _lens = lens;
         _motion = motion;
@@ -60,27 +60,36 @@ public sealed class Camera
         }
 
         bool hasLens = camera.Lens.Shape == LensShape.EyeJitter ? camera.Lens.Jitter != Vector3.Zero : camera.Lens.ApertureRadius > 0;
-        if (hasLens && camera.Projection == Projection.Spherical)
+        ProjectionKind kind = ProjectionKind.Of(camera);
+        if (hasLens && kind.LensComplaint is { } complaint)
         {
-            builder.Error(camera, nameof(CameraDescription.Lens), "a spherical camera looks in all directions and cannot have a lens");
+            builder.Error(camera, nameof(CameraDescription.Lens), complaint);
         }
 
-        if (!IsWindow(camera, builder))
+        if (!IsWindow(camera, kind, builder))
         {
             return null;
         }
 
-        Vector3 up = right.Cross(forward);
-        float focus = camera.Lens.FocusDistance > 0 ? camera.Lens.FocusDistance : (camera.LookAt - camera.Position).Dot(forward);
-        CameraProjection projection = CameraProjection.Create(camera, forward, right, up, focus, width, height);
+        CameraView view = new(camera, forward, right, right.Cross(forward), width, height);
         Motion motion = TransformSteps.Motion(camera, camera.Transform, camera.Motion, builder);
-        return new Camera(projection, hasLens ? new Lens(camera.Lens, right, up) : null, motion, camera.Position);
+        return new Camera(kind.Create(view), hasLens ? new Lens(camera.Lens, view.Right, view.Up) : null, motion, view);
+    }
+
+    /// <summary>How far along the viewing direction a point is that the ray through a point of the picture meets.</summary>
+    /// <param name="x">Column, in pixels from the left edge.</param>
+    /// <param name="y">Row, in pixels from the top edge.</param>
+    /// <param name="distance">Its distance along the ray.</param>
+    public float Depth(float x, float y, float distance)
+    {
+        _projection.Rays(x, y, out _, out Vec3W toFocus);
+        return distance * Vec3W.Dot(Vec3W.Normalize(toFocus), _view.Forward)[0];
     }
 
     /// <summary>Where the camera stands at a time in seconds: the middle of its lens, or of its picture where its rays are parallel.</summary>
     internal Vec3W Origin(float time)
     {
-        Vec3W origin = _position;
+        Vec3W origin = _view.Camera.Position;
         Vec3W direction = new(0f, 0f, 1f);
         if (IsPlaced)
         {
@@ -90,14 +99,14 @@ public sealed class Camera
         return origin;
     }
 
-    private static bool IsWindow(CameraDescription camera, SceneBuilder builder)
+    private static bool IsWindow(CameraDescription camera, ProjectionKind kind, SceneBuilder builder)
     {
         IReadOnlyList<float> window = camera.Window;
         string? complaint = window switch
         {
             { Count: 0 } => null,
             { Count: not 4 } => $"a window has four numbers (x, y, width and height), but this one has {window.Count}",
-            _ when camera.Projection == Projection.Spherical => "a spherical camera shows all directions and cannot have a window",
+            _ when kind.WindowComplaint is { } refused => refused,
             _ => window[2] > 0 && window[3] > 0 && window[0] + window[2] < 1.0001f && window[1] + window[3] < 1.0001f ? null
                 : "a window needs a width and a height above 0, and must not reach beyond the picture",
         };

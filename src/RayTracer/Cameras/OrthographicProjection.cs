@@ -1,7 +1,24 @@
 using System.Numerics;
+using RayTracer.Description;
 using RayTracer.Numerics;
 
 namespace RayTracer.Cameras;
+
+/// <summary>By parallel rays.</summary>
+internal sealed class OrthographicKind : ProjectionKind
+{
+    /// <inheritdoc/>
+    public override bool IsParallel => true;
+
+    /// <inheritdoc/>
+    public override float HeightAt(CameraDescription camera, float distance, float aspect) => camera.ViewSize / ViewPlane.Extent(camera.FieldOfViewAxis, aspect, 1);
+
+    /// <inheritdoc/>
+    public override CameraDescription Zoomed(CameraDescription camera, float factor) => camera with { ViewSize = camera.ViewSize * factor };
+
+    /// <inheritdoc/>
+    internal override CameraProjection Create(in CameraView view) => new OrthographicProjection(view);
+}
 
 /// <summary>Parallel rays, from a plane through the eye across the viewing direction.</summary>
 internal sealed class OrthographicProjection : CameraProjection
@@ -12,19 +29,10 @@ internal sealed class OrthographicProjection : CameraProjection
     private readonly Vector3 _stepY;
 
     /// <summary>Makes one.</summary>
-    /// <param name="eye">Where the ray through the middle of the picture starts.</param>
-    /// <param name="toFocus">From there to the plane in focus.</param>
-    /// <param name="right">Unit direction to the right in the picture.</param>
-    /// <param name="up">Unit direction upwards in the picture.</param>
-    /// <param name="pixel">How much a pixel shows, in scene units.</param>
-    /// <param name="middleX">From the left edge of the picture to the viewing direction, in pixels.</param>
-    /// <param name="middleY">From the top edge.</param>
-    public OrthographicProjection(Vector3 eye, Vector3 toFocus, Vector3 right, Vector3 up, float pixel, float middleX, float middleY)
+    public OrthographicProjection(in CameraView view)
     {
-        _toFocus = toFocus;
-        _stepX = right * pixel;
-        _stepY = up * -pixel;
-        _corner = eye - _stepX * middleX - _stepY * middleY;
+        _toFocus = view.Forward * view.Focus;
+        (_corner, _stepX, _stepY) = view.OnPlane(view.Camera.Position, view.Camera.ViewSize);
     }
 
     /// <inheritdoc/>

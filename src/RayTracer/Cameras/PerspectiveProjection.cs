@@ -1,7 +1,31 @@
 using System.Numerics;
+using RayTracer.Description;
 using RayTracer.Numerics;
 
 namespace RayTracer.Cameras;
+
+/// <summary>By rays through one point.</summary>
+internal sealed class PerspectiveKind : ProjectionKind
+{
+    private const float NarrowestDegrees = 0.1f;
+    private const float WidestDegrees = 170;
+
+    /// <inheritdoc/>
+    public override float HeightAt(CameraDescription camera, float distance, float aspect) => Shown(camera, distance) / ViewPlane.Extent(camera.FieldOfViewAxis, aspect, 1);
+
+    /// <inheritdoc/>
+    public override CameraDescription Zoomed(CameraDescription camera, float factor)
+    {
+        float degrees = LaneMath.Atan2(LaneMath.Tan(camera.FieldOfView * (float.Pi / 360)) * factor, 1) * (360 / float.Pi);
+        return camera with { FieldOfView = float.Clamp(degrees, NarrowestDegrees, WidestDegrees) };
+    }
+
+    /// <inheritdoc/>
+    internal override CameraProjection Create(in CameraView view) => new PerspectiveProjection(view, Shown(view.Camera, view.Focus));
+
+    // Of a plane at a distance, over the extent that the field of view measures.
+    private static float Shown(CameraDescription camera, float distance) => 2 * distance * LaneMath.Tan(camera.FieldOfView * (float.Pi / 360));
+}
 
 /// <summary>Rays from the eye through a plane.</summary>
 internal sealed class PerspectiveProjection : CameraProjection
@@ -12,19 +36,12 @@ internal sealed class PerspectiveProjection : CameraProjection
     private readonly Vector3 _stepY;
 
     /// <summary>Makes one.</summary>
-    /// <param name="eye">Where the rays start.</param>
-    /// <param name="toFocus">From the eye to the middle of the plane in focus.</param>
-    /// <param name="right">Unit direction to the right in the picture.</param>
-    /// <param name="up">Unit direction upwards in the picture.</param>
-    /// <param name="pixel">How much of the plane in focus a pixel shows.</param>
-    /// <param name="middleX">From the left edge of the picture to the viewing direction, in pixels.</param>
-    /// <param name="middleY">From the top edge.</param>
-    public PerspectiveProjection(Vector3 eye, Vector3 toFocus, Vector3 right, Vector3 up, float pixel, float middleX, float middleY)
+    /// <param name="view">The camera.</param>
+    /// <param name="shown">How much of the plane in focus it shows over the extent that the field of view measures.</param>
+    public PerspectiveProjection(in CameraView view, float shown)
     {
-        _eye = eye;
-        _stepX = right * pixel;
-        _stepY = up * -pixel;
-        _corner = toFocus - _stepX * middleX - _stepY * middleY;
+        _eye = view.Camera.Position;
+        (_corner, _stepX, _stepY) = view.OnPlane(view.Forward * view.Focus, shown);
     }
 
     /// <inheritdoc/>

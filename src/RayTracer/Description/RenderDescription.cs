@@ -2,50 +2,6 @@ using System.Numerics;
 
 namespace RayTracer.Description;
 
-/// <summary>How the samples of a pixel are placed.</summary>
-public enum SamplerKind
-{
-    /// <summary>Owen-scrambled Sobol points.</summary>
-    Sobol,
-
-    /// <summary>The report's n×n jittered grid.</summary>
-    Jittered,
-
-    /// <summary>The report's uniform grid: the same n×n points in every pixel, which shows aliasing.</summary>
-    Regular,
-
-    /// <summary>Independent random numbers.</summary>
-    Independent,
-}
-
-/// <summary>How the light that arrives at a pixel is computed.</summary>
-public enum Integrator
-{
-    /// <summary>The report's: light sources are sampled at matt surfaces, and mirror-like lobes are followed; ambient light, and limits of diffuse and specular depth.</summary>
-    Report,
-
-    /// <summary>Path tracing: light sources and surfaces are both sampled and weighed against each other, without bias.</summary>
-    Path,
-
-    /// <summary>As path, with light that comes straight from the sources only.</summary>
-    Direct,
-
-    /// <summary>As path, with media that absorb and scatter light inside shapes.</summary>
-    VolPath,
-
-    /// <summary>Ambient occlusion: how much of an even, white sky each surface sees.</summary>
-    Ao,
-
-    /// <summary>The normals with which surfaces are shaded, as colours.</summary>
-    Normals,
-
-    /// <summary>The surface coordinates, as red and green.</summary>
-    Uv,
-
-    /// <summary>The fraction of the light that surfaces send on.</summary>
-    Albedo,
-}
-
 /// <summary>How light sources that are spheres are sampled.</summary>
 public enum SphereLightSampling
 {

@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Shapes;
 
 namespace RayTracer.Description;
@@ -25,8 +26,22 @@ public abstract record ShapeDescription
     [Parameter("How the shape moves in time, from where it stands otherwise: keyframes in the order of their times. It is blurred by what it moves while the shutter is open.")]
     public IReadOnlyList<KeyframeDescription> Motion { get; init; } = [];
 
+    /// <summary>As what editors offer to add the shape: unless it says otherwise, as a shape, and with a luminaire as a light.</summary>
+    public virtual SketchKinds SketchedAs => SketchKinds.Shape | SketchKinds.Light;
+
+    /// <summary>About where the middle is, in the shape's own space: the origin for what consists of others.</summary>
+    public virtual Vector3 Middle => default;
+
     /// <summary>What shapes are made of about which nothing is said: grey, matt.</summary>
     public static MaterialDescription DefaultMaterial { get; } = new Materials.DiffuseMaterialDescription();
+
+    /// <summary>The shape as an editor adds it to a scene: seen at once.</summary>
+    /// <param name="view">The place and the size.</param>
+    public virtual ShapeDescription Sketch(SketchView view) => this with { Transform = [new() { Translate = view.At(default) }] };
+
+    /// <summary>The same look at another place by other numbers; null where only a transform can move it there.</summary>
+    /// <param name="move">The movement.</param>
+    public virtual ShapeDescription? Moved(in ShapeMove move) => null;
 
     /// <summary>
     /// Makes the shape that this record describes, where its own numbers put it, or reports why it cannot be made and returns null.

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
@@ -8,9 +9,9 @@ namespace RayTracer.Rendering;
 /// Ambient occlusion (Landis 2002): from where a camera ray meets a surface, a ray in a direction that is chosen in proportion to the cosine brings
 /// white light, unless it meets something near.
 /// </summary>
-internal sealed unsafe class OcclusionShader(Scene scene, FinishedPaths finished, PathRecorder? recorder) : SurfaceShader(scene, finished, recorder)
+internal sealed unsafe class OcclusionShader(ShaderContext context) : SurfaceShader(context)
 {
-    private readonly float _reach = scene.Render.OcclusionDistance > 0 ? scene.Render.OcclusionDistance : float.PositiveInfinity;
+    private readonly float _reach = context.Scene.Render.OcclusionDistance > 0 ? context.Scene.Render.OcclusionDistance : float.PositiveInfinity;
 
     protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving) => arriving = Numerics.Rgb.White;
 
@@ -53,4 +54,10 @@ internal sealed unsafe class OcclusionShader(Scene scene, FinishedPaths finished
             next.Append(going, Leave(surface, scatter.Direction), scatter.Direction, Numerics.Rgb.White, Numerics.Rgb.Black, path, PathState.OneDiffuse);
         }
     }
+}
+
+/// <summary>The integrator of ambient occlusion.</summary>
+internal sealed class AoIntegrator() : Integrator("ao", IntegratorTraits.None)
+{
+    internal override SurfaceShader CreateShader(ShaderContext context) => new OcclusionShader(context);
 }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using RayTracer.Description;
 using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Media;
@@ -11,23 +12,20 @@ namespace RayTracer.Rendering;
 /// sampling and the scattered ray can find is weighted between the two by multiple importance sampling (Veach 1997, section 9.2, power
 /// heuristic); paths that carry little end at random, and the others make up for them (Arvo &amp; Kirk 1990).
 /// </summary>
-internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares)
-    : SurfaceShader(scene, finished, recorder, shares)
+/// <param name="context">What it works with.</param>
+/// <param name="maxDepth">How many edges a path may have after the camera; below 0 for no limit.</param>
+internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : SurfaceShader(context)
 {
     private const uint DepthBits = 0xffff;
     private const float LargestSurvival = 0.95f;
-    private readonly DirectLight _directLight = new(scene, queue, shares);
-    private readonly LightMap _lights = new(scene);
-    private readonly uint _maxDepth = scene.Render switch
-    {
-        { Integrator: Description.Integrator.Direct } => 2u,
-        { MaxDepth: < 0 } => Description.RenderDescription.LongestPath,
-        _ => (uint)scene.Render.MaxDepth,
-    };
+    private readonly ShadowQueue? _queue = context.Queue;
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Shares);
+    private readonly LightMap _lights = new(context.Scene);
+    private readonly uint _maxDepth = (uint)(maxDepth < 0 ? RenderDescription.LongestPath : maxDepth);
 
     public override long ShadowRays => _directLight.ShadowRays;
 
-    public override void Flush(PathStream next) => queue?.Flush(Finished, next);
+    public override void Flush(PathStream next) => _queue?.Flush(Finished, next);
 
     protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving)
     {
@@ -111,12 +109,12 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         MaskW goesOn = active & (vertex + 1u < _maxDepth);
         if (group.Traits.HasDensity)
         {
-            if (queue is { IsFull: true })
+            if (_queue is { IsFull: true })
             {
-                queue.Flush(Finished, next);
+                _queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, material, packet.Media, group.Interior, group.MayLeak, group.MayBeLiteral, Vertex, packet.Time, goesOn, throughput, ref radiance);
+            _directLight.Add(surface, group, isShared: true, packet.Media, Vertex, packet.Time, goesOn, throughput, ref radiance);
         }
 
         ref ScatterW scatter = ref packet.Scatter;
@@ -133,9 +131,9 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Shares?.Scattered(alive, surface, material, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
-        if (queue is not null && group.Traits.HasDensity)
+        if (_queue is not null && group.Traits.HasDensity)
         {
-            queue.End(ended, Finished.Count, going, next.Count);
+            _queue.End(ended, Finished.Count, going, next.Count);
         }
 
         if (ended != 0)
@@ -387,3 +385,19 @@ internal sealed unsafe class PathShader(Scene scene, FinishedPaths finished, Sha
         Shares?.Emitted(group, stream, index, active, throughput * emitted);
     }
 }
+
+/// <summary>Path tracing.</summary>
+internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.None) : Integrator(
+    name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment | more)
+{
+    internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, context.Scene.Render.MaxDepth);
+}
+
+/// <summary>Path tracing with direct light only.</summary>
+internal sealed class DirectIntegrator() : PathIntegrator("direct")
+{
+    internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, maxDepth: 2);
+}
+
+/// <summary>Path tracing with media.</summary>
+internal sealed class VolPathIntegrator() : PathIntegrator("volPath", IntegratorTraits.Media);

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 
@@ -7,14 +8,14 @@ namespace RayTracer.Rendering;
 /// What happens where paths meet a surface in the report (listing 6.3): emission, ambient light, light from the sources, and the choice of the next
 /// ray.
 /// </summary>
-internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares)
-    : SurfaceShader(scene, finished, recorder, shares)
+internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader(context)
 {
-    private readonly DirectLight _directLight = new(scene, queue, shares);
+    private readonly ShadowQueue? _queue = context.Queue;
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Shares);
 
     public override long ShadowRays => _directLight.ShadowRays;
 
-    public override void Flush(PathStream next) => queue?.Flush(Finished, next);
+    public override void Flush(PathStream next) => _queue?.Flush(Finished, next);
 
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
@@ -63,12 +64,12 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         if (group.Traits.IsLit)
         {
             material.Brdf(surface, out RgbW brdf);
-            if (queue is { IsFull: true })
+            if (_queue is { IsFull: true })
             {
-                queue.Flush(Finished, next);
+                _queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, null, 0u, 0, group.MayLeak, false, Vertex, packet.Time, active, throughput * brdf, ref radiance);
+            _directLight.Add(surface, group, isShared: false, 0u, Vertex, packet.Time, active, throughput * brdf, ref radiance);
         }
 
         // Where the path goes on.
@@ -90,9 +91,9 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         Shares?.Scattered(alive, surface, material, scatter, isByLobe: true);
         uint ended = active.Except(alive).Bits;
         uint going = alive.Bits;
-        if (queue is not null && group.Traits.IsLit)
+        if (_queue is not null && group.Traits.IsLit)
         {
-            queue.End(ended, Finished.Count, going, next.Count);
+            _queue.End(ended, Finished.Count, going, next.Count);
         }
 
         if (ended != 0)
@@ -129,4 +130,11 @@ internal sealed unsafe class ReportShader(Scene scene, FinishedPaths finished, S
         radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
         Shares?.Emitted(group, stream, index, active & counts, throughput * emitted);
     }
+}
+
+/// <summary>The report's integrator.</summary>
+internal sealed class ReportIntegrator()
+    : Integrator("report", IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.AmbientLight | IntegratorTraits.WeakenedShadows)
+{
+    internal override SurfaceShader CreateShader(ShaderContext context) => new ReportShader(context);
 }

@@ -8,11 +8,19 @@ using RayTracer.Sampling;
 
 namespace RayTracer.Rendering;
 
+/// <summary>What a shader works with: the scene, and where its light goes.</summary>
+/// <param name="Scene">The scene.</param>
+/// <param name="Finished">Takes the paths that end.</param>
+/// <param name="Queue">Takes shadow rays that wait until the whole stream is shaded; null where none do.</param>
+/// <param name="Recorder">Takes down what becomes of each path; null in renders.</param>
+/// <param name="Shares">Takes layers of light; null where none are wanted.</param>
+internal sealed record ShaderContext(Scene Scene, FinishedPaths Finished, ShadowQueue? Queue, PathRecorder? Recorder, LightShares? Shares);
+
 /// <summary>
 /// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
 /// and how a ray leaves it.
 /// </summary>
-internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished, PathRecorder? recorder, LightShares? shares = null)
+internal abstract unsafe class SurfaceShader(ShaderContext context)
 {
     // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
     private readonly PinnedBuffer<PacketW> _packet = new(1);
@@ -21,31 +29,22 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     /// <summary>How many shadow rays were traced.</summary>
     public virtual long ShadowRays => 0;
 
-    protected Scene Scene => scene;
+    protected Scene Scene { get; } = context.Scene;
 
-    protected FinishedPaths Finished => finished;
+    protected FinishedPaths Finished { get; } = context.Finished;
 
-    protected PathRecorder? Recorder => recorder;
+    protected PathRecorder? Recorder { get; } = context.Recorder;
 
     /// <summary>Takes layers of light; null where none are wanted.</summary>
-    protected LightShares? Shares => shares;
+    protected LightShares? Shares { get; } = context.Shares;
 
     /// <summary>The random numbers of the vertex that is shaded.</summary>
-    protected VertexSamples Vertex { get; } = new(scene.Sampler);
+    protected VertexSamples Vertex { get; } = new(context.Scene.Sampler);
 
     protected RayGenerator Generator { get; private set; } = null!;
 
     /// <summary>Room for what is known of the packet that is shaded.</summary>
     protected ref PacketW Packet => ref *_packet.Pointer;
-
-    /// <summary>Makes that of a scene's integrator.</summary>
-    public static SurfaceShader Create(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares) => scene.Render.Integrator switch
-    {
-        Integrator.Report => new ReportShader(scene, finished, queue, recorder, shares),
-        Integrator.Path or Integrator.Direct or Integrator.VolPath => new PathShader(scene, finished, queue, recorder, shares),
-        Integrator.Ao => new OcclusionShader(scene, finished, recorder),
-        _ => new ViewShader(scene, finished, recorder),
-    };
 
     /// <summary>Prepares for a tile.</summary>
     public void Begin(RayGenerator generator, SampleRange samples)
@@ -73,9 +72,9 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
-            recorder?.Missed(stream, index, active);
-            shares?.Missed(path, active, stream.PickThroughput(index) * arriving);
-            finished.Append(active.Bits, radiance, path);
+            Recorder?.Missed(stream, index, active);
+            Shares?.Missed(path, active, stream.PickThroughput(index) * arriving);
+            Finished.Append(active.Bits, radiance, path);
         }
     }
 
@@ -216,8 +215,8 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     /// <summary>The radiance that arrives where rays meet nothing.</summary>
     protected virtual void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving)
     {
-        arriving = scene.Background;
-        scene.Environment?.Evaluate(direction, out arriving);
+        arriving = Scene.Background;
+        Scene.Environment?.Evaluate(direction, out arriving);
     }
 
     /// <summary>Turns to the random numbers of the vertex.</summary>
@@ -230,12 +229,12 @@ internal abstract unsafe class SurfaceShader(Scene scene, FinishedPaths finished
     /// <summary>Gives paths their wavelengths at a surface that disperses light: from the first one on, they have the colour of a single wavelength.</summary>
     protected void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
     {
-        scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
+        Scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
         throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
     }
 
     /// <summary>The part of a path's state after a surface that tells whether it stands for a single wavelength.</summary>
-    protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => scene.Wavelengths is null ? 0u
+    protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => Scene.Wavelengths is null ? 0u
         : group.Traits.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
 
     // As DescribePlain, in the space that each lane's instance shows.

@@ -5,37 +5,59 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>Shows something of the surfaces that camera rays meet, as colours: for looking for mistakes in a scene.</summary>
-internal sealed unsafe class ViewShader(Scene scene, FinishedPaths finished, PathRecorder? recorder) : SurfaceShader(scene, finished, recorder)
+internal abstract unsafe class ViewShader(ShaderContext context, bool usesUv) : SurfaceShader(context)
 {
+    /// <summary>The colours that are shown.</summary>
+    protected abstract void Color(Material material, in SurfaceW surface, out RgbW color);
+
     protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving) => arriving = default;
 
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
         UIntW path = UIntW.Pick(stream.Path, index);
-        bool showsUv = Scene.Render.Integrator == Integrator.Uv;
-        Describe(Scene, group, stream, index, group.Traits.UsesUv || showsUv, out SurfaceW surface);
-        RgbW color;
-        if (showsUv)
-        {
-            color = new(Wrapped(surface.U), Wrapped(surface.V), 0f);
-        }
-        else if (Scene.Render.Integrator == Integrator.Albedo)
-        {
-            group.Material.Albedo(surface, out color);
-        }
-        else
-        {
-            color = new(Half(surface.Facing.X), Half(surface.Facing.Y), Half(surface.Facing.Z));
-        }
-
+        Describe(Scene, group, stream, index, group.Traits.UsesUv || usesUv, out SurfaceW surface);
+        Color(group.Material, surface, out RgbW color);
         Recorder?.Emitted(path, active, color);
         Recorder?.Brightened(path, active, color);
         ScatterW scatter = default;
         Recorder?.Scattered(stream, index, active, MaskW.None, group.Material, surface, scatter);
         Finished.Append(active.Bits, color, path);
     }
+}
 
-    private static FloatW Half(FloatW x) => FloatW.MultiplyAdd(x, 0.5f, 0.5f);
+/// <summary>The view of shading normals.</summary>
+internal sealed class NormalsIntegrator() : Integrator("normals", IntegratorTraits.None)
+{
+    internal override SurfaceShader CreateShader(ShaderContext context) => new Shader(context);
 
-    private static FloatW Wrapped(FloatW x) => x - FloatW.Floor(x);
+    private sealed class Shader(ShaderContext context) : ViewShader(context, usesUv: false)
+    {
+        protected override void Color(Material material, in SurfaceW surface, out RgbW color) =>
+            color = new(Half(surface.Facing.X), Half(surface.Facing.Y), Half(surface.Facing.Z));
+
+        private static FloatW Half(FloatW x) => FloatW.MultiplyAdd(x, 0.5f, 0.5f);
+    }
+}
+
+/// <summary>The view of surface coordinates.</summary>
+internal sealed class UvIntegrator() : Integrator("uv", IntegratorTraits.None)
+{
+    internal override SurfaceShader CreateShader(ShaderContext context) => new Shader(context);
+
+    private sealed class Shader(ShaderContext context) : ViewShader(context, usesUv: true)
+    {
+        protected override void Color(Material material, in SurfaceW surface, out RgbW color) =>
+            color = new(surface.U - FloatW.Floor(surface.U), surface.V - FloatW.Floor(surface.V), 0f);
+    }
+}
+
+/// <summary>The view of how much light surfaces send on.</summary>
+internal sealed class AlbedoIntegrator() : Integrator("albedo", IntegratorTraits.None)
+{
+    internal override SurfaceShader CreateShader(ShaderContext context) => new Shader(context);
+
+    private sealed class Shader(ShaderContext context) : ViewShader(context, usesUv: false)
+    {
+        protected override void Color(Material material, in SurfaceW surface, out RgbW color) => material.Albedo(surface, out color);
+    }
 }

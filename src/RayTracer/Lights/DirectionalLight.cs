@@ -17,6 +17,12 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
     [Parameter("Irradiance on a surface that faces the light.", Unit = "power per area", Minimum = 0)]
     public Rgb Irradiance { get; init; } = Rgb.White;
 
+    /// <summary>A sun that brings onto a white floor about what lamps bring onto what is near them.</summary>
+    public override ShapeDescription Sketch(SketchView view) => this with { Direction = new(-1, -2, -1), Irradiance = new(3, 3, 3) };
+
+    /// <inheritdoc/>
+    public override ShapeDescription Moved(in ShapeMove move) => this with { Direction = move.Direction(Direction) };
+
     internal override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);

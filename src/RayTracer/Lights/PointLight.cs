@@ -17,6 +17,15 @@ public sealed record PointLightDescription : PunctualLightDescription
     [Parameter("Radiant intensity in every direction: a surface that faces it at distance d receives the irradiance of this over d².", Unit = "power per steradian", Minimum = 0)]
     public Rgb Intensity { get; init; } = Rgb.White;
 
+    /// <inheritdoc/>
+    public override Vector3 Middle => Position;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { Position = view.At(view.Above), Intensity = view.Intensity };
+
+    /// <inheritdoc/>
+    public override ShapeDescription Moved(in ShapeMove move) => this with { Position = move.Point(Position) };
+
     internal override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);

@@ -11,6 +11,9 @@ namespace RayTracer.Lights;
 /// </summary>
 public abstract record PunctualLightDescription : ShapeDescription
 {
+    /// <inheritdoc/>
+    public override SketchKinds SketchedAs => SketchKinds.Light;
+
     /// <summary>Returns null: there is no shape.</summary>
     public sealed override Shape? Build(SceneBuilder builder) => null;
 

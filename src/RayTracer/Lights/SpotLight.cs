@@ -33,6 +33,16 @@ public sealed record SpotLightDescription : PunctualLightDescription
     [Parameter("How it falls from the edge of the beam to that of the cone: in proportion to the angle, or as glTF's spot lights do, by the square of a number that falls with the angle's cosine.")]
     public SpotFalloff Falloff { get; init; }
 
+    /// <inheritdoc/>
+    public override Vector3 Middle => Position;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) =>
+        this with { Position = view.At(view.Above), Direction = -view.Above.Unit(), Intensity = view.Intensity, CutoffAngle = 30 };
+
+    /// <inheritdoc/>
+    public override ShapeDescription Moved(in ShapeMove move) => this with { Position = move.Point(Position), Direction = move.Direction(Direction) };
+
     internal override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);

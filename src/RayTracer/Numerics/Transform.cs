@@ -21,6 +21,9 @@ public readonly record struct Transform(TransformRow X, TransformRow Y, Transfor
     /// <summary>Whether nothing is moved.</summary>
     public bool IsIdentity => this == Identity;
 
+    /// <summary>Whether the axes keep their directions, whatever the factors along them.</summary>
+    public bool KeepsAxes => this is { X: { A: > 0, B: 0, C: 0 }, Y: { A: 0, B: > 0, C: 0 }, Z: { A: 0, B: 0, C: > 0 } };
+
     /// <summary>The determinant of A: the factor on volumes, below zero for maps that mirror.</summary>
     public double Determinant =>
         (X.A * ((Y.B * Z.C) - (Y.C * Z.B))) + (X.B * ((Y.C * Z.A) - (Y.A * Z.C))) + (X.C * ((Y.A * Z.B) - (Y.B * Z.A)));

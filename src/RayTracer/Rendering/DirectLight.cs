@@ -10,8 +10,8 @@ using RayTracer.Shapes;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4), or, where there are many lights, of one
-/// that is chosen.
+/// Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4), or, where there are many
+/// lights, of one that is chosen.
 /// </summary>
 internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightShares? shares)
 {
@@ -30,7 +30,8 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
     public long ShadowRays { get; private set; }
 
     /// <summary>
-    /// The share of one way to choose a direction among two (Veach 1997, section 9.2, power heuristic with exponent 2): pdf² / (pdf² + other²).
+    /// The share of one way to choose a direction among two (Veach 1997, section 9.2, power heuristic with exponent 2): pdf² / (pdf² +
+    /// other²).
     /// </summary>
     /// <param name="pdf">Density of that way.</param>
     /// <param name="other">Density of the other.</param>
@@ -42,33 +43,35 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
 
     /// <summary>Adds the light of all sources to the radiance of a packet, or has its shadow rays wait in the queue.</summary>
     /// <param name="surface">The lit points.</param>
-    /// <param name="material">
-    /// What scatters the light, by its BSDF, where scattered rays are to find the rest of it; null where what is scattered is the same for all
+    /// <param name="group">The group of their surfaces.</param>
+    /// <param name="isShared">
+    /// Light is scattered by the whole BSDF, and scattered rays find the rest of it; otherwise what is scattered is the same for all
     /// directions on the ray's side and <paramref name="weight"/> has it, and no scattered ray looks for lights.
     /// </param>
-    /// <param name="media">The media on the ray's side; used only where paths keep in mind what they are in.</param>
-    /// <param name="interior">Number of what is inside the surface's shape; used only there, too.</param>
-    /// <param name="isSmoothed">Whether the points are shaded with another normal than the surface's own.</param>
-    /// <param name="mayBeLiteral">Whether that normal may be all that counts.</param>
+    /// <param name="media">The media on the ray's side; used only where paths track what they are in.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
     /// <param name="time">Times in seconds; used only where something moves.</param>
     /// <param name="active">Lanes in use.</param>
-    /// <param name="weight">Throughput, times BRDF where there is no material.</param>
+    /// <param name="weight">Throughput, times BRDF where light is not shared.</param>
     /// <param name="radiance">Added to.</param>
-    public void Add(in SurfaceW surface, Material? material, in UIntW media, uint interior, bool isSmoothed, bool mayBeLiteral, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
+    public void Add(
+        in SurfaceW surface, ShadingGroup group, bool isShared, in UIntW media, VertexSamples samples, in FloatW time, in MaskW active,
+        in RgbW weight, ref RgbW radiance)
     {
-        bool isLiteral = mayBeLiteral && scene.IsLiteral;
-        Vec3W side = isSmoothed ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
+        Material? material = isShared ? group.Material : null;
+        bool isLiteral = group.MayBeLiteral && scene.IsLiteral;
+        Vec3W side = group.MayLeak ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
         ref LitW lit = ref *_lit.Pointer;
         lit.Side = side;
         lit.Origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point);
         lit.Media = media;
-        lit.Interior = interior;
+        lit.Interior = isShared ? group.Interior : 0;
         lit.Time = time;
-        lit.Transmits = material is { Traits.Transmits: true };
-        lit.IsSmoothed = isSmoothed && !isLiteral;
+        lit.Transmits = isShared && group.Traits.Transmits;
+        lit.IsSmoothed = group.MayLeak && !isLiteral;
         lit.IsLiteral = isLiteral;
-        lit.From = lit.Transmits || isLiteral ? surface.Point : lit.Origin;
+        lit.LeavesByDirection = lit.Transmits || isLiteral;
+        lit.From = lit.LeavesByDirection ? surface.Point : lit.Origin;
         ref RgbW arriving = ref lit.Arriving;
         arriving = default;
         queue?.Begin(weight);
@@ -110,7 +113,8 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
     /// <param name="weight">Throughput.</param>
     /// <param name="radiance">Added to.</param>
     public void AddInMedium(
-        in Vec3W point, in Vec3W incoming, in FloatW anisotropy, in UIntW media, VertexSamples samples, in FloatW time, in MaskW active, in RgbW weight, ref RgbW radiance)
+        in Vec3W point, in Vec3W incoming, in FloatW anisotropy, in UIntW media, VertexSamples samples, in FloatW time, in MaskW active,
+        in RgbW weight, ref RgbW radiance)
     {
         UIntW chosen = 0u;
         FloatW probability = 1f;
@@ -161,7 +165,8 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
     // What arrives from a chosen point of a light, unless something is in the way.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Connect(
-        in SurfaceW surface, Material? material, ref LitW lit, int light, in ShapeSampleW sample, MaskW lanes, in RgbW brought, ref RgbW arriving)
+        in SurfaceW surface, Material? material, ref LitW lit, int light, in ShapeSampleW sample, MaskW lanes, in RgbW brought,
+        ref RgbW arriving)
     {
         ref RgbW radiance = ref lit.Radiance;
         ref FloatW cosine = ref lit.Cosine;
@@ -169,8 +174,17 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         radiance = brought;
         cosine = Vec3W.Dot(sample.Direction, surface.Facing);
         free = lanes & (sample.InversePdf > 0f);
-        ref Vec3W origin = ref lit.Start;
-        origin = lit.Origin;
+        ref readonly Vec3W origin = ref lit.Origin;
+        ref readonly Vec3W towards = ref sample.Direction;
+        ref readonly FloatW distance = ref sample.Distance;
+        if (lit.LeavesByDirection)
+        {
+            Aim(surface, sample, ref lit);
+            origin = ref lit.Start;
+            towards = ref lit.Towards;
+            distance = ref lit.Distance;
+        }
+
         if (lit.Transmits)
         {
             if (!lit.IsLiteral)
@@ -178,7 +192,6 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
                 free = free.Except(SurfaceShader.Leaks(surface, sample.Direction));
             }
 
-            origin = SurfaceShader.Leave(surface, sample.Direction);
             cosine = FloatW.Abs(cosine);
         }
         else
@@ -188,11 +201,6 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
             {
                 // Light from behind the surface itself would come through it.
                 free &= Vec3W.Dot(sample.Direction, lit.Side) > 0f;
-            }
-
-            if (lit.IsLiteral)
-            {
-                origin = SurfaceShader.Leave(surface, sample.Direction);
             }
         }
 
@@ -211,22 +219,34 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         if (_transmittance is not null)
         {
             UIntW there = SurfaceShader.MediaAlong(scene, surface, sample.Direction, lit.Interior, lit.Media);
-            _transmittance.Trace(wanted, origin, sample.Direction, sample.Distance, there, lit.Time, _lights[light], out RgbW part);
+            _transmittance.Trace(wanted, origin, towards, distance, there, lit.Time, _lights[light], out RgbW part);
             arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
             shares?.Lit(light, free, radiance * part * cosine, isWaiting: false);
             return;
         }
 
-        scene.Primitives.Occlude(origin, sample.Direction, sample.Distance, _lights[light].OwnPrimitive, ref free);
+        scene.Primitives.Occlude(origin, towards, distance, _lights[light].OwnPrimitive, ref free);
         if (queue is not null)
         {
-            queue.Add(free.Bits, origin, sample, lit.Time, light, radiance, cosine);
+            queue.Add(free.Bits, origin, towards, distance, lit.Time, light, radiance, cosine);
             shares?.Lit(light, free, radiance * cosine, isWaiting: true);
             return;
         }
 
         arriving = RgbW.MultiplyAdd(radiance, free.Select(cosine, 0f), arriving);
         shares?.Lit(light, free, radiance * cosine, isWaiting: false);
+    }
+
+    // The shadow ray, which starts on the light's side of the surface. The sample is seen from the surface itself: a ray of its direction
+    // and length from elsewhere would end beside the chosen point, or behind it.
+    private static void Aim(in SurfaceW surface, in ShapeSampleW sample, ref LitW lit)
+    {
+        lit.Start = SurfaceShader.Leave(surface, sample.Direction);
+        Vec3W to = Vec3W.MultiplyAdd(sample.Direction, sample.Distance, surface.Point - lit.Start);
+        FloatW distance = FloatW.Sqrt(Vec3W.Dot(to, to));
+        MaskW isNear = distance < float.PositiveInfinity;
+        lit.Towards = isNear.Select(to * (1f / distance), sample.Direction);
+        lit.Distance = isNear.Select(distance, sample.Distance);
     }
 
     // What of a light's sample goes on, and what scattered rays leave of it.
@@ -251,6 +271,8 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         public Vec3W Origin;
         public Vec3W From;
         public Vec3W Start;
+        public Vec3W Towards;
+        public FloatW Distance;
         public FloatW U, V;
         public RgbW Arriving;
         public RgbW Radiance;
@@ -266,5 +288,6 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         public bool Transmits;
         public bool IsSmoothed;
         public bool IsLiteral;
+        public bool LeavesByDirection;
     }
 }

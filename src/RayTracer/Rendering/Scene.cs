@@ -28,7 +28,7 @@ public sealed class Scene
         Camera = camera;
         Background = background;
         Ambient = ambient;
-        Sampler = Sampler.Create(render);
+        Sampler = render.Sampler.Create(render.SamplesPerPixel);
         Filter = PixelFilter.Create(render.Filter);
         World = world;
         Shapes = World.Itself.Shapes;
@@ -40,7 +40,7 @@ public sealed class Scene
         _interiors = ShadingGroup.NumberInteriors(Groups);
         Wavelengths = Array.Exists(Groups, g => g.Traits.Disperses) ? new() : null;
         Media = new(_interiors);
-        (HasMedia, HasNesting) = Tracked();
+        (HasMedia, HasNesting, WeakensShadows, IsLiteral) = Shown();
         CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;
         Lights = LightList.Create(World);
         LightSelection = SelectLights();
@@ -54,7 +54,7 @@ public sealed class Scene
         Background = other.Background;
         Environment = other.Environment;
         Ambient = other.Ambient;
-        Sampler = Sampler.Create(render);
+        Sampler = render.Sampler.Create(render.SamplesPerPixel);
         Filter = PixelFilter.Create(render.Filter);
         World = other.World;
         Shapes = other.Shapes;
@@ -66,7 +66,7 @@ public sealed class Scene
         Wavelengths = other.Wavelengths;
         _interiors = other._interiors;
         Media = other.Media;
-        (HasMedia, HasNesting) = Tracked();
+        (HasMedia, HasNesting, WeakensShadows, IsLiteral) = Shown();
         CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;
         Lights = other.Lights;
         LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
@@ -101,7 +101,7 @@ public sealed class Scene
 
     /// <summary>What the integrator samples for light: what shines, and where it traces paths, the environment behind it.</summary>
     internal IReadOnlyList<LightSource> SampledLights =>
-        Environment is not null && Render.Integrator != Integrator.Report ? [.. Lights, Environment] : Lights;
+        Environment is not null && Render.Integrator.Has(IntegratorTraits.SampledEnvironment) ? [.. Lights, Environment] : Lights;
 
     /// <summary>Those shapes packed by kind.</summary>
     public IReadOnlyList<ShapeBatch> Batches { get; }
@@ -137,7 +137,7 @@ public sealed class Scene
     internal uint CameraInteriors { get; }
 
     /// <summary>Whether transparent things only weaken the light of sources behind them.</summary>
-    internal bool WeakensShadows => Render is { WeakenedShadows: true, Integrator: Integrator.Report };
+    internal bool WeakensShadows { get; }
 
     /// <summary>What a path is in after a boundary.</summary>
     /// <param name="stack">What it is in.</param>
@@ -149,8 +149,7 @@ public sealed class Scene
         : MediumStack.Cross(stack, interior, crosses, enters);
 
     /// <summary>Whether shading normals alone tell from which side surfaces are seen.</summary>
-    internal bool IsLiteral =>
-        Render.ShadingNormals == ShadingNormals.Literal && Render.Integrator is Integrator.Path or Integrator.Direct or Integrator.VolPath;
+    internal bool IsLiteral { get; }
 
     /// <summary>What is shaded together.</summary>
     internal ShadingGroup[] Groups { get; }
@@ -213,36 +212,40 @@ public sealed class Scene
         return scene;
     }
 
-    private (bool Media, bool Nesting) Tracked() => (
-        Render.Integrator == Integrator.VolPath && HasInterior(static i => i.Medium is not null),
-        Render.Integrator is Integrator.Path or Integrator.Direct or Integrator.VolPath && HasInterior(static i => i.Nesting is not null));
+    // What the scene asks for and its integrator can do.
+    private (bool Media, bool Nesting, bool WeakenedShadows, bool LiteralNormals) Shown() => (
+        Render.Integrator.Has(IntegratorTraits.Media) && HasInterior(static i => i.Medium is not null),
+        Render.Integrator.Has(IntegratorTraits.Priorities) && HasInterior(static i => i.Nesting is not null),
+        Render.Integrator.Has(IntegratorTraits.WeakenedShadows) && Render.WeakenedShadows,
+        Render.Integrator.Has(IntegratorTraits.LiteralNormals) && Render.ShadingNormals == ShadingNormals.Literal);
 
     private bool HasInterior(Predicate<Interior> which) => Array.Exists(_interiors, which);
 
-    private LightSelection? SelectLights() => SampledLights.Count > MostLightsOfPoint && Render.Integrator != Integrator.Report
+    private LightSelection? SelectLights() => SampledLights.Count > MostLightsOfPoint && Render.Integrator.Has(IntegratorTraits.SampledEnvironment)
         ? new(SampledLights, (Render.Shutter.X, Render.Shutter.Y))
         : null;
 
     private void WarnOfWhatIsNotShown(SceneDescription description, SceneBuilder builder)
     {
-        if (!Ambient.IsBlack && Render.Integrator != Integrator.Report)
+        Integrator integrator = Render.Integrator;
+        if (!Ambient.IsBlack && !integrator.Has(IntegratorTraits.AmbientLight))
         {
-            builder.Warn(description, nameof(Ambient), "only the report integrator knows ambient light: here it has no effect");
+            builder.Warn(description, nameof(Ambient), $"{Integrator.Only(IntegratorTraits.AmbientLight, "know")} ambient light: here it has no effect");
         }
 
-        if (Render.WeakenedShadows && Render.Integrator != Integrator.Report)
+        if (Render.WeakenedShadows && !WeakensShadows)
         {
-            builder.Warn(description.Render, nameof(Render.WeakenedShadows), "only the report integrator weakens shadows: here it has no effect");
+            builder.Warn(description.Render, nameof(Render.WeakenedShadows), $"{Integrator.Only(IntegratorTraits.WeakenedShadows, "weaken")} shadows: here it has no effect");
         }
 
-        if (HasInterior(static i => i.Nesting is not null) && Render.Integrator == Integrator.Report)
+        if (integrator.Has(IntegratorTraits.Light) && !HasNesting && HasInterior(static i => i.Nesting is not null))
         {
-            builder.Warn(description.Render, nameof(Render.Integrator), "there are dielectrics with priorities, which only the path, direct and volPath integrators know");
+            builder.Warn(description.Render, nameof(Render.Integrator), $"there are dielectrics with priorities, which {Integrator.Only(IntegratorTraits.Priorities, "know")}");
         }
 
-        if (HasInterior(static i => i.Medium is not null) && Render.Integrator is (Integrator.Report or Integrator.Path or Integrator.Direct))
+        if (integrator.Has(IntegratorTraits.Light) && !HasMedia && HasInterior(static i => i.Medium is not null))
         {
-            builder.Warn(description.Render, nameof(Render.Integrator), "there are media inside shapes, which only the volPath integrator shows");
+            builder.Warn(description.Render, nameof(Render.Integrator), $"there are media inside shapes, which {Integrator.Only(IntegratorTraits.Media, "show")}");
         }
     }
 
@@ -254,7 +257,7 @@ public sealed class Scene
             return null;
         }
 
-        if (Sampler.Complaint(render.Sampler, render.SamplesPerPixel) is { } complaint)
+        if (render.Sampler.Complaint(render.SamplesPerPixel) is { } complaint)
         {
             builder.Error(render, nameof(RenderDescription.SamplesPerPixel), complaint);
         }

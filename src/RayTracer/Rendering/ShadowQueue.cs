@@ -6,8 +6,8 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Shadow rays that wait to be traced together, for a tree is searched faster by many rays than by few. What they bring is added to the radiance
-/// of their paths where those have gone meanwhile, in the same order and with the same roundings as if it had been at once.
+/// Shadow rays that wait to be traced together, for a tree is searched faster by many rays than by few. What they bring is added to the
+/// radiance of their paths where those have gone meanwhile, in the same order and with the same roundings as if it had been at once.
 /// </summary>
 internal sealed unsafe class ShadowQueue
 {
@@ -22,7 +22,8 @@ internal sealed unsafe class ShadowQueue
     private readonly int _capacity;
     private readonly int _stride;
 
-    // Of rays: origin, direction, distance, time, radiance, cosine; then the lane that each is for, the light it comes from, and what it hits.
+    // Of rays: origin, direction, distance, time, radiance, cosine; then the lane that each is for, the light it comes from, and what it
+    // hits.
     private readonly PinnedBuffer<float> _rays;
     private readonly PinnedBuffer<uint> _lanes;
     private readonly PinnedBuffer<uint> _lightOf;
@@ -67,21 +68,23 @@ internal sealed unsafe class ShadowQueue
     /// <summary>Adds rays of the packet.</summary>
     /// <param name="lanes">Which lanes.</param>
     /// <param name="origin">Where they start.</param>
-    /// <param name="sample">Where they end.</param>
+    /// <param name="direction">Their unit directions.</param>
+    /// <param name="distance">The distances to the light.</param>
     /// <param name="time">Their times in seconds; used only where something moves.</param>
     /// <param name="light">Number of the light.</param>
     /// <param name="radiance">What they bring, if they are free.</param>
     /// <param name="cosine">What that is multiplied by.</param>
-    public void Add(uint lanes, in Vec3W origin, in Shapes.ShapeSampleW sample, in FloatW time, int light, in RgbW radiance, in FloatW cosine)
+    public void Add(
+        uint lanes, in Vec3W origin, in Vec3W direction, in FloatW distance, in FloatW time, int light, in RgbW radiance, in FloatW cosine)
     {
         float* to = _rays.Pointer + _count;
         origin.X.Compress(to, lanes);
         origin.Y.Compress(to + _stride, lanes);
         origin.Z.Compress(to + (2 * _stride), lanes);
-        sample.Direction.X.Compress(to + (3 * _stride), lanes);
-        sample.Direction.Y.Compress(to + (4 * _stride), lanes);
-        sample.Direction.Z.Compress(to + (5 * _stride), lanes);
-        sample.Distance.Compress(to + (6 * _stride), lanes);
+        direction.X.Compress(to + (3 * _stride), lanes);
+        direction.Y.Compress(to + (4 * _stride), lanes);
+        direction.Z.Compress(to + (5 * _stride), lanes);
+        distance.Compress(to + (6 * _stride), lanes);
         time.Compress(to + (7 * _stride), lanes);
         radiance.R.Compress(to + (8 * _stride), lanes);
         radiance.G.Compress(to + (9 * _stride), lanes);

@@ -37,7 +37,8 @@ internal sealed unsafe class Wavefront
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
         _finished = new(scene, streamSize, _generator, _accumulator, _shares);
-        _shader = SurfaceShader.Create(scene, _finished, scene.World.IsPlain || scene.SampledLights.Count == 0 || scene.TracksInteriors || scene.WeakensShadows ? null : new(scene, _shares), recorder, _shares);
+        bool queues = !scene.World.IsPlain && scene.SampledLights.Count > 0 && !scene.TracksInteriors && !scene.WeakensShadows;
+        _shader = scene.Render.Integrator.CreateShader(new(scene, _finished, queues ? new(scene, _shares) : null, recorder, _shares));
         _hits = new(scene.World.RoomForHits(streamSize));
         _members = new(scene, streamSize);
     }

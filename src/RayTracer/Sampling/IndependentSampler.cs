@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using RayTracer.Description;
 using RayTracer.Numerics;
 
 namespace RayTracer.Sampling;
@@ -29,4 +30,10 @@ public sealed class IndependentSampler(int samplesPerPixel) : Sampler(samplesPer
         u = first.ToUnit();
         v = Hash.Mix(first ^ 0x27D4EB2Fu).ToUnit();
     }
+}
+
+/// <summary>The independent sampler.</summary>
+internal sealed class IndependentKind() : SamplerKind("independent")
+{
+    public override Sampler Create(int samplesPerPixel) => new IndependentSampler(samplesPerPixel);
 }

@@ -1,5 +1,6 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
+using RayTracer.Description;
 using RayTracer.Numerics;
 
 namespace RayTracer.Sampling;
@@ -23,7 +24,7 @@ public class JitteredSampler : Sampler
         : base(samplesPerPixel)
     {
         _root = Root(samplesPerPixel)
-            ?? throw new ArgumentException(Complaint(Description.SamplerKind.Jittered, samplesPerPixel), nameof(samplesPerPixel));
+            ?? throw new ArgumentException(SamplerKind.Jittered.Complaint(samplesPerPixel), nameof(samplesPerPixel));
         _count = (uint)samplesPerPixel;
         _bits = BitOperations.RoundUpToPowerOf2(_count) - 1;
         _half = Math.Max(1, BitOperations.PopCount(_bits) / 2);
@@ -110,4 +111,19 @@ public class JitteredSampler : Sampler
         UIntW turned = i + (((key * Hash.Golden) >> 8).ToFloat() * (_count * (1f / 16777216f))).ToIntInRange();
         return (turned > (_count - 1)).Select(turned - _count, turned);
     }
+}
+
+/// <summary>Samplers of n×n cells.</summary>
+internal class JitteredKind(string name = "jittered") : SamplerKind(name)
+{
+    public override bool DependsOnCount => true;
+
+    public override string? Complaint(int samplesPerPixel)
+    {
+        int below = (int)double.Sqrt(samplesPerPixel);
+        return JitteredSampler.Root(samplesPerPixel) is not null ? null
+            : $"the {Name} sampler needs a square number of samples, but {samplesPerPixel} is none: take {below * below} or {(below + 1) * (below + 1)}";
+    }
+
+    public override Sampler Create(int samplesPerPixel) => new JitteredSampler(samplesPerPixel);
 }

@@ -39,3 +39,9 @@ public sealed class RegularSampler(int samplesPerPixel) : JitteredSampler(sample
 
     private const uint IsPixel = 1;
 }
+
+/// <summary>The regular sampler.</summary>
+internal sealed class RegularKind() : JitteredKind("regular")
+{
+    public override Sampler Create(int samplesPerPixel) => new RegularSampler(samplesPerPixel);
+}

@@ -1,4 +1,3 @@
-using RayTracer.Description;
 using RayTracer.Numerics;
 
 namespace RayTracer.Sampling;
@@ -13,29 +12,6 @@ public abstract class Sampler(int samplesPerPixel)
 {
     /// <summary>How many samples a pixel will have.</summary>
     public int SamplesPerPixel { get; } = samplesPerPixel;
-
-    /// <summary>Makes the sampler that a description asks for.</summary>
-    /// <param name="render">The description; its number of samples must suit the sampler (<see cref="Complaint"/>).</param>
-    public static Sampler Create(RenderDescription render) => render.Sampler switch
-    {
-        SamplerKind.Jittered => new JitteredSampler(render.SamplesPerPixel),
-        SamplerKind.Regular => new RegularSampler(render.SamplesPerPixel),
-        SamplerKind.Independent => new IndependentSampler(render.SamplesPerPixel),
-        _ => new SobolSampler(render.SamplesPerPixel),
-    };
-
-    /// <summary>Says why a sampler cannot have that many samples, or returns null where it can.</summary>
-    public static string? Complaint(SamplerKind kind, int samplesPerPixel)
-    {
-        if (kind is not (SamplerKind.Jittered or SamplerKind.Regular) || JitteredSampler.Root(samplesPerPixel) is not null)
-        {
-            return null;
-        }
-
-        int below = (int)double.Sqrt(samplesPerPixel);
-        string name = kind == SamplerKind.Jittered ? "jittered" : "regular";
-        return $"the {name} sampler needs a square number of samples, but {samplesPerPixel} is none: take {below * below} or {(below + 1) * (below + 1)}";
-    }
 
     /// <summary>Prepares a group of pairs for each lane.</summary>
     /// <param name="pixelKey">Keys of the pixels (<see cref="Hash.PixelKey"/>).</param>

@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using RayTracer.Description;
 using RayTracer.Numerics;
 
 namespace RayTracer.Sampling;
@@ -127,4 +128,10 @@ public sealed unsafe class SobolSampler : Sampler
 
         return low;
     }
+}
+
+/// <summary>The Sobol sampler.</summary>
+internal sealed class SobolKind() : SamplerKind("sobol")
+{
+    public override Sampler Create(int samplesPerPixel) => new SobolSampler(samplesPerPixel);
 }

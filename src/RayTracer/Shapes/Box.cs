@@ -19,6 +19,16 @@ public sealed record BoxDescription : ShapeDescription
     public Vector3 B { get; init; } = Vector3.One;
 
     /// <inheritdoc/>
+    public override Vector3 Middle => 0.5f * (A + B);
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { A = view.At(-Vector3.One), B = view.At(Vector3.One) };
+
+    /// <inheritdoc/>
+    public override ShapeDescription? Moved(in ShapeMove move) =>
+        move.KeepsAxes ? this with { A = move.Point(A), B = move.Point(B) } : null;
+
+    /// <inheritdoc/>
     public override Shape? Build(SceneBuilder builder)
     {
         Material material = builder.Material(Material);
@@ -54,11 +64,8 @@ public sealed class Box(Material material, string name, Vector3 a, Vector3 b) : 
     public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new KernelBatch<BoxKernel>(shapes);
 
     /// <inheritdoc/>
-    public override Shape? Transformed(Transform by)
-    {
-        bool isUpright = by is { X: { A: > 0, B: 0, C: 0 }, Y: { A: 0, B: > 0, C: 0 }, Z: { A: 0, B: 0, C: > 0 } };
-        return isUpright ? Moved(by.Point(Bounds.Minimum), by.Point(Bounds.Maximum)) : TurnedBox.Create(this, by);
-    }
+    public override Shape? Transformed(Transform by) =>
+        by.KeepsAxes ? Moved(by.Point(Bounds.Minimum), by.Point(Bounds.Maximum)) : TurnedBox.Create(this, by);
 
     /// <summary>Uniformly by area over the faces, three at the most, that are seen from the point.</summary>
     public override void SamplePdf(in Vec3W from, in FloatW distance, in FloatW cosine, out FloatW pdf)

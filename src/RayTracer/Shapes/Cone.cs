@@ -30,6 +30,17 @@ public sealed record ConeDescription : ShapeDescription
     public bool Caps { get; init; } = true;
 
     /// <inheritdoc/>
+    public override Vector3 Middle => 0.5f * (Bottom + Top);
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { Bottom = view.At(-Vector3.UnitY), Top = view.At(Vector3.UnitY), Radius = 0.6f * view.Size };
+
+    /// <inheritdoc/>
+    public override ShapeDescription? Moved(in ShapeMove move) =>
+        move.RoundScale is not { } s ? null
+            : this with { Bottom = move.Point(Bottom), Top = move.Point(Top), Radius = Radius * s, TopRadius = TopRadius * s };
+
+    /// <inheritdoc/>
     public override Shape? Build(SceneBuilder builder)
     {
         Material material = builder.Material(Material);

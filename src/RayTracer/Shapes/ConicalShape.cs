@@ -71,6 +71,18 @@ public abstract class ConicalShape : Shape
     }
 
     /// <inheritdoc/>
+    public override IEnumerable<Vector3[]> Wires(Vector3 middle, float reach)
+    {
+        (Vector3 u, Vector3 v) = WireLines.Across(Top - Bottom);
+        Vector3[] sides = [u, v, -u, -v];
+        return
+        [
+            WireLines.Circle(Bottom, u, v, Radius), WireLines.Circle(Top, u, v, TopRadius),
+            .. sides.Select(s => new[] { Bottom + (s * Radius), Top + (s * TopRadius) }),
+        ];
+    }
+
+    /// <inheritdoc/>
     public override void SamplePdf(in Vec3W from, in FloatW distance, in FloatW cosine, out FloatW pdf)
     {
         SeenCap((Vec3W)Frame.Origin - from, out _, out _, out FloatW capArea);

@@ -26,6 +26,16 @@ public sealed record CylinderDescription : ShapeDescription
     public bool Caps { get; init; } = true;
 
     /// <inheritdoc/>
+    public override Vector3 Middle => 0.5f * (Bottom + Top);
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { Bottom = view.At(-Vector3.UnitY), Top = view.At(Vector3.UnitY), Radius = 0.6f * view.Size };
+
+    /// <inheritdoc/>
+    public override ShapeDescription? Moved(in ShapeMove move) =>
+        move.RoundScale is { } s ? this with { Bottom = move.Point(Bottom), Top = move.Point(Top), Radius = Radius * s } : null;
+
+    /// <inheritdoc/>
     public override Shape? Build(SceneBuilder builder)
     {
         Material material = builder.Material(Material);

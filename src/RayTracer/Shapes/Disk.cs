@@ -23,6 +23,16 @@ public sealed record DiskDescription : ShapeDescription
     public float Radius { get; init; } = 1;
 
     /// <inheritdoc/>
+    public override Vector3 Middle => Center;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { Center = view.At(default), Normal = view.Facing, Radius = view.Size };
+
+    /// <inheritdoc/>
+    public override ShapeDescription? Moved(in ShapeMove move) =>
+        move.RoundScale is { } s ? this with { Center = move.Point(Center), Normal = move.Normal(Normal), Radius = Radius * s } : null;
+
+    /// <inheritdoc/>
     public override Shape? Build(SceneBuilder builder)
     {
         Material material = builder.Material(Material);
@@ -74,6 +84,10 @@ public sealed unsafe class Disk(Material material, string name, Vector3 center, 
             return new(center - reach, center + reach);
         }
     }
+
+    /// <inheritdoc/>
+    public override IEnumerable<Vector3[]> Wires(Vector3 middle, float reach) =>
+        [WireLines.Circle(center, Tangent, Bitangent, radius)];
 
     /// <inheritdoc/>
     internal override Outline Pack(float* entry)

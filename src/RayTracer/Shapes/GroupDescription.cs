@@ -10,6 +10,12 @@ public sealed record GroupDescription : ShapeDescription
     [Parameter("The shapes, in the group's own space.", Required = true)]
     public IReadOnlyList<ShapeDescription> Shapes { get; init; } = [];
 
+    /// <inheritdoc/>
+    public override SketchKinds SketchedAs => SketchKinds.None;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { Shapes = [new SphereDescription().Sketch(view)] };
+
     /// <summary>Returns null: it is no single shape.</summary>
     public override Shape? Build(SceneBuilder builder) => null;
 }

@@ -10,6 +10,9 @@ public sealed record InstanceDescription : ShapeDescription
     [Parameter("The name of one of the scene's objects, or a shape.", Required = true)]
     public ShapeDescription? Of { get; init; }
 
+    /// <inheritdoc/>
+    public override SketchKinds SketchedAs => SketchKinds.Shape;
+
     /// <summary>Returns null: it is no single shape.</summary>
     public override Shape? Build(SceneBuilder builder) => null;
 }

@@ -75,6 +75,16 @@ public sealed record MeshDescription : ShapeDescription
     /// <summary>The triangles as a program gives them, instead of the file or the lists; null where there are none.</summary>
     public MeshData? Data { get; init; }
 
+    /// <inheritdoc/>
+    public override SketchKinds SketchedAs => SketchKinds.None;
+
+    /// <summary>The mesh of a file, or a pyramid.</summary>
+    public override ShapeDescription Sketch(SketchView view) => view.File is { } file ? this with { File = file } : this with
+    {
+        Positions = [.. ((Vector3[])[new(-1, -1, -1), new(1, -1, -1), new(1, -1, 1), new(-1, -1, 1), new(0, 1, 0)]).Select(view.At)],
+        Triangles = [new(0, 1, 2), new(0, 2, 3), new(0, 4, 1), new(1, 4, 2), new(2, 4, 3), new(3, 4, 0)],
+    };
+
     /// <summary>Returns null: it is no single shape.</summary>
     public override Shape? Build(SceneBuilder builder) => null;
 }

@@ -10,6 +10,12 @@ public sealed record ModelDescription : ShapeDescription
     [Parameter("The model's file.", IsFile = true, Required = true)]
     public string File { get; init; } = "";
 
+    /// <inheritdoc/>
+    public override SketchKinds SketchedAs => SketchKinds.Shape;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { File = view.File ?? "" };
+
     /// <summary>Returns null: it is no single shape.</summary>
     public override Shape? Build(SceneBuilder builder) => null;
 }

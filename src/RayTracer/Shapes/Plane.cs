@@ -22,6 +22,17 @@ public sealed record PlaneDescription : ShapeDescription
     public Vector2? Size { get; init; }
 
     /// <inheritdoc/>
+    public override Vector3 Middle => Point;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { Point = view.At(default), Normal = Vector3.UnitY, Size = view.Shines ? Vector2.One : null };
+
+    /// <inheritdoc/>
+    public override ShapeDescription? Moved(in ShapeMove move) =>
+        Plane.Mapped(Normal.Unit(), Size, move.Map, move.ShowsUv) is not { } mapped ? null
+            : this with { Point = move.Point(Point), Normal = move.Normal(Normal), Size = mapped.Size };
+
+    /// <inheritdoc/>
     public override Shape? Build(SceneBuilder builder)
     {
         Material material = builder.Material(Material);
@@ -55,10 +66,7 @@ public sealed unsafe class Plane : FlatShape
         Normal = normal;
         Size = size;
 
-        // u runs to the right for whoever looks at the plane with y up; on a floor, with −z up.
-        bool isLevel = normal.X * normal.X + normal.Z * normal.Z < 1e-6f;
-        Tangent = (isLevel ? new Vector3(0, 0, -1) : new Vector3(0, 1, 0)).Cross(normal).Unit();
-        Bitangent = normal.Cross(Tangent);
+        (Tangent, Bitangent) = Sides(normal);
     }
 
     /// <summary>A point of the plane, the centre of the rectangle.</summary>
@@ -97,26 +105,46 @@ public sealed unsafe class Plane : FlatShape
     /// <inheritdoc/>
     public override Shape? Transformed(Transform by)
     {
-        Vector3 normal = by.Inverse().TransposedVector(Normal).Unit();
         Vector3 point = by.Point(Point);
-        if (!normal.IsFinite() || !point.IsFinite())
-        {
-            return null;
-        }
-
-        // A plane without end is one again; a rectangle, or uv, only where its sides are what the plane's rule makes them.
-        if (Size is null && !Material.Traits.UsesUv)
-        {
-            return new Plane(Material, Name, point, normal, null);
-        }
-
-        Vector2 size = Size ?? Vector2.One;
-        Vector3 width = by.Vector(Tangent * size.X);
-        Vector3 height = by.Vector(Bitangent * size.Y);
-        Plane moved = new(Material, Name, point, normal, new(width.Norm(), height.Norm()));
-        bool isSame = (moved.Tangent - width.Unit()).Norm() < 1e-6f && (moved.Bitangent - height.Unit()).Norm() < 1e-6f;
-        return !isSame ? null : Size is not null ? moved : by.UniformScale() is { } scale && double.Abs(scale - 1) < 1e-6 ? new Plane(Material, Name, point, normal, null) : null;
+        return point.IsFinite() && Mapped(Normal, Size, by, Material.Traits.UsesUv) is { } mapped
+            ? new Plane(Material, Name, point, mapped.Normal, mapped.Size) : null;
     }
+
+    /// <summary>
+    /// What a map makes of a unit normal and a size. A plane without end is one again; a rectangle, or uv that is seen, only where its sides
+    /// become what the plane's rule makes them: otherwise null.
+    /// </summary>
+    internal static (Vector3 Normal, Vector2? Size)? Mapped(Vector3 normal, Vector2? size, Transform by, bool showsUv)
+    {
+        Vector3 moved = by.Inverse().TransposedVector(normal).Unit();
+        if (!moved.IsFinite() || (size is null && !showsUv))
+        {
+            return moved.IsFinite() ? (moved, null) : null;
+        }
+
+        (Vector3 tangent, Vector3 bitangent) = Sides(normal);
+        (Vector3 newTangent, Vector3 newBitangent) = Sides(moved);
+        Vector3 width = by.Vector(tangent * (size?.X ?? 1));
+        Vector3 height = by.Vector(bitangent * (size?.Y ?? 1));
+        bool isSame = (newTangent - width.Unit()).Norm() < 1e-6f && (newBitangent - height.Unit()).Norm() < 1e-6f;
+        bool keepsUv = size is not null || (by.UniformScale() is { } scale && double.Abs(scale - 1) < 1e-6);
+        return isSame && keepsUv ? (moved, size is null ? null : new Vector2(width.Norm(), height.Norm())) : null;
+    }
+
+    // u runs to the right for whoever looks at the plane with y up; on a floor, with −z up.
+    private static (Vector3 Tangent, Vector3 Bitangent) Sides(Vector3 normal)
+    {
+        bool isLevel = normal.X * normal.X + normal.Z * normal.Z < 1e-6f;
+        Vector3 tangent = (isLevel ? new Vector3(0, 0, -1) : new Vector3(0, 1, 0)).Cross(normal).Unit();
+        return (tangent, normal.Cross(tangent));
+    }
+
+    /// <inheritdoc/>
+    public override IEnumerable<Vector3[]> Wires(Vector3 middle, float reach) =>
+    [
+        Size is { } size ? WireLines.Square(Point, Tangent * (size.X / 2), Bitangent * (size.Y / 2))
+            : WireLines.Square(middle - (Normal * (middle - Point).Dot(Normal)), Tangent * reach, Bitangent * reach),
+    ];
 
     /// <inheritdoc/>
     internal override Outline Pack(float* entry)

@@ -22,6 +22,21 @@ public sealed record RectangleDescription : ShapeDescription
     public Vector3 EdgeV { get; init; } = new(0, 1, 0);
 
     /// <inheritdoc/>
+    public override Vector3 Middle => Corner + (0.5f * (EdgeU + EdgeV));
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with
+    {
+        Corner = view.At(-view.Right - view.Up),
+        EdgeU = view.Snap(view.Right * (2 * view.Size)),
+        EdgeV = view.Snap(view.Up * (2 * view.Size)),
+    };
+
+    /// <inheritdoc/>
+    public override ShapeDescription? Moved(in ShapeMove move) =>
+        move.Mirrors ? null : this with { Corner = move.Point(Corner), EdgeU = move.Vector(EdgeU), EdgeV = move.Vector(EdgeV) };
+
+    /// <inheritdoc/>
     public override Shape? Build(SceneBuilder builder)
     {
         Material material = builder.Material(Material);
@@ -63,6 +78,10 @@ public sealed unsafe class Rectangle(Material material, string name, Vector3 cor
     public override Bounds Bounds => new(
         corner + Vector3.Min(edgeU, Vector3.Zero) + Vector3.Min(edgeV, Vector3.Zero),
         corner + Vector3.Max(edgeU, Vector3.Zero) + Vector3.Max(edgeV, Vector3.Zero));
+
+    /// <inheritdoc/>
+    public override IEnumerable<Vector3[]> Wires(Vector3 middle, float reach) =>
+        [[corner, corner + edgeU, corner + edgeU + edgeV, corner + edgeV, corner]];
 
     /// <inheritdoc/>
     internal override Outline Pack(float* entry)

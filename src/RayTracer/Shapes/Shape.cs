@@ -57,6 +57,11 @@ public abstract class Shape(Material material, string name)
     /// <param name="by">The map.</param>
     public virtual Shape? Transformed(Transform by) => null;
 
+    /// <summary>The lines that show the shape in views from elsewhere; without a drawing of its own, the box around it.</summary>
+    /// <param name="middle">The middle of all that has an end.</param>
+    /// <param name="reach">How far what has no end is drawn from there.</param>
+    public virtual IEnumerable<Vector3[]> Wires(Vector3 middle, float reach) => WireLines.Box(Bounds);
+
     /// <summary>Says how a shape is called in messages.</summary>
     public override string ToString() => Name.Length > 0 ? $"{GetType().Name.ToLowerInvariant()} \"{Name}\"" : GetType().Name.ToLowerInvariant();
 }

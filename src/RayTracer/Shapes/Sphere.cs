@@ -20,6 +20,16 @@ public sealed record SphereDescription : ShapeDescription
     public float Radius { get; init; } = 1;
 
     /// <inheritdoc/>
+    public override Vector3 Middle => Center;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { Center = view.At(default), Radius = view.Size };
+
+    /// <inheritdoc/>
+    public override ShapeDescription? Moved(in ShapeMove move) =>
+        move.RoundScale is { } s ? this with { Center = move.Point(Center), Radius = Radius * s } : null;
+
+    /// <inheritdoc/>
     public override Shape Build(SceneBuilder builder) =>
         new Sphere(builder.Material(Material), Name, Center, Radius) { LightSampling = builder.SphereLightSampling };
 }
@@ -57,6 +67,14 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
 
         return new Sphere(Material, Name, by.Point(center), (float)(radius * scale)) { LightSampling = LightSampling };
     }
+
+    /// <inheritdoc/>
+    public override IEnumerable<Vector3[]> Wires(Vector3 middle, float reach) =>
+    [
+        WireLines.Circle(center, Vector3.UnitX, Vector3.UnitY, radius),
+        WireLines.Circle(center, Vector3.UnitY, Vector3.UnitZ, radius),
+        WireLines.Circle(center, Vector3.UnitZ, Vector3.UnitX, radius),
+    ];
 
     /// <inheritdoc/>
     public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new SphereBatch(shapes);

@@ -27,6 +27,17 @@ public sealed record TorusDescription : ShapeDescription
     public float TubeRadius { get; init; } = 0.25f;
 
     /// <inheritdoc/>
+    public override Vector3 Middle => Center;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with { Center = view.At(default), Radius = view.Size, TubeRadius = 0.3f * view.Size };
+
+    /// <inheritdoc/>
+    public override ShapeDescription? Moved(in ShapeMove move) =>
+        move.RoundScale is not { } s ? null
+            : this with { Center = move.Point(Center), Axis = move.Direction(Axis), Radius = Radius * s, TubeRadius = TubeRadius * s };
+
+    /// <inheritdoc/>
     public override Shape? Build(SceneBuilder builder)
     {
         Material material = builder.Material(Material);
@@ -81,6 +92,20 @@ public sealed class Torus(Material material, string name, Vector3 center, Vector
 
     /// <summary>The space of <see cref="TorusKernel"/>.</summary>
     internal LocalFrame Frame { get; } = LocalFrame.Around(center, axis);
+
+    /// <inheritdoc/>
+    public override IEnumerable<Vector3[]> Wires(Vector3 middle, float reach)
+    {
+        Vector3 along = axis.Unit();
+        (Vector3 u, Vector3 v) = WireLines.Across(along);
+        Vector3[] around = [u, (u + v).Unit(), v, (v - u).Unit(), -u, (-u - v).Unit(), -v, (u - v).Unit()];
+        return
+        [
+            WireLines.Circle(center, u, v, radius + tubeRadius), WireLines.Circle(center, u, v, radius - tubeRadius),
+            WireLines.Circle(center + (along * tubeRadius), u, v, radius), WireLines.Circle(center - (along * tubeRadius), u, v, radius),
+            .. around.Select(a => WireLines.Circle(center + (a * radius), a, along, tubeRadius)),
+        ];
+    }
 
     /// <inheritdoc/>
     public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new KernelBatch<TorusKernel>(shapes);

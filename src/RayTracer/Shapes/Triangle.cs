@@ -35,6 +35,21 @@ public sealed record TriangleDescription : ShapeDescription
     public Vector2 UvC { get; init; } = new(0, 1);
 
     /// <inheritdoc/>
+    public override Vector3 Middle => (A + B + C) / 3;
+
+    /// <inheritdoc/>
+    public override ShapeDescription Sketch(SketchView view) => this with
+    {
+        A = view.At(-view.Right - view.Up),
+        B = view.At(view.Right - view.Up),
+        C = view.At(view.Up),
+    };
+
+    /// <inheritdoc/>
+    public override ShapeDescription? Moved(in ShapeMove move) =>
+        move.Mirrors ? null : this with { A = move.Point(A), B = move.Point(B), C = move.Point(C) };
+
+    /// <inheritdoc/>
     public override Shape? Build(SceneBuilder builder)
     {
         Material material = builder.Material(Material);
@@ -82,6 +97,10 @@ public sealed unsafe class Triangle(Material material, string name, Vector3 a, V
         Triangle moved = by.Determinant < 0 ? new(Material, Name, p, r, q, uvA, uvC, uvB) : new(Material, Name, p, q, r, uvA, uvB, uvC);
         return moved.Normal.IsFinite() && float.IsFinite(moved.Area) ? moved : null;
     }
+
+    /// <inheritdoc/>
+    public override IEnumerable<Vector3[]> Wires(Vector3 middle, float reach) =>
+        [[a, b, c, a]];
 
     /// <inheritdoc/>
     internal override Outline Pack(float* entry)

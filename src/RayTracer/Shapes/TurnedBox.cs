@@ -54,6 +54,10 @@ public sealed class TurnedBox(Material material, string name, Vector3 center, (V
     }
 
     /// <inheritdoc/>
+    public override IEnumerable<Vector3[]> Wires(Vector3 middle, float reach) =>
+        WireLines.Box(_upright.Bounds).Select(l => l.Select(p => center + (axes.X * p.X) + (axes.Y * p.Y) + (axes.Z * p.Z)).ToArray());
+
+    /// <inheritdoc/>
     public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new KernelBatch<TurnedBoxKernel>(shapes);
 
     /// <inheritdoc/>

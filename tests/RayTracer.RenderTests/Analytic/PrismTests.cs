@@ -1,5 +1,6 @@
 using System.Globalization;
 using RayTracer.Materials;
+using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Spectra;
@@ -24,7 +25,7 @@ public class PrismTests
     {
         DielectricMaterial material = new(1, Rgb.Black, FresnelModel.Exact, dispersion: glass.Dispersion());
         double index = Index(glass, wavelength);
-        VertexSamples samples = new(Sampler.Create(new()));
+        VertexSamples samples = new(SamplerKind.Sobol.Create(16));
         samples.Begin(7u, 0u, 0u);
         foreach (bool inside in new[] { false, true })
         {

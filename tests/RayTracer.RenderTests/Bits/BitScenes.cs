@@ -60,11 +60,11 @@ internal static class BitScenes
               "material": { "type": "mix", "first": { "type": "diffuse", "color": [0.8, 0.8, 0.8] }, "second": { "type": "translucent", "transmittance": [0.3, 0.5, 0.2] } }
             },
             {
-              "type": "mesh", "positions": [[-1, 3, 1], [1, 3, 1], [1, 3, 3], [-1, 3, 3]], "triangles": [[0, 1, 2], [0, 2, 3]],
+              "type": "mesh", "positions": [[-2, 1, 2], [0, 1, 2], [0, 3, 2], [-2, 3, 2]], "triangles": [[0, 2, 1], [0, 3, 2]],
               "material": { "type": "luminaire", "multiplier": 30 }
             },
             {
-              "type": "mesh", "positions": [[-1, -3, -3], [1, -3, -3], [1, -3, -1], [-1, -3, -1]], "triangles": [[0, 2, 1], [0, 3, 2]],
+              "type": "mesh", "positions": [[0, -3, -2], [2, -3, -2], [2, -1, -2], [0, -1, -2]], "triangles": [[0, 1, 2], [0, 2, 3]],
               "material": { "type": "luminaire", "color": [1, 0.5, 0.2], "multiplier": 30 }
             }
           ]

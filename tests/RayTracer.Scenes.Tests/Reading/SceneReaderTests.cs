@@ -41,6 +41,14 @@ public class SceneReaderTests
     }
 
     [Fact]
+    public void Choices_are_read_whatever_their_case_and_written_as_they_are_called()
+    {
+        SceneDescription scene = Read("""{ "render": { "integrator": "volpath", "sampler": "JITTERED" }, "camera": { "fieldOfViewAxis": "Larger" } }""");
+        Assert.Equal((Integrator.VolPath, SamplerKind.Jittered, FieldOfViewAxis.Larger), (scene.Render.Integrator, scene.Render.Sampler, scene.Camera.FieldOfViewAxis));
+        Assert.All(["\"volPath\"", "\"jittered\"", "\"larger\""], word => Assert.Contains(word, SceneWriter.Write(scene), StringComparison.Ordinal));
+    }
+
+    [Fact]
     public void Named_things_are_shared_whatever_their_order()
     {
         SceneDescription scene = Read("""

@@ -81,7 +81,7 @@ public class SceneWriterTests
                 ParameterKind.Number => (float)Math.Max(0.7, parameter.Minimum),
                 ParameterKind.Boolean => true,
                 ParameterKind.Text or ParameterKind.File => "text",
-                ParameterKind.Choice => Enum.GetValues(parameter.ValueType).GetValue(1),
+                ParameterKind.Choice => NamedValues.Of(parameter.ValueType)!.All[1],
                 ParameterKind.Vector2 => new Vector2(0.3f, 0.4f),
                 ParameterKind.Vector3 => new Vector3(0.3f, 0.4f, 0.5f),
                 ParameterKind.Color => new Rgb(0.3f, 0.4f, 0.5f),

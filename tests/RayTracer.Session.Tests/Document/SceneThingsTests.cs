@@ -41,6 +41,21 @@ public sealed class SceneThingsTests
         Assert.True(load.Scene is not null, $"{Diagnostic.Format(load.Diagnostics)}\n{text.Text}");
     }
 
+    [Fact]
+    public void What_is_offered_as_a_light_lights_the_scene()
+    {
+        IReadOnlyList<CatalogueType> shapes = TypeCatalogue.Instance.Types["shape"];
+        string[] offered = [.. shapes.Where(t => t.AddedAs.Contains("light")).Select(t => t.Name)];
+        Assert.Empty(new[] { "sphere", "disk", "rectangle", "plane", "triangle", "box", "cylinder", "cone", "torus", "point", "spot", "directional" }.Except(offered));
+        Assert.Empty(new[] { "sphere", "torus", "plane", "model", "instance" }.Except(shapes.Where(t => t.AddedAs.Contains("shape")).Select(t => t.Name)));
+        Assert.All(offered, type =>
+        {
+            (JsonText text, _) = SceneThings.Add(JsonText.Of("{}"), "light", type);
+            SceneLoadResult load = SceneLoader.Build(SceneReader.ReadText(text.Text, "scene"), "");
+            Assert.True(load.Scene?.Lights.Count == 1, $"{Diagnostic.Format(load.Diagnostics)}\n{text.Text}");
+        });
+    }
+
     [Theory]
     [InlineData("point")]
     [InlineData("spot")]

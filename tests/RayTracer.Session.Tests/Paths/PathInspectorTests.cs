@@ -20,7 +20,7 @@ public sealed class PathInspectorTests
         await test.Done();
         foreach ((int x, int y) in Pixels())
         {
-            InspectedPixel pixel = await test.Session.Paths.Inspect(x, y, 0, Samples);
+            InspectedPixel pixel = await test.Session.Part<PathInspector>().Inspect(x, y, 0, Samples);
             Assert.Equal(Samples, pixel.Samples.Count);
             Int128[] sums = new Int128[3];
             foreach (InspectedPath traced in pixel.Samples)
@@ -84,14 +84,14 @@ public sealed class PathInspectorTests
         await test.OpenShipped("report/scene1.json", Size, Samples);
         foreach ((int x, int y, int first) in new[] { (-1, 0, 0), (Size, 0, 0), (0, Size, 0), (0, 0, Samples), (0, 0, -1) })
         {
-            await Assert.ThrowsAsync<SessionException>(() => test.Session.Paths.Inspect(x, y, first, 1));
+            await Assert.ThrowsAsync<SessionException>(() => test.Session.Part<PathInspector>().Inspect(x, y, first, 1));
         }
     }
 
     private static async Task<InspectedPixel> Inspect(TestSession test, int x, int y)
     {
         await test.Until(() => test.Session.View.Loop.Status.Status != "idle" ? test : null);
-        return await test.Session.Paths.Inspect(x, y, 0, Samples);
+        return await test.Session.Part<PathInspector>().Inspect(x, y, 0, Samples);
     }
 
     private static IEnumerable<(int X, int Y)> Pixels() =>

@@ -103,7 +103,7 @@ public class LightWalks(ChromiumBrowser browser)
         async Task Choose(string name, string choice) => await w.Page.GetByRole(AriaRole.Combobox, new() { Name = name, Exact = true }).SelectOptionAsync(choice);
         await Choose("integrator", "path");
         await Choose("shape", "mitchell");
-        await Good(w, "paths are traced", s => s.Render is { Integrator: Integrator.Path, Filter.Shape: FilterShape.Mitchell });
+        await Good(w, "paths are traced", s => s.Render is { Integrator.Name: "path", Filter.Shape: FilterShape.Mitchell });
         await w.Tab("Camera");
         await Choose("projection", "orthographic");
         await Good(w, "rays are parallel", s => s.Camera.Projection == Projection.Orthographic);
@@ -143,7 +143,7 @@ public class LightWalks(ChromiumBrowser browser)
         await folder.FillAsync(w.Folder);
         await folder.PressAsync("Enter");
         await dialog.GetByRole(AriaRole.Button, new() { NameRegex = new("ball.xml") }).DblClickAsync();
-        await Good(w, "it is open", s => s is { Render.Integrator: Integrator.Path, Background.R: 1 });
+        await Good(w, "it is open", s => s is { Render.Integrator.Name: "path", Background.R: 1 });
         await w.Painted();
         await w.Page.Keyboard.PressAsync("Control+s");
         await dialog.GetByRole(AriaRole.Button, new() { Name = "Save", Exact = true }).ClickAsync();

@@ -75,9 +75,10 @@ public sealed class ApiTests
         JsonElement mask = await server.Get($"/api/view/mask?pointer={pointer}");
         Assert.Equal(60, mask.GetProperty("width").GetInt32());
         Assert.NotEqual(0, mask.GetProperty("runs").GetArrayLength());
-        JsonElement gizmo = await server.Get($"/api/view/gizmo?pointer={pointer}");
-        Assert.Equal(2, gizmo.GetProperty("bounds").GetArrayLength());
-        Assert.Equal(60, gizmo.GetProperty("camera").GetProperty("width").GetInt32());
+        JsonElement gizmo = await server.Post("/api/view/gizmo", new { pointer, kind = "rotate", length = 12 });
+        Assert.Equal("rotate", gizmo.GetProperty("kind").GetString());
+        Assert.Equal(2, gizmo.GetProperty("center").GetArrayLength());
+        Assert.Equal(3, gizmo.GetProperty("handles").GetArrayLength());
         JsonElement paths = await server.Get("/api/paths?x=30&y=30&first=2&count=3");
         Assert.Equal([2, 3, 4], paths.GetProperty("samples").EnumerateArray().Select(s => s.GetProperty("sample").GetInt32()));
         Assert.Equal(9 + 4, (await server.Get("/api/wireframe")).GetProperty("shapes").GetArrayLength());
@@ -125,6 +126,7 @@ public sealed class ApiTests
     [InlineData("/api/view/render", """{ "threads": 0 }""")]
     [InlineData("/api/view/render", """{ "region": [0, 0, 0, 0] }""")]
     [InlineData("/api/view/tone", """{ "exposure": 1000 }""")]
+    [InlineData("/api/view/drag", """{ "pointer": "/shapes/6", "kind": "move", "axis": 3, "from": [0, 0], "to": [1, 1], "gesture": "g" }""")]
     [InlineData("/api/save/picture", """{ "path": "a.bmp" }""")]
     [InlineData("/api/save/picture", """{ }""")]
     public async Task Nonsense_is_refused_in_a_sentence(string path, string json)

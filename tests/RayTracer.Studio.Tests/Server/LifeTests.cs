@@ -28,7 +28,12 @@ public sealed class LifeTests
         Task<HttpResponseMessage> window = await Open(server);
         time.Pass(TimeSpan.FromHours(10));
         Assert.False(server.Studio.Ended.IsCompleted);
-        server.Test.Session.Notices.Tell("info", "an answer for the window");
+        while (!window.IsCompleted)
+        {
+            server.Test.Session.Notices.Tell("info", "one of the changes that the window waits for");
+            await Task.Delay(1);
+        }
+
         (await window).Dispose();
 
         // The window has not asked again yet.
@@ -149,7 +154,7 @@ public sealed class LifeTests
     private static async Task<Task<HttpResponseMessage>> Open(TestServer server)
     {
         long version = (await server.Get("/api/state?after=-1")).GetProperty("version").GetInt64();
-        Task<HttpResponseMessage> waiting = server.Send(HttpMethod.Get, $"/api/state?after={version + 1000}");
+        Task<HttpResponseMessage> waiting = server.Send(HttpMethod.Get, $"/api/state?after={version + 100}");
         while (server.Test.Session.Changes.Waiting == 0)
         {
             await Task.Delay(5);

@@ -24,7 +24,7 @@ public class ScatteringTests
     {
         SurfaceW surface = at.Prepare(material.Material);
         SphericalGrid grid = new(Mirror(surface), Facing(surface), 1 / (material.Exponent + 1), material.QuadraturePoints);
-        int count = TestSettings.Scale(1 << 17, 1 << 19);
+        int count = TestSettings.Scale(1 << 16, 1 << 18);
         double[] expected = new double[SphericalGrid.Count];
         ForEachPoint(grid, surface, material.Material.Pdf, (point, pdf) => expected[point.Cell] += point.Weight * pdf);
         double mass = expected.Sum();

@@ -70,7 +70,7 @@ internal sealed record DrawnNumbers(float[] U, float[] V)
 {
     /// <summary>Makes a sampler.</summary>
     public static Sampler Sampler(SamplerKind kind, int samples) =>
-        RayTracer.Sampling.Sampler.Create(new RenderDescription { Sampler = kind, SamplesPerPixel = samples });
+        kind.Create(samples);
 
     /// <summary>One draw for each of many pixels.</summary>
     /// <param name="sampler">The sampler.</param>

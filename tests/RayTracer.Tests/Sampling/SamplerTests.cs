@@ -32,20 +32,20 @@ public class SamplerTests
     }
 
     [Theory]
-    [InlineData(SamplerKind.Jittered, 16, Dimensions.Pixel)]
-    [InlineData(SamplerKind.Jittered, 25, FirstGroup)]
-    [InlineData(SamplerKind.Jittered, 100, FirstGroup + 5)]
-    [InlineData(SamplerKind.Regular, 36, Dimensions.Pixel)]
-    [InlineData(SamplerKind.Regular, 36, Dimensions.Lens)]
-    [InlineData(SamplerKind.Sobol, 16, Dimensions.Pixel)]
-    [InlineData(SamplerKind.Sobol, 64, Dimensions.Lens)]
-    [InlineData(SamplerKind.Sobol, 64, FirstGroup)]
-    public void Every_cell_of_the_grid_gets_one_sample(SamplerKind kind, int count, uint group)
+    [InlineData("jittered", 16, Dimensions.Pixel)]
+    [InlineData("jittered", 25, FirstGroup)]
+    [InlineData("jittered", 100, FirstGroup + 5)]
+    [InlineData("regular", 36, Dimensions.Pixel)]
+    [InlineData("regular", 36, Dimensions.Lens)]
+    [InlineData("sobol", 16, Dimensions.Pixel)]
+    [InlineData("sobol", 64, Dimensions.Lens)]
+    [InlineData("sobol", 64, FirstGroup)]
+    public void Every_cell_of_the_grid_gets_one_sample(string sampler, int count, uint group)
     {
         int n = JitteredSampler.Root(count)!.Value;
         for (uint pixel = 0; pixel < 50; pixel++)
         {
-            var cells = Points(kind, count, pixel, group, pair: 2).Select(p => ((int)(p.U * n), (int)(p.V * n)));
+            var cells = Points(SamplerKind.Known.Find(sampler)!, count, pixel, group, pair: 2).Select(p => ((int)(p.U * n), (int)(p.V * n)));
             Assert.Equal(count, cells.Distinct().Count());
         }
     }
@@ -119,7 +119,7 @@ public class SamplerTests
         int count = root * root;
         foreach (SamplerKind kind in new[] { SamplerKind.Jittered, SamplerKind.Regular })
         {
-            Sampler sampler = Sampler.Create(new RenderDescription { Sampler = kind, SamplesPerPixel = count });
+            Sampler sampler = kind.Create(count);
             for (int i = 0; i < 200_000; i += FloatW.Count)
             {
                 sampler.Begin(Hash.PixelKey(0, 3), UIntW.Iota + (uint)(count - 200_000 + i), Dimensions.Pixel, out SamplePoints points);
@@ -136,10 +136,10 @@ public class SamplerTests
     [InlineData(99, 81, 100)]
     public void A_number_that_is_no_square_is_refused_with_its_neighbours(int count, int below, int above)
     {
-        string? complaint = Sampler.Complaint(SamplerKind.Jittered, count);
+        string? complaint = SamplerKind.Jittered.Complaint(count);
         Assert.Contains($"take {below} or {above}", complaint, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => new JitteredSampler(count));
-        Assert.Null(Sampler.Complaint(SamplerKind.Sobol, count));
+        Assert.Null(SamplerKind.Sobol.Complaint(count));
     }
 
     [Fact]
@@ -164,7 +164,7 @@ public class SamplerTests
 
     private static List<(float U, float V)> Points(SamplerKind kind, int count, uint pixel, uint group, uint pair = 0, uint seed = 0)
     {
-        Sampler sampler = Sampler.Create(new RenderDescription { Sampler = kind, SamplesPerPixel = count });
+        Sampler sampler = kind.Create(count);
         List<(float, float)> points = [];
         for (int i = 0; i < count; i += FloatW.Count)
         {

@@ -56,7 +56,7 @@ public class SamplerUniformityTests
     {
         // Stratified means hardly vary, so that the smallest bias shows.
         Sampler sampler = DrawnNumbers.Sampler(kind, count);
-        int pixels = TestSettings.Scale(1 << 20, 1 << 23) / count;
+        int pixels = TestSettings.Scale(1 << 19, 1 << 22) / count;
         foreach (PathDimension dimension in Decisions(kind))
         {
             DrawnNumbers numbers = DrawnNumbers.Of(sampler, dimension, pixels * count, i => Key(i / count), i => (uint)(i % count));

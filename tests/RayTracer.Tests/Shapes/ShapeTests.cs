@@ -53,6 +53,17 @@ public class ShapeTests
 
     [Theory]
     [MemberData(nameof(Kinds))]
+    public void The_lines_that_show_a_shape_fill_its_bounds(string kind)
+    {
+        Bounds bounds = Make(kind).Bounds;
+        Bounds drawn = Make(kind).Wires(default, 1).SelectMany(l => l).Aggregate(Bounds.Empty, (all, p) => all.Union(new(p, p)));
+        float size = (bounds.Maximum - bounds.Minimum).Length();
+        Assert.True((bounds.Minimum - drawn.Minimum).Length() + (bounds.Maximum - drawn.Maximum).Length() < 0.1f * size, $"the lines of the {kind} fill {drawn}, but it is within {bounds}");
+        Assert.All([bounds.Minimum - drawn.Minimum, drawn.Maximum - bounds.Maximum], beyond => Assert.True(Vector3.Max(beyond, default).Length() < 1e-5f * size, $"the lines of the {kind} leave its bounds"));
+    }
+
+    [Theory]
+    [MemberData(nameof(Kinds))]
     public void Sampled_directions_integrate_to_the_solid_angle(string kind)
     {
         // The mean of 1/pdf is the solid angle under which the outside is seen; that is also the share of random directions

@@ -103,7 +103,7 @@ internal sealed class PathsViewModel : Observable
 
     private Task Ask((int X, int Y, int First) pixel) => _hand.Attempt(async () =>
     {
-        _pixel = await _hand.Aside(s => s.Paths.Inspect(pixel.X, pixel.Y, pixel.First, PerPage));
+        _pixel = await _hand.Aside(s => s.Part<PathInspector>().Inspect(pixel.X, pixel.Y, pixel.First, PerPage));
         _first = pixel.First;
         Samples = [.. _pixel.Samples.Select(s => new SampleRow(s))];
         _chosen = Samples.Count > 0 ? Samples[0] : null;

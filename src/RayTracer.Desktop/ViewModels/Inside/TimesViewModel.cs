@@ -38,7 +38,7 @@ internal sealed class TimesViewModel : Observable
     {
         _isRunning = true;
         Tell("");
-        await _hand.Attempt(async () => Rows = [.. (await _hand.Aside(s => s.ReportTimes.Measure())).Select(t => new TimeRow(t))]);
+        await _hand.Attempt(async () => Rows = [.. (await _hand.Aside(s => s.Part<ReportTimes>().Measure())).Select(t => new TimeRow(t))]);
         _isRunning = false;
         Tell("");
     }

@@ -11,7 +11,7 @@ internal sealed class ChoiceFieldViewModel(PanelContext context, CatalogueParame
     /// <summary>The chosen word.</summary>
     public Choice? Chosen
     {
-        get => Choices.FirstOrDefault(c => c.Value == (ParameterValues.Text(Effective) ?? "")) ?? Choices[0];
+        get => Choices.FirstOrDefault(c => c.Value.Equals(ParameterValues.Text(Effective) ?? "", StringComparison.OrdinalIgnoreCase)) ?? Choices[0];
         set
         {
             if (!IsTelling && value is { Value.Length: > 0 } && Choices.Contains(value) && value.Value != ParameterValues.Text(Effective))

@@ -71,7 +71,7 @@ internal static class ParameterValues
     // Whether what was written for one parameter may stand for another one of the same name.
     private static bool Fits(CatalogueParameter? before, CatalogueParameter now, JsonNode value) =>
         before is not null && before.Kind == now.Kind && before.Record == now.Record
-        && (now.Kind != "choice" || now.Choices.Contains(Text(value)))
+        && (now.Kind != "choice" || now.Choices.Contains(Text(value), StringComparer.OrdinalIgnoreCase))
         && (now.Kind != "texture" || now.IsNumber || Number(value) is null)
         && AllNumbers(value).All(n => n >= (now.Minimum ?? double.NegativeInfinity) && n <= (now.Maximum ?? double.PositiveInfinity));
 

@@ -69,12 +69,6 @@ function textsOf(t: typeof english) {
       ...t.convergence,
       slope: (s: string) => fill(t.convergence.slope, { s }),
     },
-    times: {
-      ...t.times,
-      setting: (size: number, samples: number) => fill(t.times.setting, { size, samples }),
-      milliseconds: (n: string) => fill(t.times.milliseconds, { n }),
-      times: (n: string) => fill(t.times.times, { n }),
-    },
     status: {
       ...t.status,
       samples: (n: number, total: number) => fill(t.status.samples, { n, total }),

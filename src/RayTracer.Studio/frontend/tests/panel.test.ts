@@ -6,9 +6,9 @@ const parameter = (key: string, kind: string, more: Partial<Parameter> = {}): Pa
   key, kind, summary: "", unit: "", minimum: null, maximum: null, minimumIsExclusive: false, required: false, choices: [], default: null, range: "", family: null, record: null, isNumber: false, ...more,
 });
 
-const metal: RecordType = { name: "phongMetal", summary: "", isLight: false, parameters: [parameter("color", "texture"), parameter("exponent", "number")] };
-const image: RecordType = { name: "image", summary: "", isLight: false, parameters: [parameter("file", "file", { required: true })] };
-const schema = { schema: {}, types: { material: [metal], texture: [image] }, sections: { camera: { name: "camera", summary: "", isLight: false, parameters: [] } }, refractiveIndices: [], colors: {}, maps: [] } as SchemaAnswer;
+const metal: RecordType = { name: "phongMetal", summary: "", addedAs: [], parameters: [parameter("color", "texture"), parameter("exponent", "number")] };
+const image: RecordType = { name: "image", summary: "", addedAs: [], parameters: [parameter("file", "file", { required: true })] };
+const schema = { schema: {}, types: { material: [metal], texture: [image] }, sections: { camera: { name: "camera", summary: "", addedAs: [], parameters: [] } }, refractiveIndices: [], colors: {}, maps: [] } as SchemaAnswer;
 
 test("a type is found in its family, and sections by their names", () => {
   expect(findType(schema, "material", "phongMetal")).toBe(metal);

@@ -12,6 +12,7 @@ public sealed class RecordParameter
 {
     private readonly PropertyInfo _property;
     private readonly ParameterAttribute _attribute;
+    private readonly NamedValues? _values;
 
     internal RecordParameter(PropertyInfo property, ParameterAttribute attribute, object? defaults)
     {
@@ -26,7 +27,7 @@ public sealed class RecordParameter
             ParameterKind.Records => ValueType.GetGenericArguments()[0],
             _ => null,
         };
-        Choices = Kind == ParameterKind.Choice ? [.. Enum.GetNames(ValueType).Select(JsonNamingPolicy.CamelCase.ConvertName)] : [];
+        _values = NamedValues.Of(ValueType);
         Default = defaults is null ? null : property.GetValue(defaults);
     }
 
@@ -83,7 +84,7 @@ public sealed class RecordParameter
     public bool HasNames => Kind is ParameterKind.NamedTextures or ParameterKind.NamedMaterials or ParameterKind.NamedShapes;
 
     /// <summary>The words that a <see cref="ParameterKind.Choice"/> is made from; otherwise empty.</summary>
-    public IReadOnlyList<string> Choices { get; }
+    public IReadOnlyList<string> Choices => _values?.Names ?? [];
 
     /// <summary>The allowed range in words ("at least 0", "from 0 to 1"); empty where every number is allowed.</summary>
     public string Range
@@ -122,6 +123,9 @@ public sealed class RecordParameter
         return null;
     }
 
+    /// <summary>The value of one of <see cref="Choices"/>, whose letters may be small or capital; null where there is none.</summary>
+    public object? Choice(string word) => _values?.Find(word);
+
     /// <summary>As <see cref="RangeComplaint(object?)"/>; null is at fault, too, alone or in a list, where a new record has another value.</summary>
     internal string? Complaint(object? value) => value is null && Default is not null ? "must not be null"
         : RecordsIn(value).Contains(null!) ? "must not hold null"
@@ -138,7 +142,8 @@ public sealed class RecordParameter
         _ => Kind is ParameterKind.Record || Family is not null ? [value] : [],
     };
 
-    internal void Set(object record, object? value) => _property.SetValue(record, value);
+    /// <summary>Gives a record that is being made the parameter's value.</summary>
+    public void Set(object record, object? value) => _property.SetValue(record, value);
 
     // Bounds are compared as floats where values are floats, so that a written bound is itself in range.
     internal string? RangeComplaint(double value, string written)
@@ -192,7 +197,7 @@ public sealed class RecordParameter
 
         return type switch
         {
-            { IsEnum: true } => ParameterKind.Choice,
+            _ when NamedValues.Of(type) is not null => ParameterKind.Choice,
             _ when type == typeof(float) => ParameterKind.Number,
             _ when type == typeof(int) || type == typeof(long) => ParameterKind.Integer,
             _ when type == typeof(bool) => ParameterKind.Boolean,

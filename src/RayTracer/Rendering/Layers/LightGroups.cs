@@ -1,4 +1,4 @@
-using RayTracer.Rendering;
+using RayTracer.Description;
 
 namespace RayTracer.Rendering;
 
@@ -23,7 +23,7 @@ internal sealed class LightGroups
             Sky = Number(scene.Environment?.Label?.Text ?? "background");
         }
 
-        if (!scene.Ambient.IsBlack && scene.Render.Integrator == Description.Integrator.Report)
+        if (!scene.Ambient.IsBlack && scene.Render.Integrator.Has(IntegratorTraits.AmbientLight))
         {
             Ambient = Number("ambient");
         }

@@ -22,7 +22,7 @@ public sealed class LightLayerFilm
 
     /// <summary>Makes empty layers.</summary>
     /// <param name="film">The film that they stand beside: it has the size and the numbers of samples.</param>
-    /// <param name="scene">The scene, rendered by an integrator that <see cref="Splits"/>.</param>
+    /// <param name="scene">The scene, rendered by an integrator with <see cref="IntegratorTraits.Layers"/>.</param>
     /// <param name="kinds">Which; memory is taken for no others.</param>
     /// <exception cref="ArgumentException">The integrator has no light to split, or there are more than <see cref="MostLights"/> names of lights.</exception>
     public LightLayerFilm(Film film, Scene scene, IEnumerable<LightLayer> kinds)
@@ -49,9 +49,6 @@ public sealed class LightLayerFilm
     /// <summary>The scene's groups of lights.</summary>
     internal LightGroups Groups { get; }
 
-    /// <summary>Whether an integrator's light can be split.</summary>
-    public static bool Splits(Integrator integrator) => integrator is Integrator.Report or Integrator.Path or Integrator.Direct or Integrator.VolPath;
-
     /// <summary>Memory in bytes of layers of a size.</summary>
     public static long Bytes(IReadOnlyCollection<LightLayer> kinds, Scene scene)
     {
@@ -68,7 +65,7 @@ public sealed class LightLayerFilm
 
     private static (int[] Places, IReadOnlyList<string> Names) Places(Scene scene, LightGroups groups, IEnumerable<LightLayer> kinds)
     {
-        if (!Splits(scene.Render.Integrator))
+        if (!scene.Render.Integrator.Has(IntegratorTraits.Layers))
         {
             throw new ArgumentException($"The integrator {scene.Render.Integrator} has no light that could be split.", nameof(scene));
         }

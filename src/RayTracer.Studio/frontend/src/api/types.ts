@@ -121,8 +121,8 @@ export interface RecordType {
   name: string;
   summary: string;
   parameters: Parameter[];
-  /** Whether it is a light without extent. */
-  isLight: boolean;
+  /** The families among which it is offered to be added. */
+  addedAs: string[];
 }
 
 export interface SchemaAnswer {
@@ -165,11 +165,22 @@ export interface ViewCamera {
   height: number;
 }
 
+export type GizmoKind = "move" | "rotate" | "scale";
+
 export interface GizmoAnswer {
-  center: Vec3;
-  radius: number;
-  bounds: [Vec3, Vec3];
-  camera: ViewCamera;
+  kind: GizmoKind;
+  middle: Vec3;
+  center: [number, number] | null;
+  handles: { axis: number; points: [number, number][] }[];
+}
+
+export interface HandleDrag {
+  pointer: string;
+  kind: GizmoKind;
+  axis: number | null;
+  from: [number, number];
+  to: [number, number];
+  gesture: string;
 }
 
 export interface PickAnswer {

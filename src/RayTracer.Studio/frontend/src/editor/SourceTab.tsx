@@ -4,9 +4,10 @@ import { documentState } from "../state/store";
 import { texts } from "../texts";
 import { Icon } from "../ui/Icon";
 import { showRange } from "./show";
+import type { DockTab } from "../shell/Dock";
 
 /** The editor, loaded when it is first looked at, and below it what is wrong with the text. */
-export function SourceTab() {
+function SourceTab() {
   const [Editor, setEditor] = useState<ComponentType | null>(null);
   useEffect(() => void import("./SourceEditor").then((m) => setEditor(() => m.default)), []);
   const diagnostics = documentState.value?.diagnostics ?? [];
@@ -30,3 +31,5 @@ export function SourceTab() {
     </div>
   );
 }
+
+export const tab: DockTab = { id: "source", order: 1, component: SourceTab, badge: () => documentState.value?.diagnostics.length };

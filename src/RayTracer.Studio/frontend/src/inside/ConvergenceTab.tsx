@@ -4,11 +4,12 @@ import type { ConvergenceAnswer } from "../api/types";
 import { format } from "../json/numbers";
 import { texts } from "../texts";
 import { usePoll } from "./poll";
+import type { DockTab } from "../shell/Dock";
 
 const t = texts.convergence;
 
 /** How the error falls; the plot's code is loaded when it is first looked at. */
-export function ConvergenceTab() {
+function ConvergenceTab() {
   const [Plot, setPlot] = useState<ComponentType<Pick<ConvergenceAnswer, "points">> | null>(null);
   useEffect(() => void import("./ConvergencePlot").then((m) => setPlot(() => m.default)), []);
   const answer = usePoll<ConvergenceAnswer>("convergence", 1500);
@@ -24,3 +25,5 @@ export function ConvergenceTab() {
     </div>
   );
 }
+
+export const tab: DockTab = { id: "convergence", order: 4, component: ConvergenceTab };

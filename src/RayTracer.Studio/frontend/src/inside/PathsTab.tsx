@@ -11,6 +11,7 @@ import { picture } from "../viewport/stage";
 import { rgb } from "./format";
 import { chosenSample, firstSample, followPaths, paths, perPage } from "./paths";
 import { PathScene } from "./PathScene";
+import type { DockTab } from "../shell/Dock";
 
 const t = texts.paths;
 
@@ -82,7 +83,7 @@ function VertexTable({ sample }: { sample: PathSample }) {
 }
 
 /** The light paths of one pixel: which samples there are, the vertices of one as a table, and all of them in the scene. */
-export function PathsTab() {
+function PathsTab() {
   useEffect(() => followPaths(), []);
   const answer = paths.value;
   if (!inspectedPixel.value || !answer) {
@@ -102,3 +103,5 @@ export function PathsTab() {
     </div>
   );
 }
+
+export const tab: DockTab = { id: "paths", order: 2, component: PathsTab };

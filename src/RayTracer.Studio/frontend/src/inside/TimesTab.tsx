@@ -3,8 +3,9 @@ import { get } from "../api/client";
 import type { ReportTime } from "../api/types";
 import { duration, format } from "../json/numbers";
 import { attempt } from "../state/messages";
-import { texts } from "../texts";
+import { fill, texts } from "../texts";
 import { Button } from "../ui/Button";
+import type { DockTab } from "../shell/Dock";
 
 const t = texts.times;
 const times = signal<ReportTime[] | null>(null);
@@ -21,7 +22,7 @@ const measure = () =>
   });
 
 /** The report's times beside this machine's, which are measured when they are asked for. */
-export function TimesTab() {
+function TimesTab() {
   return (
     <div class="times">
       <p class="pad quiet">{t.explain}</p>
@@ -40,10 +41,10 @@ export function TimesTab() {
             {times.value.map((row) => (
               <tr key={row.figure}>
                 <td>{row.figure}</td>
-                <td>{t.setting(row.width, row.samples)}</td>
+                <td>{fill(t.setting, { size: row.width, samples: row.samples })}</td>
                 <td>{duration(row.reportSeconds)}</td>
-                <td>{row.seconds < 1 ? t.milliseconds(format(row.seconds * 1000, 3)) : duration(row.seconds)}</td>
-                <td>{t.times(format(row.reportSeconds / row.seconds, 3))}</td>
+                <td>{row.seconds < 1 ? fill(t.milliseconds, { n: format(row.seconds * 1000, 3) }) : duration(row.seconds)}</td>
+                <td>{fill(t.times, { n: format(row.reportSeconds / row.seconds, 3) })}</td>
               </tr>
             ))}
           </tbody>
@@ -52,3 +53,5 @@ export function TimesTab() {
     </div>
   );
 }
+
+export const tab: DockTab = { id: "times", order: 5, component: TimesTab };

@@ -48,11 +48,6 @@ export function rayThrough(camera: ViewCamera, point: Point): Ray {
   return { origin: camera.position, direction: normalize(add(camera.forward, sideways)) };
 }
 
-/** How many scene units a pixel is wide at a point. */
-export function unitsPerPixel(camera: ViewCamera, point: Vec3): number {
-  return Math.max(nearDepth, dot(subtract(point, camera.position), camera.forward)) / focal(camera);
-}
-
 /** The camera that stands around `target` at the angles (radians) and distance, with y up. */
 export function orbitCamera(target: Vec3, yaw: number, pitch: number, distance: number, width: number, height: number): ViewCamera {
   const back: Vec3 = [Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch)];

@@ -34,7 +34,9 @@ export function Field(props: FieldProps) {
     case "choice": {
       const unset = effective === null ? [{ value: "", label: texts.panel.noneYet }] : [];
       const choices = [...unset, ...parameter.choices.map((c) => ({ value: c, label: spaced(c) }))];
-      return <Select id={id} label={label} value={String(effective ?? "")} choices={choices} onChange={(c) => c && setValue(pointer, c)} />;
+      const word = String(effective ?? "");
+      const chosen = parameter.choices.find((c) => c.toLowerCase() === word.toLowerCase()) ?? word;
+      return <Select id={id} label={label} value={chosen} choices={choices} onChange={(c) => c && setValue(pointer, c)} />;
     }
     case "text":
       return <TextField id={id} label={label} value={String(effective ?? "")} placeholder={texts.panel.noneYet} onCommit={(t) => setValue(pointer, t)} />;

@@ -1,27 +1,27 @@
-import { ConvergenceTab } from "../inside/ConvergenceTab";
-import { HeatMaps } from "../inside/HeatMaps";
-import { PathsTab } from "../inside/PathsTab";
-import { TimesTab } from "../inside/TimesTab";
-import { SourceTab } from "../editor/SourceTab";
+import type { ComponentType } from "preact";
 import { bottomTab } from "../state/settings";
-import { documentState } from "../state/store";
 import { texts } from "../texts";
 import { Tabs } from "../ui/Tabs";
 
+/** A tab of the lower pane; each declares itself as the `tab` of a file whose name ends in Tab, and has its title in the texts. */
+export interface DockTab {
+  id: string;
+  /** Tabs stand in this order. */
+  order: number;
+  component: ComponentType;
+  badge?: () => number | undefined;
+}
+
+const tabs = Object.values(import.meta.glob<DockTab>("../*/*Tab.tsx", { eager: true, import: "tab" })).sort((a, b) => a.order - b.order);
+const titles: Record<string, string> = texts.dock;
+
 /** The lower pane. */
 export function Dock() {
-  const t = texts.dock;
   return (
     <Tabs
-      label={t.label}
+      label={texts.dock.label}
       chosen={bottomTab}
-      tabs={[
-        { id: "source", label: t.source, badge: documentState.value?.diagnostics.length, render: () => <SourceTab /> },
-        { id: "paths", label: t.paths, render: () => <PathsTab /> },
-        { id: "maps", label: t.maps, render: () => <HeatMaps /> },
-        { id: "convergence", label: t.convergence, render: () => <ConvergenceTab /> },
-        { id: "times", label: t.times, render: () => <TimesTab /> },
-      ]}
+      tabs={tabs.map(({ id, component: Component, badge }) => ({ id, label: titles[id] ?? id, badge: badge?.(), render: () => <Component /> }))}
     />
   );
 }

@@ -12,23 +12,14 @@ const t = texts.toolbar;
 const fileItems: CommandId[] = ["new", "open", "gallery", "save", "saveAs", "export", "background", "lights", "copyImage", "copyCommand", "bundle"];
 const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "home", "theme", "shortcuts", "tour"];
 
-// Shapes that shine as they are; others can be given a luminaire.
-const lamps = new Set(["sphere", "disk", "rectangle", "plane", "triangle", "box", "cylinder", "cone", "torus"]);
-const inSource = new Set(["mesh", "group"]);
-
 function addItems(): MenuItem[] {
-  const types = schema.value?.types ?? {};
-  const shapes = types.shape ?? [];
-  const isThere = (type: RecordType) => !type.isLight && !inSource.has(type.name) && (type.name !== "instance" || !!outline.value?.objects.length);
-  const families: [string, RecordType[]][] = [
-    ["shape", shapes.filter(isThere)],
-    ["light", [...shapes.filter((type) => type.isLight), ...shapes.filter((type) => lamps.has(type.name))]],
-    ["environment", types.environment ?? []],
-    ["material", types.material ?? []],
-    ["texture", types.texture ?? []],
-  ];
-  return families.flatMap(([family, all]) =>
-    all.map((type) => ({ label: `${texts.families[family]}: ${spaced(type.name)}`, tip: type.summary, group: texts.families[family], run: () => add(family, type) })),
+  const all = Object.values(schema.value?.types ?? {}).flat();
+  const isPossible = (type: RecordType) => !!outline.value?.objects.length || !type.parameters.some((p) => p.required && p.kind === "shape");
+  return ["shape", "light", "environment", "material", "texture"].flatMap((family) =>
+    all
+      .filter((type) => type.addedAs.includes(family) && isPossible(type))
+      .sort((a, b) => a.addedAs.length - b.addedAs.length)
+      .map((type) => ({ label: `${texts.families[family]}: ${spaced(type.name)}`, tip: type.summary, group: texts.families[family], run: () => add(family, type) })),
   );
 }
 

@@ -2,8 +2,7 @@
 
 import { post } from "../api/client";
 import { Latest } from "../api/latest";
-import type { Json } from "../api/types";
-import type { Change } from "../math/gizmoChange";
+import type { Json, Vec3 } from "../api/types";
 import { attempt, complain } from "./messages";
 import { dialog, selection } from "./store";
 
@@ -49,9 +48,12 @@ export const remove = (pointer: string) => attempt(() => post("document/delete",
 
 export const rename = (pointer: string, name: string) => attempt(() => post("document/rename", { pointer, name }));
 
-export interface Placement extends Change {
+export interface Placement {
   pointer: string;
   gesture: string;
+  translate?: Vec3;
+  rotate?: { axis: Vec3; degrees: number; center: Vec3 };
+  scale?: Vec3;
 }
 
 /** What can be copied, deleted or renamed: the members of lists, and what has a name under materials or textures. */

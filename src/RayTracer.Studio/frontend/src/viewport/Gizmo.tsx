@@ -1,12 +1,9 @@
 import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { get, post } from "../api/client";
+import { post } from "../api/client";
 import { Latest } from "../api/latest";
-import type { GizmoAnswer, Vec3 } from "../api/types";
-import { circle } from "../math/gizmo";
-import type { GizmoKind } from "../math/gizmoChange";
-import { project, unitsPerPixel, type Point } from "../math/projection";
-import { add, axes, scale } from "../math/vec3";
+import type { GizmoAnswer, GizmoKind, HandleDrag, Vec3 } from "../api/types";
+import { axes, scale } from "../math/vec3";
 import { isSeen, newGesture, type Placement } from "../state/edits";
 import { complain } from "../state/messages";
 import { revision, selection, tool } from "../state/store";
@@ -18,18 +15,19 @@ const gizmo = signal<GizmoAnswer | null>(null);
 const handleLength = 72;
 const keyStep = { move: 0.1, rotate: 5, scale: 1.05 };
 
-const asked = new Latest<string>(async (pointer) => (gizmo.value = await get<GizmoAnswer>("view/gizmo", { pointer })), () => (gizmo.value = null));
+type Question = { pointer: string; kind: GizmoKind; length: number };
+const asked = new Latest<Question>(async (question) => (gizmo.value = await post<GizmoAnswer>("view/gizmo", question)), () => (gizmo.value = null));
+const dragging = new Latest<HandleDrag>((way) => post("view/drag", way), complain);
 const placing = new Latest<Placement[]>(async (all) => {
   for (const p of all) await post("document/place", p);
 }, complain, (older, newer) => [...older, ...newer]);
 
 const isTool = (name: string): name is GizmoKind => name === "move" || name === "rotate" || name === "scale";
 
-/** Where a point of the world is on the stage. */
-function seen(answer: GizmoAnswer, point: Vec3): Point | null {
+/** Where a pixel of the picture is on the stage. */
+function onStage([x, y]: readonly [number, number]) {
   const { scale: zoom, left, top } = placement.value;
-  const at = project(answer.camera, point);
-  return at && { x: left + at.x * zoom, y: top + at.y * zoom };
+  return { x: left + x * zoom, y: top + y * zoom };
 }
 
 /** Handles that move, turn or scale the selected shape. */
@@ -37,17 +35,17 @@ export function Gizmo() {
   const pointer = selection.value;
   const kind = tool.value;
   const isShown = isSeen(pointer) && isTool(kind) && !cameraMoves.value;
+  const length = handleLength / placement.value.scale;
   useEffect(() => {
-    if (isShown) asked.push(pointer);
+    if (isShown) asked.push({ pointer, kind, length });
     else gizmo.value = null;
-  }, [pointer, isShown, revision.value]);
+  }, [pointer, kind, isShown, length, revision.value]);
 
   const answer = gizmo.value;
-  const center = answer && seen(answer, answer.center);
-  if (!isShown || !answer || !center) return null;
+  if (!isShown || !answer?.center || answer.kind !== kind) return null;
 
-  const size = handleLength * unitsPerPixel(answer.camera, answer.center) / placement.value.scale;
-  const start = (e: PointerEvent, axis: number | null) => drag(e, kind, answer, axis, (change, gesture) => placing.push([{ pointer, ...change, gesture }]));
+  const center = onStage(answer.center);
+  const start = (e: PointerEvent, axis: number | null) => drag(e, (from, to, gesture) => dragging.push({ pointer, kind, axis, from, to, gesture }));
   const nudge = (e: KeyboardEvent, axis: number) => {
     const sign = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[e.key];
     if (!sign) return;
@@ -55,7 +53,7 @@ export function Gizmo() {
     const factor = keyStep.scale ** sign;
     const change = {
       move: { translate: along(sign * keyStep.move) },
-      rotate: { rotate: { axis: axes[axis]!, degrees: sign * keyStep.rotate, center: answer.center } },
+      rotate: { rotate: { axis: axes[axis]!, degrees: sign * keyStep.rotate, center: answer.middle } },
       scale: { scale: axes[axis]!.map((a) => (a ? factor : 1)) as Vec3 },
     }[kind];
     placing.push([{ pointer, ...change, gesture: newGesture() }]);
@@ -65,13 +63,10 @@ export function Gizmo() {
 
   return (
     <svg class="gizmo" role="group" aria-label={texts.viewport.gizmo}>
-      {axes.map((axis, i) => {
+      {answer.handles.map(({ axis: i, points: pixels }) => {
         const name = texts.panel.axes[i]!;
-        const line = kind === "rotate"
-          ? circle(answer.center, axis, size).map((p) => seen(answer, p)).filter((p) => p !== null)
-          : [center, seen(answer, add(answer.center, scale(axis, size)))].filter((p) => p !== null);
-        const end = line.at(-1);
-        if (!end || line.length < 2) return null;
+        const line = pixels.map(onStage);
+        const end = line.at(-1)!;
         const points = line.map((p) => `${p.x.toFixed(1)},${p.y.toFixed(1)}`).join(" ");
         return (
           <g class={`axis ${name}`} role="slider" tabIndex={0} aria-label={`${texts.viewport[kind]} ${name}`} aria-valuenow={0} aria-valuetext={name} data-handle={name} onPointerDown={(e) => start(e, i)} onKeyDown={(e) => nudge(e, i)}>

@@ -6,16 +6,19 @@ namespace RayTracer.Description;
 /// <param name="kind">The kind's name, for messages.</param>
 /// <param name="names">Returns all names of a thing, by any of which it is found.</param>
 /// <param name="builtIn">The program's things.</param>
-public sealed class Registry<T>(string kind, Func<T, IEnumerable<string>> names, params ReadOnlySpan<T> builtIn)
+public sealed class Registry<T>(string kind, Func<T, IEnumerable<string>> names, params ReadOnlySpan<T> builtIn) : NamedValues
     where T : class
 {
     private ImmutableList<T> _all = [.. builtIn];
 
     /// <summary>The things: the program's, then others in the order in which they were added.</summary>
-    public IReadOnlyList<T> All => _all;
+    public override IReadOnlyList<T> All => _all;
+
+    /// <inheritdoc/>
+    public override IReadOnlyList<string> Names => [.. _all.Select(thing => names(thing).First())];
 
     /// <summary>Returns the thing of a name; null where there is none.</summary>
-    public T? Find(string name) => _all.Find(thing => names(thing).Contains(name, StringComparer.OrdinalIgnoreCase));
+    public override T? Find(string name) => _all.Find(thing => names(thing).Contains(name, StringComparer.OrdinalIgnoreCase));
 
     /// <summary>Adds a thing.</summary>
     /// <exception cref="ArgumentException">One of its names is taken.</exception>
@@ -25,4 +28,6 @@ public sealed class Registry<T>(string kind, Func<T, IEnumerable<string>> names,
         return taken is null ? all.Add(thing)
             : throw new ArgumentException($"There is another {kind} \"{taken}\": {thing.GetType()} needs another name.", nameof(thing));
     });
+
+    private protected override void AddAny(object thing) => Add((T)thing);
 }

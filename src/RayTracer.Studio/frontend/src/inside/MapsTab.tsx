@@ -2,12 +2,13 @@ import type { Vec3 } from "../api/types";
 import { map, maps } from "../state/store";
 import { texts } from "../texts";
 import { showMap } from "../viewport/ViewportBar";
+import type { DockTab } from "../shell/Dock";
 
 const css = (color: Vec3) => `rgb(${color.map((c) => Math.round(255 * c)).join(" ")})`;
 const gradient = (scale: Vec3[]) => `linear-gradient(90deg, ${scale.map(css).join(", ")})`;
 
 /** What the picture can show instead of the light, and what that tells. */
-export function HeatMaps() {
+function MapsTab() {
   return (
     <div class="maps" role="radiogroup" aria-label={texts.heat.label}>
       {maps.value.map(({ name, title, why, scale }) => (
@@ -21,3 +22,5 @@ export function HeatMaps() {
     </div>
   );
 }
+
+export const tab: DockTab = { id: "maps", order: 3, component: MapsTab };

@@ -1,0 +1,82 @@
+using RayTracer.Rendering;
+
+namespace RayTracer.Description;
+
+/// <summary>What an integrator does of all that scenes may ask for.</summary>
+[Flags]
+public enum IntegratorTraits
+{
+    /// <summary>Nothing but the surfaces counts: it is a view of them.</summary>
+    None = 0,
+
+    /// <summary>What light sources send counts.</summary>
+    Light = 1,
+
+    /// <summary>The light can be split into layers.</summary>
+    Layers = 1 << 1,
+
+    /// <summary>Media inside shapes absorb and scatter light.</summary>
+    Media = 1 << 2,
+
+    /// <summary>Priorities of dielectrics decide which boundaries are real.</summary>
+    Priorities = 1 << 3,
+
+    /// <summary>Ambient light counts.</summary>
+    AmbientLight = 1 << 4,
+
+    /// <summary>Transparent things can weaken shadows.</summary>
+    WeakenedShadows = 1 << 5,
+
+    /// <summary>Shading normals can be taken literally.</summary>
+    LiteralNormals = 1 << 6,
+
+    /// <summary>The environment is sampled as one of the light sources, and where those are many, one is chosen at each point.</summary>
+    SampledEnvironment = 1 << 7,
+}
+
+/// <summary>How the light that arrives at a pixel is computed.</summary>
+/// <param name="name">The name in scene files, in camelCase.</param>
+/// <param name="traits">What it does of all that scenes may ask for; scenes are warned of the rest.</param>
+public abstract class Integrator(string name, IntegratorTraits traits) : NamedValue(name)
+{
+    /// <summary>The report's: light sources are sampled at matt surfaces, and mirror-like lobes are followed; ambient light, and limits of diffuse and specular depth.</summary>
+    public static Integrator Report { get; } = new ReportIntegrator();
+
+    /// <summary>Path tracing: light sources and surfaces are both sampled and weighed against each other, without bias.</summary>
+    public static Integrator Path { get; } = new PathIntegrator();
+
+    /// <summary>As path, with light that comes straight from the sources only.</summary>
+    public static Integrator Direct { get; } = new DirectIntegrator();
+
+    /// <summary>As path, with media that absorb and scatter light inside shapes.</summary>
+    public static Integrator VolPath { get; } = new VolPathIntegrator();
+
+    /// <summary>Ambient occlusion: how much of an even, white sky each surface sees.</summary>
+    public static Integrator Ao { get; } = new AoIntegrator();
+
+    /// <summary>The normals with which surfaces are shaded, as colours.</summary>
+    public static Integrator Normals { get; } = new NormalsIntegrator();
+
+    /// <summary>The surface coordinates, as red and green.</summary>
+    public static Integrator Uv { get; } = new UvIntegrator();
+
+    /// <summary>The fraction of the light that surfaces send on.</summary>
+    public static Integrator Albedo { get; } = new AlbedoIntegrator();
+
+    /// <summary>All integrators.</summary>
+    public static Registry<Integrator> Known { get; } = new("integrator", i => [i.Name], Report, Path, Direct, VolPath, Ao, Normals, Uv, Albedo);
+
+    /// <summary>Whether it has all of some traits.</summary>
+    public bool Has(IntegratorTraits wanted) => (traits & wanted) == wanted;
+
+    /// <summary>Makes what shades for one thread.</summary>
+    internal abstract SurfaceShader CreateShader(ShaderContext context);
+
+    // "only the path, direct and volPath integrators know"
+    internal static string Only(IntegratorTraits trait, string verb)
+    {
+        string[] names = [.. Known.All.Where(i => i.Has(trait)).Select(i => i.Name)];
+        return names.Length == 1 ? $"only the {names[0]} integrator {verb}s"
+            : $"only the {string.Join(", ", names[..^1])} and {names[^1]} integrators {verb}";
+    }
+}

@@ -1,0 +1,122 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using RayTracer.Cli.Tests;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+using RayTracer.Session;
+using RayTracer.Textures;
+
+namespace RayTracer.Extensions.Tests;
+
+/// <summary>Things that this assembly defines, one file each, in scenes that the library and the command render.</summary>
+public sealed class ExtensionTests : IDisposable
+{
+    private const int Size = 32;
+    private readonly TemporaryFolder _folder = new();
+    private readonly string _scene;
+
+    public ExtensionTests()
+    {
+        _scene = _folder["scene.json"];
+        File.WriteAllText(_scene, $$"""
+            {
+              "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "fieldOfView": 40 },
+              "render": { "width": {{Size}}, "height": {{Size}}, "samplesPerPixel": 1, "sampler": "regular" },
+              "background": "skyblue",
+              "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1.5, "material": { "type": "luminaire", "multiplier": 0.5 } }]
+            }
+            """);
+    }
+
+    [ModuleInitializer]
+    internal static void Register()
+    {
+        AuxiliaryImage.Known.Add(new FacingImage());
+        ImageFormat.Known.Add(new PpmFormat());
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void The_library_renders_an_image_and_writes_and_reads_a_format_of_another_assembly()
+    {
+        Scene scene = SceneLoader.Load(_scene).Scene!;
+        AovFilm images = new(new(Size, Size), [new FacingImage()]);
+        new FirstHitPass(scene).Render(images);
+        double[] row = new double[Size];
+        int met = 0;
+        for (int y = 0; y < Size; y++)
+        {
+            images.ReadRow(new FacingImage(), y, row);
+            for (int x = 0; x < Size; x++)
+            {
+                double expected = Facing(x, y);
+                met += expected >= 0 ? 1 : 0;
+                Assert.True(Math.Abs(expected - row[x]) < 1e-3 || Math.Abs(expected) < 0.1, $"pixel {x}, {y}: expected {expected}, found {row[x]}");
+            }
+        }
+
+        Assert.InRange(met, 100, Size * Size);
+        Picture picture = new(Size, Size);
+        new AovPicture(images, new FacingImage()).ReadRow(Size / 2, picture.Pixels);
+        ImageFile.Write(_folder["a.ppm"], picture);
+        File.Move(_folder["a.ppm"], _folder["a"]);
+        Assert.All(ImageFile.Read(_folder["a"]).Pixels.Zip(picture.Pixels), p => Assert.Equal(p.Second, p.First, 0.01));
+        Assert.Equal("a PPM picture", ImageFile.FormatOf(_folder["a"])?.FileName);
+    }
+
+    [Fact]
+    public void The_command_writes_and_reads_them_like_its_own()
+    {
+        CliRun run = CliRun.Fine("render", _scene, "-o", _folder["a.ppm"], "-o", _folder["a.exr"], "--aov", "facing", "--exposure", "1");
+        Assert.Equal("", run.Error);
+        Picture shown = ImageFile.Read(_folder["a.ppm"]), linear = ImageFile.Read(_folder["a.exr"]);
+        Assert.All(shown.Pixels.Zip(linear.Pixels), p => Assert.Equal(Math.Min(1, 2 * p.Second), p.First, 0.01));
+        Assert.Equal(Facing(14, 14), ExrReader.ReadChannel(File.ReadAllBytes(_folder["a.exr"]), "facing.Y")[(14 * Size) + 14], 1e-3);
+        Assert.Equal(Facing(14, 14), ImageFile.Read(_folder["a.facing.ppm"], raw: true).Pixels[3 * ((14 * Size) + 14)], 0.01);
+        Assert.Contains($"PPM, {Size}×{Size} pixels", CliRun.Fine("info", _folder["a.ppm"]).Output, StringComparison.Ordinal);
+        CliRun.Fine("convert", _folder["a.ppm"], _folder["b.png"]);
+        Assert.Equal(shown.Pixels, ImageFile.Read(_folder["b.png"]).Pixels);
+    }
+
+    [Fact]
+    public void Help_and_messages_name_them()
+    {
+        string help = string.Join(' ', CliRun.Fine("render", "--help").Output.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
+        Assert.Contains(".exr, .hdr or .ppm;", help, StringComparison.Ordinal);
+        Assert.Contains("PNG, JPEG and PPM: stops", help, StringComparison.Ordinal);
+        Assert.Contains("error,facing,", help, StringComparison.Ordinal);
+        CliRun.Refused(2, "(did you mean '.ppm'?)", "render", _scene, "-o", _folder["a.pppm"]);
+        CliRun.Refused(2, "(did you mean \"facing\"?)", "render", _scene, "-o", _folder["a.ppm"], "--aov", "facin");
+        CliRun.Refused(2, "a PPM picture has at most 9999 pixels a side", "render", _scene, "-o", _folder["a.ppm"], "--width", "10000", "--height", "1");
+        Assert.Contains("--bit-depth has no effect", CliRun.Of("render", _scene, "-o", _folder["a.ppm"], "--bit-depth", "16").Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void The_Studio_offers_them()
+    {
+        Assert.Contains(PictureSaver.Formats, f => f is { Value: "ppm", Label: "PPM", HasDepth: false, HasLayers: false, IsFilm: false });
+        Assert.Contains(TypeCatalogue.Instance.Maps, m => m is { Name: "facing", Title: "Facing", IsLight: false });
+        Assert.IsType<FacingImage>(Assert.Single(PictureRequest.Of(null, ["facing"]).Layers));
+    }
+
+    [Fact]
+    public void Names_that_are_taken_are_refused()
+    {
+        ArgumentException image = Assert.Throws<ArgumentException>(() => AuxiliaryImage.Known.Add(new FacingImage()));
+        Assert.StartsWith("There is another auxiliary image \"facing\": RayTracer.Extensions.Tests.FacingImage needs another name.", image.Message);
+        ArgumentException format = Assert.Throws<ArgumentException>(() => ImageFormat.Known.Add(new PpmFormat()));
+        Assert.StartsWith("There is another image format \"PPM\": RayTracer.Extensions.Tests.PpmFormat needs another name.", format.Message);
+        Assert.Single(ImageFormat.Known.All, f => f.Name == "PPM");
+    }
+
+    // The cosine at the sphere's point in the middle of a pixel; -1 beside it.
+    private static double Facing(int x, int y)
+    {
+        double scale = 2 * Math.Tan(20 * Math.PI / 180) / Size;
+        Vector3 d = Vector3.Normalize(new((float)((x + 0.5 - (Size / 2.0)) * scale), (float)(((Size / 2.0) - y - 0.5) * scale), -1));
+        double b = 5 * d.Z, root = (b * b) - 25 + 2.25;
+        return root < 0 ? -1 : Math.Sqrt(root) / 1.5;
+    }
+}

@@ -1,0 +1,69 @@
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.RenderTests.Pairs;
+
+/// <summary>
+/// Features two by two: each pair of levels of <see cref="PairScene.Features"/> stands in some small scene, and each scene has the same expected image as an equal one that is made otherwise.
+/// </summary>
+public class PairTests
+{
+    private static readonly CoveringArray s_scenes = CoveringArray.Of([.. PairScene.Features.Select(f => f.Levels.Length)]);
+    private static readonly int s_seeds = TestSettings.Scale(12, 96);
+
+    public static TheoryData<int> Scenes => [.. Enumerable.Range(0, s_scenes.Rows.Count)];
+
+    [Fact]
+    public void Every_pair_of_features_stands_in_some_scene()
+    {
+        int[] levels = [.. PairScene.Features.Select(f => f.Levels.Length)];
+        HashSet<(int, int, int, int)> covered = [.. s_scenes.Rows.SelectMany(CoveringArray.PairsOf)];
+        string[] missing = [.. CoveringArray.Pairs(levels).Where(p => !covered.Contains(p))
+            .Select(p => $"{PairScene.Features[p.Factor].Levels[p.Level]} with {PairScene.Features[p.OtherFactor].Levels[p.OtherLevel]}")];
+        Assert.Empty(missing);
+        Assert.True(levels.Length >= 14);
+        Assert.InRange(s_scenes.Rows.Count, 16, 30);
+    }
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void A_scene_looks_like_an_equal_one_that_is_made_otherwise(int number)
+    {
+        PairScene scene = new(s_scenes.Rows[number]);
+        ImageSamples images = SceneRuns.RenderText(scene.Text, s_seeds, firstSeed: 1);
+        ImageSamples others = new(images.Width, images.Height);
+        Random times = new(TestSettings.Seed + number);
+        for (int i = 0; i < s_seeds; i++)
+        {
+            // An instant of each equal part of the time that the shutter is open: their mean is what is seen of motion.
+            double time = (i + times.NextDouble()) / s_seeds;
+            others.Add(new Sum([.. Enumerable.Range(0, scene.Groups).Select(group =>
+                (IImageRows)SceneRuns.RenderText(scene.Otherwise(group, time), 1, firstSeed: 1001 + (i * scene.Groups) + group).Mean())]));
+        }
+
+        BlockTest test = BlockTest.Compare(images, others);
+        ErrorBudget.Pairs.Check(test.P, $"scene {number} ({scene}): {test}", () => $"The scene:\n{scene.Text}\nmade otherwise:\n{scene.Otherwise(0, 0.5)}");
+    }
+
+    /// <summary>Light is added: images of some of the lights make the image of all.</summary>
+    private sealed class Sum(IReadOnlyList<IImageRows> parts) : IImageRows
+    {
+        public int Width => parts[0].Width;
+
+        public int Height => parts[0].Height;
+
+        public void ReadRow(int y, Span<float> rgb)
+        {
+            float[] part = new float[rgb.Length];
+            rgb.Clear();
+            foreach (IImageRows image in parts)
+            {
+                image.ReadRow(y, part);
+                for (int i = 0; i < part.Length; i++)
+                {
+                    rgb[i] += part[i];
+                }
+            }
+        }
+    }
+}
