@@ -133,13 +133,14 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
         : isOtherwise ? $$"""{ "type": "mix", "weight": {{Checker("0.3", "1")}}, "first": { "type": "invisible" }, "second": {{inner}} }"""
         : $$"""{ "type": "mask", "opacity": {{Checker("0.3", "1")}}, "material": {{inner}} }""";
 
+    // Fog gives way only to what has a priority: there the water keeps it, and the glass alone has an index relative to the water's.
     private string SecondThing(bool isOtherwise)
     {
         const string outer = """ "type": "sphere", "center": [-0.9, 0.5, 0.6], "radius": 0.45 """;
         const string inner = """ "type": "sphere", "center": [-0.9, 0.45, 0.6], "radius": 0.25 """;
         return Is("second thing", "none") ? ""
             : Is("second thing", "prism") ? $$""", { "type": "mesh", "positions": [[-1.3, 0, 0.3], [-0.5, 0, 0.3], [-0.9, 0.8, 0.3], [-1.3, 0, 0.9], [-0.5, 0, 0.9], [-0.9, 0.8, 0.9]], "triangles": [[0, 2, 1], [3, 4, 5], [0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]], "transform": [{ "translate": [0, 0.02, 0] }], "material": { "type": "dielectric", {{(isOtherwise ? """ "sellmeierB": [1.0396122, 0.231792344, 1.01046945], "sellmeierC": [0.00600069867, 0.0200179144, 103.560653] """ : """ "glass": "bk7" """)}} } }"""
-            : isOtherwise ? $$""", { {{outer}}, "material": { "type": "dielectric", "refractiveIndex": 1.333 } }, { {{inner}}, "material": { "type": "dielectric", "refractiveIndex": 1.2753188 } }"""
+            : isOtherwise ? $$""", { {{outer}}, "material": { "type": "dielectric", "refractiveIndex": 1.333{{(Is("medium", "fog") ? ", \"priority\": 1" : "")}} } }, { {{inner}}, "material": { "type": "dielectric", "refractiveIndex": 1.2753188 } }"""
             : $$""", { {{outer}}, "material": { "type": "dielectric", "refractiveIndex": 1.333, "priority": 1 } }, { {{inner}}, "material": { "type": "dielectric", "refractiveIndex": 1.7, "priority": 2 } }""";
     }
 

@@ -6,6 +6,7 @@ namespace RayTracer.RenderTests.Pairs;
 /// <summary>
 /// Features two by two: each pair of levels of <see cref="PairScene.Features"/> stands in some small scene, and each scene has the same expected image as an equal one that is made otherwise.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class PairTests
 {
     private static readonly CoveringArray s_scenes = CoveringArray.Of([.. PairScene.Features.Select(f => f.Levels.Length)]);
