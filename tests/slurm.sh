@@ -136,7 +136,7 @@ echo "two nodes are up after $SECONDS s"
 # Four parts of some seconds each, two on each node.
 scene=scenes/cornell.json
 options=(--width 256 --height 256 --spp "${RAYTRACER_SLURM_SPP:-256}")
-"$raytracer" cluster slurm $scene "${options[@]}" --tasks 4 -o "$B/out.exr" -o "$B/out.rtfilm" --submit --quiet || fail "the jobs could not be handed in"
+"$raytracer" cluster slurm $scene "${options[@]}" --tasks 4 -o "$B/out.exr" -o "$B/out.rtfilm" --submit --quiet || fail "the jobs could not be submitted"
 for ((i = 0; i < 120; i++)); do
     [ "$(squeue -h -t R -w n2 -n render -o %i | wc -l)" -gt 0 ] && break
     sleep 0.25
@@ -160,7 +160,7 @@ exec $raytracer "\$@"
 FLAKY
 chmod +x "$B/flaky"
 "$raytracer" cluster slurm scenes/animation/01-turn.json --width 32 --height 24 --spp 4 --frames 0..9:3 --tasks 2 --program "$B/flaky" -o "$B/f-##.png" --submit --quiet \
-    || fail "the frames could not be handed in"
+    || fail "the frames could not be submitted"
 
 "$raytracer" render $scene "${options[@]}" --quiet -o "$B/single.rtfilm" || fail "the single render"
 for ((i = 0; i < 400; i++)); do

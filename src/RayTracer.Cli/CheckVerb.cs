@@ -10,7 +10,7 @@ internal static class CheckVerb
     public static void Build(Command command, Streams streams)
     {
         Argument<string[]> scenes = new("SCENE") { Description = "Scene files.", Arity = ArgumentArity.OneOrMore };
-        ParsedOption<CheckFormat?> format = OptionValues.Choice<CheckFormat>("--format", "How it is said: a line each (at most 20 a file), or all as one JSON object or SARIF 2.1.0; text without it.");
+        ParsedOption<CheckFormat?> format = OptionValues.Choice<CheckFormat>("--format", "Output format: one line per problem (at most 20 per file), or everything as one JSON object or SARIF 2.1.0. Default: text.");
         command.Arguments.Add(scenes);
         command.Options.Add(format.Symbol);
         SettingOption settings = new(command);

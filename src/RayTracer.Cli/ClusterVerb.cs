@@ -10,13 +10,13 @@ internal sealed class ClusterVerb
     private readonly ParsedOption<long?> _tasks = OptionValues.Integer("--tasks", "How many tasks share the samples, or with --frames the frames.", 1, 100_000);
     private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Processor cores for each task; 1 without it.", 1, 1024);
     private readonly Option<string?> _partition = new("--partition") { Description = "The partition of the cluster.", HelpName = "NAME" };
-    private readonly Option<string?> _time = new("--time-limit") { Description = "The longest time of a task, as Slurm writes it: 30 (minutes), 2:00:00, 1-12:00:00.", HelpName = "TIME" };
+    private readonly Option<string?> _time = new("--time-limit") { Description = "The time limit of a task, as Slurm writes it: 30 (minutes), 2:00:00, 1-12:00:00.", HelpName = "TIME" };
     private readonly Option<string?> _memory = new("--memory") { Description = "Memory of a task, as Slurm writes it: 4G.", HelpName = "SIZE" };
-    private readonly Option<string[]> _lines = new("--sbatch") { Description = "A further option of sbatch, such as --account=lab. May be given several times.", HelpName = "OPTION" };
-    private readonly ParsedOption<long?> _retries = OptionValues.Integer("--retries", "How often parts that failed are rendered again; 2 without it.", 0, 100);
-    private readonly Option<string?> _folder = new("--folder") { Description = "Where scripts, parts and logs go; without it, a folder .slurm beside the output.", HelpName = "FOLDER" };
-    private readonly Option<string?> _program = new("--program") { Description = "The command raytracer as nodes know it; without it, the one that runs here.", HelpName = "COMMAND" };
-    private readonly Option<bool> _submit = new("--submit") { Description = "Hands the jobs in with sbatch; without it, they are only written." };
+    private readonly Option<string[]> _lines = new("--sbatch") { Description = "Another option for sbatch, such as --account=lab. Repeatable.", HelpName = "OPTION" };
+    private readonly ParsedOption<long?> _retries = OptionValues.Integer("--retries", "Number of times that failed parts are rendered again. Default: 2.", 0, 100);
+    private readonly Option<string?> _folder = new("--folder") { Description = "The folder for scripts, parts and logs. Default: a folder .slurm beside the output.", HelpName = "FOLDER" };
+    private readonly Option<string?> _program = new("--program") { Description = "The raytracer command on the nodes. Default: the one running here.", HelpName = "COMMAND" };
+    private readonly Option<bool> _submit = new("--submit") { Description = "Submits the jobs with sbatch; otherwise they are only written." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly JobOptionSet _overrides;
     private readonly WritingOptions _writing;
@@ -43,7 +43,7 @@ internal sealed class ClusterVerb
             return job.Run(result.GetValue(verb._submit), result.GetValue(verb._quiet), streams);
         });
         command.Subcommands.Add(slurm);
-        command.SetAction(int (_) => throw new CommandException(ExitStatus.Usage, "which cluster? There is: raytracer cluster slurm SCENE --tasks 16 -o out.exr"));
+        command.SetAction(int (_) => throw new CommandException(ExitStatus.Usage, "which cluster? Available: raytracer cluster slurm SCENE --tasks 16 -o out.exr"));
     }
 
     private SlurmJob Job(ParseResult result)

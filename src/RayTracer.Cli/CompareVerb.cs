@@ -15,8 +15,8 @@ internal static class CompareVerb
         Option<string?> output = new("-o", "--output") { Description = "Writes the absolute difference as an image.", HelpName = "FILE" };
         Option<string?> map = new("--map") { Description = "Writes the FLIP error of each pixel as colours, with a scale.", HelpName = "FILE" };
         Option<string?> sheet = new("--side-by-side") { Description = "Writes both images and the FLIP errors beside each other, with labels and a scale.", HelpName = "FILE" };
-        ParsedOption<double?> density = OptionValues.Number("--pixels-per-degree", "For FLIP: how many pixels a degree of the field of view has. Without it 67, as of a display with 3840 columns seen from as far away as it is wide.", 1, 1000);
-        ParsedOption<double?> tolerance = OptionValues.Number("--tolerance", "The largest root mean squared difference (linear light) that is no difference. Without it, any is.", 0, double.MaxValue);
+        ParsedOption<double?> density = OptionValues.Number("--pixels-per-degree", "For FLIP: pixels per degree of the field of view. Default: 67, as for a display with 3840 columns seen from as far away as it is wide.", 1, 1000);
+        ParsedOption<double?> tolerance = OptionValues.Number("--tolerance", "The largest root mean squared difference (linear light) that still counts as equal. Default: 0.", 0, double.MaxValue);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(images);
         command.Options.Add(output);

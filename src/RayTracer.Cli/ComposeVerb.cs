@@ -21,9 +21,9 @@ internal static class ComposeVerb
     public static void Build(Command command, Streams streams)
     {
         Argument<string> image = new("IMAGE") { Description = "An OpenEXR file with layers of lights, as render --aov lights writes it." };
-        Option<string[]> lights = new("--light") { Description = "What a light is multiplied by: a number, or three for red, green and blue. May be given several times.", HelpName = "NAME=X|NAME=R,G,B" };
-        ParsedOption<double?> others = OptionValues.Number("--others", "What all lights are multiplied by that are not named; 1 without it.", 0, 1e6);
-        WritingOptions output = new(command, $"The image file: {ImageFormat.Endings()}. May be given several times.");
+        Option<string[]> lights = new("--light") { Description = "The factor for a light: a number, or three for red, green and blue. Repeatable.", HelpName = "NAME=X|NAME=R,G,B" };
+        ParsedOption<double?> others = OptionValues.Number("--others", "The factor for all lights that are not named. Default: 1.", 0, 1e6);
+        WritingOptions output = new(command, $"The image file: {ImageFormat.Endings()}. Repeatable.");
         command.Arguments.Add(image);
         foreach (Option option in new Option[] { lights, others.Symbol }.Concat(output.Looks))
         {
@@ -68,7 +68,7 @@ internal static class ComposeVerb
 
             if (mix.Missing() is > MostMissing and var missing)
             {
-                streams.Warn($"the lights of '{path}' are not all of its picture: they differ from it by {missing:P1}");
+                streams.Warn($"the lights of '{path}' do not add up to its picture: the difference is {missing:P1}");
             }
 
             return mix.Compose(light => byLight.GetValueOrDefault(light, new(others, others, others)));

@@ -13,12 +13,12 @@ namespace RayTracer.Cli;
 internal sealed class ConvertVerb
 {
     private readonly Argument<string> _from = new("FROM") { Description = "The file to read: a scene of Mitsuba (.xml), a native one (.json) or a model; or an image or a film." };
-    private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene, .json; an image; or a film (.rtfilm), of a file that holds one.", Arity = ArgumentArity.ZeroOrOne };
-    private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = "The file to write, in place of TO." };
-    private readonly ParsedOption<long?> _width = OptionValues.Integer("--width", "Images: makes them smaller, to this many columns; by itself, the shape stays.", 1, int.MaxValue);
+    private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene (.json), an image, or a film (.rtfilm) if the input holds one.", Arity = ArgumentArity.ZeroOrOne };
+    private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = "The file to write, instead of TO." };
+    private readonly ParsedOption<long?> _width = OptionValues.Integer("--width", "Images: scales down to this width; without --height, the aspect ratio is kept.", 1, int.MaxValue);
     private readonly ParsedOption<long?> _height = OptionValues.Integer("--height", "Images: the same, rows.", 1, int.MaxValue);
     private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>(
-        "--exr-type", $"{ImageFormat.Names(ImageFeatures.PixelType)}: what its numbers are; float without it, which loses nothing.",
+        "--exr-type", $"{ImageFormat.Names(ImageFeatures.PixelType)}: the type of its numbers. Default: float, which loses nothing.",
         ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
     private readonly SettingOption _settings;
     private readonly WritingOptions _writing;
@@ -51,8 +51,8 @@ internal sealed class ConvertVerb
         if (isScene ? ImageFile.IsImage(from) : IsSceneName(from))
         {
             throw new CommandException(ExitStatus.Usage, isScene
-                ? $"{Quotation.Of(from)} is an image, of which no scene can be made"
-                : $"scenes are written as .json files, but not as {Quotation.Of(to)} (\"raytracer render\" makes images of them)");
+                ? $"{Quotation.Of(from)} is an image, and no scene can be made from it"
+                : $"scenes are written as .json files, not as {Quotation.Of(to)} (\"raytracer render\" makes images of them)");
         }
 
         foreach (Option option in _writing.Looks.Concat([_exrType.Symbol, _writing.ExrFilm, _width.Symbol, _height.Symbol]).Where(o => isScene && result.GetResult(o) is { Implicit: false }))
@@ -68,7 +68,7 @@ internal sealed class ConvertVerb
 
     private string Target(ParseResult result) => (result.GetValue(_to), result.GetValue(_output)) switch
     {
-        (null, null) => throw new CommandException(ExitStatus.Usage, "where to? Give the file to write behind the one to read"),
+        (null, null) => throw new CommandException(ExitStatus.Usage, "where to? Give the file to write after the one to read"),
         ({ } to, { } output) => throw new CommandException(ExitStatus.Usage, $"{Quotation.Of(to)} and -o {Quotation.Of(output)}: there is one file to write"),
         (var to, var output) => to ?? output!,
     };
@@ -111,7 +111,7 @@ internal sealed class ConvertVerb
         bool isWhole = (width, height) == (image.Width, image.Height);
         if (layers.Count > 0 && !isWhole && ImageFormat.Has(target, ImageFeatures.Layers))
         {
-            streams.Warn($"'{target}' is without the layers {LayersOf(layers)} of '{path}': only the picture is made smaller");
+            streams.Warn($"'{target}' lacks the layers {LayersOf(layers)} of '{path}': only the picture is scaled down");
         }
 
         ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), writing with { Metadata = isWhole ? [.. texts] : [], ExrLayers = isWhole ? layers : [] });
@@ -123,7 +123,7 @@ internal sealed class ConvertVerb
     {
         if (new[] { _width.Symbol, _height.Symbol }.FirstOrDefault(o => result.GetResult(o) is { Implicit: false }) is { } scaled)
         {
-            throw new CommandException(ExitStatus.Usage, $"{scaled.Name} is for images: a film has the pixels that it has");
+            throw new CommandException(ExitStatus.Usage, $"{scaled.Name} is for images: a film cannot be scaled");
         }
 
         (FilmHeader header, Film film) = CarriedFilm.Read(path);
@@ -159,7 +159,7 @@ internal sealed class ConvertVerb
         int w = width ?? (height is { } h ? Scaled(image.Width, h, image.Height) : image.Width);
         int rows = height ?? (width is { } columns ? Scaled(image.Height, columns, image.Width) : image.Height);
         return w <= image.Width && rows <= image.Height ? (w, rows)
-            : throw new CommandException(ExitStatus.Usage, $"the image of {image.Width}×{image.Height} pixels can be made smaller only, not {w}×{rows}");
+            : throw new CommandException(ExitStatus.Usage, $"the image of {image.Width}×{image.Height} pixels can only be scaled down, not to {w}×{rows}");
     }
 
     private static int Scaled(int length, int part, int whole) => (int)Math.Clamp(Math.Round((double)length * part / whole), 1, int.MaxValue);

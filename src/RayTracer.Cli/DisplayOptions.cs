@@ -16,7 +16,7 @@ internal sealed record Display(bool Preview = false, bool Quiet = false, bool Ve
 /// <summary>The options of verbs that render, about what they report meanwhile and at the end.</summary>
 internal sealed class DisplayOptions
 {
-    private readonly Option<bool> _preview = new("--preview") { Description = "Shows the picture in the terminal while it is rendered, as view does." };
+    private readonly Option<bool> _preview = new("--preview") { Description = "Shows the picture in the terminal while it renders, as view does." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly VerboseOption _verbose;
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };

@@ -8,7 +8,7 @@ internal static class ExplainVerb
 {
     public static void Build(Command command, Streams streams)
     {
-        Argument<string[]> topics = new("TOPIC") { Description = "Keys and types of scene files, with dots between them: camera.fieldOfView, sphere, materials.glass; without any, all that there are.", Arity = ArgumentArity.ZeroOrMore };
+        Argument<string[]> topics = new("TOPIC") { Description = "Keys and types of scene files, joined by dots: camera.fieldOfView, sphere, materials.glass; without any, all are listed.", Arity = ArgumentArity.ZeroOrMore };
         command.Arguments.Add(topics);
         command.SetAction(result => streams.Output.Write(result.GetValue(topics) is { Length: > 0 } words ? string.Join("\n", words.Select(Text)) : SceneExplanation.Topics()));
     }

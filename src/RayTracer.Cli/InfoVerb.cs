@@ -21,7 +21,7 @@ internal static class InfoVerb
     public static void Build(Command command, Streams streams)
     {
         Argument<string> file = new("FILE") { Description = "The file: a scene, a model, a film (.rtfilm) or an image." };
-        Option<bool> hash = new("--hash") { Description = "Of a film: reads all of it and tells its hash, or what is damaged." };
+        Option<bool> hash = new("--hash") { Description = "For a film: reads all of it and prints its hash, or what is damaged." };
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(file);
         command.Options.Add(hash);
@@ -41,7 +41,7 @@ internal static class InfoVerb
 
             if (result.GetValue(hash) && !isFilm && !FilmExr.Is(path))
             {
-                throw new CommandException(ExitStatus.Usage, "--hash is for films (.rtfilm); an image says its film's hash in a text, where it has one");
+                throw new CommandException(ExitStatus.Usage, "--hash is for films (.rtfilm); an image states its film's hash in its text, if it has one");
             }
 
             StageTimes stages = verbose.Times(result, streams);

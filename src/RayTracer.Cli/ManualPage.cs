@@ -8,9 +8,9 @@ internal static class ManualPage
 {
     private static readonly (string Name, string Meaning)[] s_environment =
     [
-        ("NO_COLOR", "Where it is set, no colours are written."),
-        ("TERM, TERM_PROGRAM, KITTY_WINDOW_ID", "Tell how the terminal shows pictures."),
-        ("DOTNET_MaxVectorTBitWidth", "How wide vectors are; set to 512 by the program itself where the processor has such. Pictures have the same bits either way."),
+        ("NO_COLOR", "If set, no colours are written."),
+        ("TERM, TERM_PROGRAM, KITTY_WINDOW_ID", "Indicate how the terminal shows pictures."),
+        ("DOTNET_MaxVectorTBitWidth", "The vector width; the program itself sets it to 512 where the processor supports that. Pictures have the same bits either way."),
     ];
 
     /// <summary>The page.</summary>

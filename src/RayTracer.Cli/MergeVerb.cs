@@ -9,7 +9,7 @@ namespace RayTracer.Cli;
 internal sealed class MergeVerb
 {
     private readonly Argument<string[]> _parts = new("PART") { Description = "The films: .rtfilm files, or .exr images that carry them (--exr-film).", Arity = new ArgumentArity(1, 100_000) };
-    private readonly Option<bool> _partial = new("--partial") { Description = "Allows samples to be missing." };
+    private readonly Option<bool> _partial = new("--partial") { Description = "Allows missing samples." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object." };
     private readonly WritingOptions _writing;
@@ -58,7 +58,7 @@ internal sealed class MergeVerb
         {
             if (!result.GetValue(_partial))
             {
-                throw new CommandException(ExitStatus.InputOutput, $"{missing} (--partial merges what there is)");
+                throw new CommandException(ExitStatus.InputOutput, $"{missing} (--partial merges what is there)");
             }
 
             streams.Warn(missing);

@@ -24,7 +24,7 @@ internal static class PixelReport
 
         foreach (BadSample bad in result.Statistics.BadSamples)
         {
-            streams.Error.WriteLine($"pixel {x},{y}, sample {bad.Sample}: {Text(bad.Value)}, not finite and left out");
+            streams.Error.WriteLine($"pixel {x},{y}, sample {bad.Sample}: {Text(bad.Value)}, not finite and discarded");
         }
 
         RenderReport.WarnOfClamped(result.Statistics, streams);

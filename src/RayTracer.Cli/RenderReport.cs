@@ -54,7 +54,7 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
     {
         if (statistics.ClampedSamples > 0)
         {
-            streams.Warn($"{statistics.ClampedSamples} samples were clamped at ±{Film.SampleLimit}: the picture is darker there than it should be");
+            streams.Warn($"{statistics.ClampedSamples} samples were clamped at ±{Film.SampleLimit}: the picture is too dark there");
         }
     }
 
@@ -65,7 +65,7 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
             return;
         }
 
-        streams.Warn($"{_statistics.NonFiniteSamples} samples were not finite and were left out; to follow them again:");
+        streams.Warn($"{_statistics.NonFiniteSamples} samples were not finite and were discarded; to trace them again:");
         foreach (BadSample bad in _statistics.BadSamples)
         {
             streams.Error.WriteLine($"  {job.ReplayCommand(bad)}");

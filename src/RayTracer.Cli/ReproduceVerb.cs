@@ -15,9 +15,9 @@ internal static class ReproduceVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string> what = new($"{Report}|{Complexity}") { Description = $"What is reproduced: {Report}, the figures and tables of its section 6.3, or {Complexity}, time a ray against the number of triangles." };
-        Option<string?> output = new("-o", "--output") { Description = "The folder for pictures, charts and pages; made if it is missing.", HelpName = "FOLDER" };
-        Option<bool> quick = new("--quick") { Description = "Smaller pictures, fewer samples and triangles: some seconds." };
+        Argument<string> what = new($"{Report}|{Complexity}") { Description = $"What to reproduce: {Report}, the figures and tables of its section 6.3, or {Complexity}, time per ray against the number of triangles." };
+        Option<string?> output = new("-o", "--output") { Description = "The folder for pictures, charts and pages; created if it is missing.", HelpName = "FOLDER" };
+        Option<bool> quick = new("--quick") { Description = "Smaller pictures, fewer samples and triangles: takes seconds." };
         command.Arguments.Add(what);
         command.Options.Add(output);
         command.Options.Add(quick);

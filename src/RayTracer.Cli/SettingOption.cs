@@ -12,7 +12,7 @@ internal sealed class SettingOption
     private readonly Option<string[]> _option = new(Name)
     {
         HelpName = "PATH=VALUE",
-        Description = "Puts a value in the place of the scene's, with the same checks: --set camera.fieldOfView=35, --set shapes[2].radius=1, --set materials.glass.color=red. May be given several times.",
+        Description = "Overrides a value of the scene, with the same checks: --set camera.fieldOfView=35, --set shapes[2].radius=1, --set materials.glass.color=red. Repeatable.",
     };
 
     /// <summary>Gives a command the option.</summary>

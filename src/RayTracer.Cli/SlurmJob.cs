@@ -62,7 +62,7 @@ internal sealed record SlurmJob
         int samples = scene.Description!.Render.SamplesPerPixel;
         if (!HasFrames && Tasks > samples)
         {
-            throw new CommandException(ExitStatus.Usage, $"--tasks {Tasks}: {samples} samples make {samples} parts at most");
+            throw new CommandException(ExitStatus.Usage, $"--tasks {Tasks}: {samples} samples make at most {samples} parts");
         }
 
         foreach (string output in Job.Outputs)
@@ -85,7 +85,7 @@ internal sealed record SlurmJob
     {
         if (!quiet)
         {
-            streams.Output.WriteLine($"to hand them in: bash {Path.Combine(Folder, Merge)}");
+            streams.Output.WriteLine($"to submit them: bash {Path.Combine(Folder, Merge)}");
         }
 
         return ExitStatus.Fine;
@@ -101,7 +101,7 @@ internal sealed record SlurmJob
             process.WaitForExit();
             if (process.ExitCode != 0)
             {
-                throw new CommandException(ExitStatus.InputOutput, $"the jobs could not be handed in: {errors.Result.ReplaceLineEndings(" ").Trim()}");
+                throw new CommandException(ExitStatus.InputOutput, $"the jobs could not be submitted: {errors.Result.ReplaceLineEndings(" ").Trim()}");
             }
 
             if (!quiet)
@@ -113,7 +113,7 @@ internal sealed record SlurmJob
         }
         catch (Win32Exception)
         {
-            throw new CommandException(ExitStatus.InputOutput, $"there is no bash here: run \"bash {Path.Combine(Folder, Merge)}\" where Slurm is");
+            throw new CommandException(ExitStatus.InputOutput, $"bash is not installed here: run \"bash {Path.Combine(Folder, Merge)}\" where Slurm is");
         }
     }
 
@@ -182,7 +182,7 @@ internal sealed record SlurmJob
             raytracer() { {{Command}} "$@"; }
             folder={{Quote(Folder)}}
             round=${RAYTRACER_ROUND:-0}
-            {{(HasFrames ? $"[ \"$round\" != 0 ] || rm -f \"$folder\"/{name}-*.done" : "# Parts that are there already count.")}}
+            {{(HasFrames ? $"[ \"$round\" != 0 ] || rm -f \"$folder\"/{name}-*.done" : "# Existing parts count.")}}
             missing=()
             for SLURM_ARRAY_TASK_ID in $(seq {{Tasks}}); do
                 [ -e "$folder/{{Done(name)}}" ] || missing+=("$SLURM_ARRAY_TASK_ID")
@@ -192,7 +192,7 @@ internal sealed record SlurmJob
                     echo "parts ${missing[*]} failed $round times: see $folder/part-*.log"
                     exit 1
                 fi
-                [ "$round" = 0 ] || echo "parts ${missing[*]} are missing: they are rendered again"
+                [ "$round" = 0 ] || echo "parts ${missing[*]} are missing and are rendered again"
                 list=$(IFS=,; echo "${missing[*]}")
                 [ ${#missing[@]} -lt {{Tasks}} ] || list=1-{{Tasks}}
                 array=$(sbatch --parsable --array="$list" "$folder/{{Array}}")

@@ -12,9 +12,9 @@ internal static class StudioVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string?> scene = new("SCENE") { Description = "The scene (native, or of Mitsuba) or model file to open; without it, a new scene.", Arity = ArgumentArity.ZeroOrOne };
-        ParsedOption<long?> port = OptionValues.Integer("--port", "The port to listen on; without it, a free one.", 0, 65535);
-        Option<bool> noBrowser = new("--no-browser") { Description = "Opens no window, and prints the address only." };
+        Argument<string?> scene = new("SCENE") { Description = "The scene (native or Mitsuba) or model file to open. Default: a new scene.", Arity = ArgumentArity.ZeroOrOne };
+        ParsedOption<long?> port = OptionValues.Integer("--port", "The port to listen on. Default: a free one.", 0, 65535);
+        Option<bool> noBrowser = new("--no-browser") { Description = "Opens no window; only prints the address." };
         command.Arguments.Add(scene);
         command.Options.Add(port.Symbol);
         command.Options.Add(noBrowser);
@@ -67,7 +67,7 @@ internal static class StudioVerb
         ];
         return places.FirstOrDefault(File.Exists) ?? throw new CommandException(ExitStatus.InputOutput, Directory.Exists(project)
             ? $"the Studio is not built: \"dotnet build -c {configuration} {Path.TrimEndingDirectorySeparator(project)}\" builds it"
-            : $"the Studio is not beside the command: there is no '{beside}'");
+            : $"the Studio is not installed beside the command: there is no '{beside}'");
     }
 
     // The program that runs the command where that is "dotnet", or else that of the runtime that the command runs on.

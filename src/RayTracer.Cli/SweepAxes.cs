@@ -31,7 +31,7 @@ internal sealed class SweepAxes
         if (_axes.Count is 0 or > Most)
         {
             throw new CommandException(ExitStatus.Usage, _axes.Count == 0
-                ? $"what shall change? Give {SettingOption.Name} PATH=VALUE,VALUE,… with the values to try"
+                ? $"what should change? Give {SettingOption.Name} PATH=VALUE,VALUE,… with the values to try"
                 : $"a sheet shows at most {Most} lists of values: as columns, as rows and as blocks of rows, but there are {_axes.Count}");
         }
     }

@@ -92,7 +92,7 @@ internal sealed class SweepVerb
             {
                 // Its place stays dark.
                 failed = SceneFile.FailureStatus(path);
-                streams.Fail($"this is wrong with {string.Join(' ', axes.Changes(cell).Select(s => s.Text))}");
+                streams.Fail($"these errors are with {string.Join(' ', axes.Changes(cell).Select(s => s.Text))}");
                 continue;
             }
 
@@ -122,7 +122,7 @@ internal sealed class SweepVerb
     }
 
     private static string OtherSize(int width, int height, int otherWidth, int otherHeight) =>
-        $"pictures of {width}×{height} and of {otherWidth}×{otherHeight} pixels have no place in one grid: give --width and --height";
+        $"pictures of {width}×{height} and of {otherWidth}×{otherHeight} pixels do not fit one grid: give --width and --height";
 
     private static ContactSheet Sheet(SweepAxes axes, Film film)
     {

@@ -5,7 +5,7 @@ namespace RayTracer.Cli;
 /// <summary>The option <c>--verbose</c> of verbs whose work has stages.</summary>
 internal sealed class VerboseOption
 {
-    private readonly Option<bool> _option = new("--verbose") { Description = "Tells how long each stage takes (load, build, render, write), and the most memory used." };
+    private readonly Option<bool> _option = new("--verbose") { Description = "Reports how long each stage takes (load, build, render, write), and the peak memory use." };
 
     /// <summary>Gives a command the option; after its other options, as help shows them in that order.</summary>
     public VerboseOption(Command command)

@@ -15,8 +15,8 @@ internal static class VerifyVerb
         {
             Description = $"The film (.rtfilm), or the image ({ImageFormat.Endings(ImageFeatures.Texts)}) that this program wrote.",
         };
-        Option<string?> scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
-        ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
+        Option<string?> scene = new("--scene") { Description = "The scene file, if it has moved.", HelpName = "SCENE" };
+        ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads. Default: one per core.", 1, 1024);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(file);
         foreach (Option option in new Option[] { scene, threads.Symbol, json })

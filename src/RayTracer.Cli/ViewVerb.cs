@@ -11,10 +11,10 @@ internal static class ViewVerb
     public static void Build(Command command, Streams streams)
     {
         Argument<string> image = new("IMAGE") { Description = "The image file: PNG, JPEG, PFM, OpenEXR or Radiance HDR." };
-        ParsedOption<long?> columns = OptionValues.Integer("--columns", "How many columns of the terminal the picture may take; without it, all (80 where there is no terminal).", 1, 10_000);
-        ParsedOption<TerminalGraphics?> graphics = OptionValues.Choice<TerminalGraphics>("--as", "How the terminal shows it; without it, as TERM and others of its variables say, and as letters under NO_COLOR.");
-        ParsedOption<double?> exposure = OptionValues.Number("--exposure", "Stops by which the picture is made brighter (each doubles the light).", -100, 100);
-        ParsedOption<ToneMap?> toneMap = OptionValues.Choice<ToneMap>("--tonemap", "How bright light is brought into what a screen can show; clamp cuts it off.");
+        ParsedOption<long?> columns = OptionValues.Integer("--columns", "Number of terminal columns that the picture may take. Default: all (80 without a terminal).", 1, 10_000);
+        ParsedOption<TerminalGraphics?> graphics = OptionValues.Choice<TerminalGraphics>("--as", "How the terminal shows it. Default: as TERM and similar variables say, and as letters under NO_COLOR.");
+        ParsedOption<double?> exposure = OptionValues.Number("--exposure", "Exposure in stops (each doubles the light).", -100, 100);
+        ParsedOption<ToneMap?> toneMap = OptionValues.Choice<ToneMap>("--tonemap", "How bright light is compressed into what a screen can show; clamp cuts it off.");
         command.Arguments.Add(image);
         foreach (Option option in new Option[] { columns.Symbol, graphics.Symbol, exposure.Symbol, toneMap.Symbol })
         {

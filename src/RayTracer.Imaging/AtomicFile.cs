@@ -145,7 +145,7 @@ public static class AtomicFile
     {
         if (string.IsNullOrWhiteSpace(path) || path.Contains('\0'))
         {
-            throw new NotSupportedException("that is not the name of a file");
+            throw new NotSupportedException("that is not a file name");
         }
 
         string full = Path.GetFullPath(path);
@@ -161,7 +161,7 @@ public static class AtomicFile
         int length = OperatingSystem.IsWindows() ? name.Length : Encoding.UTF8.GetByteCount(name);
         if (length > LongestName)
         {
-            throw new NotSupportedException($"its name is too long: it has {length} bytes, and names of files have at most {LongestName}");
+            throw new NotSupportedException($"its name is too long: it has {length} bytes, and file names have at most {LongestName}");
         }
 
         string folder = Path.GetDirectoryName(target)!;

@@ -152,7 +152,7 @@ public static class ImageFile
     }
 
     private static ImageFormat Known(ReadOnlySpan<byte> file) => ImageFormat.Of(file)
-        ?? throw new PictureException($"its first bytes are those of no picture format that is read ({ImageFormat.Names()})");
+        ?? throw new PictureException($"its first bytes are not those of a supported picture format ({ImageFormat.Names()})");
 
     /// <summary>Reads something from a file, or from its beginning.</summary>
     /// <param name="path">The file.</param>

@@ -28,7 +28,7 @@ public sealed class LightMix
     {
         if (!file.AsSpan().StartsWith(ExrReader.Signature))
         {
-            throw new PictureException("it is no OpenEXR file, and no other has layers of lights");
+            throw new PictureException("it is not an OpenEXR file, and only those have layers of lights");
         }
 
         HashSet<string> channels = [.. ExrReader.ChannelNames(file)];

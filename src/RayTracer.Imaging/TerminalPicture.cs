@@ -7,7 +7,7 @@ namespace RayTracer.Imaging;
 /// <summary>The ways in which a terminal can show pictures.</summary>
 public enum TerminalGraphics
 {
-    /// <summary>Upper half blocks, whose two halves have 24-bit colours of their own.</summary>
+    /// <summary>Upper half blocks, whose two halves have separate 24-bit colours.</summary>
     Blocks,
 
     /// <summary>Letters of growing darkness, without colours.</summary>
@@ -167,7 +167,7 @@ public static class TerminalPicture
         }
     }
 
-    // Nearest colours of the palette; what is off goes on to the pixels around (Floyd & Steinberg 1976).
+    // Nearest colours of the palette; the error is passed to the pixels around (Floyd & Steinberg 1976).
     private static int[] Dithered(Picture picture)
     {
         int[] levels = [Reds, Greens, Blues];

@@ -44,7 +44,7 @@ public sealed class FilmMerge
                 FilmHeader header = CarriedFilm.AddTo(part.Path, film, adding);
                 if (header.Content != part.Header.Content || !header.Samples.SequenceEqual(part.Header.Samples))
                 {
-                    throw new PictureException($"Cannot read the film '{part.Path}': it was changed meanwhile.");
+                    throw new PictureException($"Cannot read the film '{part.Path}': it has changed meanwhile.");
                 }
 
                 progress?.Report((double)Interlocked.Increment(ref done) / _parts.Length);

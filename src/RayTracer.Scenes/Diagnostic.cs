@@ -1,6 +1,6 @@
 namespace RayTracer.Scenes;
 
-/// <summary>How bad a diagnostic is.</summary>
+/// <summary>The severity of a diagnostic.</summary>
 public enum Severity
 {
     /// <summary>The scene cannot be rendered.</summary>
@@ -18,7 +18,7 @@ public enum Severity
 /// <param name="Message">What is wrong and what was expected: one sentence without a final stop.</param>
 public sealed record Diagnostic(string File, int Line, int Column, Severity Severity, string Message)
 {
-    /// <summary>What kind of thing it is.</summary>
+    /// <summary>The category of the diagnostic.</summary>
     public DiagnosticRule Rule { get; init; } = DiagnosticRule.Content;
 
     /// <summary>Sorts by position, those without one first; equal ones are given once.</summary>

@@ -57,7 +57,7 @@ internal static class DocumentEndpoints
             bool isTaken = document.TryReplace(request.BaseRevision, request.From, request.To, Needed(request.Insert, "insert"), request.Gesture);
             (int revision, string text) = document.Current;
             return isTaken ? Answers.Json(new { revision })
-                : Results.Json(new { error = "The text has changed meanwhile.", revision, text }, ApiJson.Options, statusCode: StatusCodes.Status409Conflict);
+                : Results.Json(new { error = "The text has changed in the meantime.", revision, text }, ApiJson.Options, statusCode: StatusCodes.Status409Conflict);
         });
         api.MapPost("/document/set", (Set request) => Answers.Json(new { revision = Changed(session.Edits, request, Needed(request.Pointer, "pointer")) }));
         api.MapPost("/document/undo", () =>

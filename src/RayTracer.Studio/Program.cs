@@ -45,8 +45,8 @@ internal static class Program
     {
         bool isOpen = browser is { } kind && BrowserLauncher.Open(page.FilePath, kind);
         Console.WriteLine(isOpen
-            ? $"The Studio opens in a window of the browser; if it does not, go to {server.Link}"
+            ? $"The Studio opens in a browser window; if it does not, open {server.Link}"
             : $"The Studio is at {server.Link}");
-        Console.WriteLine("It ends with its last window, or with Ctrl-C.");
+        Console.WriteLine("It ends when its last window is closed, or with Ctrl-C.");
     }
 }

@@ -46,7 +46,7 @@ public sealed class AovTests : IDisposable
         Dictionary<string, string> texts = ImageFile.ReadText(_folder["a.depth.png"]).ToDictionary();
         Assert.Equal("depth", texts["Aov"]);
         Assert.Matches(@"^[\d.]+ \(white\) to [\d.]+ \(black\) scene units", texts["Range"]);
-        Assert.Contains("nodes and triangles a ray", ImageFile.ReadText(_folder["a.bvhCost.png"]).ToDictionary()["Range"], StringComparison.Ordinal);
+        Assert.Contains("nodes and triangles per ray", ImageFile.ReadText(_folder["a.bvhCost.png"]).ToDictionary()["Range"], StringComparison.Ordinal);
         Assert.Equal(1, ImageFile.Read(_folder["a.depth.png"], raw: true).Pixels.Max());
     }
 

@@ -64,11 +64,11 @@ public sealed class ComposeTests : IDisposable
         AssertRefused("--light big lamp=3: the light \"big_lamp\" is given twice", 2, a, "--light", "big_lamp=1", "--light", "big lamp=3", "-o", _folder["b.png"]);
         AssertRefused($"where to? Give -o FILE. The lights of '{a}' are ambient, background, big_lamp", 2, a, "--light", "big_lamp=1");
         Assert.Equal("ambient background big_lamp", CliRun.Of("compose", a).Output.ReplaceLineEndings(" ").Trim());
-        AssertRefused("it is no OpenEXR file, and no other has layers of lights", 4, _folder["a.png"], "-o", _folder["b.png"]);
+        AssertRefused("it is not an OpenEXR file, and only those have layers of lights", 4, _folder["a.png"], "-o", _folder["b.png"]);
         AssertRefused("it has no layers of lights", 4, _folder["plain.exr"], "-o", _folder["b.png"]);
         AssertRefused("no-such.exr", 4, _folder["no-such.exr"], "-o", _folder["b.png"]);
         CliRun normals = CliRun.Of("render", _scene, "-o", _folder["b.exr"], "--integrator", "normals", "--aov", "lights", "--quiet");
-        Assert.Contains("--aov: the integrator normals has no light that could be split: choose another --integrator", normals.Error, StringComparison.Ordinal);
+        Assert.Contains("--aov: the integrator normals has no light that can be split: choose another --integrator", normals.Error, StringComparison.Ordinal);
         Assert.Equal(2, normals.Status);
         Assert.False(File.Exists(_folder["b.png"]) || File.Exists(_folder["b.exr"]));
     }
@@ -81,7 +81,7 @@ public sealed class ComposeTests : IDisposable
         ImageFile.Write(_folder["a.exr"], grey, new() { ExrLayers = layers });
         CliRun run = CliRun.Of("compose", _folder["a.exr"], "-o", _folder["b.pfm"]);
         Assert.Equal(0, run.Status);
-        Assert.Contains("are not all of its picture: they differ from it by 33.3", run.Error, StringComparison.Ordinal);
+        Assert.Contains("do not add up to its picture: the difference is 33.3", run.Error, StringComparison.Ordinal);
         Assert.Equal([1, 1, 1, 1, 1, 1], ImageFile.Read(_folder["b.pfm"]).Pixels);
     }
 

@@ -110,7 +110,7 @@ public class ConvertTests
 
         CliRun small = CliRun.Of("convert", folder["a.exr"], folder["c.exr"], "--width", "8");
         Assert.Equal(0, small.Status);
-        Assert.Contains("is without the layers depth, light.background, light.unnamed, primitive of", small.Error, StringComparison.Ordinal);
+        Assert.Contains("lacks the layers depth, light.background, light.unnamed, primitive of", small.Error, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -133,12 +133,12 @@ public class ConvertTests
     }
 
     [Theory]
-    [InlineData(2, "can be made smaller only, not 9×4", "a.pfm", "b.png", "--width", "9")]
-    [InlineData(2, "is an image, of which no scene can be made", "a.pfm", "b.json")]
+    [InlineData(2, "can only be scaled down, not to 9×4", "a.pfm", "b.png", "--width", "9")]
+    [InlineData(2, "is an image, and no scene can be made from it", "a.pfm", "b.json")]
     [InlineData(2, "images have no settings", "a.pfm", "b.png", "--set", "a=1")]
     [InlineData(2, "(did you mean '.png'?)", "a.pfm", "b.pgn")]
     [InlineData(4, "there is no such file", "c.pfm", "b.png")]
-    [InlineData(4, "its first bytes are those of no picture format", "text", "b.png")]
+    [InlineData(4, "its first bytes are not those of a supported picture format", "text", "b.png")]
     public void What_cannot_be_converted_is_refused(int status, string message, string from, string to, params string[] more)
     {
         using TemporaryFolder folder = new();

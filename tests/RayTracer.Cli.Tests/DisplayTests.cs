@@ -63,7 +63,7 @@ public sealed class DisplayTests : IDisposable
     public void Without_a_terminal_nothing_is_shown()
     {
         CliRun run = CliRun.Of("render", _scene, "--json", "--preview", "--quiet");
-        Assert.Equal((0, "raytracer: warning: --preview: standard error is no terminal that shows pictures, so nothing is shown there"), (run.Status, run.Error.TrimEnd()));
+        Assert.Equal((0, "raytracer: warning: --preview: standard error is not a terminal that can show pictures, so nothing is shown"), (run.Status, run.Error.TrimEnd()));
     }
 
     [Theory]

@@ -7,7 +7,7 @@ namespace RayTracer.Cli.Tests;
 public class ExplainTests
 {
     [Theory]
-    [InlineData("camera.fieldOfView", "camera.fieldOfView\n  Only for perspective: full angle", "unit     degrees\n", "range    from 0.001 to 179\n", "default  40\n")]
+    [InlineData("camera.fieldOfView", "camera.fieldOfView\n  Only for perspective: the full angle", "unit     degrees\n", "range    from 0.001 to 179\n", "default  40\n")]
     [InlineData("render.sampler", "value    \"sobol\", \"jittered\", \"regular\", \"independent\"\n", "default  \"sobol\"\n")]
     [InlineData("camera.lens.blades", "value    whole number\n")]
     [InlineData("materials.window.refractiveIndex", "dielectric.refractiveIndex", "range    ")]

@@ -73,7 +73,7 @@ public sealed class FilmExrTests : IDisposable
         Assert.False(CarriedFilm.Is(_folder["plain.exr"]));
         TestPictures.AssertSameBits(ImageFile.Read(_image), ImageFile.Read(_folder["plain.exr"]));
         CliRun.Refused(2, "--width is for images", "convert", _image, _folder["b.rtfilm"], "--width", "3");
-        CliRun.Refused(4, "does not carry its film: those that are written with --exr-film do", "convert", _folder["plain.exr"], _folder["b.rtfilm"]);
+        CliRun.Refused(4, "does not carry its film: only those written with --exr-film do", "convert", _folder["plain.exr"], _folder["b.rtfilm"]);
     }
 
     [Fact]
@@ -86,17 +86,17 @@ public sealed class FilmExrTests : IDisposable
         Assert.Equal(["B", "G", "R", "depth.Z", "normal.X", "normal.Y", "normal.Z"], ExrReader.ChannelNames(File.ReadAllBytes(_folder["plain.exr"])));
         CliRun.Fine("convert", _image, _folder["b.exr"], "--exr-film", "--exr-type", "half");
         Assert.Equal(ExrReader.ChannelNames(before), ExrReader.ChannelNames(File.ReadAllBytes(_folder["b.exr"])));
-        CliRun.Refused(2, $"'{_image}' has layers that are not made again when more samples come (depth, normal)", "resume", _image, "--spp", "8");
+        CliRun.Refused(2, $"'{_image}' has layers that are not updated when samples are added (depth, normal)", "resume", _image, "--spp", "8");
         CliRun.Fine("resume", _image, "--spp", "8", "--checkpoint", _folder["a.rtfilm"], "-o", _folder["b.exr"], "--quiet");
         Assert.Equal(before, File.ReadAllBytes(_image));
         Assert.Equal("0..7", CarriedFilm.ReadHeader(_folder["b.exr"]).SamplesText);
-        CliRun.Refused(2, "--exr-film is for OpenEXR images, but there are none to write", "render", _scene, "-o", _folder["a.png"], "--exr-film");
+        CliRun.Refused(2, "--exr-film is for OpenEXR images, but none is written", "render", _scene, "-o", _folder["a.png"], "--exr-film");
         CliRun.Refused(2, "leave it out", "render", _scene, "-o", _image, "--adaptive", "--exr-film");
         CliRun.Refused(2, $"{_image}: an OpenEXR image carries films of at most {FilmExr.MaxPixels} pixels", "render", _scene, "-o", _image, "--exr-film", "--width", "8192", "--height", "4097");
         CliRun.Fine("render", _scene, "-o", _folder["plain.exr"], "--quiet");
         foreach (string[] words in (string[][])[["resume"], ["merge", "--json"]])
         {
-            CliRun.Refused(4, "does not carry its film: those that are written with --exr-film do", [.. words, _folder["plain.exr"]]);
+            CliRun.Refused(4, "does not carry its film: only those written with --exr-film do", [.. words, _folder["plain.exr"]]);
         }
     }
 
@@ -107,7 +107,7 @@ public sealed class FilmExrTests : IDisposable
         CliRun.Fine(words);
         CliRun.Fine([.. words, "--exr-film"]);
         Assert.All(["f-0.exr", "f-1.exr"], f => Assert.True(CarriedFilm.Is(_folder[f])));
-        Assert.Contains("there already", CliRun.Of([.. words, "--exr-film"]).Output, StringComparison.Ordinal);
+        Assert.Contains("exists already", CliRun.Of([.. words, "--exr-film"]).Output, StringComparison.Ordinal);
     }
 
     public static TheoryData<ExrCompression> Compressions => [.. Enum.GetValues<ExrCompression>()];
@@ -157,7 +157,7 @@ public sealed class FilmExrTests : IDisposable
         // The last bytes are the last row's square sums.
         AssertRefused("the sums of its film are damaged", file => file[^1] ^= 1);
         AssertRefused("the sums of its film are damaged", file => file[Place(file, hash)] ^= 1);
-        AssertRefused("its text Film, which says what its film is, is damaged", file => file[Place(file, "\"samples\":[0,3]") + 11] ^= 1);
+        AssertRefused("its text Film, which describes its film, is damaged", file => file[Place(file, "\"samples\":[0,3]") + 11] ^= 1);
         AssertRefused("it has no channel film.count with an unsigned integer", file => file[Place(file, "film.count") + 9] ^= 1);
         AssertRefused("does not carry its film", file => file[Place(file, "Film\0string")] ^= 1);
 

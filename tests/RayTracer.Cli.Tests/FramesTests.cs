@@ -34,7 +34,7 @@ public sealed class FramesTests : IDisposable
         File.WriteAllText(_folder["f-004.png"], "something else");
         CliRun again = CliRun.Of([.. command, "--threads", "1"]);
         Assert.Equal(0, again.Status);
-        Assert.Equal(["there already", "f-002.png", "f-004.png"], again.Output.TrimEnd().Split('\n').Select(l => l.Contains("there", StringComparison.Ordinal) ? "there already" : l[^9..]));
+        Assert.Equal(["exists already", "f-002.png", "f-004.png"], again.Output.TrimEnd().Split('\n').Select(l => l.Contains("exists", StringComparison.Ordinal) ? "exists already" : l[^9..]));
         Assert.Equal(kept, File.ReadAllBytes(_folder["f-000.png"]));
         Assert.Equal(0, CliRun.Of("verify", _folder["f-002.png"]).Status);
 
@@ -102,7 +102,7 @@ public sealed class FramesTests : IDisposable
         string[] command = ["render", _scene, "--frames", "0..1", "-o", _folder[files], "--noise", "20%", "--spp", samples];
         Assert.Equal(status, CliRun.Of(command).Status);
         CliRun again = CliRun.Of(command);
-        Assert.Equal(2, again.Output.Split("there already").Length - 1);
+        Assert.Equal(2, again.Output.Split("exists already").Length - 1);
         Assert.Equal(status, again.Status);
     }
 
@@ -192,15 +192,15 @@ public sealed class FramesTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--frames 0..4 -o out.exr", "5 frames need as many files: put #### where their numbers shall stand")]
+    [InlineData("--frames 0..4 -o out.exr", "5 frames need as many files: put #### where their numbers should go")]
     [InlineData("--frames 4..0 -o f#.png", "expected frames, from 0, as in 7, 0..239 or 0..239:2")]
-    [InlineData("--frames 0..4 --part 1/6 -o f#.png", "5 make 5 parts at most")]
+    [InlineData("--frames 0..4 --part 1/6 -o f#.png", "5 frames make at most 5 parts")]
     [InlineData("--frames 3 --part 1/2 -o f.png", "give --samples")]
     [InlineData("--frames 0..4 --checkpoint c.rtfilm -o f#.png", "--checkpoint is for one picture")]
     [InlineData("-o f.apng", "an animated PNG is made of --frames")]
     [InlineData("--fps 12 -o f.png", "give --frames")]
-    [InlineData("--frames 0..2 -o f.png --denoise", "--denoise writes images beside every frame, and there is only an animated PNG to write")]
-    [InlineData("--frames 0..2 -o f.png --aov depth", "--aov writes images beside every frame, and there is only an animated PNG to write")]
+    [InlineData("--frames 0..2 -o f.png --denoise", "--denoise writes images beside every frame, and only an animated PNG is written")]
+    [InlineData("--frames 0..2 -o f.png --aov depth", "--aov writes images beside every frame, and only an animated PNG is written")]
     [InlineData("--frames 0..2 -o f.png -o g.apng --aov direct", "give -o frame-####.png too")]
     public void Wrong_words_are_told(string words, string message)
     {

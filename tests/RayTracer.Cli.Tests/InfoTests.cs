@@ -71,7 +71,7 @@ public sealed class InfoTests : IDisposable
         File.WriteAllBytes(film, bytes);
         CliRun run = CliRun.Of("info", film, "--hash");
         Assert.Equal(4, run.Status);
-        Assert.Contains("its checksum is that of another content", run.Error, StringComparison.Ordinal);
+        Assert.Contains("its checksum does not match", run.Error, StringComparison.Ordinal);
         File.WriteAllText(film, "no film");
         Assert.Equal(4, CliRun.Of("info", film).Status);
     }
@@ -129,10 +129,10 @@ public sealed class InfoTests : IDisposable
             string[] words = verb == "render" ? ["--json"] : [];
             CliRun film = CliRun.Of([verb, _folder["a.rtfilm"], .. words]);
             Assert.Equal(3, film.Status);
-            Assert.Contains($"this is a film and no scene: \"raytracer resume {_folder["a.rtfilm"]}\" goes on with it", film.Output + film.Error, StringComparison.Ordinal);
+            Assert.Contains($"this is a film, not a scene: \"raytracer resume {_folder["a.rtfilm"]}\" resumes it", film.Output + film.Error, StringComparison.Ordinal);
             CliRun image = CliRun.Of([verb, _folder["a.png"], .. words]);
             Assert.Equal(3, image.Status);
-            Assert.Contains($"this is a PNG picture and no scene: \"raytracer view {_folder["a.png"]}\" shows it", image.Output + image.Error, StringComparison.Ordinal);
+            Assert.Contains($"this is a PNG picture, not a scene: \"raytracer view {_folder["a.png"]}\" shows it", image.Output + image.Error, StringComparison.Ordinal);
         }
 
         Assert.Equal(2, CliRun.Of("info", _folder["a.png"], "--set", "render.width=5").Status);

@@ -76,7 +76,7 @@ public sealed class LongRenderTests : IDisposable
         string film = _folder["a.rtfilm"];
         CliRun.Fine("render", _scene, "--spp", "4", "-o", film);
         File.AppendAllText(film, "!");
-        CliRun.Refused(4, "something follows its end", "merge", film, "--json");
+        CliRun.Refused(4, "data follows its end", "merge", film, "--json");
     }
 
     [Fact]
@@ -125,7 +125,7 @@ public sealed class LongRenderTests : IDisposable
         CliRun.Fine("render", _scene, "--spp", "16", "--samples", "5..9", "-o", b);
         CliRun.Refused(4, $"samples 5..6 are in both '{a}' and '{b}'", "merge", b, a, "--json");
         CliRun.Fine("render", _scene, "--spp", "16", "--samples", "8..14", "-o", b);
-        CliRun.Refused(4, "samples 7..7, 15..15 are missing of 16 (--partial merges what there is)", "merge", b, a, "--json");
+        CliRun.Refused(4, "samples 7..7, 15..15 are missing of 16 (--partial merges what is there)", "merge", b, a, "--json");
         CliRun partial = CliRun.Of("merge", b, a, "--partial", "-o", _folder["c.rtfilm"]);
         Assert.Equal(0, partial.Status);
         Assert.Contains("samples 7..7, 15..15 are missing of 16", partial.Error, StringComparison.Ordinal);

@@ -90,7 +90,7 @@ public sealed class ProcessTests : IDisposable
         Assert.DoesNotContain("▀", redirected, StringComparison.Ordinal);
         string error = File.ReadAllText(_folder["error.txt"]);
         Assert.DoesNotContain("\e[", error, StringComparison.Ordinal);
-        Assert.Contains("--preview: standard error is no terminal", error, StringComparison.Ordinal);
+        Assert.Contains("--preview: standard error is not a terminal", error, StringComparison.Ordinal);
     }
 
     [LinuxFact]

@@ -83,7 +83,7 @@ public sealed class RenderTests : IDisposable
     {
         CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.pfm"], "--noise", "0.01%", "--spp", "4");
         Assert.Equal(5, run.Status);
-        Assert.Contains("would take more samples than there may be (--spp)", run.Error, StringComparison.Ordinal);
+        Assert.Contains("would take more samples than allowed (--spp)", run.Error, StringComparison.Ordinal);
         Assert.True(File.Exists(_folder["a.pfm"]));
     }
 
@@ -159,11 +159,11 @@ public sealed class RenderTests : IDisposable
         File.WriteAllText(_scene, Lamp(ambient: "3e38"));
         CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.png"], "--seed", "3");
         Assert.Equal(0, run.Status);
-        Assert.Contains("samples were not finite and were left out", run.Error, StringComparison.Ordinal);
+        Assert.Contains("samples were not finite and were discarded", run.Error, StringComparison.Ordinal);
         string replay = run.Error.Split('\n').First(l => l.Contains("--sample", StringComparison.Ordinal)).Trim();
         Assert.Matches($"^raytracer render {_scene} --seed 3 --pixel \\d+,\\d+ --sample \\d+$", replay);
         CliRun again = CliRun.Of(replay.Split(' ')[1..]);
-        Assert.Contains("not finite and left out", again.Error, StringComparison.Ordinal);
+        Assert.Contains("not finite and discarded", again.Error, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -67,7 +67,7 @@ public sealed class SettingTests : IDisposable
     [InlineData("shapes.globe.material=gloss", 23, "unknown material \"gloss\" (did you mean \"glass\"?)")]
     [InlineData("shapes[0].material.color=red", 20, "\"shapes[0].material\" is the name \"glass\": use \"materials.glass.color\"")]
     [InlineData("background.even=red", 12, "\"background\" is the text \"skyblue\", which has no parts")]
-    [InlineData("environment.rotation=3", 1, "the scene does not give \"environment\": nothing in it can change unless it is given as a whole")]
+    [InlineData("environment.rotation=3", 1, "the scene does not set \"environment\": nothing in it can change unless all of it is set")]
     [InlineData("materials[1].color=red", 10, "\"materials\" has no elements with numbers, but glass, floor, a.b")]
     [InlineData("camera.position=[1, 2", 22, "expected \",\" or \"]\" after a value, but found the end of the value")]
     [InlineData("here.and.there=1", 1, "unknown key \"here\" in the scene: it may have camera, render,")]
@@ -99,7 +99,7 @@ public sealed class SettingTests : IDisposable
         const string globe = "{ \"type\": \"sphere\", \"name\": \"globe\"";
         File.WriteAllText(_scene, Scene.Replace(globe, $"{globe}, \"center\": [3, 0, 0] }}, {globe}", StringComparison.Ordinal));
         CliRun run = CliRun.Of("check", _scene, "--set", "shapes.globe.radius=2");
-        Assert.StartsWith("the option --set shapes.globe.radius=2, column 8: error: 2 in \"shapes\" are called \"globe\": use a number, as in [0]", run.Output, StringComparison.Ordinal);
+        Assert.StartsWith("the option --set shapes.globe.radius=2, column 8: error: 2 elements of \"shapes\" are called \"globe\": use a number, as in [0]", run.Output, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -24,7 +24,7 @@ public sealed class SweepTests : IDisposable
         string sheet = _folder["sheet.pfm"];
         CliRun run = CliRun.Of("sweep", _scene, "--set", "camera.position=[0,1,5],[1,1,5]", "--set", "camera.lookAt=[0,0.5,0],[1,1,5]", "--spp", "1", "-o", sheet, "--quiet");
         Assert.Equal(3, run.Status);
-        Assert.Contains("this is wrong with camera.position=[1,1,5] camera.lookAt=[1,1,5]", run.Error, StringComparison.Ordinal);
+        Assert.Contains("these errors are with camera.position=[1,1,5] camera.lookAt=[1,1,5]", run.Error, StringComparison.Ordinal);
         Assert.True(File.Exists(sheet));
     }
 
@@ -68,11 +68,11 @@ public sealed class SweepTests : IDisposable
     }
 
     [Theory]
-    [InlineData(2, "what shall change? Give --set PATH=VALUE,VALUE,…", "camera.fieldOfView=20")]
+    [InlineData(2, "what should change? Give --set PATH=VALUE,VALUE,…", "camera.fieldOfView=20")]
     [InlineData(2, "at most 3 lists of values: as columns, as rows and as blocks of rows, but there are 4", "render.seed=1,2", "camera.fieldOfView=20,30", "shapes[0].radius=1,2", "shapes[2].radius=1,2")]
     [InlineData(3, "\"fieldOfView\" must be from 0.001 to 179, but is 300", "camera.fieldOfView=20,300")]
     [InlineData(3, "(did you mean \"fieldOfView\"?)", "camera.fieldOfVew=20,30")]
-    [InlineData(2, "pictures of 20×10 and of 40×10 pixels have no place in one grid: give --width and --height", "render.width=20,40", "render.height=10")]
+    [InlineData(2, "pictures of 20×10 and of 40×10 pixels do not fit one grid: give --width and --height", "render.width=20,40", "render.height=10")]
     public void What_makes_no_sheet_is_refused_before_anything_is_rendered(int status, string message, params string[] settings)
     {
         CliRun run = CliRun.Of(["sweep", _scene, "-o", _folder["a.png"], .. settings.SelectMany(s => new[] { "--set", s })]);

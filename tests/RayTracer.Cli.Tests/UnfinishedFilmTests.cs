@@ -155,7 +155,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         Assert.Equal((0, "", whole, $"{4 * 24 * 16}"), (run.Status, run.Error, Text(run, "filmHash"), Text(run, "paths")));
         CliRun again = CliRun.Of(command);
         Assert.Equal((0, "", whole, "0"), (again.Status, again.Error, Text(again, "filmHash"), Text(again, "paths")));
-        CliRun.Refused(4, $"'{_film}' holds samples 0..8, which are not the first of 0..4, which are asked for", [.. command, "--samples", "0..4"]);
+        CliRun.Refused(4, $"'{_film}' holds samples 0..8, which are not the first of the requested 0..4", [.. command, "--samples", "0..4"]);
         CliRun.Refused(4, $"the film is not of '{_scene}'", [.. command, "--seed", "5"]);
     }
 
@@ -185,7 +185,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         // Now it is decided: there is no more to decide about.
         CliRun last = CliRun.Of([.. command[..^1], "--resume", "--time", "0.001", "--json"]);
         Assert.Equal(5, last.Status);
-        Assert.Contains($"the time ended before the wanted noise: there are {picture.Samples[0].End + 1} of {picture.Wanted.End} samples", last.Error, StringComparison.Ordinal);
+        Assert.Contains($"time ran out before the wanted noise was reached: there are {picture.Samples[0].End + 1} of {picture.Wanted.End} samples", last.Error, StringComparison.Ordinal);
         Assert.Equal($"{480 * 320}", Text(last, "paths"));
     }
 

@@ -53,7 +53,7 @@ public sealed class UsageTests : IDisposable
     [InlineData("render SCENE -o a.png --crop 1,2,3", "--crop 1,2,3: expected x,y,w,h")]
     [InlineData("render SCENE -o a.png --crop 1,2,3,-4", "--crop 1,2,3,-4: expected x,y,w,h")]
     [InlineData("render SCENE --set -o v.png", "--set -o: expected \"=\" and a value")]
-    [InlineData("render -- -x.json --width 9", "unexpected argument \"--width\": options stand before the word --")]
+    [InlineData("render -- -x.json --width 9", "unexpected argument \"--width\": options must come before the word --")]
     public void Wrong_words_get_one_line_and_the_usage(string line, string message)
     {
         CliRun run = CliRun.Of([.. line.Replace("SCENE", _scene, StringComparison.Ordinal).Split(' ').Select(w => w == "EMPTY" ? "" : w)]);
@@ -70,18 +70,18 @@ public sealed class UsageTests : IDisposable
     [InlineData("", "a verb is expected")]
     [InlineData("render SCENE", "where to? Give -o FILE")]
     [InlineData("render SCENE -o a.pgn", "the extension '.pgn' is none of .png, .jpg, .jpeg, .pfm, .exr, .hdr (did you mean '.png'?)")]
-    [InlineData("render SCENE -o OUT --crop 20,0,5,5", "--crop 20,0,5,5: does not lie within the picture of 24×16 pixels")]
-    [InlineData("render SCENE -o OUT --crop 2147483647,0,5,5", "does not lie within the picture")]
-    [InlineData("render SCENE -o OUT --crop 0,0,0,5", "does not lie within the picture")]
+    [InlineData("render SCENE -o OUT --crop 20,0,5,5", "--crop 20,0,5,5: is not within the picture of 24×16 pixels")]
+    [InlineData("render SCENE -o OUT --crop 2147483647,0,5,5", "is not within the picture")]
+    [InlineData("render SCENE -o OUT --crop 0,0,0,5", "is not within the picture")]
     [InlineData("render SCENE -o OUT --spp 15 --sampler jittered", "--spp 15: the jittered sampler needs a square number of samples")]
-    [InlineData("render SCENE --pixel 24,0", "--pixel 24,0: does not lie within the picture of 24×16 pixels")]
-    [InlineData("render SCENE --pixel 0,0 --sample 4", "--sample 4: the pixels have samples 0 to 3 only")]
+    [InlineData("render SCENE --pixel 24,0", "--pixel 24,0: is not within the picture of 24×16 pixels")]
+    [InlineData("render SCENE --pixel 0,0 --sample 4", "--sample 4: the pixels have only samples 0 to 3")]
     [InlineData("render SCENE -o OUT --sample 4", "--sample needs --pixel")]
     [InlineData("render SCENE --pixel 0,0 --noise 1%", "leave --noise and --adaptive out")]
     [InlineData("render SCENE -o OUT --adaptive --crop 0,0,8,8", "leave --crop out")]
     [InlineData("render SCENE -o OUT --adaptive --denoise", "leave one of them out")]
-    [InlineData("render SCENE -o OUT --adaptive --spp 16 --sampler jittered", "--adaptive: the pattern of the jittered sampler needs the number of samples beforehand")]
-    [InlineData("render SCENE -o OUT --noise 2% --sampler regular", "--noise: the pattern of the regular sampler needs the number of samples beforehand")]
+    [InlineData("render SCENE -o OUT --adaptive --spp 16 --sampler jittered", "--adaptive: the pattern of the jittered sampler needs the number of samples in advance")]
+    [InlineData("render SCENE -o OUT --noise 2% --sampler regular", "--noise: the pattern of the regular sampler needs the number of samples in advance")]
     [InlineData("render SCENE -o OUT --pixel 0,0", "--pixel prints numbers and writes no image")]
     public void Wrong_requests_get_one_line(string line, string message)
     {

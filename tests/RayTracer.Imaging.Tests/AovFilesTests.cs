@@ -109,7 +109,7 @@ public class AovFilesTests
         AovFilm film = new(new(16, 16), [new BvhCostImage()]);
         new FirstHitPass(scene).Render(film);
         AovPicture picture = new(film, new BvhCostImage());
-        Assert.Equal("0 to 3 and more nodes and triangles a ray: black, violet, red, orange, white; at most 3", picture.Legend);
+        Assert.Equal("0 to 3 and more nodes and triangles per ray: black, violet, red, orange, white; at most 3", picture.Legend);
         float[] row = new float[48];
         picture.ReadRow(8, row);
         Assert.Equal((float)SrgbCurve.Decode(HeatMap.Color(1 / 3.0).R), row[0]);

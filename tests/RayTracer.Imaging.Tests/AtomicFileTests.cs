@@ -100,7 +100,7 @@ public sealed class AtomicFileTests : IDisposable
     [InlineData("missing/a", "does not exist")]
     [InlineData("", "that is a folder")]
     [InlineData("file/a", "does not exist")]
-    [InlineData("LONG", "its name is too long: it has 256 bytes, and names of files have at most 255")]
+    [InlineData("LONG", "its name is too long: it has 256 bytes, and file names have at most 255")]
     public void A_place_that_cannot_be_written_is_refused_beforehand_and_in_the_end(string name, string message)
     {
         File.WriteAllText(_folder["file"], "");
@@ -115,7 +115,7 @@ public sealed class AtomicFileTests : IDisposable
     [InlineData(" ")]
     [InlineData("a\0b")]
     public void A_name_that_cannot_be_one_is_refused(string name) =>
-        Assert.Contains("not the name of a file", Assert.Throws<ImageWriteException>(() => AtomicFile.Write(name, _ => { })).Message);
+        Assert.Contains("not a file name", Assert.Throws<ImageWriteException>(() => AtomicFile.Write(name, _ => { })).Message);
 
     [Fact]
     public void A_symbolic_link_stays_one_and_its_file_is_replaced()

@@ -110,7 +110,7 @@ public sealed class ImageFileTests : IDisposable
     {
         File.WriteAllText(_folder["a.png"], "GIF89a");
         string unknown = Assert.Throws<PictureException>(() => ImageFile.Read(_folder["a.png"])).Message;
-        Assert.Equal($"Cannot read the picture '{_folder["a.png"]}': its first bytes are those of no picture format that is read (PNG, JPEG, PFM, OpenEXR and Radiance HDR).", unknown);
+        Assert.Equal($"Cannot read the picture '{_folder["a.png"]}': its first bytes are not those of a supported picture format (PNG, JPEG, PFM, OpenEXR and Radiance HDR).", unknown);
         Assert.Contains("no such file", Assert.Throws<PictureException>(() => ImageFile.Read(_folder["b.png"])).Message);
         Assert.Contains("folder", Assert.Throws<PictureException>(() => ImageFile.Read(_folder.Path)).Message);
         Assert.Throws<PictureException>(() => ImageFile.Read(""));

@@ -21,7 +21,7 @@ internal sealed class ReproductionPage(ReproductionPlan plan, IReadOnlyList<Repr
         page.Paragraph("Pictures and times after section 6.3 of “Real-time Ray Tracing” (group B123, Aalborg University, 2009), with jittered samples.");
         if (plan.IsQuick)
         {
-            page.Paragraph($"This is a quick run: width and height are the report's divided by {plan.SizeDivisor}, numbers of samples above 16 those of the report divided by {plan.SamplesDivisor}. Times so short are inexact.");
+            page.Paragraph($"This is a quick run: width and height are the report's divided by {plan.SizeDivisor}, numbers of samples above 16 those of the report divided by {plan.SamplesDivisor}. Such short times are inexact.");
         }
 
         WriteMachine(page);

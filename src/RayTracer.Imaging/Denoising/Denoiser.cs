@@ -39,7 +39,7 @@ public static class Denoiser
         (int width, int height) = (first.Film.Width, first.Film.Height);
         if ((second.Film.Width, second.Film.Height) != (width, height))
         {
-            throw new ArgumentException($"Halves of {width}×{height} and {second.Film.Width}×{second.Film.Height} pixels are none of one picture.", nameof(second));
+            throw new ArgumentException($"Halves of {width}×{height} and {second.Film.Width}×{second.Film.Height} pixels are not of one picture.", nameof(second));
         }
 
         DenoiserInput input = new(first, second);

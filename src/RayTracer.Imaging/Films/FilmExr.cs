@@ -126,17 +126,17 @@ public static class FilmExr
             film.AddSums(y, sums, row[0]);
         });
         return film!.ComputeHash() == TextOf(exr, HashKey) ? (header, film)
-            : throw new PictureException($"the sums of its film are damaged: their hash is not the one that its text {HashKey} says");
+            : throw new PictureException($"the sums of its film are damaged: their hash is not the one in its text {HashKey}");
     }
 
     private static ExrHeader Head(string path) => ImageFile.OfFile(path, file => ExrHeader.Parse(file), "film", LongestHead);
 
     private static FilmHeader HeaderOf(ExrHeader exr)
     {
-        string text = TextOf(exr, HeaderKey) ?? throw new PictureException("it is an image that does not carry its film: those that are written with --exr-film do");
+        string text = TextOf(exr, HeaderKey) ?? throw new PictureException("it is an image that does not carry its film: only those written with --exr-film do");
         if (TextOf(exr, ChecksumKey) != Checksum(text))
         {
-            throw new PictureException($"its text {HeaderKey}, which says what its film is, is damaged: its checksum is that of another one");
+            throw new PictureException($"its text {HeaderKey}, which describes its film, is damaged: its checksum does not match");
         }
 
         FilmHeader header = FilmHeader.Of(Encoding.UTF8.GetBytes(text));

@@ -145,7 +145,7 @@ public static class FilmFile
         input.Fill(front);
         if (!front.AsSpan().StartsWith(Signature))
         {
-            throw new PictureException("it is no film: its first bytes are others");
+            throw new PictureException("it is not a film: its first bytes do not match");
         }
 
         int version = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(8));

@@ -40,7 +40,7 @@ internal sealed class FilmInput(Stream stream)
         Take(check);
         if (BinaryPrimitives.ReadUInt32LittleEndian(check) != _check)
         {
-            throw new PictureException($"{what} is damaged: its checksum is that of another content");
+            throw new PictureException($"{what} is damaged: its checksum does not match");
         }
     }
 
@@ -50,7 +50,7 @@ internal sealed class FilmInput(Stream stream)
     {
         if (Read(new byte[1]) > 0)
         {
-            throw new PictureException("something follows its end");
+            throw new PictureException("data follows its end");
         }
     }
 

@@ -55,11 +55,11 @@ internal sealed class JpegFrame
     /// <exception cref="PictureException">It is damaged, or the picture is of a kind that is not read.</exception>
     public static JpegFrame Parse(int marker, ReadOnlySpan<byte> data)
     {
-        Require(data.Length >= 6 && data.Length == 6 + (3 * data[5]), "its frame header has a wrong length");
-        Require(data[0] == 8, $"it has {data[0]} bits a sample, and only JPEG files of 8 bits are read");
+        Require(data.Length >= 6 && data.Length == 6 + (3 * data[5]), "its frame header has the wrong length");
+        Require(data[0] == 8, $"it has {data[0]} bits per sample, and only JPEG files of 8 bits are read");
         int height = BinaryPrimitives.ReadUInt16BigEndian(data[1..]);
         int width = BinaryPrimitives.ReadUInt16BigEndian(data[3..]);
-        Require(height != 0, "its height is not in its header but behind its first scan (marker DNL), which is not read");
+        Require(height != 0, "its height is not in its header but after its first scan (marker DNL), which is not read");
         PictureLimits.CheckSize(width, height);
         int count = data[5];
         Require(count is 1 or 3 or 4, $"it has {count} components, and only pictures of 1 (grey), 3 (colour) or 4 (ink) are read");

@@ -206,7 +206,7 @@ public static class JpegReader
                 ReadHuffmanTables(state, data);
                 break;
             case 0xC3:
-                throw new PictureException("it is compressed without loss (JPEG process 14), which is not read");
+                throw new PictureException("it is compressed losslessly (JPEG process 14), which is not read");
             case (>= 0xC9 and <= 0xCB) or 0xCC:
                 throw new PictureException("it is arithmetically coded, which is not read: only JPEG files with Huffman codes are");
             case (>= 0xC5 and <= 0xC7) or (>= 0xCD and <= 0xCF) or 0xDE:
@@ -215,7 +215,7 @@ public static class JpegReader
                 ReadQuantizationTables(state, data);
                 break;
             case 0xDD:
-                Require(data.Length == 2, "its restart interval has a wrong length");
+                Require(data.Length == 2, "its restart interval has the wrong length");
                 state.RestartInterval = BinaryPrimitives.ReadUInt16BigEndian(data);
                 break;
             case 0xE0:

@@ -30,7 +30,7 @@ internal sealed class JpegScan
     /// <exception cref="PictureException">It is damaged or does not continue the scans before it.</exception>
     public JpegScan(JpegFrame frame, ReadOnlySpan<byte> data, JpegHuffmanTable?[] tables, int restartInterval)
     {
-        Require(data.Length >= 6 && data[0] is >= 1 and <= 4 && data.Length == 4 + (2 * data[0]), "a scan header of it has a wrong length");
+        Require(data.Length >= 6 && data[0] is >= 1 and <= 4 && data.Length == 4 + (2 * data[0]), "one of its scan headers has the wrong length");
         _frame = frame;
         _restartInterval = restartInterval;
         _parts = new (JpegComponent, JpegHuffmanTable?, JpegHuffmanTable?)[data[0]];
@@ -39,15 +39,15 @@ internal sealed class JpegScan
         (_first, _last, _bit) = frame.IsProgressive ? (band[0], band[1], band[2] & 15) : (0, 63, 0);
         int before = frame.IsProgressive ? band[2] >> 4 : 0;
         _refines = before != 0;
-        Require(_first <= _last && _last < 64 && _bit <= 13 && (!_refines || before == _bit + 1), "a scan header of it names coefficients or bits that do not exist");
-        Require(!frame.IsProgressive || (_first == 0 ? _last == 0 : data[0] == 1), "a scan of it mixes what a progressive scan must not");
+        Require(_first <= _last && _last < 64 && _bit <= 13 && (!_refines || before == _bit + 1), "one of its scan headers names coefficients or bits that do not exist");
+        Require(!frame.IsProgressive || (_first == 0 ? _last == 0 : data[0] == 1), "one of its scans mixes what a progressive scan must not");
         for (int i = 0; i < _parts.Length; i++)
         {
             byte id = data[1 + (2 * i)];
             byte selectors = data[2 + (2 * i)];
-            JpegComponent component = Array.Find(frame.Components, c => c.Id == id) ?? throw new PictureException($"a scan of it names component {id}, which is not in its frame");
-            Require(selectors >> 4 < 4 && (selectors & 15) < 4, "a scan of it names a Huffman table that cannot be");
-            Require(!_parts.Take(i).Any(p => p.Component == component), "a scan of it names a component twice");
+            JpegComponent component = Array.Find(frame.Components, c => c.Id == id) ?? throw new PictureException($"one of its scans names component {id}, which is not in its frame");
+            Require(selectors >> 4 < 4 && (selectors & 15) < 4, "one of its scans names an impossible Huffman table");
+            Require(!_parts.Take(i).Any(p => p.Component == component), "one of its scans names a component twice");
             _parts[i] = (component, tables[selectors >> 4], tables[4 + (selectors & 15)]);
             Require(_parts[i].Dc is not null || _first > 0 || _refines, "a Huffman table of DC coefficients is missing");
             Require(_parts[i].Ac is not null || _last == 0, "a Huffman table of AC coefficients is missing");
@@ -135,7 +135,7 @@ internal sealed class JpegScan
         if (_first == 0)
         {
             int length = bits.Symbol(_parts[part].Dc!);
-            Require(length <= 15, "a DC coefficient of it has more than 15 bits");
+            Require(length <= 15, "one of its DC coefficients has more than 15 bits");
             _predictions[part] += bits.Signed(length);
             block[0] = (short)(_predictions[part] << _bit);
         }
@@ -176,7 +176,7 @@ internal sealed class JpegScan
             k += run;
             if (length != 0)
             {
-                Require(k <= last, "a block of it has more coefficients than there can be");
+                Require(k <= last, "one of its blocks has too many coefficients");
                 block[ZigZag[k]] = (short)(number << bit);
             }
         }
@@ -208,12 +208,12 @@ internal sealed class JpegScan
                 return;
             }
 
-            Require(length <= 1, "a coefficient of it is refined by more than one bit");
+            Require(length <= 1, "one of its coefficients is refined by more than one bit");
             int value = length == 0 ? 0 : bits.Number(1) == 1 ? 1 << _bit : -1 << _bit;
             RefineOver(ref bits, block, ref k, run);
             if (value != 0)
             {
-                Require(k <= _last, "a block of it has more coefficients than there can be");
+                Require(k <= _last, "one of its blocks has too many coefficients");
                 block[ZigZag[k]] = (short)value;
             }
         }
@@ -241,10 +241,10 @@ internal sealed class JpegScan
     // Every bit of every coefficient is coded once, from the highest on: so the number of scans has a bound.
     private void Follow(JpegComponent component, int before)
     {
-        Require(_first == 0 || component.LastBit[0] >= 0, "a scan of it codes AC coefficients before their DC coefficient");
+        Require(_first == 0 || component.LastBit[0] >= 0, "one of its scans codes AC coefficients before their DC coefficient");
         for (int k = _first; k <= _last; k++)
         {
-            Require(component.LastBit[k] == (_refines ? before : -1), "a scan of it codes again what an earlier scan coded, or leaves out bits between");
+            Require(component.LastBit[k] == (_refines ? before : -1), "one of its scans repeats what an earlier scan coded, or leaves out bits between");
             component.LastBit[k] = _bit;
         }
     }

@@ -30,7 +30,7 @@ public static class JpegWriter
     /// <param name="quality">1 to 100, on libjpeg's scale.</param>
     /// <param name="chroma">How many differences of colour are kept; null for all from quality 90 on, below it a quarter.</param>
     /// <param name="metadata">
-    /// Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes goes on in further ones, called
+    /// Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes continues in further ones, called
     /// <c>key (continued)</c>.
     /// </param>
     /// <exception cref="ArgumentException">A quality outside its range, or an image that is too large for the format.</exception>

@@ -38,7 +38,7 @@ internal readonly record struct ExrBlock(int FirstRow, int Rows, int FirstColumn
             packed += block.PackedBytes;
             if (seen[index] || packed > file.Length)
             {
-                throw new PictureException("its table of blocks leads twice to the same pixels");
+                throw new PictureException("its table of blocks has the same pixels twice");
             }
 
             seen[index] = true;

@@ -21,7 +21,7 @@ public static class PngWriter
     {
         if (bitDepth is not (8 or 16))
         {
-            throw new ArgumentException($"A PNG is written with 8 or 16 bits a channel, not {bitDepth}.", nameof(bitDepth));
+            throw new ArgumentException($"A PNG is written with 8 or 16 bits per channel, not {bitDepth}.", nameof(bitDepth));
         }
 
         WriteStart(output, image.Width, image.Height, bitDepth);

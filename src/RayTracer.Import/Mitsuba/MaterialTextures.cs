@@ -6,7 +6,7 @@ namespace RayTracer.Import;
 /// <summary>The textures of materials, and of the materials within them.</summary>
 internal static class MaterialTextures
 {
-    /// <summary>Whether a material looks different where uv is, or turns with it.</summary>
+    /// <summary>True where a material looks different where uv is, or turns with it.</summary>
     public static bool NeedUv(MaterialDescription material)
     {
         Dictionary<string, object?> values = RecordType.Of(material.GetType()).Parameters.ToDictionary(p => p.PropertyName, p => p.Get(material));
@@ -15,7 +15,7 @@ internal static class MaterialTextures
             || values.GetValueOrDefault("Anisotropic") is SolidTextureDescription { Color.R: not 0 };
     }
 
-    /// <summary>Whether a material has the colours of a mesh's corners.</summary>
+    /// <summary>True where a material has the colours of a mesh's corners.</summary>
     public static bool UseColors(object material) =>
         material is VertexColorTextureDescription || RecordType.Of(material.GetType()).Parameters.Any(p => p.Get(material) is (MaterialDescription or TextureDescription) and var part && UseColors(part));
 

@@ -15,14 +15,14 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
     private readonly MitsubaDielectrics _dielectrics = new(textures);
     private readonly MitsubaWrappers _wrappers = new(reading, textures);
 
-    /// <summary>What surfaces are made of about which nothing is said.</summary>
+    /// <summary>The material of surfaces that give none.</summary>
     public static MaterialDescription Standard { get; } =
         new OneSidedMaterialDescription { Material = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(s_half) } };
 
-    /// <summary>What shining surfaces are made of about which nothing is said.</summary>
+    /// <summary>The material of emitting surfaces that give none.</summary>
     public static MaterialDescription Black { get; } = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(Rgb.Black) };
 
-    /// <summary>Whether the integrator shows media: then boundaries of nothing do not count as edges of paths.</summary>
+    /// <summary>True where the integrator shows media: then boundaries of nothing do not count as edges of paths.</summary>
     public bool IsVolumetric { get; set; }
 
     /// <summary>The materials that have names.</summary>
@@ -92,7 +92,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
                 return isOpaque ? Sided(bsdf, principled, isTwoSided) : principled;
             default:
                 string[] known = ["diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric", "principled", "twosided", "mask", "blendbsdf", "normalmap", "bumpmap", "null"];
-                reading.Log.Unknown(bsdf.TypePlace, $"BSDFs of the type {Quotation.Of(bsdf.Type)} are not read here", bsdf.Type, known);
+                reading.Log.Unknown(bsdf.TypePlace, $"BSDFs of type {Quotation.Of(bsdf.Type)} are not supported", bsdf.Type, known);
                 return Standard;
         }
     }

@@ -72,7 +72,7 @@ internal static class MitsubaColors
         }
     }
 
-    /// <summary>The colour of a spectrum that is a thing of its own.</summary>
+    /// <summary>The colour of a spectrum that is a separate object.</summary>
     public static Rgb Plugin(MitsubaObject plugin, Rgb standard, bool isLight)
     {
         Rgb color = standard;
@@ -96,7 +96,7 @@ internal static class MitsubaColors
                 color = Sampled(plugin) is { } sampled ? Color(sampled, isLight) : standard;
                 break;
             default:
-                plugin.Log.Unknown(plugin.TypePlace, $"spectra of the type {Quotation.Of(plugin.Type)} are not read here", plugin.Type, ["uniform", "d65", "rgb", "srgb", "regular", "irregular", "blackbody"]);
+                plugin.Log.Unknown(plugin.TypePlace, $"spectra of type {Quotation.Of(plugin.Type)} are not supported", plugin.Type, ["uniform", "d65", "rgb", "srgb", "regular", "irregular", "blackbody"]);
                 return standard;
         }
 
@@ -114,7 +114,7 @@ internal static class MitsubaColors
                 return new((number >> 16) / 255f, ((number >> 8) & 255) / 255f, (number & 255) / 255f);
             }
 
-            log.Error(property.PlaceOf("value"), $"{Quotation.Of(hex)} is no colour: expected # and six hexadecimal digits");
+            log.Error(property.PlaceOf("value"), $"{Quotation.Of(hex)} is not a colour: expected # and six hexadecimal digits");
             return null;
         }
 

@@ -66,7 +66,7 @@ internal sealed class MitsubaDocument
             }
             else if (held is not null && _open.Count > MitsubaXml.MaximumNesting)
             {
-                _log.Error(link.Element.Place, $"things are nested more than {MitsubaXml.MaximumNesting} deep");
+                _log.Error(link.Element.Place, $"objects are nested more than {MitsubaXml.MaximumNesting} deep");
                 _loops.Add(link.Element);
             }
             else if (held is not null && !_seen.Contains(held))
@@ -154,7 +154,7 @@ internal sealed class MitsubaDocument
         if (made.Id.Length > 0 && !_ids.TryAdd(made.Id, made))
         {
             SourcePlace first = _ids[made.Id].Place;
-            _log.Error(child.PlaceOf("id"), $"the id {Quotation.Of(made.Id)} is taken already, in {Path.GetFileName(first.File)}, line {first.Line}");
+            _log.Error(child.PlaceOf("id"), $"the id {Quotation.Of(made.Id)} is already used in {Path.GetFileName(first.File)}, line {first.Line}");
         }
 
         AddAll(made, child, files, includes);
@@ -243,7 +243,7 @@ internal sealed class MitsubaDocument
             case "alias":
                 if (Need(child, "id") is { } of && Need(child, "as") is { } alias && Find(of, child) is { } known && !_ids.TryAdd(alias, known))
                 {
-                    _log.Error(child.PlaceOf("as"), $"the id {Quotation.Of(alias)} is taken already");
+                    _log.Error(child.PlaceOf("as"), $"the id {Quotation.Of(alias)} is already used");
                 }
 
                 break;
@@ -254,7 +254,7 @@ internal sealed class MitsubaDocument
                 Include(parent, child, files, includes);
                 break;
             default:
-                _log.Unknown(child.Place, $"<{child.Name}> means nothing here", child.Name, [.. Objects, .. Properties, .. Others]);
+                _log.Unknown(child.Place, $"<{child.Name}> has no meaning here", child.Name, [.. Objects, .. Properties, .. Others]);
                 break;
         }
     }

@@ -15,7 +15,7 @@ internal sealed class MitsubaElement(string name, SourcePlace place)
     /// <summary>Its name.</summary>
     public string Name => name;
 
-    /// <summary>Where its name begins.</summary>
+    /// <summary>The place of its name.</summary>
     public SourcePlace Place => place;
 
     /// <summary>The attributes by their names.</summary>
@@ -27,6 +27,6 @@ internal sealed class MitsubaElement(string name, SourcePlace place)
     /// <summary>The value of an attribute; null where there is none.</summary>
     public string? Attribute(string attribute) => Attributes.TryGetValue(attribute, out MitsubaAttribute found) ? found.Value : null;
 
-    /// <summary>Where an attribute stands, or the element where there is none.</summary>
+    /// <summary>The place of an attribute, or of the element where there is none.</summary>
     public SourcePlace PlaceOf(string attribute) => Attributes.TryGetValue(attribute, out MitsubaAttribute found) ? found.Place : place;
 }

@@ -18,7 +18,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
     {
         if (emitter.Type != "area")
         {
-            reading.Log.Unknown(emitter.TypePlace, $"a shape may have an emitter of the type \"area\", but not of the type {Quotation.Of(emitter.Type)}", emitter.Type, ["area"]);
+            reading.Log.Unknown(emitter.TypePlace, $"a shape may have an emitter of type \"area\", but not of type {Quotation.Of(emitter.Type)}", emitter.Type, ["area"]);
             return material;
         }
 
@@ -51,7 +51,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
         }
         else if (!s_known.Contains(emitter.Type))
         {
-            reading.Log.Unknown(emitter.TypePlace, $"emitters of the type {Quotation.Of(emitter.Type)} are not read here", emitter.Type, s_known);
+            reading.Log.Unknown(emitter.TypePlace, $"emitters of type {Quotation.Of(emitter.Type)} are not supported", emitter.Type, s_known);
         }
 
         return null;
@@ -74,7 +74,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
         return scene;
     }
 
-    /// <summary>Whether an emitter shines from all around.</summary>
+    /// <summary>True where an emitter shines from all around.</summary>
     public static bool IsEnvironment(MitsubaObject emitter) => emitter.Type is "constant" or "envmap";
 
     private ImageEnvironmentDescription? Picture(MitsubaObject emitter)
@@ -106,7 +106,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
     {
         if (emitter.HasChild("texture"))
         {
-            reading.Log.Error(emitter.Place, "a picture in a spot light is not read here");
+            reading.Log.Error(emitter.Place, "a picture in a spot light is not supported");
             _ = emitter.Child("texture", "texture");
         }
 

@@ -1,6 +1,6 @@
 namespace RayTracer.Import;
 
-/// <summary>Where the files are that scenes of XML files name: beside the file that names them, beside those that include it, and where <c>path</c> says.</summary>
+/// <summary>The places of the files that XML scenes name: beside the file that names them, beside those that include it, and where <c>path</c> says.</summary>
 /// <param name="home">The folder of the scene as a whole.</param>
 /// <param name="folders">The folders to look in, the first one first.</param>
 internal sealed class MitsubaFiles(string home, IReadOnlyList<string> folders)

@@ -2,7 +2,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Import;
 
-/// <summary>What a film says about a picture.</summary>
+/// <summary>The settings of a film for a picture.</summary>
 /// <param name="Render">Size and filter.</param>
 /// <param name="Window">The part of the whole film that is shown, as <see cref="CameraDescription.Window"/>; empty for all of it.</param>
 internal sealed record FilmRead(RenderDescription Render, IReadOnlyList<float> Window);
@@ -13,7 +13,7 @@ internal static class MitsubaFilms
     private const int StandardWidth = 768;
     private const int StandardHeight = 576;
 
-    /// <summary>What a film says; null stands for the film that they have where none is given.</summary>
+    /// <summary>The settings of a film; null stands for the default film.</summary>
     public static FilmRead Read(MitsubaObject? film, RenderDescription render)
     {
         if (film is null)
@@ -23,7 +23,7 @@ internal static class MitsubaFilms
 
         if (film.Type != "hdrfilm")
         {
-            film.Log.Unknown(film.TypePlace, $"films of the type {Quotation.Of(film.Type)} are not read here", film.Type, ["hdrfilm"]);
+            film.Log.Unknown(film.TypePlace, $"films of type {Quotation.Of(film.Type)} are not supported", film.Type, ["hdrfilm"]);
         }
 
         film.Ignore("file_format", "pixel_format", "component_format", "sample_border", "compensate", "banner");
@@ -72,7 +72,7 @@ internal static class MitsubaFilms
                 read = new() { Shape = FilterShape.Mitchell, B = 0, C = 0.5f };
                 break;
             default:
-                filter.Log.Unknown(filter.TypePlace, $"filters of the type {Quotation.Of(filter.Type)} are not read here", filter.Type, ["box", "tent", "gaussian", "mitchell", "catmullrom"]);
+                filter.Log.Unknown(filter.TypePlace, $"filters of type {Quotation.Of(filter.Type)} are not supported", filter.Type, ["box", "tent", "gaussian", "mitchell", "catmullrom"]);
                 return read;
         }
 

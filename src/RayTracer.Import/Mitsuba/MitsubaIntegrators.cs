@@ -5,7 +5,7 @@ namespace RayTracer.Import;
 /// <summary>Chooses the integrator.</summary>
 internal static class MitsubaIntegrators
 {
-    /// <summary>How a scene is rendered by an integrator.</summary>
+    /// <summary>The render settings for an integrator.</summary>
     public static RenderDescription Read(MitsubaObject integrator, RenderDescription render)
     {
         switch (integrator.Type)
@@ -21,13 +21,13 @@ internal static class MitsubaIntegrators
             case "aov":
                 return Aov(integrator, render);
             default:
-                integrator.Log.Unknown(integrator.TypePlace, $"integrators of the type {Quotation.Of(integrator.Type)} are not read here", integrator.Type, ["path", "direct", "volpath", "volpathmis", "aov"]);
+                integrator.Log.Unknown(integrator.TypePlace, $"integrators of type {Quotation.Of(integrator.Type)} are not supported", integrator.Type, ["path", "direct", "volpath", "volpathmis", "aov"]);
                 return render;
         }
 
         if (integrator.Boolean("hide_emitters", false))
         {
-            integrator.Log.Error(integrator.PlaceOf("hide_emitters"), "emitters that the camera does not see are not known here");
+            integrator.Log.Error(integrator.PlaceOf("hide_emitters"), "emitters that the camera does not see are not supported");
         }
 
         integrator.Finish();
@@ -50,7 +50,7 @@ internal static class MitsubaIntegrators
     private static RenderDescription Aov(MitsubaObject integrator, RenderDescription render)
     {
         integrator.Ignore("aovs");
-        integrator.Log.Warn(integrator.TypePlace, "which auxiliary images are written is said with --aov, and not in the scene");
+        integrator.Log.Warn(integrator.TypePlace, "auxiliary images are chosen with --aov, not in the scene");
         RenderDescription inner = integrator.Only("integrator") is { } nested ? Read(nested, render) : render;
         integrator.Finish();
         return inner;

@@ -12,7 +12,7 @@ internal sealed class MitsubaLog
     private readonly List<Diagnostic> _diagnostics = [];
     private readonly HashSet<Diagnostic> _said = [];
 
-    /// <summary>What is wrong so far.</summary>
+    /// <summary>The diagnostics so far.</summary>
     public IReadOnlyList<Diagnostic> Diagnostics => _diagnostics;
 
     /// <summary>Takes an error: the picture would be another one.</summary>

@@ -17,7 +17,7 @@ internal static class MitsubaMedia
     {
         if (shape.Child("medium", "exterior") is { } outside)
         {
-            shape.Log.Warn(outside.Place, "what is outside a shape is told here by the shapes around it: this has no effect");
+            shape.Log.Warn(outside.Place, "the medium outside a shape follows from the shapes around it: this has no effect");
             _ = Read(outside);
         }
 
@@ -32,33 +32,33 @@ internal static class MitsubaMedia
             return filled;
         }
 
-        shape.Log.Warn(inside.Place, "nothing is seen of a medium in a shape that lets no light in");
+        shape.Log.Warn(inside.Place, "a medium in a shape that lets no light in is invisible");
         return material;
     }
 
-    /// <summary>Takes the medium of a camera as known: what the camera stands in is told here by the shapes around it.</summary>
+    /// <summary>Takes the medium of a camera as known: the medium around the camera follows from the shapes around it.</summary>
     public static void Around(MitsubaObject sensor)
     {
         if (sensor.Only("medium") is { } medium)
         {
-            sensor.Log.Warn(medium.Place, "what the camera stands in is told here by the shapes around it: this has no effect");
+            sensor.Log.Warn(medium.Place, "the medium around the camera follows from the shapes around it: this has no effect");
             _ = Read(medium);
         }
     }
 
-    /// <summary>What a medium is.</summary>
+    /// <summary>The properties of a medium.</summary>
     public static MediumDescription Read(MitsubaObject medium)
     {
         medium.Ignore("has_spectral_extinction", "sample_emitters");
         if (medium.Type == "heterogeneous")
         {
-            medium.Log.Error(medium.TypePlace, "media that vary in space (heterogeneous) are not read here: only \"homogeneous\" ones");
+            medium.Log.Error(medium.TypePlace, "media that vary in space (heterogeneous) are not supported: only \"homogeneous\" ones");
             return new();
         }
 
         if (medium.Type != "homogeneous")
         {
-            medium.Log.Unknown(medium.TypePlace, $"media of the type {Quotation.Of(medium.Type)} are not read here", medium.Type, ["homogeneous"]);
+            medium.Log.Unknown(medium.TypePlace, $"media of type {Quotation.Of(medium.Type)} are not supported", medium.Type, ["homogeneous"]);
             return new();
         }
 
@@ -101,7 +101,7 @@ internal static class MitsubaMedia
                 g = phase.Float("g", 0.8f, -0.99f, 0.99f);
                 break;
             default:
-                phase.Log.Unknown(phase.TypePlace, $"phase functions of the type {Quotation.Of(phase.Type)} are not read here", phase.Type, ["isotropic", "hg"]);
+                phase.Log.Unknown(phase.TypePlace, $"phase functions of type {Quotation.Of(phase.Type)} are not supported", phase.Type, ["isotropic", "hg"]);
                 return 0;
         }
 

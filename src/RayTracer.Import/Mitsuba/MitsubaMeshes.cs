@@ -10,7 +10,7 @@ internal static class MitsubaMeshes
     /// <summary>A mesh of a file.</summary>
     public static ShapeDescription? Read(MitsubaObject shape, MaterialDescription material)
     {
-        // The front of flat faces is told by the order of their corners after the transform, so a mirror turns it inwards.
+        // The front of flat faces follows from the order of their corners after the transform, so a mirror turns it inwards.
         Transform place = shape.Transform();
         bool isFlat = shape.Boolean("face_normals", false);
         MeshDescription mesh = new()

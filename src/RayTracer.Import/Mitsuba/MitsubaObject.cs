@@ -7,7 +7,7 @@ using RayTracer.Scenes;
 namespace RayTracer.Import;
 
 /// <summary>
-/// A thing of a scene (a shape, a BSDF, an emitter and so on) with its properties. Each reading of a property tells that it is known;
+/// A thing of a scene (a shape, a BSDF, an emitter and so on) with its properties. Each reading of a property marks it as known;
 /// what nobody has asked for is an error in the end, so that nothing is passed over silently.
 /// </summary>
 /// <param name="element">Its element.</param>
@@ -21,25 +21,25 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     private readonly HashSet<MitsubaChild> _taken = [];
     private bool _isFinished;
 
-    /// <summary>What it is: shape, bsdf, emitter and so on.</summary>
+    /// <summary>The kind: shape, bsdf, emitter and so on.</summary>
     public string Kind => element.Name;
 
-    /// <summary>Which of its kind.</summary>
+    /// <summary>The type within its kind.</summary>
     public string Type { get; } = element.Attribute("type") ?? "";
 
     /// <summary>The name by which it is referred to; empty where there is none.</summary>
     public string Id { get; } = element.Attribute("id") ?? "";
 
-    /// <summary>Where it stands.</summary>
+    /// <summary>The place in the file.</summary>
     public SourcePlace Place => element.Place;
 
-    /// <summary>Where its type stands.</summary>
+    /// <summary>The place of its type.</summary>
     public SourcePlace TypePlace => element.PlaceOf("type");
 
     /// <summary>Takes what is wrong with it.</summary>
     public MitsubaLog Log => log;
 
-    /// <summary>Whether something was asked of it that is referred to and is not there, which has been said.</summary>
+    /// <summary>True where something was asked of it that is referred to and is not there, which has been said.</summary>
     public bool LacksSomething { get; private set; }
 
     /// <summary>Adds a property.</summary>
@@ -54,7 +54,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     /// <summary>Adds a thing within it.</summary>
     public void Add(MitsubaChild child) => _children.Add(child);
 
-    /// <summary>Whether a property is given.</summary>
+    /// <summary>True where a property is given.</summary>
     public bool Has(string name) => _properties.ContainsKey(name);
 
     /// <summary>The element of a property; null where it is not given.</summary>
@@ -64,7 +64,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
         return _properties.GetValueOrDefault(name);
     }
 
-    /// <summary>Where a property stands; the thing itself where it is not given.</summary>
+    /// <summary>The place of a property; that of the object where it is not given.</summary>
     public SourcePlace PlaceOf(string name) => _properties.TryGetValue(name, out MitsubaElement? property) ? property.Place : Place;
 
     /// <summary>Takes properties as known that change nothing here.</summary>
@@ -91,7 +91,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
         return IsWithin(property, name, value, minimum, maximum) ? value : standard;
     }
 
-    /// <summary>Whether a number that a property tells is within a range; an error else.</summary>
+    /// <summary>Returns true where a property's number is within a range; reports an error otherwise.</summary>
     public bool IsWithin(MitsubaElement property, string name, float value, float minimum, float maximum)
     {
         bool isWithin = value >= minimum && value <= maximum;
@@ -124,7 +124,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
         return value;
     }
 
-    /// <summary>Whether something holds.</summary>
+    /// <summary>True where something holds.</summary>
     public bool Boolean(string name, bool standard)
     {
         if (Property(name) is not { } property || !Is(property, "true or false", "boolean"))
@@ -164,7 +164,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
             return choice;
         }
 
-        log.Unknown(_properties[name].PlaceOf("value"), $"{Quotation.Of(text)} is nothing that {Quotation.Of(name)} may be here", text, [.. words.Keys]);
+        log.Unknown(_properties[name].PlaceOf("value"), $"{Quotation.Of(text)} is not a value that {Quotation.Of(name)} may have here", text, [.. words.Keys]);
         return standard;
     }
 
@@ -213,7 +213,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     /// <summary>The things of a kind within it, in their order.</summary>
     public IEnumerable<MitsubaObject> Children(string kind) => Children(kind, _ => true);
 
-    /// <summary>Whether there is a thing of a kind within it under a name.</summary>
+    /// <summary>True where there is a thing of a kind within it under a name.</summary>
     public bool HasChild(string name) => _children.Exists(c => c.Name == name);
 
     /// <summary>Says what nobody has asked for.</summary>
@@ -240,7 +240,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
         }
     }
 
-    /// <summary>How messages call it.</summary>
+    /// <summary>The name in messages.</summary>
     public string Describe() => Type.Length > 0 ? $"{Kind} {Quotation.Of(Type)}" : Kind;
 
     private IEnumerable<MitsubaObject> Children(string kind, Func<MitsubaChild, bool> isMeant) => Held(kind, isMeant).Select(h => h.Found);

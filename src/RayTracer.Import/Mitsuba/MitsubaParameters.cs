@@ -43,14 +43,14 @@ internal sealed class MitsubaParameters(MitsubaLog log)
             if (name is null)
             {
                 string word = new([.. text[(at + 1)..].TakeWhile(c => char.IsLetterOrDigit(c) || c is '_' or '.')]);
-                log.Unknown(attribute.Place, $"there is no parameter {Quotation.Of("$" + word)}, which a <default> would give a value", word, _values.Keys);
+                log.Unknown(attribute.Place, $"there is no parameter {Quotation.Of("$" + word)} (a <default> would define one)", word, _values.Keys);
                 return text;
             }
 
             string value = _values[name];
             if (text.Length + value.Length > LongestValue)
             {
-                log.Error(attribute.Place, "with the values of its parameters, this attribute is too long");
+                log.Error(attribute.Place, "with its parameters filled in, this attribute is too long");
                 return "";
             }
 

@@ -4,7 +4,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Import;
 
-/// <summary>How rough a surface is.</summary>
+/// <summary>The roughness of a surface.</summary>
 /// <param name="Distribution">How its facets are tilted.</param>
 /// <param name="Alpha">How much.</param>
 /// <param name="AlphaU">How much along u; null where it is <paramref name="Alpha"/>.</param>
@@ -20,7 +20,7 @@ internal sealed record MitsubaRoughness(MicrofacetDistribution Distribution, Tex
         ["ggx"] = MicrofacetDistribution.Ggx,
     };
 
-    /// <summary>What a BSDF says.</summary>
+    /// <summary>The roughness that a BSDF gives.</summary>
     public static MitsubaRoughness Read(MitsubaObject bsdf, MitsubaTextures textures)
     {
         bsdf.Ignore("sample_visible");

@@ -8,7 +8,7 @@ internal static class MitsubaSamplers
     /// <summary>Samples a pixel where nothing is said.</summary>
     public const int StandardCount = 4;
 
-    /// <summary>How a scene is rendered with a sampler.</summary>
+    /// <summary>The render settings for a sampler.</summary>
     public static RenderDescription Read(MitsubaObject sampler, RenderDescription render)
     {
         sampler.Ignore("jitter");
@@ -25,10 +25,10 @@ internal static class MitsubaSamplers
                 count = Square(sampler, count);
                 break;
             case "multijitter" or "orthogonal" or "ldsampler":
-                sampler.Log.Warn(sampler.TypePlace, $"the sampler \"sobol\" takes the place of {Quotation.Of(sampler.Type)}: the picture has another noise");
+                sampler.Log.Warn(sampler.TypePlace, $"the sampler \"sobol\" replaces {Quotation.Of(sampler.Type)}: the noise of the picture differs");
                 break;
             default:
-                sampler.Log.Unknown(sampler.TypePlace, $"samplers of the type {Quotation.Of(sampler.Type)} are not read here", sampler.Type, ["independent", "stratified", "multijitter", "orthogonal", "ldsampler"]);
+                sampler.Log.Unknown(sampler.TypePlace, $"samplers of type {Quotation.Of(sampler.Type)} are not supported", sampler.Type, ["independent", "stratified", "multijitter", "orthogonal", "ldsampler"]);
                 break;
         }
 
@@ -41,7 +41,7 @@ internal static class MitsubaSamplers
         int side = (int)double.Ceiling(double.Sqrt(count));
         if (side * side != count)
         {
-            sampler.Log.Warn(sampler.PlaceOf("sample_count"), $"a stratified sampler takes squares of whole numbers: {side * side} samples take the place of {count}");
+            sampler.Log.Warn(sampler.PlaceOf("sample_count"), $"a stratified sampler needs a square number of samples: {side * side} replace {count}");
         }
 
         return side * side;

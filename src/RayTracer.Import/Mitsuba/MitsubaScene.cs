@@ -56,7 +56,7 @@ internal sealed class MitsubaScene
 
         foreach (MitsubaObject other in sensors.Skip(1))
         {
-            _reading.Log.Warn(other.Place, "the picture is that of the first sensor: this one is left out");
+            _reading.Log.Warn(other.Place, "the first sensor is used: this one is ignored");
         }
 
         return new MitsubaSensors(_reading).Read(sensors[0], scene);
@@ -68,7 +68,7 @@ internal sealed class MitsubaScene
         MitsubaObject[] around = [.. all.Where(MitsubaEmitters.IsEnvironment)];
         foreach (MitsubaObject second in around.Skip(1))
         {
-            _reading.Log.Error(second.Place, "a scene may have only one emitter that shines from all around");
+            _reading.Log.Error(second.Place, "a scene may have only one emitter that surrounds it");
         }
 
         scene = around.Length > 0 ? _emitters.Environment(around[0], scene) : scene;

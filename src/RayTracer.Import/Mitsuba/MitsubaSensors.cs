@@ -34,7 +34,7 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
         };
         if (camera is null)
         {
-            reading.Log.Unknown(sensor.TypePlace, $"sensors of the type {Quotation.Of(sensor.Type)} are not read here", sensor.Type, ["perspective", "thinlens", "orthographic"]);
+            reading.Log.Unknown(sensor.TypePlace, $"sensors of type {Quotation.Of(sensor.Type)} are not supported", sensor.Type, ["perspective", "thinlens", "orthographic"]);
             return scene;
         }
 
@@ -62,7 +62,7 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
         {
             if (cuts)
             {
-                reading.Log.Warn(sensor.PlaceOf(name), $"{Quotation.Of(name)} cuts nothing here: all that is before the camera is seen");
+                reading.Log.Warn(sensor.PlaceOf(name), $"{Quotation.Of(name)} does not clip here: everything in front of the camera is visible");
             }
         }
     }
@@ -95,7 +95,7 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
 
         if (camera.Projection != Projection.Perspective)
         {
-            reading.Log.Error(sensor.Place, "a principal point beside the middle of the picture is read of perspective sensors only");
+            reading.Log.Error(sensor.Place, "an off-centre principal point is supported for perspective sensors only");
             return camera;
         }
 
@@ -114,19 +114,19 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
         CameraDescription camera = Placed(sensor, out Vector3 scale);
         if (float.Abs(scale.X - scale.Y) > 1e-4f * scale.X)
         {
-            reading.Log.Error(sensor.PlaceOf("to_world"), "an orthographic sensor that is scaled differently along x and y is not read here");
+            reading.Log.Error(sensor.PlaceOf("to_world"), "an orthographic sensor that is scaled differently along x and y is not supported");
         }
 
         return camera with { Projection = Projection.Orthographic, ViewSize = 2 * scale.X, FieldOfViewAxis = FieldOfViewAxis.Horizontal };
     }
 
-    // The sensor looks along z of its own frame, has y up and x to the left.
+    // The sensor looks along z of its frame, has y up and x to the left.
     private CameraDescription Placed(MitsubaObject sensor, out Vector3 scale)
     {
         Transform place = sensor.Transform();
         if (place.Determinant < 0)
         {
-            reading.Log.Error(sensor.PlaceOf("to_world"), "a sensor that is mirrored is not read here");
+            reading.Log.Error(sensor.PlaceOf("to_world"), "a mirrored sensor is not supported");
         }
 
         Vector3 position = place.Point(Vector3.Zero);

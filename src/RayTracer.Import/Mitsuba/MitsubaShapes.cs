@@ -70,7 +70,7 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, 
     {
         if (!s_types.Contains(shape.Type))
         {
-            reading.Log.Unknown(shape.TypePlace, $"shapes of the type {Quotation.Of(shape.Type)} are not read here", shape.Type, s_types);
+            reading.Log.Unknown(shape.TypePlace, $"shapes of type {Quotation.Of(shape.Type)} are not supported", shape.Type, s_types);
             return null;
         }
 

@@ -104,13 +104,13 @@ internal static class MitsubaSurfaces
         float radius = shape.Float("radius", 1);
         if (place.UniformScale() is not { } scale)
         {
-            shape.Log.Error(shape.PlaceOf("to_world"), "a sphere that is scaled differently along its axes, or sheared, is not read here");
+            shape.Log.Error(shape.PlaceOf("to_world"), "a sphere that is scaled differently along its axes, or sheared, is not supported");
             return null;
         }
 
         if (isTurned)
         {
-            shape.Log.Error(shape.PlaceOf("flip_normals"), "a sphere that is turned inside out is not read here");
+            shape.Log.Error(shape.PlaceOf("flip_normals"), "a sphere that is turned inside out is not supported");
         }
 
         return needsUv
@@ -126,7 +126,7 @@ internal static class MitsubaSurfaces
         float radius = shape.Float("radius", 1);
         if (isTurned)
         {
-            shape.Log.Error(shape.PlaceOf("flip_normals"), "a cylinder that is turned inside out is not read here");
+            shape.Log.Error(shape.PlaceOf("flip_normals"), "a cylinder that is turned inside out is not supported");
         }
 
         if (!needsUv && place.UniformScale() is { } scale)

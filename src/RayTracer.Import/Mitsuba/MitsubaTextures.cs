@@ -69,7 +69,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
             case "mesh_attribute":
                 return Attribute(texture);
             default:
-                reading.Log.Unknown(texture.TypePlace, $"textures of the type {Quotation.Of(texture.Type)} are not read here", texture.Type, ["bitmap", "checkerboard", "mesh_attribute"]);
+                reading.Log.Unknown(texture.TypePlace, $"textures of type {Quotation.Of(texture.Type)} are not supported", texture.Type, ["bitmap", "checkerboard", "mesh_attribute"]);
                 return Solid(new(0.5f, 0.5f, 0.5f));
         }
     }
@@ -97,12 +97,12 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         return uv.IsStraight ? image : uv.Place(image);
     }
 
-    // Of what meshes may tell beside uv, the colours of their corners are known.
+    // Of the attributes of meshes besides uv, only the colours of their corners are supported.
     private TextureDescription Attribute(MitsubaObject texture)
     {
         if (texture.Text("name") != "vertex_color")
         {
-            reading.Log.Error(texture.Has("name") ? texture.PlaceOf("name") : texture.Place, "of the attributes of meshes, \"vertex_color\" is read here");
+            reading.Log.Error(texture.Has("name") ? texture.PlaceOf("name") : texture.Place, "of the attributes of meshes, only \"vertex_color\" is supported");
         }
 
         float scale = texture.Float("scale", 1);

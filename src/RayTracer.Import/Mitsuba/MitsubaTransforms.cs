@@ -22,7 +22,7 @@ internal static class MitsubaTransforms
 
         if (!all.IsInvertible)
         {
-            log.Error(element.Place, "the transform flattens things, or has numbers too large or too small to compute with");
+            log.Error(element.Place, "the transform flattens shapes, or has numbers too large or too small to compute with");
             return Transform.Identity;
         }
 
@@ -44,7 +44,7 @@ internal static class MitsubaTransforms
             case "matrix":
                 return Matrix(step, log);
             default:
-                log.Unknown(step.Place, $"<{step.Name}> is no step of a transform", step.Name, ["translate", "scale", "rotate", "lookat", "matrix"]);
+                log.Unknown(step.Place, $"<{step.Name}> is not a transform step", step.Name, ["translate", "scale", "rotate", "lookat", "matrix"]);
                 return null;
         }
     }
@@ -64,7 +64,7 @@ internal static class MitsubaTransforms
 
         if (float.Abs(axis.Norm() - 1) > 1e-3f)
         {
-            log.Warn(step.Place, "the axis is not of length 1: here this is a rotation about it, but Mitsuba 3 makes a stretched one of it");
+            log.Warn(step.Place, "the axis is not of length 1: here this is a rotation about it, but Mitsuba 3 makes it a stretched one");
         }
 
         return Transform.Rotation(axis, angle);
@@ -93,7 +93,7 @@ internal static class MitsubaTransforms
         Vector3 left = upward.Cross(forward).Unit();
         if (!left.IsFinite())
         {
-            log.Error(step.PlaceOf("up"), "the direction up of a lookat must not be that from origin to target");
+            log.Error(step.PlaceOf("up"), "the up direction of a lookat must not point from origin to target");
             return null;
         }
 

@@ -10,7 +10,7 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
 {
     private static readonly Rgb s_half = new(0.5f, 0.5f, 0.5f);
 
-    /// <summary>A surface whose normals a picture tells.</summary>
+    /// <summary>A surface whose normals come from a picture.</summary>
     /// <param name="bsdf">The BSDF.</param>
     /// <param name="inner">What scatters light.</param>
     public MaterialDescription NormalMap(MitsubaObject bsdf, MaterialDescription inner)
@@ -26,7 +26,7 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
         return new NormalMapMaterialDescription { Map = textures.Read(map), Turned = turned, SoftensShadow = isSoftened, Material = inner };
     }
 
-    /// <summary>A surface whose heights a picture tells.</summary>
+    /// <summary>A surface whose heights come from a picture.</summary>
     /// <param name="bsdf">The BSDF.</param>
     /// <param name="inner">What scatters light.</param>
     public MaterialDescription BumpMap(MitsubaObject bsdf, MaterialDescription inner)

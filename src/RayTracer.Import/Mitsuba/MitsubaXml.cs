@@ -7,7 +7,7 @@ namespace RayTracer.Import;
 /// <summary>Reads XML files into elements. There are no document types and no entities of files, so nothing else is ever opened.</summary>
 internal static class MitsubaXml
 {
-    /// <summary>How deep elements may be nested within one another.</summary>
+    /// <summary>The maximum depth of nested elements.</summary>
     public const int MaximumNesting = 64;
 
     /// <summary>Reads a file.</summary>
@@ -49,7 +49,7 @@ internal static class MitsubaXml
         }
         catch (XmlException e)
         {
-            log.Error(new(path, e.LineNumber, e.LinePosition), $"this is no XML: {Reason(e)}");
+            log.Error(new(path, e.LineNumber, e.LinePosition), $"this is not XML: {Reason(e)}");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
@@ -118,7 +118,7 @@ internal static class MitsubaXml
         return new(path, lines.LineNumber, lines.LinePosition);
     }
 
-    // The message without the line and position at its end, which are told in front.
+    // The message without the line and position at its end, which are reported in front.
     private static string Reason(XmlException e)
     {
         int end = e.Message.LastIndexOf(" Line ", StringComparison.Ordinal);

@@ -97,7 +97,7 @@ internal sealed class SerializedReader
         }
         catch (Exception e) when (e is InvalidDataException or EndOfStreamException)
         {
-            throw new ModelException($"the mesh from byte {begin} on is cut off or damaged", e);
+            throw new ModelException($"the mesh from byte {begin} on is truncated or damaged", e);
         }
     }
 
@@ -109,7 +109,7 @@ internal sealed class SerializedReader
         ulong triangles = values.UInt64();
         if (corners > int.MaxValue || triangles > int.MaxValue / 3)
         {
-            throw new ModelException($"a mesh of {corners} corners and {triangles} triangles is larger than what is read here");
+            throw new ModelException($"a mesh of {corners} corners and {triangles} triangles is larger than the limit");
         }
 
         bool isDouble = (flags & IsDouble) != 0;
@@ -228,7 +228,7 @@ internal sealed class SerializedReader
         {
             if (count > Array.MaxLength || !memory.TryUse(3 * count))
             {
-                throw new ModelException($"it asks for {count} bytes at once, too many for a file of its size");
+                throw new ModelException($"it requests {count} bytes at once, too many for a file of its size");
             }
 
             byte[] bytes = GC.AllocateUninitializedArray<byte>((int)count);

@@ -10,13 +10,13 @@ namespace RayTracer.Import;
 /// <param name="Second">The row that gives v.</param>
 internal sealed record UvMap(Vector3 First, Vector3 Second)
 {
-    /// <summary>Whether nothing is turned.</summary>
+    /// <summary>True where nothing is turned.</summary>
     public bool IsStraight => First.Y == 0 && Second.X == 0;
 
     /// <summary>Factors on u and v of a map that turns nothing.</summary>
     public Vector2 Scale => new(First.X, Second.Y);
 
-    /// <summary>What is added.</summary>
+    /// <summary>The offset.</summary>
     public Vector2 Offset => new(First.Z, Second.Z);
 
     /// <summary>A texture's map.</summary>

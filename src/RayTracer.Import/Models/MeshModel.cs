@@ -9,7 +9,7 @@ namespace RayTracer.Import;
 /// <summary>Models of one mesh without materials.</summary>
 internal static class MeshModel
 {
-    /// <summary>Makes a model; what has colours of its own is white, so that nothing is taken from them.</summary>
+    /// <summary>Makes a model; meshes with vertex colours get a white material, so that the colours are unchanged.</summary>
     /// <param name="path">The file, after which the mesh is named.</param>
     /// <param name="mesh">The triangles.</param>
     /// <param name="notes">What is said about the file.</param>
@@ -26,6 +26,6 @@ internal static class MeshModel
         return new ImportedModel(new SceneDescription { Shapes = [shape] }, notes);
     }
 
-    /// <summary>What meshes with colours of their own are made of.</summary>
+    /// <summary>The material of meshes with vertex colours.</summary>
     public static MaterialDescription White { get; } = new DiffuseMaterialDescription { Color = new SolidTextureDescription { Color = Rgb.White } };
 }

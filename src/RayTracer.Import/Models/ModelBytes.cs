@@ -13,7 +13,7 @@ internal static class ModelBytes
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
         if (stream.Length > Array.MaxLength)
         {
-            throw new ModelException($"it has {stream.Length} bytes, and models of at most 2 GiB are read");
+            throw new ModelException($"it has {stream.Length} bytes, and models can have at most 2 GiB");
         }
 
         byte[] content = GC.AllocateUninitializedArray<byte>((int)stream.Length);

@@ -6,10 +6,10 @@ namespace RayTracer.Import;
 /// </summary>
 internal sealed class ModelMemory
 {
-    /// <summary>What every model may use, in bytes, however small its files are.</summary>
+    /// <summary>The memory that every model may use, in bytes, however small its files are.</summary>
     public const long Always = 192L << 20;
 
-    /// <summary>How many times the size of its files a model may use beyond that.</summary>
+    /// <summary>The multiple of the size of its files that a model may use beyond that.</summary>
     public const int TimesFiles = 8;
 
     private long _files;

@@ -39,13 +39,13 @@ internal ref struct ModelText
     /// <summary>The byte that comes next.</summary>
     public int Position { get; set; }
 
-    /// <summary>Whether of words such as 3.1+e2, which are none but consist of what numbers consist of, the number that they begin with counts.</summary>
+    /// <summary>True where of words such as 3.1+e2, which are none but consist of what numbers consist of, the number that they begin with counts.</summary>
     public bool AcceptsOddNumbers { get; init; }
 
-    /// <summary>Where the first such word was; −1 where there was none.</summary>
+    /// <summary>The place of the first such word; −1 where there was none.</summary>
     public int OddNumber { get; private set; } = -1;
 
-    /// <summary>Whether nothing is left.</summary>
+    /// <summary>True where nothing is left.</summary>
     public readonly bool IsAtEnd => Position >= _text.Length;
 
     /// <summary>The bytes that are left.</summary>
@@ -54,7 +54,7 @@ internal ref struct ModelText
     /// <summary>The line that <see cref="Position"/> is in, from 1. It is counted only here: reading costs nothing for it.</summary>
     public readonly int Line => LineOf(Position);
 
-    /// <summary>Skips blanks within the line; tells whether it has ended (a comment ends it too).</summary>
+    /// <summary>Skips blanks within the line; returns true where it has ended (a comment ends it too).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool IsAtLineEnd()
     {
@@ -122,7 +122,7 @@ internal ref struct ModelText
         return Decode(_text[begin..(end < begin ? _text.Length : end)].Trim(" \t"u8));
     }
 
-    /// <summary>Takes a number; goes on over blanks, and over line ends if <paramref name="acrossLines"/>.</summary>
+    /// <summary>Reads a number; skips blanks, and line ends if <paramref name="acrossLines"/>.</summary>
     /// <exception cref="ModelException">Something else is there.</exception>
     public float Number(bool acrossLines = false)
     {
@@ -147,7 +147,7 @@ internal ref struct ModelText
         throw ExpectedAt(begin, "a number");
     }
 
-    /// <summary>Takes a whole number; goes on over blanks and line ends.</summary>
+    /// <summary>Reads a whole number; skips blanks and line ends.</summary>
     /// <exception cref="ModelException">Something else is there.</exception>
     public long WholeNumber()
     {
@@ -343,5 +343,5 @@ internal ref struct ModelText
     private readonly ModelException ExpectedAt(int begin, string what) => ErrorAt(begin, Otherwise(what, _text[begin..Position]));
 
     private static string Otherwise(string what, ReadOnlySpan<byte> found) =>
-        found.IsEmpty ? $"expected {what}, and nothing more is there" : $"expected {what} instead of {Quotation.Of(Decode(found[..Math.Min(found.Length, 200)]))}";
+        found.IsEmpty ? $"expected {what}, but the file ends" : $"expected {what} instead of {Quotation.Of(Decode(found[..Math.Min(found.Length, 200)]))}";
 }

@@ -33,7 +33,7 @@ public sealed class JsonNode
         Text = text;
     }
 
-    /// <summary>What the value is.</summary>
+    /// <summary>The kind of the value.</summary>
     public JsonKind Kind { get; }
 
     /// <summary>Offset of the value's first character in the text, in UTF-16 units.</summary>

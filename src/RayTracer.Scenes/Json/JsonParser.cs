@@ -5,11 +5,11 @@ namespace RayTracer.Scenes;
 
 /// <summary>
 /// Parses JSON (RFC 8259) with <c>//</c> and <c>/* */</c> comments and trailing commas. It ends at the first error of
-/// syntax; doubled keys are reported and parsing goes on.
+/// syntax; duplicate keys are reported and parsing continues.
 /// </summary>
 public sealed class JsonParser
 {
-    /// <summary>How deep objects and arrays may be nested.</summary>
+    /// <summary>The maximum depth of nested objects and arrays.</summary>
     public const int MaximumDepth = 64;
 
     private readonly SourceText _source;
@@ -80,7 +80,7 @@ public sealed class JsonParser
                 int end = _text.IndexOf("*/", _at + 2, StringComparison.Ordinal);
                 if (end < 0)
                 {
-                    Fail<JsonNode>(_at, "the comment that begins here has no end \"*/\"");
+                    Fail<JsonNode>(_at, "the comment that starts here has no end \"*/\"");
                     return false;
                 }
 
@@ -149,7 +149,7 @@ public sealed class JsonParser
             if (!keys.Add(key))
             {
                 int first = _source.Position(members.First(m => m.Key == key).Start).Line;
-                _diagnostics.Add(_source.Error(keyStart, $"the key {Quotation.Of(key)} is there twice, first on line {first}") with { Rule = DiagnosticRule.Syntax });
+                _diagnostics.Add(_source.Error(keyStart, $"the key {Quotation.Of(key)} appears twice, first on line {first}") with { Rule = DiagnosticRule.Syntax });
             }
 
             members.Add(new(key, keyStart, keyEnd, value));
@@ -225,7 +225,7 @@ public sealed class JsonParser
             int run = _text.AsSpan(_at).IndexOfAny("\"\\\n\r");
             if (run < 0 || _text[_at + run] is '\n' or '\r')
             {
-                return Fail<string>(start, "the string that begins here has no end: expected a double quote on the same line");
+                return Fail<string>(start, "the string that starts here has no end: expected a double quote on the same line");
             }
 
             ReadOnlySpan<char> characters = _text.AsSpan(_at, run);

@@ -32,7 +32,7 @@ public sealed class SourceText
         _end = Text.Length;
     }
 
-    /// <summary>How messages call the file.</summary>
+    /// <summary>The name of the file in messages.</summary>
     public string FileName { get; }
 
     /// <summary>The text, without a byte order mark.</summary>
@@ -53,7 +53,7 @@ public sealed class SourceText
         {
             string message = bytes is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..]
                 ? "the file is in UTF-16: save it as UTF-8"
-                : $"the file is not UTF-8: its byte 0x{bytes[read]:X2} begins no character";
+                : $"the file is not UTF-8: its byte 0x{bytes[read]:X2} does not start a character";
             error = source.Error(source.Text.Length, message);
         }
 

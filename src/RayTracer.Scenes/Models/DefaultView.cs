@@ -36,7 +36,7 @@ public static class DefaultView
         List<string> notes = [.. model.Notes];
         if (model.Camera is null)
         {
-            notes.Add("the file has no camera: all of it is shown from the front, the right and above");
+            notes.Add("the file has no camera: the whole model is shown from the front, right and above");
         }
 
         scene = scene with { Camera = model.Camera ?? Camera(center, extent), Render = scene.Render with { Integrator = Integrator.Path } };

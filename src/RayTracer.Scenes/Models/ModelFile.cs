@@ -15,7 +15,7 @@ public static class ModelFile
     /// <param name="read">Reads the file of a path; throws <see cref="ModelException"/> where something is wrong with it.</param>
     public static void Register(string extension, Func<string, ImportedModel> read) => Readers[extension] = read;
 
-    /// <summary>Whether a path has the extension of a format that is read.</summary>
+    /// <summary>True where a path has the extension of a format that is read.</summary>
     public static bool IsModel(string path) => Readers.ContainsKey(Path.GetExtension(path));
 
     /// <summary>Reads a model.</summary>
@@ -26,7 +26,7 @@ public static class ModelFile
     {
         string extension = Path.GetExtension(path);
         return Readers.TryGetValue(extension, out Func<string, ImportedModel>? read) ? read(path) : throw new ModelException(
-            $"{(extension.Length > 0 ? Quotation.Of(extension) : "a file without an extension")} is no format of models that is read here: "
+            $"{(extension.Length > 0 ? Quotation.Of(extension) : "a file without an extension")} is not a model format that can be read:  "
             + (Extensions.Count > 0 ? string.Join(", ", Extensions) : "programs register the formats of RayTracer.Import by Importers.Register()"));
     }
 }

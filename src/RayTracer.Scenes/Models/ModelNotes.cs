@@ -1,6 +1,6 @@
 namespace RayTracer.Scenes;
 
-/// <summary>What there is to tell about a model beside errors: what was left out, changed or made up. Each is told once.</summary>
+/// <summary>The notes about a model besides errors: things that were ignored, changed or made up. Each is reported once.</summary>
 internal sealed class ModelNotes
 {
     // Nobody reads more, and a hostile file could make millions.

@@ -9,7 +9,7 @@ public static class ModelScene
     /// <summary>The scene that shows a model, which it names by its file.</summary>
     /// <param name="model">What the file holds.</param>
     /// <param name="file">The file, as a scene names it.</param>
-    /// <returns>The scene, and what was made up, one sentence each. The model's own notes are told when the scene is built.</returns>
+    /// <returns>The scene, and a sentence for each thing that was made up. The model's own notes are reported when the scene is built.</returns>
     public static (SceneDescription Scene, IReadOnlyList<string> Notes) Of(ImportedModel model, string file)
     {
         ImportedModel complete = DefaultView.Complete(model);

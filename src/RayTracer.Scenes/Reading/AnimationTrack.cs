@@ -43,7 +43,7 @@ internal static class AnimationTrack
         return isSingle && items.Length == 1 ? items[0] : new(JsonKind.Array, place.Start, place.End) { Items = items };
     }
 
-    private static string Whole(PropertyPlace place) => $"{Quotation.Of(place.Path)} is a whole thing: name one of its numbers, vectors or colours";
+    private static string Whole(PropertyPlace place) => $"{Quotation.Of(place.Path)} is not a single value: name one of its numbers, vectors or colours";
 
     // The numbers at a time, and the key at or before it.
     private static (double[] Numbers, KeyDescription Key) At(IReadOnlyList<KeyDescription> keys, double time)

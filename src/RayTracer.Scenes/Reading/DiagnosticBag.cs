@@ -8,10 +8,10 @@ internal sealed class DiagnosticBag(SourceText source)
     // Nobody reads suggestions beyond this, and searching them takes long.
     private const int MostSuggestions = 200;
 
-    /// <summary>What is wrong so far.</summary>
+    /// <summary>The diagnostics so far.</summary>
     public List<Diagnostic> Diagnostics { get; } = [];
 
-    /// <summary>Whether words that are unknown still get suggestions.</summary>
+    /// <summary>True where words that are unknown still get suggestions.</summary>
     public bool GivesHints => Diagnostics.Count < MostSuggestions;
 
     public void Error(JsonNode at, string message, DiagnosticRule? rule = null) => Error(at.Start, message, rule);

@@ -101,7 +101,7 @@ internal sealed class NumberReader(DiagnosticBag bag)
         Rgb? color = CssColors.FromHex(node.Text);
         if (color is null)
         {
-            bag.Error(node, $"{Quotation.Of(node.Text)} is no colour: expected # and three or six hexadecimal digits");
+            bag.Error(node, $"{Quotation.Of(node.Text)} is not a colour: expected # and three or six hexadecimal digits");
         }
 
         return color;

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Where in a scene an animated property stands, for programs that change scenes: the keys and numbers of elements that lead there, and how the path calls them.</summary>
+/// <summary>The place of an animated property in a scene, for programs that change scenes: the keys and indices that lead there, and their names in the path.</summary>
 /// <param name="Steps">Keys, and the numbers of elements of lists from 0.</param>
 /// <param name="IsNamed">Of each step, whether it is an element of a list that is called by its name.</param>
 public sealed record PropertyAddress(IReadOnlyList<string> Steps, IReadOnlyList<bool> IsNamed)

@@ -22,10 +22,10 @@ internal sealed class PropertyPath
     /// <summary>Its keys, names and numbers.</summary>
     public IReadOnlyList<PathStep> Steps => _steps;
 
-    /// <summary>Where it ends in the text that it was read from.</summary>
+    /// <summary>The end of the path in the text that it was read from.</summary>
     public int End { get; private set; }
 
-    /// <summary>What was expected instead of what is there; null where the text is a path.</summary>
+    /// <summary>The complaint about the text; null where it is a path.</summary>
     public string? Complaint { get; private set; }
 
     private char? Next => End < _text.Length ? _text[End] : null;

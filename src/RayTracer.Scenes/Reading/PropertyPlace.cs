@@ -3,7 +3,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Where a <see cref="PropertyPath"/> leads to in a scene. The property itself need not be written in the file, nor a part such as the camera.</summary>
+/// <summary>The place in a scene that a <see cref="PropertyPath"/> leads to. Neither the property itself nor a part such as the camera needs to be in the file.</summary>
 internal sealed class PropertyPlace
 {
     private readonly JsonNode _root;
@@ -18,19 +18,19 @@ internal sealed class PropertyPlace
     /// <summary>Why there is no such property; null where there is one.</summary>
     public string? Complaint { get; private set; }
 
-    /// <summary>Where in the path the step stands that the complaint is about.</summary>
+    /// <summary>The place in the path of the step that the complaint is about.</summary>
     public int ComplaintStart { get; private set; }
 
-    /// <summary>Whether the complaint is one that reading the scene with the property in its place would bring up too.</summary>
+    /// <summary>True where the complaint is one that reading the scene with the property in its place would bring up too.</summary>
     public bool IsUnknownKey { get; private set; }
 
     /// <summary>The parameter that the path leads to, or an element of which it leads to; null after a complaint, and for "type".</summary>
     public RecordParameter? Parameter { get; private set; }
 
-    /// <summary>Whether the path leads to an element of the parameter: a number of a vector, a thing of a list, a thing by its name.</summary>
+    /// <summary>True where the path leads to an element of the parameter: a number of a vector, a thing of a list, a thing by its name.</summary>
     public bool IsElement { get; private set; }
 
-    /// <summary>What the file has there; null where it has nothing.</summary>
+    /// <summary>The value in the file; null where there is none.</summary>
     public JsonNode? Node { get; private set; }
 
     /// <summary>The path that was followed, as it is written.</summary>
@@ -45,7 +45,7 @@ internal sealed class PropertyPlace
     public static PropertyPlace Find(JsonNode root, PropertyPath path)
     {
         PropertyPlace place = new(root, path);
-        place.Complaint = path.Complaint is null ? null : $"{Quotation.Of(path.Text)} is no path of a property: {path.Complaint}";
+        place.Complaint = path.Complaint is null ? null : $"{Quotation.Of(path.Text)} is not a property path: {path.Complaint}";
         for (int i = 0; place.Complaint is null && i < path.Steps.Count; i++)
         {
             (place.Complaint, int step) = place.Missing() is { } missing ? (missing, i - 1) : (place.Enter(path.Steps[i]), i);
@@ -88,7 +88,7 @@ internal sealed class PropertyPlace
 
     // Of what the file leaves out, only a record has parts: the defaults. All else must be there before something in it can change.
     private string? Missing() => Node is not null || Parameter is { Kind: ParameterKind.Record } or { HasNames: true } ? null
-        : $"the scene does not give {Here}: nothing in it can change unless it is given as a whole";
+        : $"the scene does not set {Here}: nothing in it can change unless all of it is set";
 
     private string? Enter(PathStep step) => Node?.Kind switch
     {
@@ -116,7 +116,7 @@ internal sealed class PropertyPlace
         RecordType? type = Type();
         Parameter = type?.Find(step.Key);
         IsElement = false;
-        string? complaint = type is null ? $"{Here} is of no known type" : Parameter is null && !type.IsExtra(step.Key) ? type.Refusal(step.Key) : null;
+        string? complaint = type is null ? $"{Here} has no known type" : Parameter is null && !type.IsExtra(step.Key) ? type.Refusal(step.Key) : null;
         IsUnknownKey = complaint is not null;
         return Go(new(step.Key, null, false), Node?.Find(step.Key)) ?? complaint;
     }
@@ -127,7 +127,7 @@ internal sealed class PropertyPlace
         int[] called = step.Index is null ? [.. Enumerable.Range(0, items.Count).Where(i => items[i].Find("name")?.Text == step.Key)] : [];
         if (called.Length > 1)
         {
-            return $"{called.Length} in {Here} are called {Quotation.Of(step.Key)}: use a number, as in [{called[0]}]";
+            return $"{called.Length} elements of {Here} are called {Quotation.Of(step.Key)}: use a number, as in [{called[0]}]";
         }
 
         bool isNamed = called.Length == 1;

@@ -8,7 +8,7 @@ namespace RayTracer.Scenes;
 /// <summary>Turns the values of a scene file into description records, by reflection over their parameters.</summary>
 internal sealed class RecordReader
 {
-    /// <summary>How deep textures, materials and shapes may be nested within one another. Each level may double the work of shading a point.</summary>
+    /// <summary>The maximum depth of nested textures, materials and shapes. Each level may double the work of shading a point.</summary>
     public const int MaximumNesting = 16;
 
     private readonly DiagnosticBag _bag;
@@ -154,7 +154,7 @@ internal sealed class RecordReader
 
         if (node.Text.Length == 0 || node.Text.Contains('\0', StringComparison.Ordinal))
         {
-            _bag.Error(node, $"{Quotation.Of(node.Text)} is no path of a file");
+            _bag.Error(node, $"{Quotation.Of(node.Text)} is not a file path");
             return null;
         }
 
@@ -250,7 +250,7 @@ internal sealed class RecordReader
 
         if (_nesting == MaximumNesting)
         {
-            _bag.Error(node, $"things within things are nested more than {_nesting} deep");
+            _bag.Error(node, $"records are nested more than {_nesting} deep");
             return null;
         }
 

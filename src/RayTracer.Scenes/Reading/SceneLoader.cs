@@ -24,9 +24,9 @@ public static class SceneLoader
         if (ImageFile.FormatOf(path) is { } format)
         {
             string advice = format is FilmFormat
-                ? $"\"raytracer resume {path}\" goes on with it, \"raytracer convert {path} FILE.png\" makes an image of it"
+                ? $"\"raytracer resume {path}\" resumes it, \"raytracer convert {path} FILE.png\" makes an image of it"
                 : $"\"raytracer view {path}\" shows it";
-            string message = $"this is {format.FileName} and no scene: {advice}";
+            string message = $"this is {format.FileName}, not a scene: {advice}";
             return new(null, null, [new(path, 0, 0, Severity.Error, message) { Rule = DiagnosticRule.Unreadable }]);
         }
 

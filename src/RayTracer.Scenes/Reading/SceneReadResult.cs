@@ -2,7 +2,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Scenes;
 
-/// <summary>What was read from a scene file.</summary>
+/// <summary>The result of reading a scene file.</summary>
 public sealed class SceneReadResult
 {
     internal SceneReadResult(SourceText? source, JsonNode? root, SceneDescription? partial, SourceMap map, IEnumerable<Diagnostic> diagnostics)
@@ -18,10 +18,10 @@ public sealed class SceneReadResult
     /// <summary>The scene; null where any diagnostic is an error.</summary>
     public SceneDescription? Description { get; }
 
-    /// <summary>What is wrong, by position.</summary>
+    /// <summary>The diagnostics, by position.</summary>
     public IReadOnlyList<Diagnostic> Diagnostics { get; }
 
-    /// <summary>Where each record of the scene stands in the file.</summary>
+    /// <summary>The place of each record of the scene in the file.</summary>
     public SourceMap SourceMap { get; }
 
     /// <summary>The file's JSON, for editors; null after an error of syntax.</summary>

@@ -1,7 +1,7 @@
 namespace RayTracer.Scenes;
 
 /// <summary>
-/// A value to put in the place of one of a scene file, written <c>camera.fieldOfView=35</c>. Elements of lists are told by their numbers from 0
+/// A value that overrides one of a scene file, written <c>camera.fieldOfView=35</c>. Elements of lists are named by their numbers from 0
 /// (<c>shapes[2].radius=1</c>) or by their names (<c>shapes.globe.radius=1</c>); names in which signs of the path occur stand in brackets and double quotes (<see cref="PropertyPath"/>).
 /// The value is JSON; a word without quotes is a string.
 /// </summary>

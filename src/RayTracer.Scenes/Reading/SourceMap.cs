@@ -2,7 +2,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Where in a scene file each description record was read from.</summary>
+/// <summary>The place in a scene file of each description record.</summary>
 public sealed class SourceMap
 {
     private readonly Dictionary<object, JsonNode> _nodes = new(ReferenceEqualityComparer.Instance);

@@ -32,7 +32,7 @@ internal sealed class TrackChecker(JsonNode root, DiagnosticBag bag, SourceMap m
     {
         if (track.Keys.Count == 0)
         {
-            bag.Error(map.Find(track, nameof(TrackDescription.Keys))!, "a track needs a key at least");
+            bag.Error(map.Find(track, nameof(TrackDescription.Keys))!, "a track needs at least one key");
         }
 
         float before = float.NegativeInfinity;
@@ -40,7 +40,7 @@ internal sealed class TrackChecker(JsonNode root, DiagnosticBag bag, SourceMap m
         {
             if (key.Time <= before)
             {
-                bag.Error(map.Find(key, nameof(KeyDescription.Time))!, $"keys must stand in the order of their times, but {key.Time} follows {before}");
+                bag.Error(map.Find(key, nameof(KeyDescription.Time))!, $"keys must be in the order of their times, but {key.Time} follows {before}");
             }
 
             before = key.Time;
@@ -53,7 +53,7 @@ internal sealed class TrackChecker(JsonNode root, DiagnosticBag bag, SourceMap m
         JsonNode value = map.Find(key, nameof(KeyDescription.Value))!;
         if (key.Value.Count != count)
         {
-            bag.Error(value, $"the keys of a track have equally many numbers, but here are {key.Value.Count} and in the first key {count}");
+            bag.Error(value, $"the keys of a track must have the same number of values, but this one has {key.Value.Count} and the first has {count}");
             return;
         }
 

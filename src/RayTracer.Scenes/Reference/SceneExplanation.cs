@@ -9,7 +9,7 @@ public static partial class SceneExplanation
 {
     private const int Indent = 2;
 
-    /// <summary>What can be explained, with what each part may hold.</summary>
+    /// <summary>The topics that can be explained, with the contents of each part.</summary>
     public static string Topics()
     {
         StringBuilder text = new("A scene file has these keys:\n");
@@ -20,7 +20,7 @@ public static partial class SceneExplanation
         }
 
         IEnumerable<string> parts = SceneTypes.Parts.Where(p => p != SceneTypes.Scene).Select(p => p.Name).Distinct(StringComparer.Ordinal);
-        return text.Append($"\nParts: {string.Join(", ", parts)}\n\nEach of these words can be explained, and what is in it: camera.fieldOfView, sphere.radius, materials.glass.refractiveIndex\n").ToString();
+        return text.Append($"\nParts: {string.Join(", ", parts)}\n\nEach of these words and its parts can be explained: camera.fieldOfView, sphere.radius, materials.glass.refractiveIndex\n").ToString();
     }
 
     /// <summary>Explains a key, a type, or a path of them.</summary>

@@ -34,7 +34,7 @@ public static class SceneReference
         # The scene format
 
         A scene is a JSON file in UTF-8. `//` and `/* */` comments and commas before a closing bracket are allowed.
-        A key that is not listed here, a key that is there twice, or a value out of its range is an error: nothing is ignored.
+        A key that is not listed here, a key that appears twice, or a value out of its range is an error: nothing is ignored.
         With `"$schema"` at the top, editors complete and check what is typed.
 
         """;
@@ -42,20 +42,20 @@ public static class SceneReference
     private const string Conventions = """
         ## Conventions
 
-        - **Space** is right-handed with y up: x to the right, y up, z towards the viewer. Lengths have no unit of their own
+        - **Space** is right-handed with y up: x to the right, y up, z towards the viewer. Lengths have no fixed unit
           ("scene units"). Angles are in degrees.
         - **Vectors** are written `[x, y, z]`, pairs `[u, v]`.
         - **Colours** are linear sRGB (Rec. 709 primaries). Written as `[red, green, blue]`, the numbers are linear, and 1 is
           white. Written as a CSS name (`"skyblue"`, in lower case) or `"#rgb"` or `"#rrggbb"`, the colour is decoded from sRGB,
           so that it looks as in a browser.
-        - **Textures** may stand wherever a material takes a colour: a colour, the name of a texture under `textures`, or a
-          texture itself, `{ "type": … }`. Pictures are decoded from sRGB unless they are said to be raw. (0, 0) in uv is
+        - **Textures** may be used wherever a material takes a colour: a colour, the name of a texture under `textures`, or a
+          texture itself, `{ "type": … }`. Pictures are decoded from sRGB unless they are marked as raw. (0, 0) in uv is
           the lower left corner of a picture, u grows to the right, v upwards. No texture can have the name of a CSS colour.
-        - **Materials** are written in place, `{ "type": … }`, or by their names under `materials`. Definitions may stand in
-          any order and refer to each other, but not in a circle. Things may be nested 16 deep.
-        - **Objects** are shapes under a name in `objects`. Any number of instances show them at other places, and all share
+        - **Materials** are written in place, `{ "type": … }`, or by their names under `materials`. Definitions may come in
+          any order and refer to each other, but not in a circle. Records may be nested 16 deep.
+        - **Objects** are shapes under a name in `objects`. Any number of instances may show them in other places, and all share
           the memory of one. An object may be made of instances of others.
-        - **Files** are looked for from the folder of the scene file.
+        - **File paths** are relative to the folder of the scene file.
 
         """;
 

@@ -27,7 +27,7 @@ internal sealed class Spectrum(float[] wavelengths, float[] values)
         return values[next - 1] + (along * ((double)values[next] - values[next - 1]));
     }
 
-    /// <summary>What a black body radiates, in W/(m² sr nm), by Planck's law (Planck 1901) with the exact constants of the SI; nothing beyond two wavelengths.</summary>
+    /// <summary>The radiance of a black body, in W/(m² sr nm), by Planck's law (Planck 1901) with the exact constants of the SI; nothing beyond two wavelengths.</summary>
     /// <param name="temperature">Its temperature in kelvins.</param>
     /// <param name="first">Shortest wavelength in nm.</param>
     /// <param name="last">Longest wavelength in nm.</param>

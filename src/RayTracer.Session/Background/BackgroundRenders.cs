@@ -32,7 +32,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
         int total = order.Scene.Render.SamplesPerPixel;
         if (number < 1 || number > count || count > total)
         {
-            throw new SessionException($"{total} samples make {total} parts at most, numbered from 1.");
+            throw new SessionException($"{total} samples make at most {total} parts, numbered from 1.");
         }
 
         SampleRange share = Shares.Part(number, count, total);
@@ -69,7 +69,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
         string full = Whole(pattern);
         if (!Path.GetFileName(full).Contains('#', StringComparison.Ordinal) && first < last)
         {
-            throw new SessionException("Each frame has its own file: give its number's place in the name, as in frame-####.png.");
+            throw new SessionException("Each frame has its own file: mark its number's place in the name, as in frame-####.png.");
         }
 
         ShownScene shown = view.RequireShown();
@@ -103,7 +103,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
         string full = Whole(path);
         if (parts.Count == 0)
         {
-            throw new SessionException("Choose the films that are to be merged.");
+            throw new SessionException("Choose the films to merge.");
         }
 
         if (!FilmFile.IsNamed(full))
@@ -115,7 +115,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
         FilmMerge merge = FilmMerge.Of([.. parts.Select(Whole)]);
         if (merge.Missing is { } missing && !FilmFile.IsNamed(full))
         {
-            throw new SessionException($"The picture is not whole: {missing}. A film (.rtfilm) may lack some.");
+            throw new SessionException($"The picture is incomplete: {missing}. A film (.rtfilm) may lack some.");
         }
 
         return jobs.Start($"merging {parts.Count} films", (progress, cancellation) =>
@@ -169,7 +169,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
     {
         if (!overwrite && files.FirstOrDefault(File.Exists) is { } file)
         {
-            throw new SessionException($"There is a file '{file}' already.", SessionFault.Conflict);
+            throw new SessionException($"The file '{file}' exists already.", SessionFault.Conflict);
         }
     }
 

@@ -102,7 +102,7 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
         ImageFile.Check(full);
         if (!overwrite && File.Exists(full))
         {
-            throw new SessionException($"There is a file '{full}' already.", SessionFault.Conflict);
+            throw new SessionException($"The file '{full}' exists already.", SessionFault.Conflict);
         }
     }
 

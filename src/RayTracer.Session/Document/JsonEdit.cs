@@ -143,7 +143,7 @@ public static class JsonEdit
             || (container.Kind == JsonKind.Array && (step == "-" || JsonPointer.Index(step) == container.Items.Count));
         if (!fits)
         {
-            throw new DocumentException($"there is no place {JsonLayout.Quote(step)} in {(pointer.Length > 0 ? JsonLayout.Quote(pointer) : "the scene")}");
+            throw new DocumentException($"there is nothing at {JsonLayout.Quote(step)} in {(pointer.Length > 0 ? JsonLayout.Quote(pointer) : "the scene")}");
         }
 
         string key = container.Kind == JsonKind.Object ? JsonLayout.Quote(step) + ": " : "";

@@ -17,7 +17,7 @@ public static class JsonPointer
 
         return pointer[0] == '/'
             ? [.. pointer[1..].Split('/').Select(s => s.Replace("~1", "/", StringComparison.Ordinal).Replace("~0", "~", StringComparison.Ordinal))]
-            : throw new DocumentException($"{JsonLayout.Quote(pointer)} is no JSON pointer: it must begin with a slash");
+            : throw new DocumentException($"{JsonLayout.Quote(pointer)} is not a JSON pointer: it must start with a slash");
     }
 
     /// <summary>The pointer of some steps.</summary>

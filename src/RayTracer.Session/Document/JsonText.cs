@@ -54,6 +54,6 @@ public sealed class JsonText
     private static DocumentException Fault(IReadOnlyList<Diagnostic> diagnostics)
     {
         Diagnostic? first = diagnostics.FirstOrDefault(d => d.Severity == Severity.Error);
-        return new($"first mend the text: line {first?.Line ?? 1}, column {first?.Column ?? 1}: {first?.Message ?? "it is no JSON"}");
+        return new($"first correct the text: line {first?.Line ?? 1}, column {first?.Column ?? 1}: {first?.Message ?? "it is no JSON"}");
     }
 }

@@ -51,7 +51,7 @@ public static class JsonValues
         float exact = (float)value;
         if (!float.IsFinite(exact))
         {
-            throw new DocumentException("the thing would be moved or grow beyond all numbers");
+            throw new DocumentException("the shape would move or grow beyond all numbers");
         }
 
         float round = float.Parse(exact.ToString("G6", System.Globalization.CultureInfo.InvariantCulture), System.Globalization.CultureInfo.InvariantCulture);

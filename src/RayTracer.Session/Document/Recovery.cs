@@ -64,7 +64,7 @@ public sealed class Recovery : IDisposable
             }
             catch (Exception e) when (e is IOException or UnauthorizedAccessException)
             {
-                throw new DocumentException($"the kept text cannot be deleted: {e.Message.TrimEnd('.')}", e);
+                throw new DocumentException($"the recovered text cannot be deleted: {e.Message.TrimEnd('.')}", e);
             }
         }
 
@@ -133,7 +133,7 @@ public sealed class Recovery : IDisposable
         }
     }
 
-    private static DocumentException Missing() => new("there is no such unsaved text any more");
+    private static DocumentException Missing() => new("that unsaved text no longer exists");
 
     private static RecoveredText? Read(string path)
     {

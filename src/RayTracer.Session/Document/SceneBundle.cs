@@ -127,7 +127,7 @@ public static class SceneBundle
         string target = isWithin ? Path.GetFullPath(Path.Combine(folder, name)) : "";
         if (!isWithin || !target.StartsWith(Path.GetFullPath(folder) + Path.DirectorySeparatorChar, StringComparison.Ordinal))
         {
-            throw new DocumentException($"the archive names a file outside of itself: {JsonLayout.Quote(entry.FullName)}");
+            throw new DocumentException($"the archive names a file outside itself: {JsonLayout.Quote(entry.FullName)}");
         }
 
         Directory.CreateDirectory(Path.GetDirectoryName(target)!);

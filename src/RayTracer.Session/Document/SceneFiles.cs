@@ -137,7 +137,7 @@ public sealed class SceneFiles
         lock (_lock)
         {
             DocumentPlace place = _document.Place;
-            string target = path is null ? place.Path ?? throw new DocumentException("the scene has no file yet: say where to save it") : Named(Whole(path));
+            string target = path is null ? place.Path ?? throw new DocumentException("the scene has no file yet: choose where to save it") : Named(Whole(path));
             CheckTarget(target, place, overwrite);
             DocumentPlace moved = DocumentPlace.Of(target) with { LineEnd = place.LineEnd };
             if (moved.Folder != place.Folder && _document.Read.Root is not null)
@@ -235,7 +235,7 @@ public sealed class SceneFiles
     {
         if (!discard && _document.IsDirty)
         {
-            throw new DocumentException($"{_document.Place.Name} has changes that were not saved") { Conflict = DocumentConflict.Unsaved };
+            throw new DocumentException($"{_document.Place.Name} has unsaved changes") { Conflict = DocumentConflict.Unsaved };
         }
     }
 
@@ -248,17 +248,17 @@ public sealed class SceneFiles
 
         if (target != place.Path)
         {
-            throw new DocumentException($"there is a file {target} already") { Conflict = DocumentConflict.Exists };
+            throw new DocumentException($"the file {target} exists already") { Conflict = DocumentConflict.Exists };
         }
 
         if (FileStamp.Of(target) != _stamp)
         {
-            throw new DocumentException($"{target} has been changed by somebody else since it was opened here") { Conflict = DocumentConflict.ChangedOnDisk };
+            throw new DocumentException($"{target} has been changed elsewhere since it was opened here") { Conflict = DocumentConflict.ChangedOnDisk };
         }
     }
 
     private static string Whole(string path) => Path.IsPathFullyQualified(path) && !path.Contains('\0', StringComparison.Ordinal)
-        ? Path.GetFullPath(path) : throw new DocumentException("the file needs a whole path, from the root on");
+        ? Path.GetFullPath(path) : throw new DocumentException("the file needs an absolute path");
 
     private static string Named(string path) => Path.GetExtension(path).ToLowerInvariant() switch
     {

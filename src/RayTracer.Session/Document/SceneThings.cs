@@ -135,7 +135,7 @@ public static class SceneThings
     {
         if (SceneValue.At(text.Root, pointer) is { Parameter.Required: true } needed && needed.Key == needed.Parameter.Key)
         {
-            throw new DocumentException($"{JsonLayout.Quote(needed.Parameter.Key)} cannot be missing");
+            throw new DocumentException($"{JsonLayout.Quote(needed.Parameter.Key)} is required");
         }
 
         if (SceneReferences.DefinedAt(pointer) is not { } family)
@@ -153,8 +153,8 @@ public static class SceneThings
 
         if (count > 0)
         {
-            string what = family == SceneTypes.Shapes ? "instance went with it" : "reference to it became the default";
-            string many = family == SceneTypes.Shapes ? "instances went with it" : "references to it became the default";
+            string what = family == SceneTypes.Shapes ? "instance was deleted with it" : "reference to it became the default";
+            string many = family == SceneTypes.Shapes ? "instances were deleted with it" : "references to it became the default";
             notes.Add(string.Create(CultureInfo.InvariantCulture, $"deleted the {(family == SceneTypes.Shapes ? "object" : family.Noun)} {JsonLayout.Quote(name)}: {count} {(count == 1 ? what : many)}"));
         }
 

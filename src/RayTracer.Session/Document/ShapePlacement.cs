@@ -50,7 +50,7 @@ public static class ShapePlacement
         SceneValue shape = Shape(text, pointer);
         if (!movement.Map.IsInvertible)
         {
-            throw new DocumentException("the thing would become too large, too small or too far away to compute with");
+            throw new DocumentException("the shape would become too large, too small or too far away to compute with");
         }
 
         Transform outer = Outer(text, pointer);

@@ -30,7 +30,7 @@ public sealed class Uploads(UserFolders folders) : IDisposable
         string bare = Path.GetFileName(name.Replace('\\', '/'));
         if (bare.Length is 0 or > 200 || bare.StartsWith('.') || bare.Any(c => char.IsControl(c) || c is ':' or '*' or '?' or '"' or '<' or '>' or '|'))
         {
-            throw new DocumentException("the file needs a name that every system can have");
+            throw new DocumentException("the file needs a name that is valid on every system");
         }
 
         string path = Path.Combine(Folder(), bare);
@@ -41,7 +41,7 @@ public sealed class Uploads(UserFolders folders) : IDisposable
             await using (stream.ConfigureAwait(false))
             {
                 long most = Math.Min(MaximumBytes, MaximumTotal - Interlocked.Read(ref _total));
-                long length = await Bounded.CopyAsync(content, stream, most, $"{bare} is too large: files of up to {MaximumBytes >> 20} MiB are taken", cancellation).ConfigureAwait(false);
+                long length = await Bounded.CopyAsync(content, stream, most, $"{bare} is too large: files of up to {MaximumBytes >> 20} MiB are accepted", cancellation).ConfigureAwait(false);
                 Interlocked.Add(ref _total, length);
             }
 

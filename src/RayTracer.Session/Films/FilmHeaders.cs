@@ -18,7 +18,7 @@ internal static class FilmHeaders
     {
         if (shown.Picture != order.Picture || !DescriptionEquality.Same(order.Camera, shown.Description.Camera))
         {
-            throw new SessionException("The picture is changing: write it when it rests.", SessionFault.Refused);
+            throw new SessionException("The picture is changing: write it when it has settled.", SessionFault.Refused);
         }
 
         FilmHeader header = new()

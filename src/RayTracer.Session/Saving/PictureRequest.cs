@@ -16,7 +16,7 @@ public sealed record PictureRequest(int BitDepth, IReadOnlyList<AuxiliaryImage> 
     {
         if (bitDepth is not (null or 8 or 16))
         {
-            throw new SessionException("A PNG is written with 8 or 16 bits a channel.");
+            throw new SessionException("A PNG is written with 8 or 16 bits per channel.");
         }
 
         return new(bitDepth ?? 8, [.. layers.Select(name => AuxiliaryImage.Known.Find(name)

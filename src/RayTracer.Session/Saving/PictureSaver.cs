@@ -25,7 +25,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     {
         if (string.IsNullOrWhiteSpace(path) || path.Contains('\0', StringComparison.Ordinal))
         {
-            throw new SessionException("A picture needs the name of a file.");
+            throw new SessionException("A picture needs a file name.");
         }
 
         string full = Path.GetFullPath(path, Path.GetFullPath(document.Place.Folder is "" ? "." : document.Place.Folder));
@@ -82,7 +82,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     {
         if (!overwrite && File.Exists(file))
         {
-            throw new SessionException($"There is a file '{file}' already.", SessionFault.Conflict);
+            throw new SessionException($"The file '{file}' exists already.", SessionFault.Conflict);
         }
     }
 

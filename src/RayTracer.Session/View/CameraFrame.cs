@@ -5,7 +5,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Session;
 
 /// <summary>How the camera projects, for whoever draws over the picture.</summary>
-/// <param name="Position">Where the eye is.</param>
+/// <param name="Position">The position of the eye.</param>
 /// <param name="Right">Unit direction to the right in the picture.</param>
 /// <param name="Up">Unit direction up in the picture.</param>
 /// <param name="Forward">Unit viewing direction.</param>
@@ -14,7 +14,7 @@ namespace RayTracer.Session;
 /// <param name="Height">Height of the picture in pixels.</param>
 public sealed record CameraFrame(Vector3 Position, Vector3 Right, Vector3 Up, Vector3 Forward, float FieldOfView, int Width, int Height)
 {
-    /// <summary>The point that the middle of the picture shows.</summary>
+    /// <summary>The point shown in the middle of the picture.</summary>
     public Vector3 LookAt { get; init; }
 
     // How many picture heights away an eye stands for parallel rays.

@@ -39,7 +39,7 @@ public sealed record Gizmo(Vector3 Center, float Radius, Vector3 Minimum, Vector
 
         return all.IsFinite
             ? new((all.Minimum + all.Maximum) * 0.5f, ((all.Maximum - all.Minimum) * 0.5f).Norm(), all.Minimum, all.Maximum)
-            : throw new SessionException("There is no thing of a size there.", SessionFault.Missing);
+            : throw new SessionException("There is nothing there with a size.", SessionFault.Missing);
     }
 
     /// <summary>The handles, as they are drawn over the picture.</summary>

@@ -91,7 +91,7 @@ public sealed class PictureView : IDisposable
         {
             if (!(value.Exposure is >= -100 and <= 100) || !Enum.IsDefined(value.ToneMap))
             {
-                throw new SessionException("The exposure must be from -100 to 100 stops, and the tone map one that there is.");
+                throw new SessionException("The exposure must be from -100 to 100 stops, and the tone map an existing one.");
             }
 
             lock (_lock)
@@ -309,7 +309,7 @@ public sealed class PictureView : IDisposable
             _start = isSame ? start : null;
             if (!isSame)
             {
-                Refused?.Invoke($"The film is not of {place.Name}: the scene, a file that it names, its settings or the program are others than they were. The picture begins anew.");
+                Refused?.Invoke($"The film is not of {place.Name}: the scene, a file that it refers to, its settings or the program have changed. Rendering starts from scratch.");
             }
         }
 

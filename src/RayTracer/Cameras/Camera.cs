@@ -23,13 +23,13 @@ public sealed class Camera
         _motion = motion;
     }
 
-    /// <summary>Whether rays use the lens dimensions.</summary>
+    /// <summary>True where rays use the lens dimensions.</summary>
     public bool HasLens => _lens is not null;
 
-    /// <summary>Whether the camera moves in time.</summary>
+    /// <summary>True where the camera moves in time.</summary>
     public bool Moves => !_motion.IsStill;
 
-    /// <summary>Whether the camera moves, or stands elsewhere than its position and target say.</summary>
+    /// <summary>True where the camera moves, or is elsewhere than its position and target say.</summary>
     internal bool IsPlaced => !ReferenceEquals(_motion, Motion.None);
 
     /// <summary>Makes the camera that a description describes; reports what is wrong with it and returns null.</summary>
@@ -86,7 +86,7 @@ public sealed class Camera
         return distance * Vec3W.Dot(Vec3W.Normalize(toFocus), _view.Forward)[0];
     }
 
-    /// <summary>Where the camera stands at a time in seconds: the middle of its lens, or of its picture where its rays are parallel.</summary>
+    /// <summary>The place of the camera at a time in seconds: the middle of its lens, or of its picture where its rays are parallel.</summary>
     internal Vec3W Origin(float time)
     {
         Vec3W origin = _view.Camera.Position;

@@ -5,7 +5,7 @@ using RayTracer.Sampling;
 
 namespace RayTracer.Cameras;
 
-/// <summary>Where rays pass a camera's lens.</summary>
+/// <summary>The points where rays pass a camera's lens.</summary>
 /// <param name="lens">The description of one that is no pinhole.</param>
 /// <param name="right">Unit direction to the right in the picture.</param>
 /// <param name="up">Unit direction upwards in the picture.</param>

@@ -17,10 +17,10 @@ public abstract class ProjectionKind
     /// <summary>Why a camera of this kind cannot show a window of its picture, as the end of a message; null where it can.</summary>
     public virtual string? WindowComplaint => null;
 
-    /// <summary>Whether straight lines are straight in the picture.</summary>
+    /// <summary>True where straight lines are straight in the picture.</summary>
     public virtual bool IsStraight => true;
 
-    /// <summary>Whether all rays are parallel, so that nothing gets smaller with distance.</summary>
+    /// <summary>True where all rays are parallel, so that nothing gets smaller with distance.</summary>
     public virtual bool IsParallel => false;
 
     /// <summary>The kind of a camera's projection.</summary>

@@ -2,7 +2,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Cameras;
 
-/// <summary>How much of a plane across the view a picture shows.</summary>
+/// <summary>The part of a plane across the view that a picture shows.</summary>
 public static class ViewPlane
 {
     /// <summary>The extent of a picture that a field of view measures.</summary>

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayTracer.Description;
 
-/// <summary>Which extent of the picture the field of view measures.</summary>
+/// <summary>The extent of the picture that the field of view measures.</summary>
 public enum FieldOfViewAxis
 {
     /// <summary>The height of the picture.</summary>
@@ -21,7 +21,7 @@ public enum FieldOfViewAxis
     Diagonal,
 }
 
-/// <summary>How the camera maps what it sees to the picture.</summary>
+/// <summary>The projection of the scene to the picture.</summary>
 public enum Projection
 {
     /// <summary>By rays through one point: what is farther away is smaller.</summary>
@@ -37,32 +37,32 @@ public enum Projection
 /// <summary>Describes the camera.</summary>
 public sealed record CameraDescription
 {
-    /// <summary>Where the eye is.</summary>
-    [Parameter("Where the eye is.", Unit = "scene units")]
+    /// <summary>The position of the eye.</summary>
+    [Parameter("The position of the eye.", Unit = "scene units")]
     public Vector3 Position { get; init; } = new(0, 1, 5);
 
     /// <summary>The point in the middle of the picture.</summary>
-    [Parameter("The point that the middle of the picture shows.", Unit = "scene units")]
+    [Parameter("The point shown in the middle of the picture.", Unit = "scene units")]
     public Vector3 LookAt { get; init; }
 
     /// <summary>The direction that is up in the picture.</summary>
     [Parameter("The direction that is up in the picture; it need not be perpendicular to the viewing direction.")]
     public Vector3 Up { get; init; } = new(0, 1, 0);
 
-    /// <summary>How what is seen is mapped to the picture.</summary>
-    [Parameter("How what is seen is mapped to the picture: perspective, orthographic (parallel rays; viewSize tells how much they show), or spherical (all directions around the eye: 360 degrees across the picture and 180 along its height, the point looked at in the middle; pixels are square in a picture twice as wide as high).")]
+    /// <summary>The projection of the scene to the picture.</summary>
+    [Parameter("The projection: perspective, orthographic (parallel rays; viewSize sets how much they show), or spherical (all directions around the eye: 360 degrees across the picture and 180 along its height, the point looked at in the middle; pixels are square in a picture twice as wide as high).")]
     public Projection Projection { get; init; } = Projection.Perspective;
 
     /// <summary>Extent of what an orthographic camera shows over <see cref="FieldOfViewAxis"/>.</summary>
-    [Parameter("Only for orthographic: how much the picture shows, over the height unless fieldOfViewAxis says otherwise.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
+    [Parameter("Only for orthographic: the extent that the picture shows, over its height unless fieldOfViewAxis says otherwise.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
     public float ViewSize { get; init; } = 2;
 
     /// <summary>Full angle of the field of view over <see cref="FieldOfViewAxis"/>.</summary>
-    [Parameter("Only for perspective: full angle that the picture shows, over the height unless fieldOfViewAxis says otherwise.", Unit = "degrees", Minimum = 0.001, Maximum = 179)]
+    [Parameter("Only for perspective: the full angle that the picture shows, over its height unless fieldOfViewAxis says otherwise.", Unit = "degrees", Minimum = 0.001, Maximum = 179)]
     public float FieldOfView { get; init; } = 40;
 
-    /// <summary>Which extent of the picture <see cref="FieldOfView"/> measures.</summary>
-    [Parameter("Which extent of the picture the field of view, or viewSize, measures.")]
+    /// <summary>The extent of the picture that <see cref="FieldOfView"/> measures.</summary>
+    [Parameter("The extent of the picture that the field of view, or viewSize, measures.")]
     public FieldOfViewAxis FieldOfViewAxis { get; init; } = FieldOfViewAxis.Vertical;
 
     /// <summary>The part of the whole picture that is shown: where it begins from the upper left, and its size, in fractions of the whole; empty for all of it.</summary>
@@ -73,11 +73,11 @@ public sealed record CameraDescription
     [Parameter("The lens, for depth of field. Without it the camera is a pinhole.")]
     public LensDescription Lens { get; init; } = new();
 
-    /// <summary>How the camera is moved from where its own numbers put it; empty where it is not.</summary>
+    /// <summary>The transform of the camera from where its own numbers put it; empty for none.</summary>
     [Parameter("How the camera is moved from where its numbers put it: steps, the first one applied first.")]
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
-    /// <summary>How the camera moves in time, after its transform; empty where it rests.</summary>
-    [Parameter("How the camera moves in time, from where it stands otherwise: keyframes in the order of their times.")]
+    /// <summary>The motion of the camera in time, after its transform; empty where it rests.</summary>
+    [Parameter("How the camera moves in time, from where it is otherwise: keyframes in the order of their times.")]
     public IReadOnlyList<KeyframeDescription> Motion { get; init; } = [];
 }

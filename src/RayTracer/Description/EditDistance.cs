@@ -1,6 +1,6 @@
 namespace RayTracer.Description;
 
-/// <summary>How far two words are apart: what "did you mean" goes by.</summary>
+/// <summary>The distance between two words, on which "did you mean" is based.</summary>
 public static class EditDistance
 {
     /// <summary>

@@ -6,19 +6,19 @@ namespace RayTracer.Description;
 /// <summary>Describes what surrounds a scene: light from infinitely far away, in all directions.</summary>
 public abstract record EnvironmentDescription
 {
-    /// <summary>How it is turned; empty where it is not.</summary>
-    [Parameter("How the environment is turned: steps, the first one applied first. Moving it changes nothing, for it is infinitely far away; stretching it is an error.")]
+    /// <summary>The rotation; empty for none.</summary>
+    [Parameter("How the environment is turned: steps, the first one applied first. Moving it changes nothing, because it is infinitely far away; stretching it is an error.")]
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
     /// <summary>The layer of light that has the environment's.</summary>
-    [Parameter("Which layer has the environment's light, where lights are written as layers (--aov lights). Without it, that is called environment.")]
+    [Parameter("The layer for the environment's light when lights are written as layers (--aov lights). Without it, the layer is called environment.")]
     public string LightGroup { get; init; } = "";
 
     /// <summary>Makes the light that this record describes, or reports why it cannot be made and returns null.</summary>
     /// <param name="builder">Gives access to pictures and takes diagnostics.</param>
     public abstract EnvironmentLight? Build(SceneBuilder builder);
 
-    /// <summary>How it is turned, as a map whose lengths all change by one factor; reports what is wrong and returns the identity.</summary>
+    /// <summary>Returns the rotation, as a map that scales all lengths by one factor; reports errors and then returns the identity.</summary>
     private protected Transform Turn(SceneBuilder builder)
     {
         Transform place = TransformSteps.Place(this, Transform, builder);

@@ -26,8 +26,8 @@ public sealed record FilterDescription
     [Parameter("The curve: box (sharp squares), tent, gaussian and blackmanHarris (soft bells), or mitchell (sharper, with negative lobes beside edges).")]
     public FilterShape Shape { get; init; } = FilterShape.Box;
 
-    /// <summary>Where the curve ends; zero for what is usual.</summary>
-    [Parameter("How far from the pixel's middle the curve ends. 0 means what is usual: 0.5 for box, 1 for tent, 1.5 for gaussian and blackmanHarris, 2 for mitchell.", Unit = "pixels", Minimum = 0, Maximum = 16)]
+    /// <summary>The radius at which the curve ends; zero for the usual one.</summary>
+    [Parameter("The distance from the pixel's middle at which the curve ends. 0 means the usual one: 0.5 for box, 1 for tent, 1.5 for gaussian and blackmanHarris, 2 for mitchell.", Unit = "pixels", Minimum = 0, Maximum = 16)]
     public float Radius { get; init; }
 
     /// <summary>Standard deviation of the bell; zero for a third of the radius.</summary>

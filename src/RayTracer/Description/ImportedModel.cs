@@ -1,6 +1,6 @@
 namespace RayTracer.Description;
 
-/// <summary>What a model file holds, in the terms of scenes.</summary>
+/// <summary>The contents of a model file, in the terms of scenes.</summary>
 /// <param name="Scene">Shapes (groups, meshes, instances) with their materials, and lights as shapes that shine.</param>
 /// <param name="Notes">What could not be represented exactly, one sentence each without a final stop: shown as warnings, once a file.</param>
 public sealed record ImportedModel(SceneDescription Scene, IReadOnlyList<string> Notes)
@@ -39,6 +39,6 @@ public sealed class ModelException : Exception
     /// <summary>The line of the model's file, from 1; 0 where the fault is in no line.</summary>
     public int Line { get; }
 
-    /// <summary>What is wrong, without the line; null where there is no line.</summary>
+    /// <summary>The complaint without the line; null where there is no line.</summary>
     public string? Reason { get; }
 }

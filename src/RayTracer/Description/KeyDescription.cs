@@ -1,6 +1,6 @@
 namespace RayTracer.Description;
 
-/// <summary>How a property goes from one key to the next.</summary>
+/// <summary>The way a property changes from one key to the next.</summary>
 public enum Ease
 {
     /// <summary>In proportion to time.</summary>
@@ -13,7 +13,7 @@ public enum Ease
     Step,
 }
 
-/// <summary>What a property is at one time.</summary>
+/// <summary>The value of a property at one time.</summary>
 public sealed record KeyDescription
 {
     /// <summary>The time.</summary>
@@ -21,10 +21,10 @@ public sealed record KeyDescription
     public float Time { get; init; }
 
     /// <summary>The numbers; a single one, or a colour's three, where the property is one.</summary>
-    [Parameter("The value at that time: a number, a list of numbers, or a colour; within the property's own range.", IsNumber = true, Required = true)]
+    [Parameter("The value at that time: a number, a list of numbers, or a colour, within the property's range.", IsNumber = true, Required = true)]
     public IReadOnlyList<float> Value { get; init; } = [];
 
-    /// <summary>How the property goes on to the next key.</summary>
-    [Parameter("How the value goes on to the next key: evenly, slowly at first and at last, or all at once when that key comes.")]
+    /// <summary>The way the property changes until the next key.</summary>
+    [Parameter("How the value changes until the next key: evenly, slowly at the start and end, or all at once when that key is reached.")]
     public Ease Ease { get; init; } = Ease.Linear;
 }

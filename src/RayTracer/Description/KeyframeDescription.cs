@@ -7,10 +7,10 @@ namespace RayTracer.Description;
 public sealed record KeyframeDescription
 {
     /// <summary>The time.</summary>
-    [Parameter("The time. A picture shows those within the render's shutter. Keyframes stand in the order of their times.", Unit = "seconds", Required = true)]
+    [Parameter("The time. A picture shows those within the render's shutter. Keyframes are in the order of their times.", Unit = "seconds", Required = true)]
     public float Time { get; init; }
 
-    /// <summary>How the thing is moved at that time, after its own transform.</summary>
-    [Parameter("How the thing is moved at that time from where it would stand without motion: steps, the first one applied first.")]
+    /// <summary>The motion at that time, after the thing's own transform.</summary>
+    [Parameter("How the thing is moved at that time from where it would be without motion: steps, the first one applied first.")]
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 }

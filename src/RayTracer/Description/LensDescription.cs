@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayTracer.Description;
 
-/// <summary>How the points of a lens are spread.</summary>
+/// <summary>The distribution of points on a lens.</summary>
 public enum LensShape
 {
     /// <summary>A uniform disk of the aperture radius.</summary>
@@ -21,16 +21,16 @@ public enum LensShape
 /// <summary>Describes a thin lens (report, section 6.2.3, "depth of field").</summary>
 public sealed record LensDescription
 {
-    /// <summary>How the points of the lens are spread.</summary>
-    [Parameter("How the points of the lens are spread: over a disk, over a square, over the regular polygon of a bladed diaphragm, or the report's jitter of the eye within a box.")]
+    /// <summary>The distribution of points on the lens.</summary>
+    [Parameter("How points on the lens are distributed: over a disk, over a square, over the regular polygon of a bladed diaphragm, or as the report's jitter of the eye within a box.")]
     public LensShape Shape { get; init; } = LensShape.Disk;
 
     /// <summary>Radius of the aperture; zero is a pinhole.</summary>
-    [Parameter("Radius of the aperture (half the side of a square one; of a bladed one, from the middle to the corners). Zero is a pinhole: everything is sharp.", Unit = "scene units", Minimum = 0)]
+    [Parameter("Radius of the aperture (half the side of a square one; from the middle to the corners of a bladed one). Zero is a pinhole: everything is sharp.", Unit = "scene units", Minimum = 0)]
     public float ApertureRadius { get; init; }
 
     /// <summary>Number of sides of a bladed aperture.</summary>
-    [Parameter("Only for bladed: the number of blades, which is that of the polygon's sides.", Minimum = 3, Maximum = 64)]
+    [Parameter("Only for bladed: the number of blades, which is the number of the polygon's sides.", Minimum = 3, Maximum = 64)]
     public int Blades { get; init; } = 6;
 
     /// <summary>Angle by which a bladed aperture is turned.</summary>
@@ -38,7 +38,7 @@ public sealed record LensDescription
     public float Rotation { get; init; }
 
     /// <summary>Distance of the plane in focus along the optical axis; zero means the distance to the point looked at.</summary>
-    [Parameter("Distance from the eye to the plane in focus, along the viewing direction. Zero means: the distance to the point looked at.", Unit = "scene units", Minimum = 0)]
+    [Parameter("Distance from the eye to the plane in focus, along the viewing direction. Zero means the distance to the point looked at.", Unit = "scene units", Minimum = 0)]
     public float FocusDistance { get; init; }
 
     /// <summary>Sides of the box within which <see cref="LensShape.EyeJitter"/> moves the eye, centred on the camera's position.</summary>

@@ -3,7 +3,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Description;
 
-/// <summary>By what a source is told from others in the layers of light: what the records around it say, those further in before those further out.</summary>
+/// <summary>The label of a source in the layers of light: that of the records around it, inner ones before outer ones.</summary>
 /// <param name="Group">The light group; null where none is said.</param>
 /// <param name="Name">The name; null where there is none.</param>
 internal sealed record LightLabel(string? Group, string? Name)
@@ -11,7 +11,7 @@ internal sealed record LightLabel(string? Group, string? Name)
     /// <summary>Names longer than this are cut off: OpenEXR's names have 255 bytes.</summary>
     private const int LongestName = 200;
 
-    /// <summary>What the label comes to: the group, or else the name; null where neither is said.</summary>
+    /// <summary>The resulting label: the group, or else the name; null where there is neither.</summary>
     public string? Text => Group ?? Name;
 
     /// <summary>The label inside of a record.</summary>

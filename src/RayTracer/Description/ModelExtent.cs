@@ -4,7 +4,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Description;
 
-/// <summary>How large descriptions of shapes are, without building them: enough to place a camera by.</summary>
+/// <summary>The extent of descriptions of shapes, without building them: enough to place a camera.</summary>
 public static class ModelExtent
 {
     /// <summary>A box around all shapes that have an end, when the shutter opens at time 0; empty where there are none.</summary>

@@ -8,7 +8,7 @@ namespace RayTracer.Description;
 [AttributeUsage(AttributeTargets.Property)]
 public sealed class ParameterAttribute(string summary) : Attribute
 {
-    /// <summary>What the parameter means.</summary>
+    /// <summary>The meaning of the parameter.</summary>
     public string Summary { get; } = summary;
 
     /// <summary>The unit of the number, as a reader would write it ("degrees", "scene units"); empty where there is none.</summary>
@@ -20,15 +20,15 @@ public sealed class ParameterAttribute(string summary) : Attribute
     /// <summary>The largest allowed value of each number.</summary>
     public double Maximum { get; init; } = double.PositiveInfinity;
 
-    /// <summary>Whether <see cref="Minimum"/> itself is refused.</summary>
+    /// <summary>True where <see cref="Minimum"/> itself is refused.</summary>
     public bool MinimumIsExclusive { get; init; }
 
-    /// <summary>Whether a scene file must give the parameter.</summary>
+    /// <summary>True where a scene file must give the parameter.</summary>
     public bool Required { get; init; }
 
-    /// <summary>Whether the text is the path of a file, relative to the scene file's folder.</summary>
+    /// <summary>True where the text is the path of a file, relative to the scene file's folder.</summary>
     public bool IsFile { get; init; }
 
-    /// <summary>Whether a texture stands for a number, so that a number may be written: the red channel counts; or a list of numbers may be a single one, or a colour.</summary>
+    /// <summary>True where a texture stands for a number, so that a number may be written (the red channel counts), or where a list of numbers may be a single one or a colour.</summary>
     public bool IsNumber { get; init; }
 }

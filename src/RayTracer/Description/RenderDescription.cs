@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayTracer.Description;
 
-/// <summary>How light sources that are spheres are sampled.</summary>
+/// <summary>The sampling of light sources that are spheres.</summary>
 public enum SphereLightSampling
 {
     /// <summary>Uniformly in the cone of directions in which the sphere is seen.</summary>
@@ -12,13 +12,13 @@ public enum SphereLightSampling
     Surface,
 }
 
-/// <summary>What is done where normals with which surfaces are shaded say otherwise than the surfaces themselves.</summary>
+/// <summary>The treatment of shading normals that disagree with the surface itself.</summary>
 public enum ShadingNormals
 {
     /// <summary>Normals that turn away from the ray are mirrored into view, and light that would pass through a surface is dropped.</summary>
     Mended,
 
-    /// <summary>Normals alone tell from which side a surface is seen, and which light it scatters where.</summary>
+    /// <summary>Normals alone decide from which side a surface is seen, and which light it scatters where.</summary>
     Literal,
 }
 
@@ -40,59 +40,59 @@ public sealed record RenderDescription
     /// <summary>The most edges of a path without a limit.</summary>
     public const int LongestPath = 30000;
 
-    /// <summary>How the light that arrives at a pixel is computed.</summary>
-    [Parameter("How the light is computed: as in the report, by path tracing without bias, direct light only, ambient occlusion, or a view of the surfaces alone.")]
+    /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>
+    [Parameter("How the light is computed: as in the report, by unbiased path tracing, direct light only, ambient occlusion, or a view of the surfaces alone.")]
     public Integrator Integrator { get; init; } = Integrator.Report;
 
-    /// <summary>How many edges a path may have after the camera, with the path integrator; −1 for no limit.</summary>
-    [Parameter("With the path integrator: how many edges a path may have. 1 shows lamps only, 2 direct light, and each more one bounce more; -1 sets no limit.", Minimum = -1, Maximum = LongestPath)]
+    /// <summary>The maximum number of edges of a path after the camera, with the path integrator; −1 for no limit.</summary>
+    [Parameter("With the path integrator: how many edges a path may have. 1 shows lamps only, 2 adds direct light, and each further edge one more bounce; -1 sets no limit.", Minimum = -1, Maximum = LongestPath)]
     public int MaxDepth { get; init; } = -1;
 
     /// <summary>After how many edges paths may end at random, with the path integrator.</summary>
-    [Parameter("With the path integrator: after how many edges paths that carry little light may end at random. That changes the noise, not the picture.", Minimum = 1, Maximum = LongestPath)]
+    [Parameter("With the path integrator: the number of edges after which paths that carry little light may end at random. It changes the noise, not the picture.", Minimum = 1, Maximum = LongestPath)]
     public int RouletteDepth { get; init; } = 5;
 
     /// <summary>Beyond which distance nothing occludes, with the ambient occlusion integrator; 0 for no limit.</summary>
-    [Parameter("With the ao integrator: surfaces further away than this do not darken; 0 sets no limit.", Unit = "scene units", Minimum = 0)]
+    [Parameter("With the ao integrator: surfaces farther away than this do not darken; 0 sets no limit.", Unit = "scene units", Minimum = 0)]
     public float OcclusionDistance { get; init; }
 
-    /// <summary>How many diffuse bounces a path may have.</summary>
+    /// <summary>The maximum number of diffuse bounces of a path.</summary>
     [Parameter("With the report integrator: how many diffuse bounces a path may have; 0 leaves direct light only.", Minimum = 0, Maximum = 255)]
     public int MaxDiffuseDepth { get; init; } = 4;
 
-    /// <summary>How many specular bounces (mirror, metal, glass) a path may have.</summary>
+    /// <summary>The maximum number of specular bounces (mirror, metal, glass) of a path.</summary>
     [Parameter("With the report integrator: how many specular bounces (mirror, metal, glass) a path may have.", Minimum = 0, Maximum = 255)]
     public int MaxSpecularDepth { get; init; } = 4;
 
-    /// <summary>Whether transparent things weaken the light of sources that they stand before, with the report integrator.</summary>
-    [Parameter("With the report integrator: whether glass, panes and masks between a surface and a light weaken the light, in place of a dark shadow with bright spots of refracted light (the report's section 4.3.1). Light is not bent on that way: quiet, but not what glass really does.")]
+    /// <summary>True where transparent shapes weaken the light of sources behind them, with the report integrator.</summary>
+    [Parameter("With the report integrator: whether glass, panes and masks between a surface and a light weaken the light, instead of casting a dark shadow with bright spots of refracted light (the report's section 4.3.1). That light is not bent: less noise, but not what real glass does.")]
     public bool WeakenedShadows { get; init; }
 
-    /// <summary>What is done where normals that are interpolated say otherwise than the surface itself.</summary>
-    [Parameter("With the path, direct and volPath integrators: what is done near the outlines of meshes, where interpolated normals turn away from the ray. \"mended\" mirrors them into view and drops light that would pass through the surface; \"literal\" shows the surface from behind there, as other renderers do.")]
+    /// <summary>The treatment of interpolated normals that disagree with the surface itself.</summary>
+    [Parameter("With the path, direct and volPath integrators: what happens near the outlines of meshes, where interpolated normals turn away from the ray. \"mended\" mirrors them into view and drops light that would pass through the surface; \"literal\" shows the surface from behind there, as other renderers do.")]
     public ShadingNormals ShadingNormals { get; init; } = ShadingNormals.Mended;
 
-    /// <summary>How the samples of a pixel are placed.</summary>
+    /// <summary>The placement of the samples of a pixel.</summary>
     [Parameter("How the samples of a pixel are placed.")]
     public SamplerKind Sampler { get; init; } = SamplerKind.Sobol;
 
-    /// <summary>How much the surroundings of a pixel's middle count in its colour.</summary>
-    [Parameter("How much the surroundings of a pixel's middle count in its colour. Without it, a pixel is the mean of what its square shows.")]
+    /// <summary>The weight of the surroundings of a pixel's middle in its colour.</summary>
+    [Parameter("How much the surroundings of a pixel's middle contribute to its colour. Without it, a pixel is the mean over its square.")]
     public FilterDescription Filter { get; init; } = new();
 
-    /// <summary>How sphere lights are sampled.</summary>
-    [Parameter("How spheres that shine are sampled: within the cone in which they are seen, or over the whole surface as the report did (noisier).")]
+    /// <summary>The sampling of sphere lights.</summary>
+    [Parameter("How spheres that shine are sampled: within the cone that they fill as seen from the surface, or over the whole surface as in the report (noisier).")]
     public SphereLightSampling SphereLightSampling { get; init; } = SphereLightSampling.Cone;
 
-    /// <summary>When the shutter opens and closes, in seconds.</summary>
-    [Parameter("When the shutter opens and closes: what moves in between is blurred. Equal times give a sharp picture of that instant.", Unit = "seconds")]
+    /// <summary>The times at which the shutter opens and closes, in seconds.</summary>
+    [Parameter("The times at which the shutter opens and closes: what moves in between is blurred. Equal times give a sharp picture of that instant.", Unit = "seconds")]
     public Vector2 Shutter { get; init; }
 
     /// <summary>Pictures a second of an animation.</summary>
-    [Parameter("Pictures a second of an animation. A single picture does not depend on it.", Unit = "1/second", Minimum = 0, MinimumIsExclusive = true)]
+    [Parameter("Pictures per second of an animation. A single picture does not depend on it.", Unit = "1/second", Minimum = 0, MinimumIsExclusive = true)]
     public float FramesPerSecond { get; init; } = 24;
 
     /// <summary>Selects the random numbers.</summary>
-    [Parameter("Selects the random numbers: another seed gives another noise of the same picture.", Minimum = 0, Maximum = 4294967295)]
+    [Parameter("Selects the random numbers: another seed gives the same picture with different noise.", Minimum = 0, Maximum = 4294967295)]
     public long Seed { get; init; }
 }

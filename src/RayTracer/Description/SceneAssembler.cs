@@ -8,7 +8,7 @@ namespace RayTracer.Description;
 
 /// <summary>
 /// Takes descriptions of shapes apart into what rays meet: transforms are worked into the numbers of triangles, and of other shapes where that
-/// makes a shape of the same kind; what cannot be so placed, moves, or is shown as an instance, gets a space of its own.
+/// makes a shape of the same kind; what cannot be so placed, moves, or is shown as an instance, gets its own space.
 /// </summary>
 internal sealed class SceneAssembler(SceneBuilder builder)
 {
@@ -55,7 +55,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         // Objects of objects, and models of models that a program made, could go round in a circle.
         if (++_nesting > 200)
         {
-            builder.Error(description, null, "things within things are nested too deep");
+            builder.Error(description, null, "records are nested too deep");
         }
         else
         {
@@ -107,7 +107,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
 
         if (!ReferenceEquals(instance.Material, ShapeDescription.DefaultMaterial))
         {
-            builder.Warn(instance, nameof(ShapeDescription.Material), "an instance is made of its object's materials: this one has no effect");
+            builder.Warn(instance, nameof(ShapeDescription.Material), "an instance uses its object's materials: this one has no effect");
         }
 
         if (!_objects.TryGetValue(instance.Of, out SpaceContents? contents))
@@ -134,7 +134,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         {
             if (!builder.HasErrors)
             {
-                builder.Error(subject, null, $"instances of instances make more than {MaximumInstances} of them");
+                builder.Error(subject, null, $"nested instances come to more than {MaximumInstances}");
             }
 
             return;
@@ -144,7 +144,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         (double open, double close) = builder.Shutter;
         if (!motion.IsInvertible(open, close))
         {
-            builder.Error(subject, nameof(ShapeDescription.Transform), "the transforms together make numbers too large or too small to compute with");
+            builder.Error(subject, nameof(ShapeDescription.Transform), "the combined transforms have numbers too large or too small to compute with");
             return;
         }
 
@@ -298,7 +298,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         target.Meshes.Add(new(data, materials, place, builder.SourceOf(mesh), _label));
     }
 
-    // Triangles of one luminaire are one source: those of another light group get one of their own.
+    // Triangles of one luminaire are one source: those of another light group get their own.
     private Material InLightGroup(Material material)
     {
         if (material is not LuminaireMaterial luminaire || _label?.Group is not { } group)

@@ -34,16 +34,16 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     // How many materials are being built, the inner ones of others among them.
     private int _parts;
 
-    /// <summary>How spheres that shine are sampled.</summary>
+    /// <summary>The sampling of spheres that shine.</summary>
     public SphereLightSampling SphereLightSampling { get; private set; }
 
     /// <summary>All complaints so far, in the order in which they came up.</summary>
     public IReadOnlyList<SceneComplaint> Complaints => _complaints;
 
-    /// <summary>Whether any complaint is an error.</summary>
+    /// <summary>True where any complaint is an error.</summary>
     public bool HasErrors => _complaints.Exists(c => c.IsError);
 
-    /// <summary>Whether the scene remembers the records that its parts were made from, for editors; they then live as long as it does.</summary>
+    /// <summary>True where the scene keeps the records that its parts were made from, for editors; they then live as long as it does.</summary>
     public bool KeepsSources { get; init; }
 
     /// <summary>Reports an error about a record's property (by its C# name; null means the whole record).</summary>
@@ -52,7 +52,7 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     /// <summary>Reports a warning about a record's property (by its C# name; null means the whole record).</summary>
     public void Warn(object subject, string? property, string message) => Complain(new(subject, property, message, false));
 
-    /// <summary>Whether a vector tells a direction; where it does not, that is reported as an error about the property.</summary>
+    /// <summary>True where a vector has a direction; where it does not, that is reported as an error about the property.</summary>
     public bool HasDirection(object subject, string property, Vector3 vector)
     {
         bool has = vector.Norm() > 0 && vector.Unit().IsFinite();
@@ -88,7 +88,7 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         Texture texture = Texture(description);
         if ((texture.Inputs & TextureInputs.BeyondUv) != TextureInputs.None)
         {
-            Error(subject, property, "what shines must have a texture over uv: neither noise, marble and wood nor the colours of vertices");
+            Error(subject, property, "the texture of a light must depend on uv: not noise, marble, wood or the colours of vertices");
         }
 
         return texture;
@@ -118,7 +118,7 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     {
         try
         {
-            ImportedModel model = (loadModel ?? throw new ModelException("there is nothing that reads model files here"))(path);
+            ImportedModel model = (loadModel ?? throw new ModelException("no reader for model files is registered"))(path);
             using (Within(subject, property))
             {
                 return IsInRange(model.Scene) ? model : null;
@@ -163,10 +163,10 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         return HasErrors ? null : scene;
     }
 
-    /// <summary>Whether all parameters of a record, and of those that it consists of, are within their ranges; those that are not are reported.</summary>
+    /// <summary>Returns true where all parameters of a record, and of its parts, are within their ranges; others are reported.</summary>
     internal bool IsInRange(object record) => (_ranges ??= new(Complain)).IsGood(record);
 
-    /// <summary>What surrounds a scene; null where that is its background.</summary>
+    /// <summary>The environment of a scene; null where it has a background.</summary>
     internal EnvironmentLight? Environment(SceneDescription scene)
     {
         if (scene.Environment is not null && !scene.Background.IsBlack)
@@ -186,10 +186,10 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     /// <summary>The most shapes that rays are tested against one after the other, without a tree; null for what is fastest. Pictures are the same.</summary>
     internal int? LargestLoop { get; init; }
 
-    /// <summary>Whether the textures being built stand for numbers, so that pictures are read raw.</summary>
+    /// <summary>True where the textures being built stand for numbers, so that pictures are read raw.</summary>
     internal bool ReadsNumbers { get; private set; }
 
-    /// <summary>When the shutter opens and closes, in seconds.</summary>
+    /// <summary>The times at which the shutter opens and closes, in seconds.</summary>
     internal (double Open, double Close) Shutter { get; private set; }
 
     /// <summary>The material of a shape's surface: what the model around it says, or else its own, or else that of the group around it.</summary>
@@ -228,7 +228,7 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         return new(() => _source = before);
     }
 
-    /// <summary>What a part of a scene is remembered to be made from: where it comes from a file, the record that names the file.</summary>
+    /// <summary>The record that a part of a scene counts as made from: for parts of a file, the record that names the file.</summary>
     internal ShapeDescription? SourceOf(ShapeDescription part) => KeepsSources ? _source?.Subject as ShapeDescription ?? part : null;
 
     // What a material's textures depend on, that around it depends on too.

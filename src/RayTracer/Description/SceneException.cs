@@ -7,7 +7,7 @@ namespace RayTracer.Description;
 /// <param name="IsError">Whether the scene cannot be rendered; otherwise it is a warning.</param>
 public sealed record SceneComplaint(object Subject, string? Property, string Message, bool IsError)
 {
-    /// <summary>Whether a value is outside of its parameter's range.</summary>
+    /// <summary>True where a value is outside of its parameter's range.</summary>
     public bool IsOutOfRange { get; init; }
 
     /// <summary>The message with the record that it is about: <c>SphereDescription "ball", Radius: …</c></summary>

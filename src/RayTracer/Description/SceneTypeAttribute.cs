@@ -12,6 +12,6 @@ public sealed class SceneTypeAttribute(string name, string summary) : Attribute
     /// <summary>The name in scene files.</summary>
     public string Name { get; } = name;
 
-    /// <summary>What the thing is.</summary>
+    /// <summary>A summary of the type.</summary>
     public string Summary { get; } = summary;
 }

@@ -11,19 +11,19 @@ public abstract record ShapeDescription
     public string Name { get; init; } = "";
 
     /// <summary>The layer of light that has what shines here.</summary>
-    [Parameter("Which layer has the light of what shines here, where lights are written as layers (--aov lights). Without it: that of the group around it, or else the name.")]
+    [Parameter("The layer for the light of what shines here when lights are written as layers (--aov lights). Without it: that of the enclosing group, or else the name.")]
     public string LightGroup { get; init; } = "";
 
-    /// <summary>What the shape is made of; the same object as <see cref="DefaultMaterial"/> where nothing is said.</summary>
-    [Parameter("What the shape is made of: a material, or the name of one. Without it, what the group around it is made of.")]
+    /// <summary>The material of the shape; the same object as <see cref="DefaultMaterial"/> where none is given.</summary>
+    [Parameter("The shape's material, or the name of one. Without it, that of the enclosing group.")]
     public MaterialDescription Material { get; init; } = DefaultMaterial;
 
-    /// <summary>How the shape is moved from where its own numbers put it; empty where it is not.</summary>
+    /// <summary>The transform of the shape from where its own numbers put it; empty for none.</summary>
     [Parameter("How the shape is moved from where its numbers put it: steps, the first one applied first.")]
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
-    /// <summary>How the shape moves in time, after its transform; empty where it rests.</summary>
-    [Parameter("How the shape moves in time, from where it stands otherwise: keyframes in the order of their times. It is blurred by what it moves while the shutter is open.")]
+    /// <summary>The motion of the shape in time, after its transform; empty where it rests.</summary>
+    [Parameter("How the shape moves in time, from where it is otherwise: keyframes in the order of their times. It is blurred by its movement while the shutter is open.")]
     public IReadOnlyList<KeyframeDescription> Motion { get; init; } = [];
 
     /// <summary>As what editors offer to add the shape: unless it says otherwise, as a shape, and with a luminaire as a light.</summary>
@@ -32,7 +32,7 @@ public abstract record ShapeDescription
     /// <summary>About where the middle is, in the shape's own space: the origin for what consists of others.</summary>
     public virtual Vector3 Middle => default;
 
-    /// <summary>What shapes are made of about which nothing is said: grey, matt.</summary>
+    /// <summary>The material of shapes that give none: grey, matt.</summary>
     public static MaterialDescription DefaultMaterial { get; } = new Materials.DiffuseMaterialDescription();
 
     /// <summary>The shape as an editor adds it to a scene: seen at once.</summary>

@@ -14,7 +14,7 @@ public sealed record SketchView(Vector3 Target, Vector3 Right, Vector3 Up, Vecto
     /// <summary>The radiance of a new lamp: what one of the size of new things needs to light what is around it.</summary>
     public const float LampRadiance = 20;
 
-    /// <summary>Whether the shape is to shine.</summary>
+    /// <summary>True where the shape is to shine.</summary>
     public bool Shines { get; init; }
 
     /// <summary>The file that the shape is to be read from; null where there is none.</summary>

@@ -5,7 +5,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Description;
 
-/// <summary>What a builder has put into one space: the world, or that of an object which instances show.</summary>
+/// <summary>The things that a builder has put into one space: the world, or that of an object which instances show.</summary>
 internal sealed class SpaceContents
 {
     /// <summary>Shapes, in coordinates of the space.</summary>
@@ -14,13 +14,13 @@ internal sealed class SpaceContents
     /// <summary>Meshes at their places.</summary>
     public List<PlacedMesh> Meshes { get; } = [];
 
-    /// <summary>Other spaces, none of which holds instances of its own that are seen: those are listed here too.</summary>
+    /// <summary>Other spaces, none of which holds visible instances itself: those are listed here too.</summary>
     public List<PlacedSpace> Instances { get; } = [];
 
     /// <summary>Lights without extent, those of instances among them.</summary>
     public List<PlacedLight> Lights { get; } = [];
 
-    /// <summary>Whether there is anything that rays can meet but instances.</summary>
+    /// <summary>True where there is anything besides instances that rays can meet.</summary>
     public bool HasSurfaces => Shapes.Count + Meshes.Count > 0;
 
     /// <summary>Number of things that shine.</summary>
@@ -35,18 +35,18 @@ internal sealed class SpaceContents
 /// <param name="Materials">What they are made of; at least one.</param>
 /// <param name="Place">Where the mesh stands.</param>
 /// <param name="Source">What it was made from; null where that is not kept.</param>
-/// <param name="Label">By what its light is told from that of others.</param>
+/// <param name="Label">The label of its light.</param>
 internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place, ShapeDescription? Source, LightLabel? Label);
 
 /// <summary>A space in another one.</summary>
 /// <param name="Contents">What it holds.</param>
 /// <param name="Motion">Where it is.</param>
 /// <param name="Source">What it was made from; null where that is not kept.</param>
-/// <param name="Label">By what its light is told from that of others, where its contents do not say that.</param>
+/// <param name="Label">The label of its light, where its contents have none.</param>
 internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeDescription? Source, LightLabel? Label);
 
 /// <summary>A light without extent in a space.</summary>
 /// <param name="Light">What it is, found free of faults.</param>
 /// <param name="Motion">Where its own space is.</param>
-/// <param name="Label">By what it is told from others.</param>
+/// <param name="Label">The label of its light.</param>
 internal sealed record PlacedLight(PunctualLightDescription Light, Motion Motion, LightLabel? Label);

@@ -1,13 +1,13 @@
 namespace RayTracer.Description;
 
-/// <summary>How one property of the scene changes from frame to frame of an animation.</summary>
+/// <summary>The changes of one property of the scene from frame to frame of an animation.</summary>
 public sealed record TrackDescription
 {
-    /// <summary>Which property changes.</summary>
-    [Parameter("Which numbers change, by the keys that lead to them: \"camera.position\", \"materials.glass.refractiveIndex\", \"shapes[2].radius\" or, of a shape called ball, \"shapes.ball.radius\"; \"shapes.ball.center[1]\" is one number of three.", Required = true)]
+    /// <summary>The path of the property that changes.</summary>
+    [Parameter("The numbers that change, by the keys that lead to them: \"camera.position\", \"materials.glass.refractiveIndex\", \"shapes[2].radius\" or, for a shape called ball, \"shapes.ball.radius\"; \"shapes.ball.center[1]\" is one of three numbers.", Required = true)]
     public string Property { get; init; } = "";
 
-    /// <summary>What it is at some times.</summary>
-    [Parameter("What they are at some times, in the order of the times. Before the first and after the last one nothing changes.", Required = true)]
+    /// <summary>Its values at certain times.</summary>
+    [Parameter("Their values at certain times, in the order of the times. Before the first and after the last one nothing changes.", Required = true)]
     public IReadOnlyList<KeyDescription> Keys { get; init; } = [];
 }

@@ -28,7 +28,7 @@ internal static class TransformSteps
 
         if (!all.IsInvertible)
         {
-            builder.Error(subject, "Transform", "the steps of the transform together make numbers too large or too small to compute with");
+            builder.Error(subject, "Transform", "the steps of the transform together have numbers too large or too small to compute with");
             return Transform.Identity;
         }
 
@@ -41,7 +41,7 @@ internal static class TransformSteps
         {
             if (!(keyframes[i].Time > keyframes[i - 1].Time))
             {
-                builder.Error(keyframes[i], nameof(KeyframeDescription.Time), $"keyframes must stand in the order of their times, but {keyframes[i].Time} follows {keyframes[i - 1].Time}");
+                builder.Error(keyframes[i], nameof(KeyframeDescription.Time), $"keyframes must be in the order of their times, but {keyframes[i].Time} follows {keyframes[i - 1].Time}");
                 return Numerics.Motion.None;
             }
         }
@@ -106,7 +106,7 @@ internal static class TransformSteps
         Transform matrix = new(Row(m, 0), Row(m, 4), Row(m, 8));
         if (!matrix.IsInvertible)
         {
-            builder.Error(step, nameof(TransformDescription.Matrix), "the matrix flattens things: its determinant is 0, or it rounds to 0");
+            builder.Error(step, nameof(TransformDescription.Matrix), "the matrix flattens shapes: its determinant is 0, or it rounds to 0");
             return Transform.Identity;
         }
 

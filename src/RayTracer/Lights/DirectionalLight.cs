@@ -6,7 +6,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Lights;
 
 /// <summary>Describes a <see cref="DirectionalLight"/>.</summary>
-[SceneType("directional", "Light that comes from infinitely far away along one direction, as that of a sun without extent: its shadows are sharp. No ray meets it. Transforms turn it, but do not change how strong it is.")]
+[SceneType("directional", "Light from infinitely far away along one direction, like a sun without extent: its shadows are sharp. No ray meets it. Transforms turn it but do not change its strength.")]
 public sealed record DirectionalLightDescription : PunctualLightDescription
 {
     /// <summary>Where the light goes.</summary>

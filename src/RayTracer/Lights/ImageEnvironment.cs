@@ -20,7 +20,7 @@ public sealed record ImageEnvironmentDescription : EnvironmentDescription
     public float Scale { get; init; } = 1;
 
     /// <summary>Whether the file's numbers are taken as they are.</summary>
-    [Parameter("Whether the file's numbers are linear and taken as they are, instead of being decoded from sRGB. Floating-point files are always linear.")]
+    [Parameter("Whether the file's numbers are linear and used as they are, instead of being decoded from sRGB. Floating-point files are always linear.")]
     public bool Raw { get; init; }
 
     /// <summary>The picture as a program gives it (linear), instead of the file; null where there is none.</summary>
@@ -46,7 +46,7 @@ public sealed record ImageEnvironmentDescription : EnvironmentDescription
 
         if (negative > 0)
         {
-            builder.Warn(this, nameof(File), $"{negative} of the picture's numbers are below zero, and are taken as 0: there is no negative light");
+            builder.Warn(this, nameof(File), $"{negative} of the picture's numbers are below zero and are taken as 0: there is no negative light");
         }
 
         return new ImageEnvironment(picture, Scale, turn);

@@ -6,7 +6,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Lights;
 
 /// <summary>Describes a <see cref="PointLight"/>.</summary>
-[SceneType("point", "A light at a point, without extent: it shines alike in all directions, and its shadows are sharp. No ray meets it. Transforms move it, but do not change how strong it is.")]
+[SceneType("point", "A light at a point, without extent: it shines equally in all directions, and its shadows are sharp. No ray meets it. Transforms move it but do not change its strength.")]
 public sealed record PointLightDescription : PunctualLightDescription
 {
     /// <summary>Where it stands.</summary>
@@ -14,7 +14,7 @@ public sealed record PointLightDescription : PunctualLightDescription
     public Vector3 Position { get; init; }
 
     /// <summary>Radiant intensity.</summary>
-    [Parameter("Radiant intensity in every direction: a surface that faces it at distance d receives the irradiance of this over d².", Unit = "power per steradian", Minimum = 0)]
+    [Parameter("Radiant intensity in every direction: a surface that faces it at distance d receives an irradiance of this over d².", Unit = "power per steradian", Minimum = 0)]
     public Rgb Intensity { get; init; } = Rgb.White;
 
     /// <inheritdoc/>

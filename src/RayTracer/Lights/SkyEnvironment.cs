@@ -7,7 +7,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Lights;
 
 /// <summary>Describes a <see cref="SkyEnvironment"/>.</summary>
-[SceneType("sky", "A clear or hazy sky by day and its sun (Preetham, Shirley & Smits 1999). Below the horizon it is black.")]
+[SceneType("sky", "A clear or hazy daytime sky and its sun (Preetham, Shirley & Smits 1999). Below the horizon it is black.")]
 public sealed record SkyEnvironmentDescription : EnvironmentDescription
 {
     // The sun's angular radius as seen from the earth.
@@ -18,23 +18,23 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
     public float Turbidity { get; init; } = 3;
 
     /// <summary>How high the sun stands.</summary>
-    [Parameter("How high the sun stands above the horizon.", Unit = "degrees", Minimum = 0, Maximum = 90)]
+    [Parameter("The sun's height above the horizon.", Unit = "degrees", Minimum = 0, Maximum = 90)]
     public float SunElevation { get; init; } = 40;
 
     /// <summary>Where the sun stands.</summary>
-    [Parameter("Where the sun stands: 0 is over −z, 90 over +x.", Unit = "degrees")]
+    [Parameter("The sun's direction along the horizon: 0 is over −z, 90 over +x.", Unit = "degrees")]
     public float SunAzimuth { get; init; } = 45;
 
     /// <summary>Factor on all.</summary>
-    [Parameter("Factor on sky and sun: the radiance that stands for a luminance of 1,000 candela per square metre. A white floor in the sun has about 30 of these.", Minimum = 0)]
+    [Parameter("Factor on sky and sun: the radiance that corresponds to a luminance of 1,000 candela per square metre. A white floor in the sun has about 30 of these.", Minimum = 0)]
     public float Scale { get; init; } = 0.03f;
 
     /// <summary>Factor on the sun.</summary>
-    [Parameter("Factor on the sun alone; 0 is a sky without it.", Minimum = 0)]
+    [Parameter("Factor on the sun alone; 0 is a sky without a sun.", Minimum = 0)]
     public float SunScale { get; init; } = 1;
 
     /// <summary>How large the sun is.</summary>
-    [Parameter("The sun's diameter as a multiple of the real one (0.533°), which sends as much light in all: larger ones make softer shadows.", Minimum = 0.1, Maximum = 100)]
+    [Parameter("The sun's diameter as a multiple of the real one (0.533°), with the same total light: larger ones make softer shadows.", Minimum = 0.1, Maximum = 100)]
     public float SunSize { get; init; } = 1;
 
     /// <inheritdoc/>
@@ -51,7 +51,7 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
         sun *= ConeHeight(SunRadius) / height;
         if (!(sun.R <= ImageEnvironment.Brightest) || !(Scale * 1000 <= ImageEnvironment.Brightest))
         {
-            builder.Error(this, nameof(Scale), "sky and sun become too bright to compute with");
+            builder.Error(this, nameof(Scale), "the sky and sun become too bright to compute with");
             return null;
         }
 

@@ -5,11 +5,11 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="BumpMapMaterial"/>.</summary>
-[SceneType("bumpMap", "Another material whose surface looks uneven: a texture tells how high it is.")]
+[SceneType("bumpMap", "Another material whose surface looks uneven: a texture gives its height.")]
 public sealed record BumpMapMaterialDescription : MaterialDescription
 {
     /// <summary>The heights.</summary>
-    [Parameter("The heights: the red channel counts. Pictures are read raw unless they say otherwise, and should not be of interpolation \"nearest\".", Required = true)]
+    [Parameter("The heights: the red channel counts. Pictures are read raw unless they say otherwise, and should not have the interpolation \"nearest\".", Required = true)]
     public TextureDescription Map { get; init; } = new SolidTextureDescription();
 
     /// <summary>Factor on the heights.</summary>
@@ -17,11 +17,11 @@ public sealed record BumpMapMaterialDescription : MaterialDescription
     public float Scale { get; init; } = 1;
 
     /// <summary>What is done where the map turns the normal away from the ray.</summary>
-    [Parameter("What is done where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are turned round, or the back is shown, which is black where the material is one-sided.")]
+    [Parameter("What happens where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are reversed, or the back is shown, which is black if the material is one-sided.")]
     public TurnedNormal Turned { get; init; }
 
     /// <summary>Whether slopes that turn from light darken softly.</summary>
-    [Parameter("Whether light that arrives along the surface is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
+    [Parameter("Whether light that arrives at a grazing angle is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
     public bool SoftensShadow { get; init; }
 
     /// <summary>What scatters light.</summary>

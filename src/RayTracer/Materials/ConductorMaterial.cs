@@ -6,7 +6,7 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="ConductorMaterial"/>.</summary>
-[SceneType("conductor", "Polished metal: a mirror that reflects as Fresnel's equations tell for its complex refractive index.")]
+[SceneType("conductor", "Polished metal: a mirror that reflects by Fresnel's equations for its complex refractive index.")]
 public sealed record ConductorMaterialDescription : MetalDescription
 {
     /// <inheritdoc/>

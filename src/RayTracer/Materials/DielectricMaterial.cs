@@ -19,7 +19,7 @@ public enum FresnelModel
 }
 
 /// <summary>Describes a <see cref="DielectricMaterial"/>.</summary>
-[SceneType("dielectric", "Clear glass, water or gems: reflects or refracts, and may tint the light on its way through. Put it on closed shapes.")]
+[SceneType("dielectric", "Clear glass, water or gems: reflects or refracts, and may tint the light on its way through. Use it on closed shapes.")]
 public sealed record DielectricMaterialDescription : GlassDescription
 {
     private const float UsualIndex = 1.5f;
@@ -29,7 +29,7 @@ public sealed record DielectricMaterialDescription : GlassDescription
     public float RefractiveIndex { get; init; } = UsualIndex;
 
     /// <summary>Extinction coefficient of the inside.</summary>
-    [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). It counts where a ray meets this surface from inside, over the way since the last hit (or the camera): not on a way that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
+    [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). It applies where a ray meets this surface from inside, over the distance since the last hit (or the camera), but not over a distance that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
     public Rgb Extinction { get; init; }
 
     /// <summary>How the reflectance is computed.</summary>
@@ -37,11 +37,11 @@ public sealed record DielectricMaterialDescription : GlassDescription
     public FresnelModel Fresnel { get; init; } = FresnelModel.Exact;
 
     /// <summary>Factor on all that is reflected.</summary>
-    [Parameter("Factor on what is reflected, per channel: 1 for what glass really does.", Minimum = 0, Maximum = 1)]
+    [Parameter("Factor on what is reflected, per channel: 1 for real glass.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>Factor on all that is refracted.</summary>
-    [Parameter("Factor on what is refracted, per channel: 1 for what glass really does. It counts at every boundary; to tint the inside, use extinction.", Minimum = 0, Maximum = 1)]
+    [Parameter("Factor on what is refracted, per channel: 1 for real glass. It applies at every boundary; to tint the inside, use extinction.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <inheritdoc/>

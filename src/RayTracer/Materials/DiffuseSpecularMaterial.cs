@@ -5,7 +5,7 @@ using RayTracer.Sampling;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="DiffuseSpecularMaterial"/>.</summary>
-[SceneType("diffuseSpecular", "A matt surface under a clear coat: polished stone, plastic, varnish. The coat reflects more at grazing angles: with a probability by Schlick's approximation from r0, a ray goes on as from the specular material, and as from the diffuse one otherwise.")]
+[SceneType("diffuseSpecular", "A matt surface under a clear coat: polished stone, plastic, varnish. The coat reflects more at grazing angles: with a probability given by Schlick's approximation from r0, a ray continues as from the specular material, and otherwise as from the diffuse one.")]
 public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
 {
     /// <summary>The matt surface.</summary>
@@ -13,7 +13,7 @@ public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
     public MaterialDescription Diffuse { get; init; } = new DiffuseMaterialDescription();
 
     /// <summary>The material that the coat reflects like.</summary>
-    [Parameter("What the coat reflects like: a phongMetal or dielectric material.")]
+    [Parameter("How the coat reflects: a phongMetal or dielectric material.")]
     public MaterialDescription Specular { get; init; } = new PhongMetalMaterialDescription { Color = new Textures.SolidTextureDescription { Color = Rgb.White } };
 
     /// <summary>Reflectance of the coat seen head-on.</summary>

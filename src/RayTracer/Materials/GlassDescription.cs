@@ -13,11 +13,11 @@ public abstract record GlassDescription : MaterialDescription
     private const float LargestIndex = 100;
 
     /// <summary>Which glass; null where the other parameters tell.</summary>
-    [Parameter("Which glass, from published tables, in place of refractiveIndex: light of each colour is refracted by an index of its own, as in a prism. It stands in air.")]
+    [Parameter("Which glass, from published tables, in place of refractiveIndex: light of each colour is refracted by its own index, as in a prism. The surroundings are air.")]
     public Glass? Glass { get; init; }
 
     /// <summary>Cauchy's A and B.</summary>
-    [Parameter("A and B of Cauchy's formula, n = A + B/λ² with the wavelength λ in µm, in place of refractiveIndex: light of each colour is refracted by an index of its own.", Unit = "1, µm²")]
+    [Parameter("A and B of Cauchy's formula, n = A + B/λ² with the wavelength λ in µm, in place of refractiveIndex: light of each colour is refracted by its own index.", Unit = "1, µm²")]
     public Vector2? Cauchy { get; init; }
 
     /// <summary>Sellmeier's B.</summary>
@@ -33,7 +33,7 @@ public abstract record GlassDescription : MaterialDescription
     public MediumDescription Interior { get; init; } = new();
 
     /// <summary>Which of dielectrics that overlap is there; 0 where the refractive index is relative to what is around.</summary>
-    [Parameter("Which of dielectrics that overlap is there, with the path, direct and volPath integrators: the one with the highest priority. A liquid that reaches into its glass, which has the higher priority, needs no boundary that fits. All dielectrics that touch must have priorities, and then refractive indices are relative to empty space. 0 is none: the index is relative to what is around.", Minimum = 0, Maximum = 1000)]
+    [Parameter("Of overlapping dielectrics, the one with the highest priority counts, with the path, direct and volPath integrators. A liquid that reaches into its glass, which has the higher priority, needs no matching boundary. All dielectrics that touch must have priorities, and then refractive indices are relative to empty space. 0 is no priority: the index is relative to the surroundings.", Minimum = 0, Maximum = 1000)]
     public int Priority { get; init; }
 
     /// <summary>How the inside goes with others; null without a priority.</summary>

@@ -11,7 +11,7 @@ namespace RayTracer.Materials;
 public sealed record LuminaireMaterialDescription : MaterialDescription
 {
     /// <summary>Colour of the light.</summary>
-    [Parameter("Colour of the light; a picture makes a lantern.", Minimum = 0)]
+    [Parameter("Colour of the light; with a picture it is a lantern.", Minimum = 0)]
     public TextureDescription Color { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>Factor on the colour.</summary>
@@ -19,11 +19,11 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
     public float Multiplier { get; init; } = 1;
 
     /// <summary>Exponent of the cosine by which radiance falls off with the angle.</summary>
-    [Parameter("How the light is gathered around the normal: radiance is multiplied by the cosine of the angle to the power of this. 0 shines alike in all directions, 1 is the report's spot light.", Minimum = 0, Maximum = 1e6)]
+    [Parameter("How the light is concentrated around the normal: radiance is multiplied by the cosine of the angle to this power. 0 shines equally in all directions, 1 is the report's spot light.", Minimum = 0, Maximum = 1e6)]
     public float Exponent { get; init; }
 
     /// <summary>The material that answers for reflection.</summary>
-    [Parameter("What answers for reflection: a material of another type. Without it, the surface is black where it does not shine.")]
+    [Parameter("The material that reflects, of any other type. Without it, the surface is black where it does not shine.")]
     public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription { Color = new SolidTextureDescription() };
 
     /// <inheritdoc/>

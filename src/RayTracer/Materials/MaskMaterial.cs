@@ -7,7 +7,7 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="MaskMaterial"/>.</summary>
-[SceneType("mask", "Another material with holes: leaves, wire mesh, lace. Where the opacity is 0, light passes straight on.")]
+[SceneType("mask", "Another material with holes: leaves, wire mesh, lace. Where the opacity is 0, light passes straight through.")]
 public sealed record MaskMaterialDescription : MaterialDescription
 {
     /// <summary>The material where the opacity is 1.</summary>
@@ -15,11 +15,11 @@ public sealed record MaskMaterialDescription : MaterialDescription
     public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
 
     /// <summary>Share of the light that meets the material.</summary>
-    [Parameter("Share of the light that meets the material; the rest passes straight on. The red channel counts.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("Fraction of the light that meets the material; the rest passes straight through. The red channel counts.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Opacity { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <summary>The medium inside.</summary>
-    [Parameter("What fills the inside of the (closed) shape, if the material says nothing about that. The volPath integrator shows it.")]
+    [Parameter("What fills the inside of the (closed) shape, unless the material says so itself. The volPath integrator shows it.")]
     public MediumDescription Interior { get; init; } = new();
 
     /// <inheritdoc/>

@@ -20,7 +20,7 @@ public abstract record MetalDescription : MaterialDescription
     public Rgb? K { get; init; }
 
     /// <summary>Factor on all that is reflected.</summary>
-    [Parameter("Factor on what is reflected, per channel: 1 for what metals really do.", Minimum = 0, Maximum = 1)]
+    [Parameter("Factor on what is reflected, per channel: 1 for real metals.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>The reflectance of the metal that is named, or whose index is given.</summary>

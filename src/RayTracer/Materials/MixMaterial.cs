@@ -6,7 +6,7 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="MixMaterial"/>.</summary>
-[SceneType("mix", "Two materials in one: rust on iron, dirt on paint. A weight, which may be a texture, tells how much there is of the second.")]
+[SceneType("mix", "Two materials in one: rust on iron, dirt on paint. A weight, which may be a texture, gives the share of the second.")]
 public sealed record MixMaterialDescription : MaterialDescription
 {
     /// <summary>The material where the weight is 0.</summary>

@@ -5,7 +5,7 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="NormalMapMaterial"/>.</summary>
-[SceneType("normalMap", "Another material whose surface looks embossed: a picture tells the normals, as other programs write it.")]
+[SceneType("normalMap", "Another material whose surface looks embossed: a picture holds the normals, as other programs write them.")]
 public sealed record NormalMapMaterialDescription : MaterialDescription
 {
     /// <summary>The normals.</summary>
@@ -13,7 +13,7 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
     public TextureDescription Map { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 1) };
 
     /// <summary>Factor on the slopes.</summary>
-    [Parameter("Factor on the slopes: 1 as the map tells, 0 is flat.", Minimum = 0, Maximum = 100)]
+    [Parameter("Factor on the slopes: 1 leaves the map as it is, 0 is flat.", Minimum = 0, Maximum = 100)]
     public float Strength { get; init; } = 1;
 
     /// <summary>Whether green points to where v grows.</summary>
@@ -21,11 +21,11 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
     public bool GreenAlongV { get; init; }
 
     /// <summary>What is done where the map turns the normal away from the ray.</summary>
-    [Parameter("What is done where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are turned round, or the back is shown, which is black where the material is one-sided.")]
+    [Parameter("What happens where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are reversed, or the back is shown, which is black if the material is one-sided.")]
     public TurnedNormal Turned { get; init; }
 
     /// <summary>Whether slopes that turn from light darken softly.</summary>
-    [Parameter("Whether light that arrives along the surface is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
+    [Parameter("Whether light that arrives at a grazing angle is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
     public bool SoftensShadow { get; init; }
 
     /// <summary>What scatters light.</summary>

@@ -39,7 +39,7 @@ public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
                 IsLit = false,
                 Specular = traits.HasDensity ? SpecularLobe.Glossy : traits.Specular,
                 KeepsEnergy = false,
-                ReciprocityException = "what a map turns away depends on the ray, and light is weakened by the angle at which it arrives",
+                ReciprocityException = "what a map turns away depends on the ray, and light is weakened by its angle of arrival",
             };
         }
     }

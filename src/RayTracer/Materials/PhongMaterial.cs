@@ -10,11 +10,11 @@ namespace RayTracer.Materials;
 public sealed record PhongMaterialDescription : MaterialDescription
 {
     /// <summary>What ambient light is multiplied by; null for the sum of the others.</summary>
-    [Parameter("What the scene's ambient light is multiplied by, per channel; without it, the sum of the other two.", Minimum = 0, Maximum = 1)]
+    [Parameter("Factor on the scene's ambient light, per channel; without it, the sum of the other two.", Minimum = 0, Maximum = 1)]
     public TextureDescription? Ambient { get; init; }
 
     /// <summary>Fraction of the light that is reflected alike in all directions.</summary>
-    [Parameter("Fraction of the light that is reflected alike in all directions, per channel.", Minimum = 0, Maximum = 1)]
+    [Parameter("Fraction of the light that is reflected equally in all directions, per channel.", Minimum = 0, Maximum = 1)]
     public TextureDescription Diffuse { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <summary>Fraction of the light that is reflected around the mirror direction.</summary>
@@ -22,7 +22,7 @@ public sealed record PhongMaterialDescription : MaterialDescription
     public TextureDescription Specular { get; init; } = new SolidTextureDescription { Color = new(0.2f, 0.2f, 0.2f) };
 
     /// <summary>Exponent of the lobe.</summary>
-    [Parameter("Sharpness of the highlights: directions have a density proportional to the cosine to the mirror direction, to this power.", Minimum = 0, Maximum = 1e6)]
+    [Parameter("Sharpness of the highlights: the density of directions is proportional to the cosine to the mirror direction, to this power.", Minimum = 0, Maximum = 1e6)]
     public float Exponent { get; init; } = 50;
 
     /// <inheritdoc/>
@@ -32,7 +32,7 @@ public sealed record PhongMaterialDescription : MaterialDescription
         Texture specular = builder.Texture(Specular);
         if (diffuse.Constant is { } a && specular.Constant is { } b && Math.Max(a.R + b.R, Math.Max(a.G + b.G, a.B + b.B)) > 1.00001f)
         {
-            builder.Error(this, nameof(Specular), "\"diffuse\" and \"specular\" together must not be above 1 in any channel: more light would go out than comes in");
+            builder.Error(this, nameof(Specular), "\"diffuse\" and \"specular\" together must not be above 1 in any channel: more light would leave than arrives");
         }
 
         return new PhongMaterial(Ambient is null ? null : builder.Texture(Ambient), diffuse, specular, Exponent);

@@ -17,16 +17,16 @@ public abstract record CoatedDescription : MaterialDescription
     public float RefractiveIndex { get; init; } = 1.49f;
 
     /// <summary>Whether the base's colour deepens with each reflection inside the coat.</summary>
-    [Parameter("Whether light that the coat throws back onto the base is coloured again each time: colours grow deeper. Where not, as if it were coloured once.")]
+    [Parameter("Whether light that the coat throws back onto the base is coloured again each time, which deepens colours. Otherwise it is coloured only once.")]
     public bool Nonlinear { get; init; }
 
     /// <summary>Factor on what the coat reflects.</summary>
-    [Parameter("Factor on what the coat reflects, per channel: 1 for what coats really do.", Minimum = 0, Maximum = 1)]
+    [Parameter("Factor on what the coat reflects, per channel: 1 for real coats.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 }
 
 /// <summary>Describes a <see cref="PlasticMaterial"/>.</summary>
-[SceneType("plastic", "Polished plastic: a matt base under a smooth clear coat, in which light is reflected to and fro.")]
+[SceneType("plastic", "Polished plastic: a matt base under a smooth clear coat, in which light is reflected back and forth.")]
 public sealed record PlasticMaterialDescription : CoatedDescription
 {
     /// <inheritdoc/>

@@ -27,11 +27,11 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     public TextureDescription Anisotropic { get; init; } = Number(0);
 
     /// <summary>Reflectance head-on in units of 8 %; null where <see cref="RefractiveIndex"/> tells.</summary>
-    [Parameter("Reflectance when seen head-on, in units of 8 %: 0.5 is 4 %, as of glass and plastic. In place of refractiveIndex.", Minimum = 0, Maximum = 1)]
+    [Parameter("Reflectance when seen head-on, in units of 8 %: 0.5 is 4 %, as for glass and plastic. It replaces refractiveIndex.", Minimum = 0, Maximum = 1)]
     public float? Specular { get; init; }
 
     /// <summary>Refractive index of the inside; null for 1.5, or what <see cref="Specular"/> tells.</summary>
-    [Parameter("Refractive index of the inside relative to the outside, in place of specular. Without either, it is 1.5.", Minimum = 1.001, Maximum = 10)]
+    [Parameter("Refractive index of the inside relative to the outside, instead of specular. Without either, it is 1.5.", Minimum = 1.001, Maximum = 10)]
     public float? RefractiveIndex { get; init; }
 
     /// <summary>How much of a dielectric's highlight has the colour of the base.</summary>
@@ -39,11 +39,11 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     public TextureDescription SpecularTint { get; init; } = Number(0);
 
     /// <summary>0 is opaque, 1 is glass.</summary>
-    [Parameter("0 is opaque, 1 is glass. Put glass on closed shapes.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("0 is opaque, 1 is glass. Use glass on closed shapes.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Transmission { get; init; } = Number(0);
 
     /// <summary>Light at grazing angles, as of cloth.</summary>
-    [Parameter("Light at grazing angles, as fuzz on cloth has.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("Light at grazing angles, as on fuzzy cloth.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Sheen { get; init; } = Number(0);
 
     /// <summary>How much of the sheen has the colour of the base.</summary>
@@ -51,7 +51,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     public TextureDescription SheenTint { get; init; } = Number(0);
 
     /// <summary>A second, clear coat on top.</summary>
-    [Parameter("A second, clear coat on top, as of car paint.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("A second, clear coat on top, as on car paint.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Clearcoat { get; init; } = Number(0);
 
     /// <summary>Roughness of the coat.</summary>
@@ -59,7 +59,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     public TextureDescription ClearcoatRoughness { get; init; } = Number(0);
 
     /// <summary>0 is matt, 1 as if light went around below the surface.</summary>
-    [Parameter("How much the matt base looks as if light went around below the surface, as in skin and wax.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("How much the matt base looks as if light scattered below the surface, as in skin and wax.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Flatness { get; init; } = Number(0);
 
     /// <summary>What fills the inside.</summary>
@@ -122,7 +122,7 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
     public override MaterialTraits Traits => new()
     {
         Specular = SpecularLobe.Glossy,
-        EnergyException = "base, highlight and sheen are added without regard to what the others leave (Burley's model)",
+        EnergyException = "base, highlight and sheen are added regardless of what the others leave (Burley's model)",
 
         // Computed by quadrature for a white base, seen at a cosine of 0.001 with a roughness of 1, where each is largest: of the base 1.56 (its
         // retro-reflection), with the highlight 1.61 at an index of 1.5 and 1.96 at one of 10, and 0.09 of the sheen. The coat adds at most 0.04.

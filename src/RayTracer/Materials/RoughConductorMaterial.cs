@@ -18,15 +18,15 @@ public sealed record RoughConductorMaterialDescription : MetalDescription
     public TextureDescription Alpha { get; init; } = new SolidTextureDescription { Color = new(0.1f, 0.1f, 0.1f) };
 
     /// <summary>Roughness along u; null for <see cref="Alpha"/>.</summary>
-    [Parameter("Roughness in the direction in which u grows, if another.", Minimum = 0, Maximum = 10, IsNumber = true)]
+    [Parameter("Roughness in the direction in which u grows, if different.", Minimum = 0, Maximum = 10, IsNumber = true)]
     public TextureDescription? AlphaU { get; init; }
 
     /// <summary>Roughness across u; null for <see cref="Alpha"/>.</summary>
-    [Parameter("Roughness perpendicular to that, if another.", Minimum = 0, Maximum = 10, IsNumber = true)]
+    [Parameter("Roughness perpendicular to that, if different.", Minimum = 0, Maximum = 10, IsNumber = true)]
     public TextureDescription? AlphaV { get; init; }
 
     /// <summary>Whether light that is reflected from one microfacet to another is not lost.</summary>
-    [Parameter("Whether light that is reflected more than once among the tiny mirrors is added, about as much as is lost without it: coarse metal then is as bright as polished metal. It needs one number for alpha.")]
+    [Parameter("Whether light that is reflected more than once among the tiny mirrors is added, about as much as is lost without it: rough metal is then as bright as polished metal. It needs one number for alpha.")]
     public bool MultipleScattering { get; init; }
 
     /// <inheritdoc/>
@@ -59,7 +59,7 @@ public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness r
     public override MaterialTraits Traits { get; } = new()
     {
         Specular = SpecularLobe.Glossy,
-        ReciprocityException = multipleScattering ? "what is made up for depends on the angle of one of the two directions only (Turquin's factor)" : null,
+        ReciprocityException = multipleScattering ? "the compensation depends on the angle of only one of the two directions (Turquin's factor)" : null,
         UsesTangent = roughness.UsesTangent,
         UsesUv = roughness.UsesUv || reflectance.Constant is null,
     };

@@ -8,13 +8,13 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="RoughDielectricMaterial"/>.</summary>
-[SceneType("roughDielectric", "Frosted glass: a rough boundary of a clear inside. Put it on closed shapes.")]
+[SceneType("roughDielectric", "Frosted glass: a rough boundary of a clear inside. Use it on closed shapes.")]
 public sealed record RoughDielectricMaterialDescription : GlassDescription
 {
     private const float UsualIndex = 1.5f;
 
     /// <summary>Refractive index of the inside, relative to the outside.</summary>
-    [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5. Not 1: such a boundary is none.", Minimum = 1e-3, Maximum = 100)]
+    [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5. Not 1: that would be no boundary.", Minimum = 1e-3, Maximum = 100)]
     public float RefractiveIndex { get; init; } = UsualIndex;
 
     /// <summary>How the microfacets' normals are distributed.</summary>
@@ -26,19 +26,19 @@ public sealed record RoughDielectricMaterialDescription : GlassDescription
     public TextureDescription Alpha { get; init; } = new SolidTextureDescription { Color = new(0.1f, 0.1f, 0.1f) };
 
     /// <summary>Roughness along u; null for <see cref="Alpha"/>.</summary>
-    [Parameter("Roughness in the direction in which u grows, if another.", Minimum = 0, Maximum = 10, IsNumber = true)]
+    [Parameter("Roughness in the direction in which u grows, if different.", Minimum = 0, Maximum = 10, IsNumber = true)]
     public TextureDescription? AlphaU { get; init; }
 
     /// <summary>Roughness across u; null for <see cref="Alpha"/>.</summary>
-    [Parameter("Roughness perpendicular to that, if another.", Minimum = 0, Maximum = 10, IsNumber = true)]
+    [Parameter("Roughness perpendicular to that, if different.", Minimum = 0, Maximum = 10, IsNumber = true)]
     public TextureDescription? AlphaV { get; init; }
 
     /// <summary>Factor on all that is reflected.</summary>
-    [Parameter("Factor on what is reflected, per channel: 1 for what glass really does.", Minimum = 0, Maximum = 1)]
+    [Parameter("Factor on what is reflected, per channel: 1 for real glass.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>Factor on all that is refracted.</summary>
-    [Parameter("Factor on what is refracted, per channel: 1 for what glass really does.", Minimum = 0, Maximum = 1)]
+    [Parameter("Factor on what is refracted, per channel: 1 for real glass.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <inheritdoc/>

@@ -7,11 +7,11 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="ThinDielectricMaterial"/>.</summary>
-[SceneType("thinDielectric", "A pane of glass that has no thickness: reflects a little, and lets the rest straight through.")]
+[SceneType("thinDielectric", "A pane of glass without thickness: reflects a little and lets the rest straight through.")]
 public sealed record ThinDielectricMaterialDescription : MaterialDescription
 {
     /// <summary>Refractive index of the pane, relative to the surroundings.</summary>
-    [Parameter("Refractive index of the pane relative to what is around it.", Minimum = 1e-3, Maximum = 100)]
+    [Parameter("Refractive index of the pane relative to its surroundings.", Minimum = 1e-3, Maximum = 100)]
     public float RefractiveIndex { get; init; } = 1.5f;
 
     /// <summary>Factor on all that is reflected.</summary>
@@ -19,7 +19,7 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
     public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>Factor on all that goes through.</summary>
-    [Parameter("Factor on what goes through, per channel: tinted glass.", Minimum = 0, Maximum = 1)]
+    [Parameter("Factor on what passes through, per channel: tinted glass.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>What fills the inside.</summary>

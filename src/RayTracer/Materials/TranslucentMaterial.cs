@@ -11,11 +11,11 @@ namespace RayTracer.Materials;
 public sealed record TranslucentMaterialDescription : MaterialDescription
 {
     /// <summary>Fraction of the light that is reflected.</summary>
-    [Parameter("Fraction of the light that goes back, per channel.", Minimum = 0, Maximum = 1)]
+    [Parameter("Fraction of the light that is reflected, per channel.", Minimum = 0, Maximum = 1)]
     public TextureDescription Color { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <summary>Fraction of the light that is let through.</summary>
-    [Parameter("Fraction of the light that comes out on the other side, per channel. Of both fractions, the sum must not be above 1.", Minimum = 0, Maximum = 1)]
+    [Parameter("Fraction of the light that comes out on the other side, per channel. The sum of both fractions must not be above 1.", Minimum = 0, Maximum = 1)]
     public TextureDescription Transmittance { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <summary>What fills the inside.</summary>
@@ -29,7 +29,7 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
         Texture below = builder.Texture(Transmittance);
         if (above.Constant is { } a && below.Constant is { } b && Math.Max(a.R + b.R, Math.Max(a.G + b.G, a.B + b.B)) > 1.00001f)
         {
-            builder.Error(this, nameof(Transmittance), "\"color\" and \"transmittance\" together must not be above 1 in any channel: more light would go out than comes in");
+            builder.Error(this, nameof(Transmittance), "\"color\" and \"transmittance\" together must not be above 1 in any channel: more light would leave than arrives");
         }
 
         return new TranslucentMaterial(above, below, Interior.Build());

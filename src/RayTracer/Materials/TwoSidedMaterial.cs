@@ -5,7 +5,7 @@ using RayTracer.Sampling;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="TwoSidedMaterial"/>.</summary>
-[SceneType("twoSided", "Two materials back to back: one is seen from outside, the other from behind. What is one-sided then is seen from both sides.")]
+[SceneType("twoSided", "Two materials back to back: one is seen from outside, the other from behind. One-sided materials are then seen from both sides.")]
 public sealed record TwoSidedMaterialDescription : MaterialDescription
 {
     /// <summary>The material that is seen from outside.</summary>
@@ -13,7 +13,7 @@ public sealed record TwoSidedMaterialDescription : MaterialDescription
     public MaterialDescription Front { get; init; } = new DiffuseMaterialDescription();
 
     /// <summary>The material that is seen from behind; null for the same.</summary>
-    [Parameter("The material that is seen from behind, if another.")]
+    [Parameter("The material that is seen from behind, if different.")]
     public MaterialDescription? Back { get; init; }
 
     /// <inheritdoc/>
@@ -28,7 +28,7 @@ public sealed record TwoSidedMaterialDescription : MaterialDescription
         Material side = WrapperMaterial.Part(builder, this, property, description);
         if (side.Traits is { Transmits: true } or { IsTransparent: true })
         {
-            builder.Error(this, property, "a material that lets light through has no two sides of its own; twoSided takes what reflects only");
+            builder.Error(this, property, "a material that lets light through has no separate sides; twoSided needs materials that only reflect");
         }
 
         return side;

@@ -17,7 +17,7 @@ public static class MediumStack
     /// <summary>The innermost medium.</summary>
     public static UIntW Innermost(UIntW stack) => stack & 0xffu;
 
-    /// <summary>How many boundaries were crossed.</summary>
+    /// <summary>The number of boundaries that were crossed.</summary>
     public static UIntW Crossings(UIntW stack) => stack >> CountShift;
 
     /// <summary>The stack after a boundary: of four media within each other, the outermost one is forgotten.</summary>

@@ -2,7 +2,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Media;
 
-/// <summary>What is inside the shapes of a scene, by numbers; 0 is empty space.</summary>
+/// <summary>The insides of a scene's shapes, by numbers; 0 is empty space.</summary>
 internal sealed unsafe class MediumTable
 {
     private const int Stride = 8;
@@ -62,7 +62,7 @@ internal sealed unsafe class MediumTable
         return index;
     }
 
-    /// <summary>What part of that is scattered.</summary>
+    /// <summary>The part of it that is scattered.</summary>
     public RgbW Albedo(UIntW stack) => Color(_numbers.Pointer + 3, stack);
 
     /// <summary>Mean cosines of the angles of scattering.</summary>

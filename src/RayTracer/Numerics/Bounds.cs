@@ -13,7 +13,7 @@ public readonly record struct Bounds(Vector3 Minimum, Vector3 Maximum)
     /// <summary>Everything.</summary>
     public static Bounds Infinite => new(new(float.NegativeInfinity), new(float.PositiveInfinity));
 
-    /// <summary>Whether all coordinates are finite.</summary>
+    /// <summary>True where all coordinates are finite.</summary>
     public bool IsFinite => Minimum.IsFinite() && Maximum.IsFinite();
 
     /// <summary>The eight corners.</summary>

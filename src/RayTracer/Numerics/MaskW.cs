@@ -41,7 +41,7 @@ public readonly struct MaskW
         };
     }
 
-    /// <summary>Whether any lane is true.</summary>
+    /// <summary>True where any lane is true.</summary>
     public bool Any
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -14,7 +14,7 @@ public sealed class Motion
     /// <summary>Nothing is moved.</summary>
     public static Motion None { get; } = new();
 
-    /// <summary>Whether the thing is at one place all the time.</summary>
+    /// <summary>True where nothing moves.</summary>
     public bool IsStill => !_tracks.Any(t => t.Segments.Length > 0);
 
     /// <summary>A thing at rest.</summary>
@@ -72,7 +72,7 @@ public sealed class Motion
         return box;
     }
 
-    /// <summary>Whether it can be undone at some times between two, of which the ends are among.</summary>
+    /// <summary>True where the motion is invertible at sampled times between two, ends included.</summary>
     internal bool IsInvertible(double from, double to) =>
         Enumerable.Range(0, 17).All(i => At(from + ((to - from) * i / 16)).IsInvertible);
 }

@@ -12,7 +12,7 @@ public readonly record struct Rgb(float R, float G, float B)
     /// <summary>1 in each channel.</summary>
     public static Rgb White => new(1, 1, 1);
 
-    /// <summary>Whether every channel is zero.</summary>
+    /// <summary>True where every channel is zero.</summary>
     public bool IsBlack => R == 0 && G == 0 && B == 0;
 
     /// <summary>Relative luminance Y (Rec. 709 weights, ITU-R BT.709-6 item 3.2).</summary>

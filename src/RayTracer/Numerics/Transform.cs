@@ -18,17 +18,17 @@ public readonly record struct Transform(TransformRow X, TransformRow Y, Transfor
     /// <summary>The map that moves nothing.</summary>
     public static Transform Identity { get; } = Scaling(Vector3.One);
 
-    /// <summary>Whether nothing is moved.</summary>
+    /// <summary>True for the identity.</summary>
     public bool IsIdentity => this == Identity;
 
-    /// <summary>Whether the axes keep their directions, whatever the factors along them.</summary>
+    /// <summary>True where the axes keep their directions, whatever the factors along them.</summary>
     public bool KeepsAxes => this is { X: { A: > 0, B: 0, C: 0 }, Y: { A: 0, B: > 0, C: 0 }, Z: { A: 0, B: 0, C: > 0 } };
 
     /// <summary>The determinant of A: the factor on volumes, below zero for maps that mirror.</summary>
     public double Determinant =>
         (X.A * ((Y.B * Z.C) - (Y.C * Z.B))) + (X.B * ((Y.C * Z.A) - (Y.A * Z.C))) + (X.C * ((Y.A * Z.B) - (Y.B * Z.A)));
 
-    /// <summary>Whether the map can be undone, and neither it nor what undoes it has numbers too large for single precision.</summary>
+    /// <summary>True where the map is invertible, and neither it nor its inverse has numbers too large for single precision.</summary>
     public bool IsInvertible => IsModest && double.IsNormal(Determinant) && double.IsNormal(1 / Determinant) && Inverse().IsModest;
 
     // Comparisons with NaN are false.
@@ -74,10 +74,10 @@ public readonly record struct Transform(TransformRow X, TransformRow Y, Transfor
         return linear * new Transform(new(1, 0, 0, -X.D), new(0, 1, 0, -Y.D), new(0, 0, 1, -Z.D));
     }
 
-    /// <summary>Where a point goes.</summary>
+    /// <summary>The image of a point.</summary>
     public Vector3 Point(Vector3 p) => new((float)(X.Dot(p) + X.D), (float)(Y.Dot(p) + Y.D), (float)(Z.Dot(p) + Z.D));
 
-    /// <summary>What a difference of points becomes.</summary>
+    /// <summary>The image of a difference of points.</summary>
     public Vector3 Vector(Vector3 v) => new((float)X.Dot(v), (float)Y.Dot(v), (float)Z.Dot(v));
 
     /// <summary>A vector multiplied by the transpose of A: of the inverse map, what a normal becomes, of another length.</summary>

@@ -65,7 +65,7 @@ public readonly unsafe struct UIntW
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static UIntW operator <<(UIntW a, int n) => new(a.V << n);
 
-    /// <summary>Whether the lanes are equal.</summary>
+    /// <summary>True where the lanes are equal.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static MaskW Equal(UIntW a, UIntW b) => new(Vector.AsVectorInt32(Vector.Equals(a.V, b.V)));
 
@@ -89,7 +89,7 @@ public readonly unsafe struct UIntW
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public FloatW ToUnit() => (this >> 8).ToFloat() * (1f / 16777216f);
 
-    /// <summary>Where the highest binary digit is one.</summary>
+    /// <summary>True where the highest binary digit is one.</summary>
     public MaskW TopDigit
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -27,6 +27,6 @@ public static class Vector3Exact
     /// <summary>The largest of the coordinates.</summary>
     public static float Largest(this Vector3 a) => float.Max(a.X, float.Max(a.Y, a.Z));
 
-    /// <summary>Whether every coordinate is finite.</summary>
+    /// <summary>True where every coordinate is finite.</summary>
     public static bool IsFinite(this Vector3 a) => float.IsFinite(a.X) && float.IsFinite(a.Y) && float.IsFinite(a.Z);
 }

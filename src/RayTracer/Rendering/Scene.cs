@@ -204,7 +204,7 @@ public sealed class Scene
         Scene scene = new(render, camera, description.Background, builder.Environment(description), description.Ambient, world);
         if (scene._interiors.Length > MediumStack.MaxMedia)
         {
-            builder.Error(description, nameof(SceneDescription.Materials), $"the materials have {scene._interiors.Length} different insides (media, and dielectrics with a priority), but there can be {MediumStack.MaxMedia}");
+            builder.Error(description, nameof(SceneDescription.Materials), $"the materials have {scene._interiors.Length} different insides (media, and dielectrics with a priority), but at most {MediumStack.MaxMedia} are possible");
             return null;
         }
 

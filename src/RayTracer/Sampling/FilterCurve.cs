@@ -24,7 +24,7 @@ public sealed class FilterCurve
         SignChange = hasNegativeLobe ? 0.5 * Radius * ((2.0 * filter.B) + (6.0 * filter.C)) / (filter.B + (6.0 * filter.C)) : Radius;
     }
 
-    /// <summary>Where the curve ends, in pixels.</summary>
+    /// <summary>The radius at which the curve ends, in pixels.</summary>
     public double Radius { get; }
 
     /// <summary>Beyond it, up to the radius, the curve is negative; the radius where it is not.</summary>
@@ -48,7 +48,7 @@ public sealed class FilterCurve
         const float mostDeviations = 8;
         if (filter.Radius is > 0 and < smallest)
         {
-            return (nameof(FilterDescription.Radius), $"a pixel filter's radius must be 0, for what is usual, or at least {smallest}, but it is {filter.Radius}");
+            return (nameof(FilterDescription.Radius), $"a pixel filter's radius must be 0, for the usual one, or at least {smallest}, but it is {filter.Radius}");
         }
 
         float radius = filter.Radius > 0 ? filter.Radius : UsualRadius(filter.Shape);

@@ -5,7 +5,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Sampling;
 
 /// <summary>Independent random numbers: the yardstick for the others. The variance of a mean falls as 1/N.</summary>
-/// <param name="samplesPerPixel">How many samples a pixel will have.</param>
+/// <param name="samplesPerPixel">The number of samples that a pixel will have.</param>
 public sealed class IndependentSampler(int samplesPerPixel) : Sampler(samplesPerPixel)
 {
     /// <inheritdoc/>

@@ -7,7 +7,7 @@ namespace RayTracer.Sampling;
 
 /// <summary>
 /// The report's jittered sampling (section 3.4): n×n cells, one random point in each. Every pair of dimensions visits its
-/// cells in an order of its own, a hashed permutation of the pixel, so that the pairs are independent of one another and any
+/// cells in its own order, a hashed permutation of the pixel, so that the pairs are independent of one another and any
 /// first part of the samples is an unbiased picture.
 /// </summary>
 public class JitteredSampler : Sampler
@@ -18,7 +18,7 @@ public class JitteredSampler : Sampler
     private readonly int _root;
 
     /// <summary>Makes a sampler of n×n cells.</summary>
-    /// <param name="samplesPerPixel">How many samples a pixel will have: a square.</param>
+    /// <param name="samplesPerPixel">The number of samples that a pixel will have: a square.</param>
     /// <exception cref="ArgumentException">The number is not a square.</exception>
     public JitteredSampler(int samplesPerPixel)
         : base(samplesPerPixel)
@@ -65,7 +65,7 @@ public class JitteredSampler : Sampler
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private protected void Cell(UIntW cell, out FloatW column, out FloatW row)
     {
-        // The quotient in floats may be one off where there are millions of cells; the remainder tells.
+        // The quotient in floats may be one off where there are millions of cells; the remainder decides.
         UIntW quotient = (cell.ToFloat() * (1f / _root)).ToIntInRange();
         UIntW remainder = cell - (quotient * (uint)_root);
         MaskW isTooLarge = remainder > int.MaxValue;
@@ -122,7 +122,7 @@ internal class JitteredKind(string name = "jittered") : SamplerKind(name)
     {
         int below = (int)double.Sqrt(samplesPerPixel);
         return JitteredSampler.Root(samplesPerPixel) is not null ? null
-            : $"the {Name} sampler needs a square number of samples, but {samplesPerPixel} is none: take {below * below} or {(below + 1) * (below + 1)}";
+            : $"the {Name} sampler needs a square number of samples, but {samplesPerPixel} is not one: use {below * below} or {(below + 1) * (below + 1)}";
     }
 
     public override Sampler Create(int samplesPerPixel) => new JitteredSampler(samplesPerPixel);

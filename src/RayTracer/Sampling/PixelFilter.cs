@@ -5,7 +5,7 @@ namespace RayTracer.Sampling;
 
 /// <summary>
 /// Places samples around the middle of their pixel with a density in proportion to the magnitude of a filter's curve (Ernst, Stamminger &amp;
-/// Greiner, Filter importance sampling, 2006). A pixel's colour is the plain mean of its own samples then, each times
+/// Greiner, Filter importance sampling, 2006). A pixel's colour is then the plain mean of its own samples, each times
 /// its <see cref="Weight"/>: nothing is written into other pixels, and films stay sums. The curve is replaced by straight lines between
 /// <see cref="Cells"/> + 1 places, and the weights are those of the straight lines: white stays white.
 /// </summary>
@@ -53,7 +53,7 @@ public sealed unsafe class PixelFilter
         _norm = (float)(share[Cells] / signedSum);
     }
 
-    /// <summary>Whether <see cref="Weight"/> may be other than 1: where the curve has negative lobes.</summary>
+    /// <summary>True where <see cref="Weight"/> may differ from 1: where the curve has negative lobes.</summary>
     public bool HasWeights { get; }
 
     /// <summary>Makes the filter that a description asks for; null for the mean over the pixel's own square, which needs none.</summary>
@@ -69,7 +69,7 @@ public sealed unsafe class PixelFilter
         y = Offset(y) + 0.5f;
     }
 
-    /// <summary>What the radiance of samples is multiplied by: 1 in the mean; negative where one of the offsets lies in a negative lobe.</summary>
+    /// <summary>The factor on the radiance of samples: 1 in the mean; negative where one of the offsets lies in a negative lobe.</summary>
     /// <param name="u">The first random number that placed them.</param>
     /// <param name="v">The second.</param>
     public FloatW Weight(in FloatW u, in FloatW v) => AxisWeight(u) * AxisWeight(v);

@@ -6,7 +6,7 @@ namespace RayTracer.Sampling;
 /// The report's uniform grid (section 3.4): the same n×n points in every pixel, which turns fine detail into false patterns
 /// (aliasing). Only the position in the pixel is regular; all other dimensions are jittered, for light would alias too.
 /// </summary>
-/// <param name="samplesPerPixel">How many samples a pixel will have: a square.</param>
+/// <param name="samplesPerPixel">The number of samples that a pixel will have: a square.</param>
 public sealed class RegularSampler(int samplesPerPixel) : JitteredSampler(samplesPerPixel)
 {
     /// <inheritdoc/>

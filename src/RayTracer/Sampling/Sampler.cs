@@ -7,10 +7,10 @@ namespace RayTracer.Sampling;
 /// function of the pixel's key (which holds the seed), the sample and the pair, all in [0, 1).
 /// <see cref="Dimensions"/> says which pair decides what.
 /// </summary>
-/// <param name="samplesPerPixel">How many samples a pixel will have.</param>
+/// <param name="samplesPerPixel">The number of samples that a pixel will have.</param>
 public abstract class Sampler(int samplesPerPixel)
 {
-    /// <summary>How many samples a pixel will have.</summary>
+    /// <summary>The number of samples that a pixel will have.</summary>
     public int SamplesPerPixel { get; } = samplesPerPixel;
 
     /// <summary>Prepares a group of pairs for each lane.</summary>
@@ -32,7 +32,7 @@ public abstract class Sampler(int samplesPerPixel)
     public abstract void Pair(in SamplePoints points, uint pair, out FloatW u, out FloatW v);
 }
 
-/// <summary>Where each lane is in a group of pairs; what the numbers mean is the sampler's affair.</summary>
+/// <summary>The place of each lane in a group of pairs; the meaning of the numbers is up to the sampler.</summary>
 public struct SamplePoints
 {
     /// <summary>The group's key.</summary>
@@ -73,7 +73,7 @@ public static class Dimensions
     public const uint FirstFlight = 1 << 24;
 
     /// <summary>
-    /// The digit of a group's number that tells that it and the group two before, where that digit is zero, may be the halves of points in four dimensions:
+    /// The digit of a group's number that says that it and the group two before, where that digit is zero, may be the halves of points in four dimensions:
     /// the vertices of a path by twos, for instance a direction and the light where it leads.
     /// </summary>
     public const uint SecondOfFour = 2;

@@ -21,13 +21,13 @@ public abstract class SamplerKind(string name) : NamedValue(name)
     /// <summary>All samplers.</summary>
     public static Registry<SamplerKind> Known { get; } = new("sampler", s => [s.Name], Sobol, Jittered, Regular, Independent);
 
-    /// <summary>Whether the place of a sample depends on how many there are; otherwise further samples continue those of a picture with fewer.</summary>
+    /// <summary>True where the place of a sample depends on how many there are; otherwise further samples continue those of a picture with fewer.</summary>
     public virtual bool DependsOnCount => false;
 
     /// <summary>Says why a pixel cannot have that many samples; null where it can.</summary>
     public virtual string? Complaint(int samplesPerPixel) => null;
 
     /// <summary>Makes the sampler.</summary>
-    /// <param name="samplesPerPixel">How many samples a pixel will have; there is no <see cref="Complaint"/> about it.</param>
+    /// <param name="samplesPerPixel">The number of samples that a pixel will have; there is no <see cref="Complaint"/> about it.</param>
     public abstract Sampler Create(int samplesPerPixel);
 }

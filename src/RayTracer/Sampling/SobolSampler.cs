@@ -10,7 +10,7 @@ namespace RayTracer.Sampling;
 /// Sobol points, scrambled by Owen's method: every power of two of samples is as evenly spread as points can be, and every
 /// pixel and dimension has its own random scrambling, so the picture is unbiased. The first <see cref="TabledPairs"/> pairs
 /// of dimensions are those of the first two groups; every further group is one of these pairs again, in an order that
-/// two groups share (<see cref="Dimensions.SecondOfFour"/>), and every pair of it in a scrambling of its own (Burley, Practical
+/// two groups share (<see cref="Dimensions.SecondOfFour"/>), and every pair of it in its own scrambling (Burley, Practical
 /// hash-based Owen scrambling, JCGT 2020).
 /// </summary>
 public sealed unsafe class SobolSampler : Sampler
@@ -29,7 +29,7 @@ public sealed unsafe class SobolSampler : Sampler
     private readonly int _digits;
 
     /// <summary>Makes a sampler.</summary>
-    /// <param name="samplesPerPixel">How many samples a pixel will have, up to 2²⁴; powers of two are spread most evenly.</param>
+    /// <param name="samplesPerPixel">The number of samples that a pixel will have, up to 2²⁴; powers of two are spread most evenly.</param>
     public SobolSampler(int samplesPerPixel)
         : base(samplesPerPixel)
     {

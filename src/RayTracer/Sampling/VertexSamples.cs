@@ -69,7 +69,7 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         _hasRest = true;
     }
 
-    /// <summary>The number that decides whether a path goes on.</summary>
+    /// <summary>The number that decides whether a path continues.</summary>
     public FloatW Roulette()
     {
         Decisions(0, out _, out FloatW v);

@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Shapes;
 
-/// <summary>What light sources share whose points are chosen uniformly by area.</summary>
+/// <summary>The sampling shared by light sources whose points are chosen uniformly by area.</summary>
 internal static class AreaSample
 {
     /// <summary>The density per steradian of a point that was chosen uniformly by area; zero from behind.</summary>

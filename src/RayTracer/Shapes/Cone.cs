@@ -6,7 +6,7 @@ using RayTracer.Materials;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Cone"/>.</summary>
-[SceneType("cone", "A cone, or, with a topRadius, the frustum of one. u goes once around the axis, as on a sphere (of an upright one, u = 0.5 faces +z), v from the bottom (0) to the top (1). On the caps, uv goes from 0 to 1 across the square around them, as on disks.")]
+[SceneType("cone", "A cone, or, with a topRadius, the frustum of one. u goes once around the axis, as on a sphere (u = 0.5 faces +z if it is upright), v from the bottom (0) to the top (1). On the caps, uv goes from 0 to 1 across the square around them, as on disks.")]
 public sealed record ConeDescription : ShapeDescription
 {
     /// <summary>The middle of the bottom.</summary>
@@ -25,8 +25,8 @@ public sealed record ConeDescription : ShapeDescription
     [Parameter("The radius of the top: 0 for a cone, more for a frustum.", Unit = "scene units", Minimum = 0)]
     public float TopRadius { get; init; }
 
-    /// <summary>Whether the ends are closed.</summary>
-    [Parameter("Whether the ends are closed by disks. Without them the inside is seen, but does not shine.")]
+    /// <summary>True where the ends are closed.</summary>
+    [Parameter("Whether the ends are closed by disks. Without them the inside is visible, but does not shine.")]
     public bool Caps { get; init; } = true;
 
     /// <inheritdoc/>

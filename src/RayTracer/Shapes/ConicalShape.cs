@@ -33,7 +33,7 @@ public abstract class ConicalShape : Shape
     /// <summary>The radius of the top.</summary>
     public float TopRadius { get; }
 
-    /// <summary>Whether the ends are closed.</summary>
+    /// <summary>True where the ends are closed.</summary>
     public bool HasCaps { get; }
 
     /// <inheritdoc/>
@@ -57,7 +57,7 @@ public abstract class ConicalShape : Shape
 
     private float SideArea => float.Pi * (Radius + TopRadius) * _slant;
 
-    /// <summary>Whether two points tell an axis; where they do not, that is reported as an error.</summary>
+    /// <summary>True where two points define an axis; where they do not, that is reported as an error.</summary>
     internal static bool HasAxis(SceneBuilder builder, ShapeDescription subject, Vector3 bottom, Vector3 top)
     {
         Vector3 axis = top - bottom;

@@ -6,7 +6,7 @@ using RayTracer.Materials;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Cylinder"/>.</summary>
-[SceneType("cylinder", "A cylinder between two points of its axis. u goes once around the axis, as on a sphere (of an upright one, u = 0.5 faces +z), v from the bottom (0) to the top (1). On the caps, uv goes from 0 to 1 across the square around them, as on disks.")]
+[SceneType("cylinder", "A cylinder between two points of its axis. u goes once around the axis, as on a sphere (u = 0.5 faces +z if it is upright), v from the bottom (0) to the top (1). On the caps, uv goes from 0 to 1 across the square around them, as on disks.")]
 public sealed record CylinderDescription : ShapeDescription
 {
     /// <summary>The middle of the bottom.</summary>
@@ -21,8 +21,8 @@ public sealed record CylinderDescription : ShapeDescription
     [Parameter("The radius.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
     public float Radius { get; init; } = 1;
 
-    /// <summary>Whether the ends are closed.</summary>
-    [Parameter("Whether the ends are closed by disks. Without them it is a pipe, whose inside is seen, but does not shine.")]
+    /// <summary>True where the ends are closed.</summary>
+    [Parameter("Whether the ends are closed by disks. Without them it is a pipe, whose inside is visible but does not shine.")]
     public bool Caps { get; init; } = true;
 
     /// <inheritdoc/>

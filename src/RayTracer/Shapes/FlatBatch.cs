@@ -8,7 +8,7 @@ namespace RayTracer.Shapes;
 
 /// <summary>
 /// All flat shapes of one kind in a scene. An entry is n and d of the plane n·p = d, two affine maps from a point to the
-/// coordinates that the outline is told by (Wald 2004's idea of a precomputed projection, in three dimensions), the maps to
+/// coordinates that the outline is tested in (Wald 2004's idea of a precomputed projection, in three dimensions), the maps to
 /// u and v, and the outline.
 /// </summary>
 internal sealed unsafe class FlatBatch : ShapeBatch

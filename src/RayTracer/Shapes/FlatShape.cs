@@ -15,18 +15,18 @@ public abstract unsafe class FlatShape(Material material, string name) : Shape(m
     internal abstract Outline Pack(float* entry);
 }
 
-/// <summary>Which part of its plane a flat shape is, by the two maps of its entry.</summary>
+/// <summary>The outline of a flat shape in its plane, by the two maps of its entry.</summary>
 internal enum Outline
 {
     /// <summary>All of it.</summary>
     None,
 
-    /// <summary>Where both maps lie between 0 and 1.</summary>
+    /// <summary>The points where both maps lie between 0 and 1.</summary>
     Rectangle,
 
-    /// <summary>Where both maps are at least 0, and their sum at most 1.</summary>
+    /// <summary>The points where both maps are at least 0, and their sum at most 1.</summary>
     Triangle,
 
-    /// <summary>Where the squares of both maps add up to at most 1.</summary>
+    /// <summary>The points where the squares of both maps add up to at most 1.</summary>
     Disk,
 }

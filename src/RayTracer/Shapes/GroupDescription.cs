@@ -3,7 +3,7 @@ using RayTracer.Description;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes several shapes that are placed together.</summary>
-[SceneType("group", "Shapes that are moved together. What nothing is said about is made of the group's material.")]
+[SceneType("group", "Shapes that move together. Shapes without a material are made of the group's.")]
 public sealed record GroupDescription : ShapeDescription
 {
     /// <summary>The shapes.</summary>

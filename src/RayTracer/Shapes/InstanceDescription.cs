@@ -2,8 +2,8 @@ using RayTracer.Description;
 
 namespace RayTracer.Shapes;
 
-/// <summary>Describes one more appearance of an object, which takes no memory of its own but for its place.</summary>
-[SceneType("instance", "One appearance of an object. All instances of an object share its memory and its materials.")]
+/// <summary>Describes a further copy of an object, which takes no memory except for its place.</summary>
+[SceneType("instance", "A copy of an object. All instances of an object share its memory and its materials.")]
 public sealed record InstanceDescription : ShapeDescription
 {
     /// <summary>The shape shown; null only while nothing has been said.</summary>

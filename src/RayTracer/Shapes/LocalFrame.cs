@@ -34,7 +34,7 @@ internal readonly record struct LocalFrame(Vector3 Origin, Vector3 Right, Vector
             new((float)x, (float)y, (float)z));
     }
 
-    /// <summary>How far a disk of a radius around a point of the axis reaches along each of the world's axes.</summary>
+    /// <summary>The extent, along each of the world's axes, of a disk of a radius around a point of the axis.</summary>
     public Vector3 DiskReach(float radius)
     {
         Vector3 squared = (Right * Right) + (Front * Front);

@@ -32,6 +32,6 @@ public sealed class MeshData(Vector3[] positions, int[] indices)
     /// <summary>A tangent for each corner, along growing u, whose fourth number is the sign of the bitangent (glTF 2.0, section 3.7.2.1); null where there is none.</summary>
     public Vector4[]? Tangents { get; init; }
 
-    /// <summary>Which of the mesh's materials each triangle is made of; null where all are made of the first.</summary>
+    /// <summary>The index of each triangle's material; null where all are made of the first.</summary>
     public int[]? MaterialOfTriangle { get; init; }
 }

@@ -3,7 +3,7 @@ using RayTracer.Description;
 
 namespace RayTracer.Shapes;
 
-/// <summary>Which normals a mesh is shaded with.</summary>
+/// <summary>The normals that a mesh is shaded with.</summary>
 public enum MeshShading
 {
     /// <summary>Its own, and none where it has none.</summary>
@@ -17,11 +17,11 @@ public enum MeshShading
 }
 
 /// <summary>Describes a mesh of triangles, from a file, from numbers in the scene file, or from a program.</summary>
-[SceneType("mesh", "Triangles that share corners, from a model file or from numbers written here. Their front, which shines if they are a luminaire, is where the corners are seen counter-clockwise. What is wrong with a mesh is mended where possible, and reported.")]
+[SceneType("mesh", "Triangles that share corners, from a model file or from numbers written here. Their front, which shines if they are a luminaire, is where the corners are seen counter-clockwise. Faults of a mesh are repaired where possible, and reported.")]
 public sealed record MeshDescription : ShapeDescription
 {
     /// <summary>A model file, of which only the triangles are taken.</summary>
-    [Parameter("A model file, of which only the triangles are taken: not its materials, lights and cameras (a model takes all).", IsFile = true)]
+    [Parameter("A model file, of which only the triangles are used, not its materials, lights and cameras (the shape model uses them all).", IsFile = true)]
     public string File { get; init; } = "";
 
     /// <summary>The corners.</summary>
@@ -29,47 +29,47 @@ public sealed record MeshDescription : ShapeDescription
     public IReadOnlyList<Vector3> Positions { get; init; } = [];
 
     /// <summary>Three corners a triangle.</summary>
-    [Parameter("The triangles: for each, the numbers of three corners, from 0, counter-clockwise as seen from its front.")]
+    [Parameter("The triangles: for each, the indices of three corners, from 0, counter-clockwise as seen from its front.")]
     public IReadOnlyList<TriangleIndices> Triangles { get; init; } = [];
 
     /// <summary>A shading normal for each corner; empty for flat triangles.</summary>
-    [Parameter("A normal for each corner, of any length, with which the surface is shaded as if it were smooth. Without them each triangle is flat.")]
+    [Parameter("A normal for each corner, of any length; they shade the surface as if it were smooth. Without them each triangle is flat.")]
     public IReadOnlyList<Vector3> Normals { get; init; } = [];
 
     /// <summary>uv for each corner.</summary>
     [Parameter("uv for each corner.")]
     public IReadOnlyList<Vector2> Uv { get; init; } = [];
 
-    /// <summary>A colour for each corner; empty where the mesh has none of its own.</summary>
-    [Parameter("A colour for each corner, linear red, green and blue: diffuse colours are multiplied by it, unless the material shows it by a texture of the type vertexColor.", Minimum = 0)]
+    /// <summary>A colour for each corner; empty where the mesh has none.</summary>
+    [Parameter("A colour for each corner, linear red, green and blue: diffuse colours are multiplied by it, unless the material shows it with a texture of type vertexColor.", Minimum = 0)]
     public IReadOnlyList<Vector3> Colors { get; init; } = [];
 
     /// <summary>Materials for <see cref="MaterialOfTriangle"/>; empty where all triangles are of the mesh's material.</summary>
     [Parameter("Materials to choose from for each triangle. Without them, all are made of the mesh's material.")]
     public IReadOnlyList<MaterialDescription> Materials { get; init; } = [];
 
-    /// <summary>Which of <see cref="Materials"/> each triangle is made of; empty where all are made of the first.</summary>
-    [Parameter("For each triangle, which of the materials it is made of, from 0.")]
+    /// <summary>The index of each triangle's material in <see cref="Materials"/>; empty where all are made of the first.</summary>
+    [Parameter("For each triangle, the index of its material, from 0.")]
     public IReadOnlyList<int> MaterialOfTriangle { get; init; } = [];
 
-    /// <summary>Which of the meshes of <see cref="File"/>, from 0; −1 for all.</summary>
-    [Parameter("Which of the meshes of the file, from 0; −1 takes all of them.", Minimum = -1)]
+    /// <summary>The index of the mesh in <see cref="File"/>, from 0; −1 for all.</summary>
+    [Parameter("The index of the mesh in the file, from 0; −1 uses all of them.", Minimum = -1)]
     public int Part { get; init; } = -1;
 
-    /// <summary>Which normals the mesh is shaded with.</summary>
-    [Parameter("Which normals the mesh is shaded with: its own (flat triangles where it has none), none at all, or its own and where it has none the mean of the triangles around each corner, weighted by their angles there.")]
+    /// <summary>The normals that the mesh is shaded with.</summary>
+    [Parameter("Which normals the mesh is shaded with: its own (flat triangles where it has none), none at all, or its own and, where it has none, the mean of the triangles around each corner, weighted by their angles there.")]
     public MeshShading Shading { get; init; } = MeshShading.Own;
 
-    /// <summary>Whether the mesh is turned inside out.</summary>
+    /// <summary>True where the mesh is turned inside out.</summary>
     [Parameter("Whether the mesh is turned inside out: its front becomes its back.")]
     public bool FlipNormals { get; init; }
 
-    /// <summary>Whether v is counted from the other end.</summary>
-    [Parameter("Whether v is counted from the other end: 1 − v takes its place.")]
+    /// <summary>True where v is counted from the other end.</summary>
+    [Parameter("Whether v is counted from the other end: 1 − v replaces it.")]
     public bool FlipV { get; init; }
 
-    /// <summary>Whether the colours of corners are left out.</summary>
-    [Parameter("Whether the colours that a file gives its corners are left out. Otherwise the material's colour is multiplied by them.")]
+    /// <summary>True where the colours of corners are left out.</summary>
+    [Parameter("Whether the colours that a file gives its corners are ignored. Otherwise the material's colour is multiplied by them.")]
     public bool IgnoreColors { get; init; }
 
     /// <summary>The triangles as a program gives them, instead of the file or the lists; null where there are none.</summary>

@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>
-/// Finds what is wrong with a mesh and mends it: triangles that cannot be used are dropped, normals that cannot be used are computed anew, and
+/// Finds the faults of a mesh and repairs them: unusable triangles are dropped, unusable normals are recomputed, and
 /// triangles that face otherwise than their neighbours are turned. Any numbers whatever give a mesh that can be rendered.
 /// </summary>
 internal sealed class MeshDoctor

@@ -45,7 +45,7 @@ internal sealed class MeshEdges
         }
     }
 
-    /// <summary>Whether any two triangles that alone share an edge face different sides.</summary>
+    /// <summary>True where any two triangles that alone share an edge face different sides.</summary>
     public bool AnyInconsistent()
     {
         bool found = false;

@@ -3,10 +3,10 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Shapes;
 
-/// <summary>What a scene makes of the triangles of a mesh: flat or smooth, turned inside out, with other uv.</summary>
+/// <summary>The changes that a scene makes to the triangles of a mesh: flat or smooth, turned inside out, with other uv.</summary>
 internal static class MeshVariant
 {
-    /// <summary>Whether nothing is to be made of them.</summary>
+    /// <summary>True where nothing changes.</summary>
     public static bool IsOwn(MeshDescription wanted) =>
         wanted is { Shading: MeshShading.Own, FlipNormals: false, FlipV: false, IgnoreColors: false };
 

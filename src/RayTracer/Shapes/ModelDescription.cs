@@ -3,7 +3,7 @@ using RayTracer.Description;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes all shapes and lights of a model file, made of the file's own materials.</summary>
-[SceneType("model", "All that a model file shows, with its own materials and lights. A material given here takes the place of all of them.")]
+[SceneType("model", "Everything in a model file, with its own materials and lights. A material given here replaces all of them.")]
 public sealed record ModelDescription : ShapeDescription
 {
     /// <summary>The model's file.</summary>

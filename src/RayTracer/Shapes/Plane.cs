@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Plane"/>.</summary>
-[SceneType("plane", "A plane without end, or with a size a rectangle. uv is in scene units from the point; with a size it goes from 0 to 1 across the rectangle. For whoever looks at the front with y up, u grows to the right and v upwards; for a level plane (its normal along y), −z takes the place of y.")]
+[SceneType("plane", "An infinite plane or, with a size, a rectangle. uv is in scene units from the point; with a size it goes from 0 to 1 across the rectangle. Seen from the front with y up, u grows to the right and v upwards; for a level plane (its normal along y), −z takes the place of y.")]
 public sealed record PlaneDescription : ShapeDescription
 {
     /// <summary>A point of the plane; the centre of the rectangle.</summary>
@@ -18,7 +18,7 @@ public sealed record PlaneDescription : ShapeDescription
     public Vector3 Normal { get; init; } = new(0, 1, 0);
 
     /// <summary>Width and height of the rectangle.</summary>
-    [Parameter("Width and height (along u and v) of a rectangle; without it the plane has no end.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
+    [Parameter("Width and height (along u and v) of a rectangle; without it the plane is infinite.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
     public Vector2? Size { get; init; }
 
     /// <inheritdoc/>
@@ -43,7 +43,7 @@ public sealed record PlaneDescription : ShapeDescription
 
         if (Size is null && material.Traits.Emits)
         {
-            builder.Error(this, nameof(Material), "a plane without end cannot shine: give it a \"size\"");
+            builder.Error(this, nameof(Material), "an infinite plane cannot shine: give it a \"size\"");
         }
 
         return new Plane(material, Name, Point, Normal.Unit(), Size);
@@ -131,7 +131,7 @@ public sealed unsafe class Plane : FlatShape
         return isSame && keepsUv ? (moved, size is null ? null : new Vector2(width.Norm(), height.Norm())) : null;
     }
 
-    // u runs to the right for whoever looks at the plane with y up; on a floor, with −z up.
+    // u runs to the right as seen from the front with y up; on a floor, with −z up.
     private static (Vector3 Tangent, Vector3 Bitangent) Sides(Vector3 normal)
     {
         bool isLevel = normal.X * normal.X + normal.Z * normal.Z < 1e-6f;

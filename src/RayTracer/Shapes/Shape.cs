@@ -13,16 +13,16 @@ namespace RayTracer.Shapes;
 /// <param name="name">A name for messages; may be empty.</param>
 public abstract class Shape(Material material, string name)
 {
-    /// <summary>What the surface is made of.</summary>
+    /// <summary>The material of the surface.</summary>
     public Material Material { get; } = material;
 
     /// <summary>A name for messages; may be empty.</summary>
     public string Name { get; } = name;
 
-    /// <summary>What it was made from; null where that is not kept.</summary>
+    /// <summary>The record that it was made from; null where that is not kept.</summary>
     internal Description.ShapeDescription? Source { get; set; }
 
-    /// <summary>By what it is told from other lights; null where nothing is said.</summary>
+    /// <summary>The label that distinguishes it from other lights; null where there is none.</summary>
     internal Description.LightLabel? Label { get; set; }
 
     /// <summary>The smallest box around the surface, parallel to the axes; infinite where the surface is.</summary>

@@ -8,7 +8,7 @@ using RayTracer.Sampling;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Sphere"/>.</summary>
-[SceneType("sphere", "A sphere. u goes once around the y axis (u = 0.5 faces +z) and grows to the right for whoever looks from outside with y up, v from the bottom (0) to the top (1) in proportion to the angle.")]
+[SceneType("sphere", "A sphere. u goes once around the y axis (u = 0.5 faces +z) and grows to the right when seen from outside with y up, v from the bottom (0) to the top (1) in proportion to the angle.")]
 public sealed record SphereDescription : ShapeDescription
 {
     /// <summary>The centre.</summary>
@@ -47,7 +47,7 @@ public sealed class Sphere(Material material, string name, Vector3 center, float
     /// <summary>The radius.</summary>
     public float Radius => radius;
 
-    /// <summary>How it is sampled where it shines.</summary>
+    /// <summary>The way it is sampled where it shines.</summary>
     public SphereLightSampling LightSampling { get; init; }
 
     /// <inheritdoc/>

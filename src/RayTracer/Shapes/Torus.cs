@@ -7,7 +7,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Torus"/>.</summary>
-[SceneType("torus", "A torus: a ring bent from a tube. u goes once around the axis, as on a sphere (of a lying one, u = 0.5 faces +z), v once around the tube, from the inner side (0) over bottom, outer side (0.5) and top.")]
+[SceneType("torus", "A torus: a ring bent from a tube. u goes once around the axis, as on a sphere (u = 0.5 faces +z if it lies flat), v once around the tube, from the inner side (0) over the bottom, outer side (0.5) and top.")]
 public sealed record TorusDescription : ShapeDescription
 {
     /// <summary>The centre.</summary>

@@ -14,7 +14,7 @@ public static class CieTables
     /// <summary>Between wavelengths, in nm.</summary>
     public const int Step = 5;
 
-    /// <summary>What gives X.</summary>
+    /// <summary>The matching function of X.</summary>
     public static ReadOnlySpan<double> X =>
     [
         0.0001299, 0.0002321, 0.0004149, 0.0007416, 0.001368, 0.002236, 0.004243, 0.00765, 0.01431, 0.02319,
@@ -29,7 +29,7 @@ public static class CieTables
         5.08587e-6, 3.58165e-6, 2.52252e-6, 1.77651e-6, 1.25114e-6,
     ];
 
-    /// <summary>What gives Y.</summary>
+    /// <summary>The matching function of Y.</summary>
     public static ReadOnlySpan<double> Y =>
     [
         3.917e-6, 6.965e-6, 1.239e-5, 2.202e-5, 3.9e-5, 6.4e-5, 0.00012, 0.000217, 0.000396, 0.00064,
@@ -44,7 +44,7 @@ public static class CieTables
         1.8366e-6, 1.2934e-6, 9.1093e-7, 6.4153e-7, 4.5181e-7,
     ];
 
-    /// <summary>What gives Z.</summary>
+    /// <summary>The matching function of Z.</summary>
     public static ReadOnlySpan<double> Z =>
     [
         0.0006061, 0.001086, 0.001946, 0.003486, 0.00645, 0.01055, 0.02005, 0.03621, 0.06785, 0.1102,

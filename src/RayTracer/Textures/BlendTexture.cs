@@ -26,6 +26,6 @@ public abstract class BlendTexture(TextureInputs inputs, Texture first, Texture 
         color = RgbW.MultiplyAdd(b, amount, a * (1f - amount));
     }
 
-    /// <summary>How much of the second texture there is, from 0 to 1.</summary>
+    /// <summary>The weight of the second texture, from 0 to 1.</summary>
     protected abstract void Amount(in TexturePointW at, out FloatW amount);
 }

@@ -24,7 +24,7 @@ public sealed record BrickTextureDescription : TextureDescription
     [Parameter("Thickness of the mortar, above, below and beside each brick.", Unit = "courses", Minimum = 0, Maximum = 1)]
     public float MortarSize { get; init; } = 0.15f;
 
-    /// <summary>How far each course is shifted against the one below.</summary>
+    /// <summary>The shift of each course against the one below.</summary>
     [Parameter("How far each course is shifted along u against the one below.", Unit = "bricks")]
     public float Shift { get; init; } = 0.5f;
 

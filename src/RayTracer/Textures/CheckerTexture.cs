@@ -5,7 +5,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Textures;
 
 /// <summary>Describes a <see cref="CheckerTexture"/>.</summary>
-[SceneType("checker", "A chess board: fields of two textures, each one unit of (scaled) uv wide.")]
+[SceneType("checker", "A chessboard: fields of two textures, each one unit of (scaled) uv wide.")]
 public sealed record CheckerTextureDescription : TextureDescription
 {
     /// <summary>Texture of the field at the origin.</summary>

@@ -17,19 +17,19 @@ public enum GradientShape
 }
 
 /// <summary>Describes a <see cref="GradientTexture"/>.</summary>
-[SceneType("gradient", "One texture that turns into another: along u, from the middle of uv outwards, or around it. placed turns and scales it.")]
+[SceneType("gradient", "One texture that blends into another: along u, outwards from the middle of uv, or around it. To turn or scale it, use placed.")]
 public sealed record GradientTextureDescription : TextureDescription
 {
     /// <summary>Along what it grows.</summary>
-    [Parameter("Along what it grows: linear (along u, from 0 to 1), radial (from (1/2, 1/2) up to a distance of 1/2) or angular (around that point, counter-clockwise from the direction of u).")]
+    [Parameter("The direction of the gradient: linear (along u, from 0 to 1), radial (from (1/2, 1/2) up to a distance of 1/2) or angular (around that point, counter-clockwise from the direction of u).")]
     public GradientShape Shape { get; init; } = GradientShape.Linear;
 
     /// <summary>The texture at its beginning.</summary>
-    [Parameter("The texture at its beginning, and before it.")]
+    [Parameter("The texture at the start, and before it.")]
     public TextureDescription First { get; init; } = new SolidTextureDescription();
 
     /// <summary>The texture at its end.</summary>
-    [Parameter("The texture at its end, and beyond it.")]
+    [Parameter("The texture at the end, and beyond it.")]
     public TextureDescription Second { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <inheritdoc/>

@@ -5,7 +5,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Textures;
 
-/// <summary>How the colour between texels is found.</summary>
+/// <summary>The interpolation of colours between texels.</summary>
 public enum Interpolation
 {
     /// <summary>The nearest texel: blocks are seen from near.</summary>
@@ -18,7 +18,7 @@ public enum Interpolation
     Bicubic,
 }
 
-/// <summary>What a texture shows outside the picture.</summary>
+/// <summary>The continuation of a texture outside its picture.</summary>
 public enum Wrapping
 {
     /// <summary>The picture again and again.</summary>
@@ -39,16 +39,16 @@ public sealed record ImageTextureDescription : TextureDescription
     [Parameter("The picture's file.", IsFile = true, Required = true)]
     public string File { get; init; } = "";
 
-    /// <summary>How the colour between texels is found.</summary>
-    [Parameter("How the colour between texels is found: the nearest one's, linear between four, or cubic between sixteen (Catmull–Rom, cut off at zero). Texel i of n has its centre at (i + ½)/n.")]
+    /// <summary>The interpolation of colours between texels.</summary>
+    [Parameter("How the colour between texels is found: the nearest one's, linear between four, or cubic between sixteen (Catmull–Rom, cut off at zero). The centre of texel i of n is at (i + ½)/n.")]
     public Interpolation Interpolation { get; init; } = Interpolation.Bilinear;
 
-    /// <summary>What is shown outside the picture.</summary>
-    [Parameter("What is shown outside the picture, where u or v is below 0 or above 1: the picture again, the texels of its edge, or the picture and its mirror image in turn.")]
+    /// <summary>The continuation outside the picture.</summary>
+    [Parameter("What is shown outside the picture, where u or v is below 0 or above 1: the picture repeated, the texels of its edge, or the picture and its mirror image in turn.")]
     public Wrapping Wrapping { get; init; } = Wrapping.Repeat;
 
-    /// <summary>What is shown above and below the picture; null where it is <see cref="Wrapping"/> there too.</summary>
-    [Parameter("What is shown above and below the picture, where v is below 0 or above 1, if not the same as beside it.")]
+    /// <summary>The continuation above and below the picture; null where it is <see cref="Wrapping"/> there too.</summary>
+    [Parameter("What is shown above and below the picture, where v is below 0 or above 1, if it differs from what is shown to the left and right.")]
     public Wrapping? VerticalWrapping { get; init; }
 
     /// <summary>Factors on u and v.</summary>
@@ -59,8 +59,8 @@ public sealed record ImageTextureDescription : TextureDescription
     [Parameter("Added to u and v after scaling.", Unit = "pictures")]
     public Vector2 Offset { get; init; }
 
-    /// <summary>Whether the file's numbers are taken as they are.</summary>
-    [Parameter("Whether the file's numbers are linear and taken as they are, instead of being decoded from sRGB. If nothing is said, they are where the texture stands for a number, and not where it is a colour. Floating-point files are always linear.")]
+    /// <summary>True where the file's numbers are used as they are.</summary>
+    [Parameter("Whether the file's numbers are linear and used as they are, instead of being decoded from sRGB. By default they are where the texture stands for a number, and are not where it is a colour. Floating-point files are always linear.")]
     public bool? Raw { get; init; }
 
     /// <summary>The picture as a program gives it (decoded, or raw), instead of the file; null where there is none.</summary>

@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Textures;
 
 /// <summary>Describes a <see cref="MarbleTexture"/>.</summary>
-[SceneType("marble", "Layers across x, bent by noise, as of marble.")]
+[SceneType("marble", "Layers across x, bent by noise, as in marble.")]
 public sealed record MarbleTextureDescription : SpaceTextureDescription
 {
     /// <summary>The stone.</summary>
@@ -16,10 +16,10 @@ public sealed record MarbleTextureDescription : SpaceTextureDescription
     public TextureDescription Second { get; init; } = new SolidTextureDescription { Color = new(0.15f, 0.17f, 0.2f) };
 
     /// <summary>Layers in a unit.</summary>
-    [Parameter("Layers in a unit along x; the noise has as many cells.", Unit = "1/scene unit", Minimum = 0)]
+    [Parameter("Layers per unit along x; the noise has as many cells.", Unit = "1/scene unit", Minimum = 0)]
     public float Scale { get; init; } = 1;
 
-    /// <summary>How much the layers are bent.</summary>
+    /// <summary>The amount by which the layers are bent.</summary>
     [Parameter("How much the layers are bent by noise.", Unit = "layers", Minimum = 0)]
     public float Turbulence { get; init; } = 2;
 

@@ -15,8 +15,8 @@ public sealed record MixTextureDescription : TextureDescription
     [Parameter("The texture where the weight is 1.", Required = true)]
     public TextureDescription Second { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
-    /// <summary>How much of the second there is.</summary>
-    [Parameter("How much of the second texture there is: the red channel of this one, whose pictures are read raw.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    /// <summary>The weight of the second texture.</summary>
+    [Parameter("The weight of the second texture: the red channel of this one, whose pictures are read raw.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Weight { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <inheritdoc/>

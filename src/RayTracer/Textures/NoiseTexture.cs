@@ -16,7 +16,7 @@ public sealed record NoiseTextureDescription : SpaceTextureDescription
     public TextureDescription Second { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>Cells of the first octave in a unit.</summary>
-    [Parameter("Cells of the noise in a unit of space: larger numbers make it finer.", Unit = "1/scene unit", Minimum = 0)]
+    [Parameter("Cells of the noise per unit of space: larger numbers make it finer.", Unit = "1/scene unit", Minimum = 0)]
     public float Scale { get; init; } = 1;
 
     /// <summary>Number of octaves.</summary>
@@ -24,11 +24,11 @@ public sealed record NoiseTextureDescription : SpaceTextureDescription
     public int Octaves { get; init; } = 1;
 
     /// <summary>Height of each octave over that of the one before.</summary>
-    [Parameter("Height of each octave over that of the one before: larger numbers make it rougher.", Minimum = 0, Maximum = 1)]
+    [Parameter("Amplitude of each octave relative to the one before: larger numbers make it rougher.", Minimum = 0, Maximum = 1)]
     public float Gain { get; init; } = 0.5f;
 
-    /// <summary>Whether magnitudes are summed.</summary>
-    [Parameter("Whether the magnitude of each octave is summed, which gives billows with creases.")]
+    /// <summary>True where magnitudes are summed.</summary>
+    [Parameter("Whether the magnitudes of the octaves are summed, which gives billows with creases.")]
     public bool Turbulent { get; init; }
 
     /// <summary>Selects the noise.</summary>
@@ -55,7 +55,7 @@ public sealed class NoiseTexture(TexturePlace place, Texture first, Texture seco
     /// <summary>Height of each octave over that of the one before.</summary>
     public float Gain { get; init; } = 0.5f;
 
-    /// <summary>Whether magnitudes are summed.</summary>
+    /// <summary>True where magnitudes are summed.</summary>
     public bool IsTurbulent { get; init; }
 
     /// <summary>Selects the noise.</summary>

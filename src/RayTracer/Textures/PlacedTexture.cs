@@ -13,7 +13,7 @@ public sealed record PlacedTextureDescription : TextureDescription
     public TextureDescription Texture { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>A matrix, row by row; empty for none.</summary>
-    [Parameter("A matrix, row by row: 2 rows of 3 numbers, of which the third column is added. Applied before the other parameters.")]
+    [Parameter("A matrix, row by row: 2 rows of 3 numbers; the third column is added. Applied before the other parameters.")]
     public IReadOnlyList<float> Matrix { get; init; } = [];
 
     /// <summary>Factors on u and v.</summary>

@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Textures;
 
-/// <summary>Whose coordinates a texture in space uses.</summary>
+/// <summary>The coordinates that a texture in space uses.</summary>
 public enum TextureSpace
 {
     /// <summary>Those in which the shape's own numbers are given: the texture goes with the shape.</summary>
@@ -16,19 +16,19 @@ public enum TextureSpace
 /// <summary>Describes a <see cref="SpaceTexture"/>.</summary>
 public abstract record SpaceTextureDescription : TextureDescription
 {
-    /// <summary>Whose coordinates are used.</summary>
-    [Parameter("Whose coordinates are used: the object's (those in which the shape's own numbers are given, before any transform, so that the texture goes with it) or the world's.")]
+    /// <summary>The coordinates that are used.</summary>
+    [Parameter("Whose coordinates are used: the object's (those of the shape's own numbers, before any transform, so that the texture moves with it) or the world's.")]
     public TextureSpace Space { get; init; } = TextureSpace.Object;
 
-    /// <summary>How the texture is moved in these coordinates; empty where it is not.</summary>
+    /// <summary>The transform of the texture in these coordinates; empty for the identity.</summary>
     [Parameter("How the texture is moved in these coordinates: steps, the first one applied first. A scale of 2 makes it twice as coarse.")]
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
-    /// <summary>Where the texture stands.</summary>
+    /// <summary>The coordinates of the texture.</summary>
     internal TexturePlace Place(SceneBuilder builder) => new(Space, TransformSteps.Place(this, Transform, builder));
 }
 
-/// <summary>Where a texture stands in space.</summary>
+/// <summary>The coordinates that a texture in space uses.</summary>
 /// <param name="Space">Whose coordinates are used.</param>
 /// <param name="Transform">How it is moved in them.</param>
 public readonly record struct TexturePlace(TextureSpace Space, Transform Transform);
@@ -55,7 +55,7 @@ public abstract class SpaceTexture(TexturePlace place, Texture first, Texture se
         Amount(point, out amount);
     }
 
-    /// <summary>How much of the second texture there is, from 0 to 1.</summary>
+    /// <summary>The weight of the second texture, from 0 to 1.</summary>
     /// <param name="point">Where, in the texture's own coordinates.</param>
     /// <param name="amount">The amount.</param>
     protected abstract void Amount(in Vec3W point, out FloatW amount);

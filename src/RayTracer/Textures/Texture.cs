@@ -10,7 +10,7 @@ namespace RayTracer.Textures;
 /// <param name="inputs">What the colour depends on.</param>
 public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
 {
-    /// <summary>What the colour depends on.</summary>
+    /// <summary>The inputs that the colour depends on.</summary>
     public TextureInputs Inputs => inputs;
 
     /// <summary>The colour if it is the same everywhere, else null; users may then skip computing uv.</summary>
@@ -24,10 +24,10 @@ public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
     /// <param name="color">The colour there, linear.</param>
     public abstract void Evaluate(in TexturePointW at, out RgbW color);
 
-    /// <summary>Whether <see cref="Slope(in TexturePointW, out FloatW, out FloatW)"/> tells the derivatives.</summary>
+    /// <summary>True where <see cref="Slope(in TexturePointW, out FloatW, out FloatW)"/> gives the derivatives.</summary>
     public virtual bool HasSlope => false;
 
-    /// <summary>How the red channel changes with u and with v; only where <see cref="HasSlope"/> says so.</summary>
+    /// <summary>The derivatives of the red channel by u and by v; only where <see cref="HasSlope"/> says so.</summary>
     /// <param name="at">The point.</param>
     /// <param name="alongU">Derivative by u.</param>
     /// <param name="alongV">Derivative by v.</param>

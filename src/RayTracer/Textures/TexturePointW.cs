@@ -2,7 +2,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Textures;
 
-/// <summary>Where textures are evaluated.</summary>
+/// <summary>The points where textures are evaluated.</summary>
 public struct TexturePointW
 {
     /// <summary>Surface coordinates.</summary>
@@ -14,11 +14,11 @@ public struct TexturePointW
     /// <summary>The point in the world; set only for <see cref="TextureInputs.WorldPoint"/>.</summary>
     public Vec3W World;
 
-    /// <summary>The colour that the surface has of its own; set only for <see cref="TextureInputs.VertexColor"/>.</summary>
+    /// <summary>The vertex colour of the surface; set only for <see cref="TextureInputs.VertexColor"/>.</summary>
     public RgbW VertexColor;
 }
 
-/// <summary>What a texture's colours depend on.</summary>
+/// <summary>The inputs that a texture's colours depend on.</summary>
 [Flags]
 public enum TextureInputs
 {

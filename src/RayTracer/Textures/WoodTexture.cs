@@ -4,11 +4,11 @@ using RayTracer.Numerics;
 namespace RayTracer.Textures;
 
 /// <summary>Describes a <see cref="WoodTexture"/>.</summary>
-[SceneType("wood", "Rings around y, distorted by noise, as of a trunk: each ring goes over slowly into dark late wood and ends at once.")]
+[SceneType("wood", "Rings around y, distorted by noise, as in a trunk: each ring turns slowly into dark late wood and ends abruptly.")]
 public sealed record WoodTextureDescription : SpaceTextureDescription
 {
     /// <summary>The early wood.</summary>
-    [Parameter("The texture where a ring begins.")]
+    [Parameter("The texture where a ring starts.")]
     public TextureDescription First { get; init; } = new SolidTextureDescription { Color = new(0.6f, 0.38f, 0.18f) };
 
     /// <summary>The late wood.</summary>
@@ -16,15 +16,15 @@ public sealed record WoodTextureDescription : SpaceTextureDescription
     public TextureDescription Second { get; init; } = new SolidTextureDescription { Color = new(0.25f, 0.12f, 0.05f) };
 
     /// <summary>Rings in a unit.</summary>
-    [Parameter("Rings in a unit of the radius.", Unit = "1/scene unit", Minimum = 0)]
+    [Parameter("Rings per unit of the radius.", Unit = "1/scene unit", Minimum = 0)]
     public float Rings { get; init; } = 8;
 
-    /// <summary>How much the rings are distorted.</summary>
+    /// <summary>The amount by which the rings are distorted.</summary>
     [Parameter("How much the rings are distorted by noise.", Unit = "rings", Minimum = 0)]
     public float Turbulence { get; init; } = 1;
 
     /// <summary>Cells of the noise in a unit.</summary>
-    [Parameter("Cells of the noise in a unit of space; along the trunk it is stretched ten times.", Unit = "1/scene unit", Minimum = 0)]
+    [Parameter("Cells of the noise per unit of space; along the trunk it is stretched ten times.", Unit = "1/scene unit", Minimum = 0)]
     public float Scale { get; init; } = 2;
 
     /// <summary>Selects the noise.</summary>

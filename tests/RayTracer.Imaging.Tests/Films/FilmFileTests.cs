@@ -57,7 +57,7 @@ public sealed class FilmFileTests : IDisposable
         AssertRefused("row 0 is damaged", Changed(file, f => f[rows + 9] ^= 1));
         AssertRefused("row 3 is damaged", Changed(file, f => f[^5] ^= 1));
         AssertRefused("row 3 is damaged", Changed(file, f => f[^1] ^= 1));
-        AssertRefused("something follows", [.. file, 0]);
+        AssertRefused("data follows", [.. file, 0]);
         AssertRefused("it ends too early", file[..^1]);
 
         // Rows that are good in themselves, but stand elsewhere.

@@ -129,10 +129,10 @@ public class JpegReaderTests
         int huffman = good.AsSpan().IndexOf((byte[])[0xFF, 0xC4]);
         return new()
         {
-            { "has 12 bits a sample, and only JPEG files of 8 bits", With(good, frame + 4, 12) },
+            { "has 12 bits per sample, and only JPEG files of 8 bits", With(good, frame + 4, 12) },
             { "arithmetically coded, which is not read", With(good, frame + 1, 0xC9) },
             { "arithmetically coded, which is not read", With(good, frame + 1, 0xCA) },
-            { "compressed without loss", With(good, frame + 1, 0xC3) },
+            { "compressed losslessly", With(good, frame + 1, 0xC3) },
             { "hierarchical", With(good, frame + 1, 0xC5) },
             { "marker DNL", With(With(good, frame + 5, 0), frame + 6, 0) },
             { "size of 0×", With(With(good, frame + 7, 0), frame + 8, 0) },
@@ -151,7 +151,7 @@ public class JpegReaderTests
             { "scan before its frame header", [.. good[..frame], .. good[scan..]] },
             { "two frame headers", [.. good[..(frame + 19)], .. good[frame..]] },
             { "restart marker 1 is missing at byte", With(restarts, secondRestart + 1, 0xD2) },
-            { "codes again", [.. good[..^2], .. good[scan..]] },
+            { "repeats what", [.. good[..^2], .. good[scan..]] },
             { "only a part of its components", separate[..separate.AsSpan().LastIndexOf((byte[])[0xFF, 0xDA])] },
         };
     }

@@ -26,8 +26,8 @@ public class MitsubaMediaTests
     }
 
     [Theory]
-    [InlineData("""<shape type="sphere"><bsdf type="diffuse"/>FOG</shape>""", "nothing is seen of a medium in a shape that lets no light in")]
-    [InlineData("""<shape type="sphere"><bsdf type="null"/>EXTERIOR</shape>""", "what is outside a shape is told here by the shapes around it: this has no effect")]
+    [InlineData("""<shape type="sphere"><bsdf type="diffuse"/>FOG</shape>""", "a medium in a shape that lets no light in is invisible")]
+    [InlineData("""<shape type="sphere"><bsdf type="null"/>EXTERIOR</shape>""", "the medium outside a shape follows from the shapes around it: this has no effect")]
     public void Media_without_effect_are_warned_of(string shape, string warning) =>
         Assert.Equal(warning, TestScene.Complaint(shape.Replace("FOG", Fog, StringComparison.Ordinal).Replace("EXTERIOR", Fog.Replace("interior", "exterior", StringComparison.Ordinal), StringComparison.Ordinal)));
 
@@ -35,7 +35,7 @@ public class MitsubaMediaTests
     public void The_medium_of_a_camera_is_told_by_what_is_around_it()
     {
         string sensor = TestScene.Sensor.Replace("</sensor>", Fog.Replace("interior", "around", StringComparison.Ordinal) + "</sensor>", StringComparison.Ordinal);
-        Assert.Equal("what the camera stands in is told here by the shapes around it: this has no effect", TestScene.Complaint("", sensor));
+        Assert.Equal("the medium around the camera follows from the shapes around it: this has no effect", TestScene.Complaint("", sensor));
     }
 
     [Fact]

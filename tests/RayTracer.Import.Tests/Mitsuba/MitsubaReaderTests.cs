@@ -128,7 +128,7 @@ public class MitsubaReaderTests
         using TestScene scene = new();
         IReadOnlyList<Diagnostic> diagnostics = [.. MitsubaReader.Read(scene.Write("scene.xml", Chain(20_000))).Diagnostics];
         Assert.NotEmpty(diagnostics);
-        Assert.All(diagnostics, d => Assert.Equal("things are nested more than 64 deep", d.Message));
+        Assert.All(diagnostics, d => Assert.Equal("objects are nested more than 64 deep", d.Message));
     }
 
     [Fact]

@@ -122,6 +122,6 @@ public class MitsubaSensorTests
     [InlineData("near_clip", "0.5")]
     [InlineData("far_clip", "20")]
     public void Planes_that_would_cut_are_warned_of(string name, string value) => Assert.Equal(
-        $"\"{name}\" cuts nothing here: all that is before the camera is seen",
+        $"\"{name}\" does not clip here: everything in front of the camera is visible",
         TestScene.Complaint("", TestScene.Sensor.Replace("<film", $"<float name=\"{name}\" value=\"{value}\"/><film", StringComparison.Ordinal)));
 }

@@ -15,7 +15,7 @@ internal sealed class LensModel
     private readonly int _width;
     private readonly int _height;
 
-    /// <param name="eye">Where the eye is.</param>
+    /// <param name="eye">The position of the eye.</param>
     /// <param name="lookAt">The point in the middle of the picture.</param>
     /// <param name="up">What is up in the picture.</param>
     /// <param name="degrees">Full angle of the field of view.</param>

@@ -71,12 +71,12 @@ public class PropertyPathTests
     [InlineData("lights[0].radius", 7, "\"lights\" has no elements: there is no [0]")]
     [InlineData("objects.tree.transform[1].translate", 23, "\"objects.tree.transform\" has one element, [0]: there is no [1]")]
     [InlineData("shapes.glob.radius", 8, "nothing in \"shapes\" has the name \"glob\" (did you mean \"globe\"?)")]
-    [InlineData("shapes.twin.radius", 8, "2 in \"shapes\" are called \"twin\": use a number, as in [2]")]
+    [InlineData("shapes.twin.radius", 8, "2 elements of \"shapes\" are called \"twin\": use a number, as in [2]")]
     [InlineData("camera.position.x", 17, "\"camera.position\" has 3 elements, [0] to [2], and none has the name \"x\"")]
     [InlineData("camera.position[3]", 16, "\"camera.position\" has 3 elements, [0] to [2]: there is no [3]")]
     [InlineData("camera.position[1].x", 20, "\"camera.position[1]\" is 2, which has no parts")]
-    [InlineData("camera.up[1]", 8, "the scene does not give \"camera.up\": nothing in it can change unless it is given as a whole")]
-    [InlineData("environment.rotation", 1, "the scene does not give \"environment\": nothing in it can change unless it is given as a whole")]
+    [InlineData("camera.up[1]", 8, "the scene does not set \"camera.up\": nothing in it can change unless all of it is set")]
+    [InlineData("environment.rotation", 1, "the scene does not set \"environment\": nothing in it can change unless all of it is set")]
     [InlineData("background[0]", 11, "\"background\" is the text \"skyblue\", which has no parts")]
     [InlineData("shapes[0].material.refractiveIndex", 20, "\"shapes[0].material\" is the name \"glass\": use \"materials.glass.refractiveIndex\"")]
     [InlineData("shapes[1].material.color[0]", 20, "\"shapes[1].material\" is the name \"a.b\": use \"materials[\"a.b\"].color[0]\"")]
@@ -104,15 +104,15 @@ public class PropertyPathTests
     [InlineData("materials[\"]", "expected \"]\" at column 13, but found the end")]
     public void What_is_no_path_is_refused_with_the_same_words_in_a_track_and_a_setting(string text, string message)
     {
-        Assert.Equal($"{Quotation.Of(text)} is no path of a property: {message}", Assert.Single(Track(text, null).Diagnostics).Message);
+        Assert.Equal($"{Quotation.Of(text)} is not a property path: {message}", Assert.Single(Track(text, null).Diagnostics).Message);
         Assert.StartsWith($"{message}: settings are written", Assert.Throws<FormatException>(() => SceneSetting.Parse(text)).Message, StringComparison.Ordinal);
     }
 
     [Theory]
-    [InlineData("camera", "is a whole thing: name one of its numbers, vectors or colours")]
-    [InlineData("render", "is a whole thing: name one of its numbers, vectors or colours")]
-    [InlineData("shapes.globe", "is a whole thing: name one of its numbers, vectors or colours")]
-    [InlineData("materials.board.color", "is a whole thing: name one of its numbers, vectors or colours")]
+    [InlineData("camera", "is not a single value: name one of its numbers, vectors or colours")]
+    [InlineData("render", "is not a single value: name one of its numbers, vectors or colours")]
+    [InlineData("shapes.globe", "is not a single value: name one of its numbers, vectors or colours")]
+    [InlineData("materials.board.color", "is not a single value: name one of its numbers, vectors or colours")]
     [InlineData("materials.floor.color", "cannot be animated: only numbers, vectors and colours can")]
     [InlineData("materials.glass.type", "cannot be animated: only numbers, vectors and colours can")]
     [InlineData("shapes.globe.name", "cannot be animated: only numbers, vectors and colours can")]
@@ -125,7 +125,7 @@ public class PropertyPathTests
         const string track = """{ "property": "materials.glass.color", "keys": [{ "time": 0, "value": 1 }] }""";
         string scene = Scene.Replace("dielectric", "dielectrik", StringComparison.Ordinal);
         const string unknown = "unknown material type \"dielectrik\" (did you mean \"dielectric\"?)";
-        Assert.Equal([unknown, "\"materials.glass\" is of no known type"],
+        Assert.Equal([unknown, "\"materials.glass\" has no known type"],
             SceneReader.ReadText(scene.Replace("/**/", track, StringComparison.Ordinal), "scene.json").Diagnostics.Select(d => d.Message));
         Assert.Equal([unknown], SceneReader.ReadText(scene, "scene.json", [SceneSetting.Parse("materials.glass.color=1")]).Diagnostics.Select(d => d.Message));
         Assert.Empty(SceneReader.ReadText(scene, "scene.json", [SceneSetting.Parse("materials.glass.type=dielectric")]).Diagnostics);

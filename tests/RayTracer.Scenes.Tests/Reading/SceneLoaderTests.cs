@@ -69,7 +69,7 @@ public sealed class SceneLoaderTests : IDisposable
     {
         string path = Write("""{ "render": { "sampler": "jittered", "samplesPerPixel": 16 } }""");
         SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { SamplesPerPixel = 15 } });
-        Assert.Equal($"{path}: error: the jittered sampler needs a square number of samples, but 15 is none: take 9 or 16", Assert.Single(result.Diagnostics).ToString());
+        Assert.Equal($"{path}: error: the jittered sampler needs a square number of samples, but 15 is not one: use 9 or 16", Assert.Single(result.Diagnostics).ToString());
         Assert.Null(result.Scene);
     }
 
@@ -100,7 +100,7 @@ public sealed class SceneLoaderTests : IDisposable
 
     [Theory]
     [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\", \"weakenedShadows\": true }", "only the report integrator weakens shadows: here it has no effect")]
-    [InlineData("report", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"dielectric\", \"priority\": 1 } }]", "there are dielectrics with priorities, which only the path, direct and volPath integrators know")]
+    [InlineData("report", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"dielectric\", \"priority\": 1 } }]", "there are dielectrics with priorities, which only the path, direct and volPath integrators support")]
     [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"mask\", \"material\": { \"type\": \"diffuse\" }, \"interior\": { \"extinction\": [1, 1, 1] } } }]", "there are media inside shapes, which only the volPath integrator shows")]
     public void What_an_integrator_does_not_know_is_warned_of(string integrator, string scene, string warning)
     {

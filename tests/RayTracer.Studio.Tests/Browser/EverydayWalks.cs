@@ -154,7 +154,7 @@ public class EverydayWalks(ChromiumBrowser browser)
         w.Expected.Add("ERR_INCOMPLETE_CHUNKED_ENCODING");
         w.Expected.Add("ERR_CONNECTION_RESET");
         await w.Server.DisposeAsync();
-        await Expect(w.Page.GetByText("The Studio does not answer. Trying again …")).ToBeVisibleAsync(new() { Timeout = 30_000 });
+        await Expect(w.Page.GetByText("The Studio is not responding. Trying again …")).ToBeVisibleAsync(new() { Timeout = 30_000 });
         await w.Shot("lost");
     }
 

@@ -24,7 +24,7 @@ public class FilmWalks(ChromiumBrowser browser)
         await w.Button("Export picture").ClickAsync();
         ILocator format = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Format" });
         await Expect(format.GetByRole(AriaRole.Option)).ToHaveCountAsync(PictureSaver.Formats.Count);
-        await Write(w, format, "Film, to go on with later", "again.rtfilm");
+        await Write(w, format, "Film, to resume later", "again.rtfilm");
         Assert.Equal(whole, FilmFile.Read(Path.Combine(w.Folder, "again.rtfilm")).Film.ComputeHash());
         await w.Button("Export picture").ClickAsync();
         await Write(w, format, "Radiance HDR", "again.hdr");

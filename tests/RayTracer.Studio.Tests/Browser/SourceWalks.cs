@@ -20,12 +20,12 @@ public class SourceWalks(ChromiumBrowser browser)
 
         ILocator problem = w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("unknown word") }).First;
         await Expect(problem).ToBeVisibleAsync();
-        await Expect(w.Page.GetByText("The text has an error: this is the last good picture.")).ToBeVisibleAsync();
+        await Expect(w.Page.GetByText("The text has an error: this is the last valid picture.")).ToBeVisibleAsync();
         Assert.NotNull(w.Session.Document.Content.LastGood);
         await w.Shot("source-error", isShown: true);
         await problem.ClickAsync();
         await w.Page.Keyboard.PressAsync("Control+z");
-        await Expect(w.Page.GetByText("The text has an error: this is the last good picture.")).ToHaveCountAsync(0);
+        await Expect(w.Page.GetByText("The text has an error: this is the last valid picture.")).ToHaveCountAsync(0);
     }
 
     [SkippableFact]
@@ -57,7 +57,7 @@ public class SourceWalks(ChromiumBrowser browser)
         await Expect(w.Canvas).ToBeVisibleAsync();
         Assert.True(await w.Data("painted") >= painted);
         await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("problem") }).First.ClickAsync();
-        await Expect(w.Page.GetByText("The text has an error: this is the last good picture.")).ToBeVisibleAsync();
+        await Expect(w.Page.GetByText("The text has an error: this is the last valid picture.")).ToBeVisibleAsync();
     }
 
     [SkippableFact]

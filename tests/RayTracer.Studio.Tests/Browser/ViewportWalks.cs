@@ -86,9 +86,9 @@ public class ViewportWalks(ChromiumBrowser browser)
     public async Task Pause_holds_the_samples_and_continue_goes_on()
     {
         await using StudioWindow w = await StudioWindow.OpenEndless(browser);
-        await w.Button("Pause or continue").ClickAsync();
+        await w.Button("Pause or resume").ClickAsync();
         await Expect(w.Status).ToContainTextAsync("paused");
-        await w.Button("Pause or continue").ClickAsync();
+        await w.Button("Pause or resume").ClickAsync();
         await Expect(w.Status).Not.ToContainTextAsync("paused");
     }
 

@@ -126,7 +126,7 @@ public class MaterialTraitsTests
         {
             SceneBuilder builder = new((_, _) => throw new NotSupportedException());
             builder.Material(new TwoSidedMaterialDescription { Front = new GivenDescription(s_neutral[around](material)) });
-            Assert.Contains(builder.Complaints, c => c.Message.Contains("no two sides", StringComparison.Ordinal));
+            Assert.Contains(builder.Complaints, c => c.Message.Contains("no separate sides", StringComparison.Ordinal));
         }
     }
 

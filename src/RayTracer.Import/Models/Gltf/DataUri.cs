@@ -3,7 +3,7 @@ namespace RayTracer.Import;
 /// <summary>Content that stands within a URI (RFC 2397).</summary>
 internal static class DataUri
 {
-    /// <summary>Whether the URI is one of these.</summary>
+    /// <summary>True where the URI is one of these.</summary>
     public static bool Is(string uri) => uri.StartsWith("data:", StringComparison.OrdinalIgnoreCase);
 
     /// <summary>Decodes the content; null where it is not base64 or damaged.</summary>

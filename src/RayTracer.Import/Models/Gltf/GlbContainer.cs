@@ -12,10 +12,10 @@ internal static class GlbContainer
     private const int HeaderBytes = 12;
     private const int ChunkHeaderBytes = 8;
 
-    /// <summary>Where the JSON chunk's text begins, in bytes.</summary>
+    /// <summary>The offset of the JSON chunk's text, in bytes.</summary>
     public const int JsonStart = HeaderBytes + ChunkHeaderBytes;
 
-    /// <summary>Whether a file begins as a .glb file does.</summary>
+    /// <summary>True where a file begins as a .glb file does.</summary>
     public static bool IsGlb(ReadOnlySpan<byte> file) => file.Length >= 4 && BinaryPrimitives.ReadUInt32LittleEndian(file) == Magic;
 
     /// <summary>Finds the chunks.</summary>

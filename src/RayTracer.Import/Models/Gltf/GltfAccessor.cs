@@ -54,10 +54,10 @@ internal sealed class GltfAccessor
     /// <summary>The type of its numbers.</summary>
     public GltfComponentType Type { get; }
 
-    /// <summary>How many elements there are: not more than the file has bytes for, unless most are zeros that the file leaves out.</summary>
+    /// <summary>The number of elements: not more than the file has bytes for, unless most are zeros that the file leaves out.</summary>
     public int Count { get; }
 
-    /// <summary>How many numbers make an element.</summary>
+    /// <summary>The number of components of an element.</summary>
     public int Components { get; }
 
     /// <summary>Reads the first numbers of every element, one element after the other.</summary>
@@ -92,7 +92,7 @@ internal sealed class GltfAccessor
         }
     }
 
-    /// <summary>Where an element stands, for messages.</summary>
+    /// <summary>The place of an element, for messages.</summary>
     public string Place(int element) => _view is null ? $"element {element}"
         : $"element {element} (byte {(long)_view.Offset + _offset + ((long)element * _stride)} of buffers[{_view.Buffer}])";
 

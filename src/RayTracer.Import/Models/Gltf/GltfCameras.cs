@@ -36,7 +36,7 @@ internal sealed class GltfCameras(GltfDocument document)
                 (float across, float along) = (float.Abs(orthographic.RequiredNumber("xmag")), float.Abs(orthographic.RequiredNumber("ymag")));
                 if (!(across > 0 && along > 0 && float.IsFinite(2 * along)))
                 {
-                    throw orthographic.Error("ymag", "an orthographic camera must show something");
+                    throw orthographic.Error("ymag", "an orthographic camera must have a size above 0");
                 }
 
                 aspectRatio = across / along;
@@ -72,7 +72,7 @@ internal sealed class GltfCameras(GltfDocument document)
             return camera;
         }
 
-        document.Notes.Add($"the camera at {node.Path} is left out: its node is scaled to nothing, or too far away");
+        document.Notes.Add($"the camera at {node.Path} is ignored: its node is scaled to nothing, or too far away");
         return null;
     }
 }

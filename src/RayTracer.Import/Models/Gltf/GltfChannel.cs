@@ -1,6 +1,6 @@
 namespace RayTracer.Import;
 
-/// <summary>What of a picture's pixels a texture shows.</summary>
+/// <summary>The channels of a picture that a texture shows.</summary>
 internal enum GltfChannel
 {
     /// <summary>Red as a number.</summary>
@@ -12,7 +12,7 @@ internal enum GltfChannel
     /// <summary>Blue as a number.</summary>
     Blue,
 
-    /// <summary>How opaque they are.</summary>
+    /// <summary>The opacity.</summary>
     Alpha,
 
     /// <summary>The colours, decoded from sRGB.</summary>

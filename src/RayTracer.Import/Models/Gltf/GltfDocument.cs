@@ -10,7 +10,7 @@ internal sealed class GltfDocument(GltfSource source, JsonNode root, string fold
     /// <summary>The file's root object.</summary>
     public GltfObject Root { get; } = new(source, root, "");
 
-    /// <summary>Where the JSON stands.</summary>
+    /// <summary>The place of the JSON.</summary>
     public GltfSource Source => source;
 
     /// <summary>The folder that relative paths start from.</summary>
@@ -19,10 +19,10 @@ internal sealed class GltfDocument(GltfSource source, JsonNode root, string fold
     /// <summary>The binary chunk of a .glb file; null where there is none.</summary>
     public ReadOnlyMemory<byte>? BinaryChunk => binaryChunk;
 
-    /// <summary>How much may be allocated.</summary>
+    /// <summary>The memory that may be allocated.</summary>
     public ModelMemory Memory => memory;
 
-    /// <summary>What to tell the user.</summary>
+    /// <summary>The notes for the user.</summary>
     public ModelNotes Notes { get; } = new();
 
     /// <summary>One of the root's lists.</summary>
@@ -37,7 +37,7 @@ internal sealed class GltfDocument(GltfSource source, JsonNode root, string fold
         return list;
     }
 
-    /// <summary>What an index refers to; null where the object has no such property.</summary>
+    /// <summary>The object that an index refers to; null where there is no such property.</summary>
     /// <param name="from">The object that holds the index.</param>
     /// <param name="key">The property that is the index.</param>
     /// <param name="listName">The root's list that it points into.</param>
@@ -52,7 +52,7 @@ internal sealed class GltfDocument(GltfSource source, JsonNode root, string fold
         return index;
     }
 
-    /// <summary>What an index refers to that must be there.</summary>
+    /// <summary>The object that a required index refers to.</summary>
     public int RequiredReference(GltfObject from, string key, string listName) => Reference(from, key, listName) ?? throw from.Missing(key);
 
     /// <summary>A list of indices into one of the root's lists.</summary>

@@ -26,14 +26,14 @@ internal sealed class GltfLights(GltfDocument document)
         Rgb color = light.Color("color", Rgb.White, 3, float.MaxValue) * light.Number("intensity", 1, 0);
         if (light.Has("range"))
         {
-            document.Notes.Add("the range of a light is left out: its light falls off with the square of the distance");
+            document.Notes.Add("the range of a light is ignored: its light falls off with the square of the distance");
         }
 
         Vector3 forward = -world.Vector(Vector3.UnitZ).Unit();
         Vector3 position = world.Point(Vector3.Zero);
         if (!forward.IsFinite() || !position.IsFinite() || !float.IsFinite(color.R + color.G + color.B))
         {
-            document.Notes.Add("a light at a node that is scaled to nothing, or too far away, or too strong to compute with, is left out");
+            document.Notes.Add("a light at a node that is scaled to nothing, or too far away, or too strong to compute with, is ignored");
             return null;
         }
 

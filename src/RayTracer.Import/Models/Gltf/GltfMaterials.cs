@@ -57,7 +57,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
     {
         if (material.Extension("KHR_materials_unlit") is not null)
         {
-            document.Notes.Add("a material that is to be shown without light is shown matt");
+            document.Notes.Add("an unlit material is shown as matt");
             return new DiffuseMaterialDescription { Color = surface.Color };
         }
 
@@ -79,7 +79,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
             float roughness = coat.Fraction("clearcoatRoughnessFactor", 0);
             if (coat.Has("clearcoatRoughnessTexture") || coat.Has("clearcoatNormalTexture"))
             {
-                document.Notes.Add("textures of the roughness and the normals of a clear coat are left out");
+                document.Notes.Add("roughness and normal textures of a clear coat are ignored");
             }
 
             // The coat's α is from 0.001 to 0.1 here, and roughness² there.
@@ -98,7 +98,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
         Rgb color = sheen.Color("sheenColorFactor", Rgb.Black);
         if (sheen.Has("sheenColorTexture") || sheen.Has("sheenRoughnessTexture"))
         {
-            document.Notes.Add("textures of sheen are left out");
+            document.Notes.Add("sheen textures are ignored");
         }
 
         float most = float.Max(color.R, float.Max(color.G, color.B));
@@ -116,7 +116,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
         {
             if (volume!.Has("attenuationDistance"))
             {
-                document.Notes.Add("what the volume of rough glass absorbs is left out");
+                document.Notes.Add("absorption in the volume of rough glass is ignored");
             }
 
             return opaque with { Transmission = surface.Transmission!, RefractiveIndex = float.Max(surface.RefractiveIndex, 1.001f) };
@@ -124,7 +124,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
 
         if (!isClear)
         {
-            document.Notes.Add("a rough transparent wall is shown clear");
+            document.Notes.Add("a rough transparent wall is shown as clear");
         }
 
         MaterialDescription glass = isThin
@@ -139,7 +139,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
     {
         if (surface.Color is not SolidTextureDescription { Color: var color } || color != Rgb.White)
         {
-            document.Notes.Add("the colour of a transparent surface is left out: only its volume absorbs light");
+            document.Notes.Add("the colour of a transparent surface is ignored: only its volume absorbs light");
         }
 
         float distance = volume.Number("attenuationDistance", float.PositiveInfinity, float.Epsilon);
@@ -157,7 +157,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
         float scale = material.Child("normalTexture")!.Number("scale", 1);
         if (scale is < 0 or > 100)
         {
-            document.Notes.Add("the scale of a normal map is brought into 0 to 100");
+            document.Notes.Add("the scale of a normal map is limited to 0 to 100");
         }
 
         return new NormalMapMaterialDescription { Map = normals, Strength = float.Clamp(scale, 0, 100), GreenAlongV = true, Material = inner };
@@ -179,14 +179,14 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
     {
         if (material.Has("occlusionTexture"))
         {
-            document.Notes.Add("an occlusion map is left out: the shadows are computed");
+            document.Notes.Add("an occlusion map is ignored: shadows are computed");
         }
 
         foreach (string name in material.Child("extensions")?.Node.Members.Select(m => m.Key) ?? [])
         {
             if (!GltfExtensions.Materials.Contains(name))
             {
-                document.Notes.Add($"the extension {Quotation.Of(name)} of a material is left out");
+                document.Notes.Add($"the extension {Quotation.Of(name)} of a material is ignored");
             }
         }
     }

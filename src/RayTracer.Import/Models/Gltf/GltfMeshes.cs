@@ -25,7 +25,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
         int mode = primitive.Integer("mode", 0, TriangleAssembly.Fan) ?? TriangleAssembly.Triangles;
         if (mode < TriangleAssembly.Triangles)
         {
-            document.Notes.Add(mode == 0 ? "points are left out: only triangles are shown" : "lines are left out: only triangles are shown");
+            document.Notes.Add(mode == 0 ? "points are ignored: only triangles are shown" : "lines are ignored: only triangles are shown");
             return null;
         }
 
@@ -56,7 +56,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
     {
         if (!attributes.Has("POSITION"))
         {
-            document.Notes.Add("a primitive without positions is left out");
+            document.Notes.Add("a primitive without positions is ignored");
             return null;
         }
 
@@ -64,7 +64,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
         int[] indices = Indices(primitive, mode, positions.Length);
         if (indices.Length == 0)
         {
-            document.Notes.Add("a primitive with less than three vertices is left out");
+            document.Notes.Add("a primitive with fewer than three vertices is ignored");
             return null;
         }
 
@@ -128,7 +128,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
         int count = list?.Length ?? vertexCount;
         if (mode == TriangleAssembly.Triangles && count % 3 != 0)
         {
-            document.Notes.Add("vertices left over after the last whole triangle are left out");
+            document.Notes.Add("vertices left over after the last whole triangle are ignored");
         }
 
         int triangles = TriangleAssembly.Count(mode, count);

@@ -11,10 +11,10 @@ internal sealed class GltfObject(GltfSource source, JsonNode node, string path)
     /// <summary>The value in the file.</summary>
     public JsonNode Node => node;
 
-    /// <summary>How messages call the object, such as <c>meshes[2].primitives[0]</c>; empty for the whole file.</summary>
+    /// <summary>The name of the object in messages, such as <c>meshes[2].primitives[0]</c>; empty for the whole file.</summary>
     public string Path => path;
 
-    /// <summary>Whether there is such a property.</summary>
+    /// <summary>True where there is such a property.</summary>
     public bool Has(string key) => node.Find(key) is not null;
 
     /// <summary>An error about the object.</summary>

@@ -10,7 +10,7 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
     private readonly Dictionary<int, ShapeDescription?> _described = [];
     private readonly Dictionary<string, ShapeDescription> _shared = new(StringComparer.Ordinal);
 
-    /// <summary>What several nodes show, by name.</summary>
+    /// <summary>The objects that several nodes show, by name.</summary>
     public IReadOnlyDictionary<string, ShapeDescription> Shared => _shared;
 
     /// <summary>A mesh for a node to show; null where it has no triangles.</summary>
@@ -49,7 +49,7 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
 
             if (primitive.Has("targets"))
             {
-                document.Notes.Add("morph targets are left out: meshes are shown as they were modelled");
+                document.Notes.Add("morph targets are ignored: meshes are shown as they were modelled");
             }
         }
 

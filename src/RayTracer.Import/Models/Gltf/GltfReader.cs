@@ -10,7 +10,7 @@ public static class GltfReader
     private const long BytesPerValue = 120;
 
     /// <summary>Reads a file and those that it names.</summary>
-    /// <param name="path">The file; its first bytes tell which of the two forms it has.</param>
+    /// <param name="path">The file; its first bytes decide which of the two forms it has.</param>
     /// <exception cref="ModelException">Something is wrong with it; the message says what and where.</exception>
     /// <exception cref="IOException">It cannot be opened.</exception>
     public static ImportedModel Read(string path)
@@ -67,7 +67,7 @@ public static class GltfReader
     {
         if (!memory.TryUse((json.Count((byte)',') + json.Count((byte)'[') + json.Count((byte)'{')) * BytesPerValue))
         {
-            throw new ModelException("the JSON has far too many values for its size: large data belong into buffers");
+            throw new ModelException("the JSON has far too many values for its size: large data belongs in buffers");
         }
     }
 

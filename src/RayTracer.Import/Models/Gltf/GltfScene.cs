@@ -90,7 +90,7 @@ internal sealed class GltfScene
         {
             if (!world.IsInvertible || !Array.TrueForAll(Rows(world), float.IsFinite))
             {
-                _document.Notes.Add("a mesh that is scaled to nothing, or too far, is left out");
+                _document.Notes.Add("a mesh that is scaled to nothing, or too far away, is ignored");
                 continue;
             }
 
@@ -109,7 +109,7 @@ internal sealed class GltfScene
     private void NoteWhatIsLeftOut()
     {
         foreach ((string list, string what) in (ReadOnlySpan<(string, string)>)
-            [("animations", "animations are left out"), ("skins", "skins are left out: meshes are shown as they were modelled")])
+            [("animations", "animations are ignored"), ("skins", "skins are ignored: meshes are shown as they were modelled")])
         {
             if (_document.List(list).Count > 0)
             {
@@ -119,7 +119,7 @@ internal sealed class GltfScene
 
         foreach (string name in _document.Root.Texts("extensionsUsed").Where(e => !GltfExtensions.All.Contains(e)).Distinct(StringComparer.Ordinal))
         {
-            _document.Notes.Add($"the extension {Quotation.Of(name)} is not understood and left out");
+            _document.Notes.Add($"the extension {Quotation.Of(name)} is unknown and ignored");
         }
     }
 }

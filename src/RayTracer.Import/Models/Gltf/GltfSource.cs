@@ -6,7 +6,7 @@ namespace RayTracer.Import;
 
 /// <summary>The JSON text of a glTF file, and how messages name places in it.</summary>
 /// <param name="text">The text.</param>
-/// <param name="glbOffset">Where the text begins in a .glb file, in bytes; null where the text is a file of its own.</param>
+/// <param name="glbOffset">Where the text begins in a .glb file, in bytes; null where the text is a separate file.</param>
 internal sealed class GltfSource(SourceText text, int? glbOffset)
 {
     /// <summary>The text.</summary>

@@ -37,10 +37,10 @@ internal sealed class GltfSparse
         }
     }
 
-    /// <summary>How many elements are replaced.</summary>
+    /// <summary>The number of elements that are replaced.</summary>
     public int Count { get; }
 
-    /// <summary>Which element the replacement is for.</summary>
+    /// <summary>The element that is replaced.</summary>
     public int Element(int i) => (int)GltfComponent.Whole(_indexType, _indices.Span[(i * GltfComponent.Size(_indexType))..]);
 
     /// <summary>The bytes from where the replacement begins.</summary>

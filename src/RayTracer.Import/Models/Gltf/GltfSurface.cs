@@ -4,13 +4,13 @@ using RayTracer.Textures;
 
 namespace RayTracer.Import;
 
-/// <summary>What a glTF material says about reflection, whichever of its models it uses.</summary>
+/// <summary>The reflection parameters of a glTF material, whichever of its models it uses.</summary>
 internal sealed record GltfSurface
 {
     /// <summary>The base colour, linear.</summary>
     public required TextureDescription Color { get; init; }
 
-    /// <summary>Which set of uv the colour uses.</summary>
+    /// <summary>The set of uv that the colour uses.</summary>
     public required int UvSet { get; init; }
 
     /// <summary>0 for dielectrics, 1 for metals.</summary>
@@ -28,7 +28,7 @@ internal sealed record GltfSurface
     /// <summary>Fraction of the light that a dielectric lets through; null for none.</summary>
     public TextureDescription? Transmission { get; init; }
 
-    /// <summary>How opaque the surface is, where the file says that this counts; null where it does not.</summary>
+    /// <summary>The opacity of the surface, where the file says that it counts; null where it does not.</summary>
     public TextureDescription? Opacity { get; init; }
 
     /// <summary>Reads a material.</summary>
@@ -72,7 +72,7 @@ internal sealed record GltfSurface
         Rgb color = specular?.Color("specularColorFactor", Rgb.White, 3, float.MaxValue) ?? Rgb.White;
         if (specular is not null && (specular.Has("specularTexture") || specular.Has("specularColorTexture")))
         {
-            document.Notes.Add("a texture of how much a dielectric reflects is left out");
+            document.Notes.Add("a texture for a dielectric's reflectance is ignored");
         }
 
         return IndexOf(document, color * (amplitude * amplitude * (specular?.Fraction("specularFactor", 1) ?? 1)));
@@ -85,7 +85,7 @@ internal sealed record GltfSurface
         bool isTextured = old.Has("specularGlossinessTexture");
         if (isTextured)
         {
-            document.Notes.Add("a texture of specular colour and glossiness is left out");
+            document.Notes.Add("a texture of specular colour and glossiness is ignored");
         }
 
         // Dielectrics reflect at most some 17 % head-on (diamond); what reflects more is a metal, coloured by its reflection.
@@ -107,7 +107,7 @@ internal sealed record GltfSurface
         float largest = float.Max(reflectance.R, float.Max(reflectance.G, reflectance.B));
         if (float.Min(reflectance.R, float.Min(reflectance.G, reflectance.B)) < 0.99f * largest)
         {
-            document.Notes.Add("the colour of what a dielectric reflects is left out");
+            document.Notes.Add("the colour of a dielectric's reflection is ignored");
         }
 
         float root = float.Sqrt(float.Min(largest, 1));

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayTracer.Import;
 
-/// <summary>How a material uses a texture (glTF 2.0, "textureInfo", and KHR_texture_transform).</summary>
+/// <summary>The use of a texture by a material (glTF 2.0, "textureInfo", and KHR_texture_transform).</summary>
 /// <param name="Texture">Which of the file's textures.</param>
 /// <param name="UvSet">Which set of uv.</param>
 /// <param name="Scale">First, factors on uv.</param>

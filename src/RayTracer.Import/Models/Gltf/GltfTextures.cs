@@ -40,14 +40,14 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
 
         if (use.UvSet != uvSet)
         {
-            document.Notes.Add("a normal map that uses another set of uv than the base colour is left out");
+            document.Notes.Add("a normal map with a different uv set from the base colour is ignored");
             return null;
         }
 
         return Described(use, image, GltfChannel.All);
     }
 
-    /// <summary>Where a surface is cut out: the opacity, or 1 and 0 as it reaches a threshold or not.</summary>
+    /// <summary>The cut-out of a surface: the opacity, or 1 and 0 as it reaches a threshold or not.</summary>
     /// <param name="factor">Factor on the opacity.</param>
     /// <param name="use">The texture whose alpha it is; may be null.</param>
     /// <param name="threshold">The threshold; null for none.</param>
@@ -83,7 +83,7 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
 
         if (use.UvSet != uvSet)
         {
-            document.Notes.Add("a texture that uses another set of uv than the base colour is averaged");
+            document.Notes.Add("a texture with a different uv set from the base colour is averaged");
             return new SolidTextureDescription { Color = factor * GltfImages.Mean(picture) };
         }
 
@@ -108,7 +108,7 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
         int? source = document.Reference(described, "source", "images");
         if (source is null)
         {
-            document.Notes.Add("a texture without a PNG or JPEG picture is left out");
+            document.Notes.Add("a texture without a PNG or JPEG picture is ignored");
         }
 
         return source;

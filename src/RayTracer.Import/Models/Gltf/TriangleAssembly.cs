@@ -1,6 +1,6 @@
 namespace RayTracer.Import;
 
-/// <summary>How the vertices of a primitive make triangles (glTF 2.0, section 3.7.2.1, "mode").</summary>
+/// <summary>The assembly of a primitive's vertices into triangles (glTF 2.0, section 3.7.2.1, "mode").</summary>
 internal static class TriangleAssembly
 {
     /// <summary>Every three vertices are a triangle.</summary>
@@ -12,7 +12,7 @@ internal static class TriangleAssembly
     /// <summary>Every vertex after the second makes a triangle with the one before it and the first.</summary>
     public const int Fan = 6;
 
-    /// <summary>How many triangles so many vertices make.</summary>
+    /// <summary>The number of triangles that a number of vertices makes.</summary>
     public static int Count(int mode, int vertices) => mode == Triangles ? vertices / 3 : int.Max(vertices - 2, 0);
 
     /// <summary>The corners of triangle <paramref name="triangle"/>, as places in the list of vertices, with the front kept in front.</summary>

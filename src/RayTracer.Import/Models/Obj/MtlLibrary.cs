@@ -43,7 +43,7 @@ internal sealed class MtlLibrary(string folder)
         {
             if (Find(name) is not { } path)
             {
-                _notes.Add($"the material file {Quotation.Of(name)} is not there");
+                _notes.Add($"the material file {Quotation.Of(name)} does not exist");
                 continue;
             }
 
@@ -66,14 +66,14 @@ internal sealed class MtlLibrary(string folder)
         if (missing.Length > 0)
         {
             string more = missing.Length > 1 ? $" and {missing.Length - 1} more" : "";
-            _notes.Add($"no material file describes {Quotation.Of(missing[0])}{more}: grey takes its place");
+            _notes.Add($"no material file describes {Quotation.Of(missing[0])}{more}: grey is used instead");
         }
 
         MaterialDescription[] all = [.. _used.Select(name => _known.TryGetValue(name, out MtlMaterial? known) ? known.ToDescription(_notes) : ShapeDescription.DefaultMaterial)];
         notes.AddRange(_notes);
         if (_leftOut.Count > 0)
         {
-            notes.Add($"of materials, these statements are left out: {string.Join(", ", _leftOut.Take(20))}");
+            notes.Add($"these material statements are ignored: {string.Join(", ", _leftOut.Take(20))}");
         }
 
         return all;
@@ -216,8 +216,8 @@ internal sealed class MtlLibrary(string folder)
         string? path = Find(name);
         if (path is null || ImageFormat.OfName(path) is null)
         {
-            string fault = path is null ? "is not there" : $"is of no format that is read ({ImageFormat.Endings()})";
-            _notes.Add($"the picture {Quotation.Of(name)} {fault}: its colour takes its place");
+            string fault = path is null ? "is not there" : $"has no readable format ({ImageFormat.Endings()})";
+            _notes.Add($"the picture {Quotation.Of(name)} {fault}: its colour is used instead");
             return null;
         }
 
@@ -264,7 +264,7 @@ internal sealed class MtlLibrary(string folder)
         return name;
     }
 
-    // Authors work on other systems: with backslashes, with folders of their own, without regard to case.
+    // Authors work on other systems: with backslashes, with other folders, without regard to case.
     private string? Find(string name)
     {
         string relative = name.Replace('\\', '/').Trim('"');

@@ -34,7 +34,7 @@ internal sealed class MtlMaterial
     /// <summary>illum: which of ten ways of lighting is meant; null where it is not said.</summary>
     public int? Illumination { get; set; }
 
-    /// <summary>Pr: roughness; null where only <see cref="Exponent"/> tells.</summary>
+    /// <summary>Pr: roughness; null where only <see cref="Exponent"/> gives it.</summary>
     public float? Roughness { get; set; }
 
     /// <summary>Pm: 1 for metal.</summary>
@@ -69,7 +69,7 @@ internal sealed class MtlMaterial
             return surface;
         }
 
-        notes.Add("what radiates (Ke) does so as a luminaire, with Ke as its radiance, on the side that its normal points to");
+        notes.Add("emission (Ke) becomes a luminaire with Ke as its radiance, on the side that the normal points to");
         TextureDescription color = emission is null ? Solid(Emission, float.MaxValue) : Product(emission, Emission.IsBlack ? Rgb.White : Emission, float.MaxValue);
         return new LuminaireMaterialDescription { Color = color, Material = surface };
     }
@@ -79,7 +79,7 @@ internal sealed class MtlMaterial
 
     private DielectricMaterialDescription Glass(ISet<string> notes)
     {
-        notes.Add("what is transparent (illum 4, 6, 7 or 9) is shown as clear glass of index Ni");
+        notes.Add("transparency (illum 4, 6, 7 or 9) becomes clear glass of index Ni");
         return new() { RefractiveIndex = RefractiveIndex is > 1 and <= 100 ? RefractiveIndex : GlassIndex };
     }
 
@@ -96,7 +96,7 @@ internal sealed class MtlMaterial
 
         if (!isPhysical)
         {
-            notes.Add("what shines (Ks, Ns) does so as principled: a metal where Kd is black, else with Ks as its specular, and with α² = 2/(Ns + 2)");
+            notes.Add("highlights (Ks, Ns) become principled: a metal where Kd is black, else with Ks as its specular, and with α² = 2/(Ns + 2)");
         }
 
         // Microfacets of this α are spread as cosⁿ with n = 2/α² − 2 (Walter et al. 2007, section 5.2), and roughness is the root of α.

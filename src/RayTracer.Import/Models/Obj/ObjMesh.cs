@@ -79,7 +79,7 @@ internal sealed class ObjMesh
 
     /// <summary>Makes a mesh of each part.</summary>
     /// <param name="materials">The materials.</param>
-    /// <param name="mostParts">Of more parts, only flat and smooth ones are told apart.</param>
+    /// <param name="mostParts">Of more parts, only flat and smooth ones are distinguished.</param>
     public IReadOnlyList<ShapeDescription> ToShapes(IReadOnlyList<MaterialDescription> materials, int mostParts)
     {
         (string Name, bool IsFlat)[] parts = [.. _parts.OrderBy(p => p.Value).Select(p => p.Key)];

@@ -111,10 +111,10 @@ internal sealed class ObjReader
             case "mg" or "lod" or "bevel" or "c_interp" or "d_interp" or "ctech" or "stech" or "shadow_obj" or "trace_obj" or "usemap" or "maplib":
                 break;
             case "call" or "csh":
-                _leftOut.Add("other files that it calls");
+                _leftOut.Add("other files that it includes");
                 break;
             default:
-                _stranger ??= $"{Quotation.Of(keyword)} in line {text.Line} and what else is no statement of OBJ";
+                _stranger ??= $"{Quotation.Of(keyword)} in line {text.Line} and other lines that are not OBJ statements";
                 break;
         }
     }
@@ -267,17 +267,17 @@ internal sealed class ObjReader
     {
         if (text.OddNumber >= 0)
         {
-            _notes.Add($"line {text.ErrorAt(text.OddNumber, "").Line}: a number is followed by what does not belong to it, and read as far as it goes");
+            _notes.Add($"line {text.ErrorAt(text.OddNumber, "").Line}: a number is followed by stray characters, which are ignored");
         }
 
         if (_tooSmall is not null)
         {
-            _notes.Add($"line {_tooSmall}: faces of fewer than three corners are left out");
+            _notes.Add($"line {_tooSmall}: faces with fewer than three corners are ignored");
         }
 
         if (_cutter.Unresolved > 0)
         {
-            _notes.Add($"{_cutter.Unresolved} polygons that cut themselves are not cut into triangles properly");
+            _notes.Add($"{_cutter.Unresolved} self-intersecting polygons are not triangulated properly");
         }
 
         if (_stranger is not null)
@@ -287,7 +287,7 @@ internal sealed class ObjReader
 
         if (_leftOut.Count > 0)
         {
-            _notes.Add($"left out: {string.Join("; ", _leftOut)}");
+            _notes.Add($"ignored: {string.Join("; ", _leftOut)}");
         }
     }
 }

@@ -19,11 +19,11 @@ internal sealed record PlyProperty(string Name, PlyType Type, PlyType? CountType
 /// <param name="Line">The line of the header that says so.</param>
 internal sealed record PlyElement(string Name, long Count, int Line)
 {
-    /// <summary>What each of them has, in order.</summary>
+    /// <summary>The properties of each of them, in order.</summary>
     public List<PlyProperty> Properties { get; } = [];
 }
 
-/// <summary>How a PLY file's numbers are written.</summary>
+/// <summary>The encoding of a PLY file's numbers.</summary>
 internal enum PlyFormat
 {
     Ascii,
@@ -36,13 +36,13 @@ internal sealed class PlyHeader
 {
     private static readonly string[] s_keywords = ["format", "element", "property", "comment", "obj_info", "end_header"];
 
-    /// <summary>What is odd about it.</summary>
+    /// <summary>The oddities of the header.</summary>
     public List<string> Notes { get; } = [];
 
-    /// <summary>How numbers are written.</summary>
+    /// <summary>The encoding of numbers.</summary>
     public PlyFormat Format { get; private set; }
 
-    /// <summary>What follows the header, in order.</summary>
+    /// <summary>The elements that follow the header, in order.</summary>
     public List<PlyElement> Elements { get; } = [];
 
     /// <summary>Reads a header; the text then stands behind it.</summary>
@@ -101,7 +101,7 @@ internal sealed class PlyHeader
             throw new ModelException($"expected {meant} instead of {Quotation.Of(keyword)}", line);
         }
 
-        Notes.Add($"line {line} of its header is no statement of PLY, and taken for a comment");
+        Notes.Add($"line {line} of its header is not a PLY statement and is taken for a comment");
     }
 
     private static PlyFormat ParseFormat(ref ModelText text)
@@ -119,7 +119,7 @@ internal sealed class PlyHeader
         ReadOnlySpan<byte> word = text.Word();
         return long.TryParse(word, System.Globalization.NumberStyles.None, null, out long count) && name.Length > 0
             ? new PlyElement(name, count, text.Line)
-            : throw text.Expected("an element's name and how many there are", word);
+            : throw text.Expected("an element's name and count", word);
     }
 
     private static PlyProperty ParseProperty(ref ModelText text, PlyElement element)

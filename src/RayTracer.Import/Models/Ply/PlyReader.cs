@@ -54,7 +54,7 @@ internal static class PlyReader
                 case "face" or "faces" or "tristrips":
                     if (vertices is null)
                     {
-                        throw new ModelException("faces come before the vertices, of which they must be made", element.Line);
+                        throw new ModelException("faces come before the vertices that they refer to", element.Line);
                     }
 
                     ReadFaces(ref values, element, vertices.Positions, indices, notes);
@@ -189,21 +189,21 @@ internal static class PlyReader
     {
         if (face.TooSmall > 0)
         {
-            notes.Add($"{face.TooSmall} faces of fewer than three corners are left out");
+            notes.Add($"{face.TooSmall} faces with fewer than three corners are ignored");
         }
 
         if (cutter.Unresolved > 0)
         {
-            notes.Add($"{cutter.Unresolved} polygons that cut themselves are not cut into triangles properly");
+            notes.Add($"{cutter.Unresolved} self-intersecting polygons are not triangulated properly");
         }
 
         if (element.Properties.Exists(p => p.Name is "texcoord" or "red" or "diffuse_red"))
         {
-            notes.Add("uv and colours of faces are left out: only those of vertices are read");
+            notes.Add("uv and colours of faces are ignored: only those of vertices are read");
         }
     }
 
-    // Every corner but the first two ends a triangle, whose order around alternates; −1 begins anew.
+    // Every corner but the first two ends a triangle, whose order around alternates; −1 starts over.
     private static void AddStrips(ReadOnlySpan<int> corners, List<int> indices)
     {
         int begin = 0;

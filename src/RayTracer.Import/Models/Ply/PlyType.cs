@@ -15,7 +15,7 @@ internal enum PlyType
     Float64,
 }
 
-/// <summary>What can be done with the types of numbers in PLY files.</summary>
+/// <summary>The operations on the types of numbers in PLY files.</summary>
 internal static class PlyTypes
 {
     /// <summary>The type of a name, of either of the two sets of names that are in use.</summary>
@@ -41,7 +41,7 @@ internal static class PlyTypes
         _ => 4,
     };
 
-    /// <summary>Whether numbers have a point.</summary>
+    /// <summary>True where numbers have a point.</summary>
     public static bool IsFloat(this PlyType type) => type is PlyType.Float32 or PlyType.Float64;
 
     /// <summary>Reads a number.</summary>

@@ -35,11 +35,11 @@ internal static class StlReader
         long claimed = file.Length < FirstTriangle ? -1 : BinaryPrimitives.ReadUInt32LittleEndian(file[HeaderBytes..]);
         long end = FirstTriangle + (claimed * TriangleBytes);
 
-        // Some binary files begin with "solid", too: so a size that fits to the byte tells more.
+        // Some binary files begin with "solid", too: so a size that fits to the byte is better evidence.
         bool isBinary = claimed >= 0 && (end == file.Length || !IsText(file));
         if (!isBinary)
         {
-            return IsText(file) ? ParseText(file) : throw new ModelException("it is no STL file: it neither begins with \"solid\" nor has a binary file's 84 bytes");
+            return IsText(file) ? ParseText(file) : throw new ModelException("it is not an STL file: it neither starts with \"solid\" nor has the 84 bytes of a binary file");
         }
 
         if (end > file.Length)
@@ -49,7 +49,7 @@ internal static class StlReader
 
         if (end < file.Length)
         {
-            notes.Add($"{file.Length - end} bytes behind the last triangle are left out");
+            notes.Add($"{file.Length - end} bytes after the last triangle are ignored");
         }
 
         return ParseBinary(file.Slice(FirstTriangle, (int)(claimed * TriangleBytes)));
@@ -79,7 +79,7 @@ internal static class StlReader
 
     private static float Coordinate(ReadOnlySpan<byte> bytes) => BinaryPrimitives.ReadSingleLittleEndian(bytes);
 
-    // Of the words between, only those that tell triangles apart count: programs differ in the rest.
+    // Of the words between, only those that separate triangles count: programs differ in the rest.
     private static MeshData ParseText(ReadOnlySpan<byte> file)
     {
         // The shortest triangle, "vertex 0 0 0" thrice and "endloop", has more than 32 bytes.

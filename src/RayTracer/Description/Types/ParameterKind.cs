@@ -1,6 +1,6 @@
 namespace RayTracer.Description;
 
-/// <summary>What a scene file may write as the value of a parameter.</summary>
+/// <summary>The forms that a parameter's value may have in a scene file.</summary>
 public enum ParameterKind
 {
     /// <summary>A number.</summary>

@@ -37,7 +37,7 @@ public sealed class RecordParameter
     /// <summary>The name of the C# property.</summary>
     public string PropertyName => _property.Name;
 
-    /// <summary>What the parameter means.</summary>
+    /// <summary>The meaning of the parameter.</summary>
     public string Summary => _attribute.Summary;
 
     /// <summary>The unit; empty where there is none.</summary>
@@ -49,16 +49,16 @@ public sealed class RecordParameter
     /// <summary>The largest allowed value of each number; infinity where there is no bound.</summary>
     public double Maximum => _attribute.Maximum;
 
-    /// <summary>Whether <see cref="Minimum"/> itself is refused.</summary>
+    /// <summary>True where <see cref="Minimum"/> itself is refused.</summary>
     public bool MinimumIsExclusive => _attribute.MinimumIsExclusive;
 
-    /// <summary>Whether a scene file must give the parameter.</summary>
+    /// <summary>True where a scene file must give the parameter.</summary>
     public bool Required => _attribute.Required;
 
-    /// <summary>Whether a number may stand in place of a texture; or a number or a colour in place of a list of numbers.</summary>
+    /// <summary>True where a number may stand in place of a texture; or a number or a colour in place of a list of numbers.</summary>
     public bool IsNumber => _attribute.IsNumber;
 
-    /// <summary>What may be written as its value.</summary>
+    /// <summary>The form of its value.</summary>
     public ParameterKind Kind { get; }
 
     /// <summary>The C# type of the value, without the question mark of one that may be missing.</summary>
@@ -80,7 +80,7 @@ public sealed class RecordParameter
         _ => null,
     };
 
-    /// <summary>Whether its value is things by their names.</summary>
+    /// <summary>True where its value is a map from names to things.</summary>
     public bool HasNames => Kind is ParameterKind.NamedTextures or ParameterKind.NamedMaterials or ParameterKind.NamedShapes;
 
     /// <summary>The words that a <see cref="ParameterKind.Choice"/> is made from; otherwise empty.</summary>

@@ -32,10 +32,10 @@ public sealed class RecordType
     /// <summary>The name in scene files: what is written after "type", or for a record that has no type the key it stands under.</summary>
     public string Name { get; }
 
-    /// <summary>What the thing is; empty for a record without a type.</summary>
+    /// <summary>The summary of the type; empty for a record without a type.</summary>
     public string Summary { get; }
 
-    /// <summary>Whether it is a light by itself, whatever its material.</summary>
+    /// <summary>True where it is a light by itself, whatever its material.</summary>
     public bool IsLight => _type.IsSubclassOf(typeof(PunctualLightDescription));
 
     /// <summary>The parameters: the record's own, then those that all of its kind have.</summary>

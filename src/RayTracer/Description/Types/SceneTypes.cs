@@ -18,7 +18,7 @@ public static class SceneTypes
     /// <summary>The textures.</summary>
     public static TypeFamily Textures { get; } = Family("texture", typeof(TextureDescription));
 
-    /// <summary>What may surround a scene.</summary>
+    /// <summary>The environments of scenes.</summary>
     public static TypeFamily Environments { get; } = Family("environment", typeof(EnvironmentDescription));
 
     /// <summary>The four families.</summary>

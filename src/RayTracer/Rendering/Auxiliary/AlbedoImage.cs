@@ -12,7 +12,7 @@ public sealed record AlbedoImage : FirstHitImage
     public override string Title => "Albedo";
 
     /// <inheritdoc/>
-    public override string Description => "The colour of the surfaces without any light or shadow.";
+    public override string Description => "The colour of the surfaces, without light or shadow.";
 
     /// <inheritdoc/>
     public override string Letters => "RGB";

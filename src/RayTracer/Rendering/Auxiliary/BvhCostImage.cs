@@ -13,7 +13,7 @@ public sealed record BvhCostImage : FirstHitImage
 
     /// <inheritdoc/>
     public override string Description =>
-        "Nodes visited and triangles tested until the nearest hit is found: what a ray costs. Only meshes stand in trees.";
+        "Nodes visited and triangles tested until the nearest hit is found: the cost of a ray. Only meshes have trees.";
 
     /// <inheritdoc/>
     public override FirstHitParts Needs => FirstHitParts.Cost;
@@ -30,7 +30,7 @@ public sealed record BvhCostImage : FirstHitImage
 
     /// <inheritdoc/>
     public override string Legend(NumberRange range) =>
-        $"0 to {Text(range.Top)} and more nodes and triangles a ray: {HeatMap.Legend}; at most {Text(range.Most)}";
+        $"0 to {Text(range.Top)} and more nodes and triangles per ray: {HeatMap.Legend}; at most {Text(range.Most)}";
 
     /// <inheritdoc/>
     public override (double R, double G, double B) Show(ReadOnlySpan<double> values, NumberRange range) =>

@@ -10,7 +10,7 @@ public sealed record SamplesImage : FilmImage
     public override string Title => "Samples";
 
     /// <inheritdoc/>
-    public override string Description => "How many samples each pixel has: all alike, unless a region is rendered.";
+    public override string Description => "The number of samples in each pixel: the same everywhere, unless only a region is rendered.";
 
     /// <inheritdoc/>
     public override bool IsWhole => true;

@@ -12,7 +12,7 @@ public sealed record UvImage : FirstHitImage
     public override string Title => "uv";
 
     /// <inheritdoc/>
-    public override string Description => "Surface coordinates, by which textures are laid on: u as red, v as green.";
+    public override string Description => "Surface coordinates, which place textures: u as red, v as green.";
 
     /// <inheritdoc/>
     public override string Letters => "UV";

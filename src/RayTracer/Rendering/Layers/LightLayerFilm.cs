@@ -67,13 +67,13 @@ public sealed class LightLayerFilm
     {
         if (!scene.Render.Integrator.Has(IntegratorTraits.Layers))
         {
-            throw new ArgumentException($"The integrator {scene.Render.Integrator} has no light that could be split.", nameof(scene));
+            throw new ArgumentException($"The integrator {scene.Render.Integrator} has no light that can be split.", nameof(scene));
         }
 
         HashSet<LightLayer> wanted = [.. kinds];
         if (wanted.Contains(LightLayer.Lights) && groups.Names.Count > MostLights)
         {
-            throw new ArgumentException($"The scene has {groups.Names.Count} names of lights, and there are at most {MostLights} layers of them.", nameof(scene));
+            throw new ArgumentException($"The scene has {groups.Names.Count} names of lights, but there can be at most {MostLights} layers of them.", nameof(scene));
         }
 
         List<string> names = [];

@@ -153,10 +153,10 @@ public class GltfMaterialTests
     }
 
     [Theory]
-    [InlineData("""{ "extensions": { "KHR_materials_unlit": {} } }""", "without light")]
+    [InlineData("""{ "extensions": { "KHR_materials_unlit": {} } }""", "unlit")]
     [InlineData("""{ "occlusionTexture": { "index": 0 } }""", "occlusion map")]
     [InlineData("""{ "extensions": { "KHR_materials_iridescence": {} } }""", "\"KHR_materials_iridescence\"")]
-    [InlineData("""{ "extensions": { "KHR_materials_specular": { "specularColorFactor": [1, 0.5, 0.5] } } }""", "colour of what a dielectric reflects")]
+    [InlineData("""{ "extensions": { "KHR_materials_specular": { "specularColorFactor": [1, 0.5, 0.5] } } }""", "colour of a dielectric's reflection")]
     [InlineData("""{ "pbrMetallicRoughness": { "metallicFactor": 0 }, "extensions": { "KHR_materials_transmission": { "transmissionFactor": 1 } } }""", "rough transparent wall")]
     public void What_there_is_nothing_like_is_said(string material, string note) =>
         Assert.Contains(TestGltf.Triangle(material).Import().Notes, n => n.Contains(note, StringComparison.Ordinal));

@@ -44,10 +44,10 @@ public class GltfMeshTests
     }
 
     [Theory]
-    [InlineData(0, "points are left out")]
-    [InlineData(1, "lines are left out")]
-    [InlineData(2, "lines are left out")]
-    [InlineData(3, "lines are left out")]
+    [InlineData(0, "points are ignored")]
+    [InlineData(1, "lines are ignored")]
+    [InlineData(2, "lines are ignored")]
+    [InlineData(3, "lines are ignored")]
     public void Points_and_lines_are_left_out_with_a_note(int mode, string note)
     {
         TestGltf file = new();

@@ -128,7 +128,7 @@ public class GltfTextureTests
         ImportedModel model = file.Import();
         LuminaireMaterialDescription lamp = Assert.IsType<LuminaireMaterialDescription>(model.Scene.Shapes[0].Material);
         Assert.Equal(new Rgb(0.5f, 0.5f, 0.5f), Assert.IsType<SolidTextureDescription>(lamp.Color).Color);
-        Assert.Contains(model.Notes, n => n.Contains("another set of uv", StringComparison.Ordinal));
+        Assert.Contains(model.Notes, n => n.Contains("different uv set", StringComparison.Ordinal));
     }
 
     [Fact]

@@ -103,7 +103,7 @@ public class ObjReaderTests
         Assert.Equal([0, 1, 1, 0, 2], shape.Data!.MaterialOfTriangle!);
         Assert.Equal([new(1, 0, 0), new Rgb(0, 0.25f, 0)], shape.Materials.Take(2).Select(m => Color(((DiffuseMaterialDescription)m).Color)));
         Assert.Same(ShapeDescription.DefaultMaterial, shape.Materials[2]);
-        Assert.Equal(["no material file describes \"strange\": grey takes its place", "the material file \"none.mtl\" is not there"], model.Notes);
+        Assert.Equal(["no material file describes \"strange\": grey is used instead", "the material file \"none.mtl\" does not exist"], model.Notes);
         Assert.Equal(new Rgb(0, 0, 1), Color(((DiffuseMaterialDescription)Shape(Parse(Square + "mtllib TWO.mtl\nusemtl blue\nf 1 2 3", folder.Path)).Material).Color));
     }
 
@@ -171,11 +171,11 @@ public class ObjReaderTests
         Assert.Equal(plain, ((LuminaireMaterialDescription)materials[3]).Color);
         Assert.Equal(
             [
-                "the picture \"missing.png\" is not there: its colour takes its place",
-                "the picture \"nothing.png\" is not there: its colour takes its place",
-                "the picture \"picture.tga\" is of no format that is read (.png, .jpg, .pfm, .exr or .hdr): its colour takes its place",
-                "what radiates (Ke) does so as a luminaire, with Ke as its radiance, on the side that its normal points to",
-                "of materials, these statements are left out: Tf, refl",
+                "emission (Ke) becomes a luminaire with Ke as its radiance, on the side that the normal points to",
+                "the picture \"missing.png\" is not there: its colour is used instead",
+                "the picture \"nothing.png\" is not there: its colour is used instead",
+                "the picture \"picture.tga\" has no readable format (.png, .jpg, .pfm, .exr or .hdr): its colour is used instead",
+                "these material statements are ignored: Tf, refl",
             ],
             model.Notes);
     }
@@ -185,8 +185,8 @@ public class ObjReaderTests
     {
         ImportedModel model = Parse(Square + "l 1 2\np 1\ncurv 0 1 2\nf 1 2\nf 1 2 3\nf 3\nnonsense 1\nrubbish\nv 3.1+e2 0 0\n");
         Assert.Equal(
-            ["line 13: a number is followed by what does not belong to it, and read as far as it goes", "line 8: faces of fewer than three corners are left out",
-                "left out: \"nonsense\" in line 11 and what else is no statement of OBJ; curves and curved surfaces; lines and points"],
+            ["line 13: a number is followed by stray characters, which are ignored", "line 8: faces with fewer than three corners are ignored",
+                "ignored: \"nonsense\" in line 11 and other lines that are not OBJ statements; curves and curved surfaces; lines and points"],
             model.Notes);
     }
 
@@ -203,7 +203,7 @@ public class ObjReaderTests
         { "line 5: expected a corner such as 1, 1/2, 1//3 or 1/2/3 instead of \"a\"", Square + "f 1 2 a" },
         { "line 5: expected a corner such as 1, 1/2, 1//3 or 1/2/3 instead of \"1/-/-\"", Square + "f 1/-/-" },
         { "line 3: expected a number instead of \"0,5\"", "v 0 0 0\n#\nv 0,5 0 0" },
-        { "line 2: expected a number, and nothing more is there", "#\nv 0 0\nv 0 0 0" },
+        { "line 2: expected a number, but the file ends", "#\nv 0 0\nv 0 0 0" },
         { "line 1: expected a number instead of \"x\\u007F\"", "v\u0001x\u007F 0 0" },
     };
 
@@ -259,7 +259,7 @@ public class ObjReaderTests
     {
         Assert.StartsWith("there are no faces in it", Refusal("empty.obj"), StringComparison.Ordinal);
         Assert.Matches("^line [0-9]+: there is no vertex 12: 8 come before this face", Refusal("malformed.obj"));
-        Assert.Contains(ModelFile.Read(SharedModels.Find("invalid", "malformed2.obj")).Notes, n => n.EndsWith("faces of fewer than three corners are left out", StringComparison.Ordinal));
+        Assert.Contains(ModelFile.Read(SharedModels.Find("invalid", "malformed2.obj")).Notes, n => n.EndsWith("faces with fewer than three corners are ignored", StringComparison.Ordinal));
     }
 
     private static string Refusal(string name)

@@ -132,7 +132,7 @@ public class PlyReaderTests
         MeshData mesh = PlyReader.Parse(file, notes);
         Assert.Equal([0, 1, 99, 0, 1, 2, 0, 2, 99], mesh.Indices);
         Assert.True(float.IsNaN(mesh.Positions[0].Y));
-        Assert.Equal(["1 faces of fewer than three corners are left out"], notes);
+        Assert.Equal(["1 faces with fewer than three corners are ignored"], notes);
     }
 
     public static TheoryData<string, string> BadFiles => new()
@@ -142,7 +142,7 @@ public class PlyReaderTests
         { "line 2: expected ascii, binary_little_endian or binary_big_endian instead of \"binary\"", "ply\nformat binary 1.0\n" },
         { "line 3: the header ends without end_header", "ply\nformat ascii 1.0\n" },
         { "line 2: the header does not say the format", "ply\nend_header\n" },
-        { "line 3: expected an element's name and how many there are instead of \"-4\"", "ply\nformat ascii 1.0\nelement vertex -4\n" },
+        { "line 3: expected an element's name and count instead of \"-4\"", "ply\nformat ascii 1.0\nelement vertex -4\n" },
         { "line 2: a property comes before the first element", "ply\nproperty float x\n" },
         { "line 3: expected a type such as uchar, int or float instead of \"quad\"", "ply\nelement vertex 3\nproperty quad x\n" },
         { "line 3: a property has no name", "ply\nelement vertex 3\nproperty float\n" },
@@ -151,7 +151,7 @@ public class PlyReaderTests
         { "line 3: faces come before the vertices", "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n3 0 1 2\n" },
         { "there are no vertices in it", "ply\nformat ascii 1.0\nend_header\n" },
         { "line 11: expected a number instead of \"1,5\"", Ascii("0 0 0\n1,5 0 0") },
-        { "line 11: expected a number, and nothing more is there", Ascii("0.00000000 0 0\n1 ") },
+        { "line 11: expected a number, but the file ends", Ascii("0.00000000 0 0\n1 ") },
         { "line 11: 1 of \"face\" (line 7) take 2 bytes each or more, and 1 are left", Ascii("0 0 0\n1 0 0") },
         { "line 12: expected a whole number instead of \"0.5\"", Ascii("0 0 0\n1 0 0\n3 0 0.5 1") },
         { "line 12: a list \"vertex_indices\" of 9 numbers cannot be in the 5 bytes", Ascii("0 0 0\n1 0 0\n9 0 1") },
@@ -182,7 +182,7 @@ public class PlyReaderTests
         List<string> notes = [];
         string text = Ascii("0 0 0\n1 0 0\n3 0 1 0").Replace("element vertex", "Created by a program\nelement vertex", StringComparison.Ordinal);
         Assert.Equal(3, PlyReader.Parse(Encoding.ASCII.GetBytes(text), notes).Indices.Length);
-        Assert.Equal(["line 3 of its header is no statement of PLY, and taken for a comment"], notes);
+        Assert.Equal(["line 3 of its header is not a PLY statement and is taken for a comment"], notes);
     }
 
     [Fact]

@@ -64,13 +64,13 @@ public class StlReaderTests
     {
         List<string> notes = [];
         Assert.Equal(4, StlReader.Parse([.. Binary("x"), 1, 2, 3], notes).TriangleCount);
-        Assert.Equal(["3 bytes behind the last triangle are left out"], notes);
+        Assert.Equal(["3 bytes after the last triangle are ignored"], notes);
     }
 
     public static TheoryData<string, byte[]> BadFiles() => new()
     {
-        { "it is no STL file", [] },
-        { "it is no STL file", [.. "facet normal"u8] },
+        { "it is not an STL file", [] },
+        { "it is not an STL file", [.. "facet normal"u8] },
         { "byte 80: 4 triangles would need 284 bytes, and the file has 283", Binary("x")[..^1] },
         { "byte 80: 4 triangles would need 284 bytes, and the file has 200", Binary("solid x")[..200] },
         { "line 4: expected a number instead of \"1,5\"", [.. "solid a\nfacet\nouter loop\nvertex 1,5 0 0"u8] },

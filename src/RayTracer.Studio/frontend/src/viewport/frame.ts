@@ -19,7 +19,7 @@ export function readHeader(bytes: ArrayBuffer): FrameHeader {
   if (bytes.byteLength < headerSize) throw new Error("The frame is shorter than its header.");
   const view = new DataView(bytes);
   const number = (i: number) => view.getUint32(4 * i, true);
-  if (number(0) !== magic) throw new Error("This is no frame.");
+  if (number(0) !== magic) throw new Error("This is not a frame.");
   const flags = number(6);
   const header = {
     version: number(1),
@@ -31,6 +31,6 @@ export function readHeader(bytes: ArrayBuffer): FrameHeader {
     isLast: (flags & 2) !== 0,
     samples: number(7),
   };
-  if (bytes.byteLength !== headerSize + 4 * header.width * header.height) throw new Error("The frame has not the size that its header says.");
+  if (bytes.byteLength !== headerSize + 4 * header.width * header.height) throw new Error("The size of the frame differs from its header.");
   return header;
 }
