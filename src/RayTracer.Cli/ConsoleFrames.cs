@@ -26,7 +26,7 @@ internal sealed class ConsoleFrames(RenderJob job, Display display, Streams stre
                 status = Math.Max(status, ended);
                 if (ended == ExitStatus.Scene)
                 {
-                    streams.Fail($"this is wrong at frame {one.Frame}");
+                    streams.Fail($"these errors are at frame {one.Frame}");
                 }
 
                 return (result, ended is ExitStatus.Fine or ExitStatus.Noisy);
@@ -35,7 +35,7 @@ internal sealed class ConsoleFrames(RenderJob job, Display display, Streams stre
             {
                 status = frame.IsNoisy ? Math.Max(status, ExitStatus.Noisy) : status;
                 Say($"frame {frame.Number} ({frame.Which}): "
-                    + (frame.Result is { } result ? $"{result.Seconds:F2} s{string.Concat(frame.Files.Select(w => $", {w}"))}" : "there already"));
+                    + (frame.Result is { } result ? $"{result.Seconds:F2} s{string.Concat(frame.Files.Select(w => $", {w}"))}" : "exists already"));
             });
         foreach (string path in frames.Animations)
         {

@@ -58,7 +58,7 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
 
         if (result.Film.TotalSamples == 0 && job.Outputs.Count > 0 && ended() == 0)
         {
-            streams.Fail("no sample came to a finite number, so there is no picture to write");
+            streams.Fail("no sample was finite, so there is no picture to write");
         }
 
         try

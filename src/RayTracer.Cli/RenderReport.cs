@@ -31,14 +31,14 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
 
         if (result.Plan?.Error > job.Noise)
         {
-            streams.Warn($"the wanted noise of {100 * job.Noise:G3} % would take more samples than there may be (--spp); estimated are {100 * result.Plan.Error:G3} %");
+            streams.Warn($"the wanted noise of {100 * job.Noise:G3} % would take more samples than allowed (--spp); the estimate is {100 * result.Plan.Error:G3} %");
         }
 
         WarnOfBadSamples(streams);
         WarnOfClamped(_statistics, streams);
         if (job.Time is not null && !(result.Plan?.Error > job.Noise) && result.IsNoisy(job))
         {
-            streams.Warn($"the time ended before the wanted noise: there are {result.MeanSamples:F0} of {result.Header!.Wanted.Count} samples");
+            streams.Warn($"time ran out before the wanted noise was reached: there are {result.MeanSamples:F0} of {result.Header!.Wanted.Count} samples");
         }
 
         if (_statistics.Cancelled)
@@ -84,8 +84,8 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
 
         if (result.Header is { IsComplete: false } header && !_statistics.Cancelled)
         {
-            string film = (job.Checkpoint ?? result.Files.FirstOrDefault(FilmFile.IsNamed)) is { } file ? $": \"raytracer resume {file}\" continues" : "";
-            output.WriteLine($"the time ended at {header.Samples.Sum(r => r.Count)} of {header.Wanted.Count} samples{film}");
+            string film = (job.Checkpoint ?? result.Files.FirstOrDefault(FilmFile.IsNamed)) is { } file ? $": \"raytracer resume {file}\" continues it" : "";
+            output.WriteLine($"time ran out at {header.Samples.Sum(r => r.Count)} of {header.Wanted.Count} samples{film}");
         }
 
         output.WriteLine($"film {result.Hash}");

@@ -74,7 +74,7 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
         {
             if (KeptFolder is { } folder && _done.Count > 0 && _written.Count < _animated.Length)
             {
-                watch.Warn($"the {_done.Count} frames so far are kept in '{folder}': the same command continues with them");
+                watch.Warn($"the {_done.Count} frames so far are kept in '{folder}': the same command resumes them");
             }
 
             ClearFolder();

@@ -252,7 +252,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
 
         if (job.Sample >= render.SamplesPerPixel)
         {
-            throw new JobException(JobFault.Request, $"--sample {job.Sample}: the pixels have samples 0 to {render.SamplesPerPixel - 1} only");
+            throw new JobException(JobFault.Request, $"--sample {job.Sample}: the pixels have only samples 0 to {render.SamplesPerPixel - 1}");
         }
 
         return new()
@@ -264,7 +264,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
     }
 
     private static JobException Misplaced(string option, RenderDescription render) =>
-        new(JobFault.Request, $"{option}: does not lie within the picture of {render.Width}×{render.Height} pixels");
+        new(JobFault.Request, $"{option}: is not within the picture of {render.Width}×{render.Height} pixels");
 
     private LightLayerFilm LayersFor(Scene scene, Film film)
     {
@@ -287,7 +287,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         bool fits = bytes <= available && (long)render.Width * render.Height <= Film.MaxPixels;
         return fits ? new(render.Width, render.Height) : throw new JobException(
-            JobFault.File, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than can be had ({FilmMemory.Text(available)})");
+            JobFault.File, $"a film of {render.Width}×{render.Height} pixels takes {FilmMemory.Text(bytes)} of memory, more than is available ({FilmMemory.Text(available)})");
     }
 
     private IReadOnlyList<string> Write(JobResult result)

@@ -37,8 +37,8 @@ public sealed class SampleDecision(RenderJob job)
         if (render.Sampler.DependsOnCount)
         {
             string option = job.Adaptive ? "--adaptive" : job.Noise is not null ? "--noise" : "--time";
-            throw new JobException(JobFault.Request, $"{option}: the pattern of the {render.Sampler.ToString().ToLowerInvariant()} sampler needs the number of samples beforehand: "
-                + "take --sampler sobol or independent");
+            throw new JobException(JobFault.Request, $"{option}: the pattern of the {render.Sampler.ToString().ToLowerInvariant()} sampler needs the number of samples in advance: "
+                + "use --sampler sobol or independent");
         }
 
         _mean = (job.Noise is null && job.Time is null) || job.GivenSamples is not null || job.Part is not null || job.Samples is not null ? render.SamplesPerPixel : Limit;

@@ -15,7 +15,7 @@ public static class Shares
         if (job.Samples is { } range)
         {
             return range.End <= total ? range
-                : throw new JobException(JobFault.Request, $"--samples {FilmHeader.Text(range)}: the pixels have samples 0 to {total - 1} only (--spp)");
+                : throw new JobException(JobFault.Request, $"--samples {FilmHeader.Text(range)}: the pixels have only samples 0 to {total - 1} (--spp)");
         }
 
         if (job.Part is not { } part)
@@ -25,7 +25,7 @@ public static class Shares
 
         return part.Count <= total
             ? Part(part.Number, part.Count, total)
-            : throw new JobException(JobFault.Request, $"--part {part.Number}/{part.Count}: {total} samples make {total} parts at most");
+            : throw new JobException(JobFault.Request, $"--part {part.Number}/{part.Count}: {total} samples make at most {total} parts");
     }
 
     /// <summary>One of several equal parts of some samples.</summary>
