@@ -171,7 +171,7 @@ public class ContentHash : IDisposable
         }
 
         RecordType type = RecordType.Of(record.GetType());
-        Text($"record {type.Name}");
+        Text(type.Origin is { } origin ? $"record {type.Name} of {origin}" : $"record {type.Name}");
         foreach (RecordParameter parameter in type.Parameters)
         {
             object? value = parameter.Get(record);
