@@ -25,7 +25,7 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
     {
         if (display.Preview && !streams.HasTerminal)
         {
-            streams.Warn("--preview: standard error is no terminal that shows pictures, so nothing is shown there");
+            streams.Warn("--preview: standard error is not a terminal that can show pictures, so nothing is shown");
         }
 
         if (FrameFiles.AreSeveral(job))

@@ -103,8 +103,8 @@ internal sealed class ResumeVerb
     {
         if (FilmExr.OtherLayers(file) is { Count: > 0 } layers)
         {
-            throw new CommandException(ExitStatus.Usage, $"'{file}' has layers that are not made again when more samples come ({string.Join(", ", layers)}): "
-                + "with --checkpoint FILE.rtfilm (and -o) it stays as it is");
+            throw new CommandException(ExitStatus.Usage, $"'{file}' has layers that are not updated when samples are added ({string.Join(", ", layers)}): "
+                + "with --checkpoint FILE.rtfilm (and -o) it stays unchanged");
         }
     }
 

@@ -51,7 +51,7 @@ public sealed class InfoTests : IDisposable
         Assert.Equal(0, CliRun.Of("render", _scene, "-o", film, "--spp", "1", "--quiet").Status);
         CliRun told = CliRun.Of("resume", film, "--spp", "16777216", "--time", "0.1s");
         Assert.Equal(0, told.Status);
-        Assert.Matches(@"\nthe time ended at \d+ of 16777216 samples: ""raytracer resume [^""]*a.rtfilm"" continues", told.Output);
+        Assert.Matches(@"\ntime ran out at \d+ of 16777216 samples: ""raytracer resume [^""]*a.rtfilm"" continues it", told.Output);
         JsonElement json = Json("resume", film, "--time", "0.1s", "--json", "--quiet");
         Assert.False(json.GetProperty("complete").GetBoolean());
         Assert.Equal(Text(json, "samples"), Text(Json("info", film, "--json"), "samples"));

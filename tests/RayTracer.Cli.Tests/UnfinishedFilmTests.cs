@@ -144,7 +144,7 @@ public sealed class UnfinishedFilmTests : IDisposable
     public void The_same_command_goes_on_from_its_checkpoint()
     {
         string[] command = ["render", _scene, "--spp", "9", "--checkpoint", _film, "--resume", "--json", "--quiet"];
-        CliRun.Refused(2, "--resume adds to a checkpoint: give --checkpoint FILE", "render", _scene, "--resume", "--json");
+        CliRun.Refused(2, "--resume continues from a checkpoint: give --checkpoint FILE", "render", _scene, "--resume", "--json");
         string whole = Text(CliRun.Of("render", _scene, "--spp", "9", "--json", "--quiet"), "filmHash");
         Assert.Equal(whole, Text(CliRun.Of(command), "filmHash"));
         File.Delete(_film);
