@@ -45,7 +45,7 @@ public static class JobRules
         ("--fps", "!--frames", "--fps is for animated PNGs: give --frames"),
         (".apng", "!--frames", "-o {.apng}: an animated PNG is made of --frames"),
         ("--sample", "!--pixel", "--sample needs --pixel"),
-        ("--exr-film", "no .exr", "--exr-film is for OpenEXR images, but there are none to write: give -o FILE.exr"),
+        ("--exr-film", "no .exr", "--exr-film is for OpenEXR images, but none is written: give -o FILE.exr"),
     ];
 
     /// <summary>Which of a job's values do not go together, and what to do about it; null where all is well.</summary>

@@ -26,7 +26,7 @@ internal static class Resuming
 
         bool isBegin = old.Samples is [] || (old.Samples is [var held] && held.First == header.Wanted.First && held.End <= header.Wanted.End);
         return isBegin ? header with { Samples = old.Samples, Settings = header.Wanted == old.Wanted ? old.Settings : header.Settings } : throw new JobException(
-            JobFault.File, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of {FilmHeader.Text(header.Wanted)}, which are asked for");
+            JobFault.File, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of the requested {FilmHeader.Text(header.Wanted)}");
     }
 
     private static JobException OtherFilm(RenderJob job, FilmHeader header, RenderDescription render) => render.Sampler.DependsOnCount && render.SamplesPerPixel != header.Total
