@@ -56,6 +56,7 @@ internal static class CommandLine
         Importers.Register();
         try
         {
+            PluginFile.LoadAll(args);
             ParseResult result = Root(args.FirstOrDefault(), streams).Parse(args, new() { ResponseFileTokenReplacer = null });
             string? stray = Stray(result);
             string? empty = EmptyWord(result);
@@ -84,7 +85,7 @@ internal static class CommandLine
     {
         Command command = new(v.Name, v.Summary);
         v.Build(command, streams);
-        return VerbHelp.Of(command, Synopsis);
+        return VerbHelp.Of(PluginOption.AddTo(command), Synopsis);
     })];
 
     private static Command Root(string? verb, Streams streams)
@@ -108,6 +109,7 @@ internal static class CommandLine
             if (name == verb)
             {
                 build(command, streams);
+                PluginOption.AddTo(command);
             }
 
             root.Subcommands.Add(command);
@@ -197,7 +199,7 @@ internal static class CommandLine
             case JobException { Fault: JobFault.Request }:
                 streams.Fail(OneLine(e.Message).TrimEnd('.'));
                 return ExitStatus.Usage;
-            case JobException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException:
+            case JobException or PluginException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException:
                 streams.Fail(OneLine(e.Message).TrimEnd('.'));
                 return ExitStatus.InputOutput;
             case OutOfMemoryException or { InnerException: OutOfMemoryException }:

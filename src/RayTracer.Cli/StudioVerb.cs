@@ -36,7 +36,7 @@ internal static class StudioVerb
                 words.Add("--no-browser");
             }
 
-            return Run(words, streams);
+            return Run([.. words, .. PluginOption.Words(result)], streams);
         });
     }
 

@@ -134,7 +134,7 @@ public sealed class ContentHash : IDisposable
         }
 
         RecordType type = RecordType.Of(record.GetType());
-        Text($"record {type.Name}");
+        Text(type.Origin is { } origin ? $"record {type.Name} of {origin}" : $"record {type.Name}");
         foreach (RecordParameter parameter in type.Parameters)
         {
             Text(parameter.Key);

@@ -1,4 +1,6 @@
+using RayTracer.Description;
 using RayTracer.Jobs;
+using RayTracer.Scenes;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;
@@ -12,6 +14,16 @@ internal static class Program
     private static async Task<int> Main(string[] args)
     {
         WideVectors.Enable(args);
+        try
+        {
+            args = PluginFile.LoadAll(args);
+        }
+        catch (PluginException e)
+        {
+            await Console.Error.WriteLineAsync($"error: {e.Message}");
+            return InputOutput;
+        }
+
         StudioOptions options = StudioOptions.Parse(args, out string? complaint);
         if (complaint is not null)
         {

@@ -6,7 +6,7 @@ namespace RayTracer.Studio;
 internal sealed record StudioOptions
 {
     /// <summary>How the Studio is called.</summary>
-    public const string Usage = "usage: RayTracer.Studio [SCENE] [--port N] [--no-browser] [--open app|browser]";
+    public const string Usage = "usage: RayTracer.Studio [SCENE] [--plugin FILE] [--port N] [--no-browser] [--open app|browser]";
 
     /// <summary>The scene or model to open; null for the empty state.</summary>
     public string? Scene { get; init; }

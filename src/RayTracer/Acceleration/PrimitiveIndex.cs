@@ -35,12 +35,12 @@ public readonly unsafe struct PrimitiveIndex
     /// <summary>One constant of each lane's shape.</summary>
     /// <param name="table">The packed table.</param>
     /// <param name="constant">Position of the constant in a shape's entry.</param>
-    internal FloatW Read(float* table, int constant) =>
+    public FloatW Read(float* table, int constant) =>
         _uniform >= 0 ? table[_uniform + constant] : FloatW.Gather(table + constant, _offset);
 
     /// <summary>Three constants in a row.</summary>
     /// <param name="table">The packed table.</param>
     /// <param name="constant">Position of the first one in a shape's entry.</param>
-    internal Vec3W ReadVector(float* table, int constant) =>
+    public Vec3W ReadVector(float* table, int constant) =>
         new(Read(table, constant), Read(table, constant + 1), Read(table, constant + 2));
 }

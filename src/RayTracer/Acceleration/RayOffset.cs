@@ -13,7 +13,7 @@ namespace RayTracer.Acceleration;
 /// each from the two turns into the frame and the turn back, 4 us from the foot on the surface, 3 us from F, whose sign at the origin decides (a torus
 /// has it in double precision), and 2√3·uM from the roundings of point and origin: with |origin| + s = M, at most 19 uM.
 /// </remarks>
-internal static class RayOffset
+public static class RayOffset
 {
     /// <summary>Fraction of the largest coordinate: 24 u, which is 12 to 24 units in the last place.</summary>
     public const float Relative = 1.5f / (1 << 20);

@@ -1,3 +1,4 @@
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Description;
@@ -8,6 +9,14 @@ namespace RayTracer.Description;
 /// </summary>
 public abstract record TextureDescription
 {
+    /// <summary>The same colour everywhere: programs write <c>Color = new Rgb(1, 0, 0)</c>.</summary>
+    /// <param name="color">The colour.</param>
+    public static implicit operator TextureDescription(Rgb color) => new SolidTextureDescription { Color = color };
+
+    /// <summary>The same number everywhere: programs write <c>Roughness = 0.2f</c>.</summary>
+    /// <param name="number">The number.</param>
+    public static implicit operator TextureDescription(float number) => new Rgb(number, number, number);
+
     /// <summary>Makes the texture that this record describes.</summary>
     /// <param name="builder">Gives access to pictures and takes diagnostics.</param>
     public abstract Texture Build(SceneBuilder builder);

@@ -23,7 +23,7 @@ public sealed class AreaLight(Shape shape, int primitive) : LightSource(0, primi
     public override void Pdf(in LightHitW hit, out FloatW pdf) => shape.SamplePdf(hit.From, hit.Distance, hit.Cosine, out pdf);
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) => new(shape.Bounds, _luminaire.MeanIntensity * shape.Area);
+    public override LightExtent Extent((double Open, double Close) shutter) => new(shape.Bounds, _luminaire.MeanIntensity * shape.Area);
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)

@@ -32,7 +32,7 @@ public sealed class ConstantEnvironment(Rgb light) : EnvironmentLight
     public override void Pdf(in Vec3W direction, out FloatW pdf) => pdf = 1 / (4 * float.Pi);
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, float.Pi * light.Luminance);
+    public override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, float.Pi * light.Luminance);
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)

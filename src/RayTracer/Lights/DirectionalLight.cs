@@ -23,13 +23,15 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
     /// <inheritdoc/>
     public override ShapeDescription Moved(in ShapeMove move) => this with { Direction = move.Direction(Direction) };
 
-    internal override void Check(in Transform place, SceneBuilder builder)
+    /// <inheritdoc/>
+    public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
         CheckDirection(nameof(Direction), Direction, place, builder);
     }
 
-    internal override LightSource Create(Motion motion) => new DirectionalLight(Direction, Irradiance, motion);
+    /// <inheritdoc/>
+    public override LightSource Create(Motion motion) => new DirectionalLight(Direction, Irradiance, motion);
 }
 
 /// <summary>Light from infinitely far away, along one direction.</summary>
@@ -39,7 +41,7 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
 public sealed class DirectionalLight(Vector3 direction, Rgb irradiance, Motion motion) : PunctualLight(Vector3.Zero, direction.Unit(), motion)
 {
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, irradiance.Luminance);
+    public override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, irradiance.Luminance);
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)

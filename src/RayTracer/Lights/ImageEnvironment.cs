@@ -149,7 +149,7 @@ public sealed unsafe class ImageEnvironment : EnvironmentLight
     }
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, (float)(Power / 4));
+    public override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, (float)(Power / 4));
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)

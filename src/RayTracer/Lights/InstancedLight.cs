@@ -38,7 +38,7 @@ internal sealed unsafe class InstancedLight(Shape shape, SurfaceTable table, int
     }
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter)
+    public override LightExtent Extent((double Open, double Close) shutter)
     {
         // Areas grow about as the two thirds' power of volumes.
         float volume = (float)double.Abs(instances.PlaceOf(Instance).Determinant);

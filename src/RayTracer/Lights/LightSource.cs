@@ -32,7 +32,7 @@ public abstract class LightSource(int instance, int primitive)
 
     /// <summary>Where it is and how strong, to choose between many lights by.</summary>
     /// <param name="shutter">When the shutter opens and closes, in seconds.</param>
-    internal abstract LightExtent Extent((double Open, double Close) shutter);
+    public abstract LightExtent Extent((double Open, double Close) shutter);
 
     /// <summary>Chooses a point of the light for each lit point.</summary>
     /// <param name="from">The lit points.</param>

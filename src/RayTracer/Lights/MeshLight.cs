@@ -48,7 +48,7 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
     }
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter)
+    public override LightExtent Extent((double Open, double Close) shutter)
     {
         Bounds box = choice.Triangles.Aggregate(Bounds.Empty, (all, triangle) =>
         {

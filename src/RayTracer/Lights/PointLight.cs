@@ -26,13 +26,15 @@ public sealed record PointLightDescription : PunctualLightDescription
     /// <inheritdoc/>
     public override ShapeDescription Moved(in ShapeMove move) => this with { Position = move.Point(Position) };
 
-    internal override void Check(in Transform place, SceneBuilder builder)
+    /// <inheritdoc/>
+    public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
         CheckPosition(nameof(Position), Position, place, builder);
     }
 
-    internal override LightSource Create(Motion motion) => new PointLight(Position, Intensity, motion);
+    /// <inheritdoc/>
+    public override LightSource Create(Motion motion) => new PointLight(Position, Intensity, motion);
 }
 
 /// <summary>A light at a point that shines alike in all directions.</summary>
@@ -42,7 +44,7 @@ public sealed record PointLightDescription : PunctualLightDescription
 public sealed class PointLight(Vector3 position, Rgb intensity, Motion motion) : PunctualLight(position, Vector3.UnitZ, motion)
 {
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), intensity.Luminance);
+    public override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), intensity.Luminance);
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)

@@ -55,7 +55,7 @@ public abstract unsafe class PunctualLight(Vector3 position, Vector3 axis, Motio
     }
 
     /// <summary>A box around all places of the position while the shutter is open.</summary>
-    private protected Bounds BoundsOfPosition((double Open, double Close) shutter) => motion.Bound(new(position, position), shutter.Open, shutter.Close);
+    protected Bounds BoundsOfPosition((double Open, double Close) shutter) => motion.Bound(new(position, position), shutter.Open, shutter.Close);
 
     private void PlaceAt(in FloatW time, out Vec3W place, out Vec3W direction)
     {

@@ -20,7 +20,7 @@ public abstract record PunctualLightDescription : ShapeDescription
     /// <summary>Reports why it cannot be built at a place.</summary>
     /// <param name="place">Where its own space stands in the space that it is put into.</param>
     /// <param name="builder">Takes the diagnostics.</param>
-    internal virtual void Check(in Transform place, SceneBuilder builder)
+    public virtual void Check(in Transform place, SceneBuilder builder)
     {
         if (!ReferenceEquals(Material, DefaultMaterial))
         {
@@ -30,10 +30,10 @@ public abstract record PunctualLightDescription : ShapeDescription
 
     /// <summary>The light, once <see cref="Check"/> found nothing wrong.</summary>
     /// <param name="motion">Where its own space is in the world.</param>
-    internal abstract LightSource Create(Motion motion);
+    public abstract LightSource Create(Motion motion);
 
     /// <summary>Reports it where a position is moved too far away.</summary>
-    private protected void CheckPosition(string property, Vector3 position, in Transform place, SceneBuilder builder)
+    protected void CheckPosition(string property, Vector3 position, in Transform place, SceneBuilder builder)
     {
         if (!place.Point(position).IsFinite())
         {
@@ -42,7 +42,7 @@ public abstract record PunctualLightDescription : ShapeDescription
     }
 
     /// <summary>Reports it where a direction has no length, or becomes one of too little or too much of it.</summary>
-    private protected void CheckDirection(string property, Vector3 direction, in Transform place, SceneBuilder builder)
+    protected void CheckDirection(string property, Vector3 direction, in Transform place, SceneBuilder builder)
     {
         if (builder.HasDirection(this, property, direction) && !place.Vector(direction.Unit()).Unit().IsFinite())
         {

@@ -110,7 +110,7 @@ public sealed class SkyEnvironment : EnvironmentLight
     }
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) =>
+    public override LightExtent Extent((double Open, double Close) shutter) =>
         new(Bounds.Infinite, _sky.Extent(shutter).Strength + (_sun.Luminance * 2 * float.Pi * _height));
 
     /// <inheritdoc/>

@@ -43,7 +43,8 @@ public sealed record SpotLightDescription : PunctualLightDescription
     /// <inheritdoc/>
     public override ShapeDescription Moved(in ShapeMove move) => this with { Position = move.Point(Position), Direction = move.Direction(Direction) };
 
-    internal override void Check(in Transform place, SceneBuilder builder)
+    /// <inheritdoc/>
+    public override void Check(in Transform place, SceneBuilder builder)
     {
         base.Check(place, builder);
         CheckPosition(nameof(Position), Position, place, builder);
@@ -54,7 +55,8 @@ public sealed record SpotLightDescription : PunctualLightDescription
         }
     }
 
-    internal override LightSource Create(Motion motion) =>
+    /// <inheritdoc/>
+    public override LightSource Create(Motion motion) =>
         new SpotLight(Position, Direction, Intensity, CutoffAngle, BeamWidth ?? 0.75f * CutoffAngle, Falloff, motion);
 }
 
@@ -101,7 +103,7 @@ public sealed class SpotLight : PunctualLight
     }
 
     /// <inheritdoc/>
-    internal override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), _intensity.Luminance * _share);
+    public override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), _intensity.Luminance * _share);
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)

@@ -69,6 +69,23 @@ public sealed class Film : IImageRows
         }
     }
 
+    /// <summary>Mean radiance of a pixel, as <see cref="Mean"/>.</summary>
+    /// <param name="x">Column, from the left.</param>
+    /// <param name="y">Row, from the top.</param>
+    public Rgb this[int x, int y] => Mean(x, y);
+
+    /// <summary>Returns the means of all pixels.</summary>
+    public Picture ToPicture()
+    {
+        Picture picture = new(Width, Height);
+        for (int y = 0; y < Height; y++)
+        {
+            ReadRow(y, picture.Pixels.AsSpan(3 * y * Width, 3 * Width));
+        }
+
+        return picture;
+    }
+
     /// <summary>Mean radiance of a pixel; black where there are no samples.</summary>
     /// <param name="x">Column, from the left.</param>
     /// <param name="y">Row, from the top.</param>

@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>The sampling shared by light sources whose points are chosen uniformly by area.</summary>
-internal static class AreaSample
+public static class AreaSample
 {
     /// <summary>The density per steradian of a point that was chosen uniformly by area; zero from behind.</summary>
     /// <param name="distance">Distance to the point.</param>

@@ -91,6 +91,17 @@ public class RangeTests
     }
 
     [Fact]
+    public void Colours_and_numbers_stand_for_textures_and_films_give_pixels_and_pictures()
+    {
+        SceneDescription scene = Of(new DiffuseMaterialDescription { Color = new Rgb(1, 0.5f, 0) }) with { Background = new(0.25f, 0.5f, 1) };
+        (Film film, _) = new RTracer(Scene.From(scene)).Render();
+        Assert.Equal(new(0.25f, 0.5f, 1), film[0, 0]);
+        Assert.Equal([.. Enumerable.Range(0, 16).SelectMany(i => new[] { film[i % 4, i / 4].R, film[i % 4, i / 4].G, film[i % 4, i / 4].B })], film.ToPicture().Pixels);
+        TextureDescription half = 0.5f;
+        Assert.Equal(Solid(0.5f), half);
+    }
+
+    [Fact]
     public void Groups_that_hold_themselves_are_refused_and_do_not_keep_the_check_going()
     {
         List<ShapeDescription> shapes = [];

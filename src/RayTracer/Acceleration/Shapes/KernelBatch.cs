@@ -4,8 +4,11 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Acceleration;
 
-/// <summary>How shapes of one kind are met by rays: what <see cref="KernelBatch{TKernel}"/> needs to know of them.</summary>
-internal unsafe interface IShapeKernel
+/// <summary>
+/// The functions by which <see cref="KernelBatch{TKernel}"/> meets shapes of one kind with rays, a packet of lanes at a time. An entry of the packed
+/// table holds the constants of one shape. Rays start at distance 0; of their directions, all have unit length.
+/// </summary>
+public unsafe interface IShapeKernel
 {
     /// <summary>Floats a shape in the packed table.</summary>
     static abstract int Constants { get; }
@@ -28,11 +31,12 @@ internal unsafe interface IShapeKernel
     static abstract void DescribeTangents(in PrimitiveIndex primitives, float* table, ref SurfaceW surface);
 }
 
-/// <summary>Shapes whose occlusion is told by the nearest hit.</summary>
+/// <summary>Shapes whose occlusion follows from the nearest hit.</summary>
 /// <typeparam name="TKernel">How they are met.</typeparam>
-internal sealed unsafe class KernelBatch<TKernel> : ShapeBatch
+public sealed unsafe class KernelBatch<TKernel> : ShapeBatch
     where TKernel : struct, IShapeKernel
 {
+    /// <summary>Packs shapes.</summary>
     public KernelBatch(IReadOnlyList<Shape> shapes)
         : base(shapes.Count, TKernel.Constants)
     {

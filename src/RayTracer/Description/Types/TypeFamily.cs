@@ -1,13 +1,36 @@
+using System.Collections.Immutable;
+using System.Reflection;
+
 namespace RayTracer.Description;
 
 /// <summary>The record types that may stand in the same places.</summary>
-/// <param name="Noun">What each of them is: shape, material, texture or environment.</param>
-/// <param name="Types">The types by name.</param>
-public sealed record TypeFamily(string Noun, IReadOnlyList<RecordType> Types)
+public sealed class TypeFamily
 {
+    private readonly Type _base;
+    private ImmutableList<RecordType> _types;
+
+    internal TypeFamily(string noun, Type ancestor)
+    {
+        Noun = noun;
+        _base = ancestor;
+        _types = Sorted(ancestor.Assembly.GetTypes().Where(Holds).Select(RecordType.Of));
+    }
+
+    /// <summary>The word for each of them: shape, material, texture or environment.</summary>
+    public string Noun { get; }
+
+    /// <summary>The types by name.</summary>
+    public IReadOnlyList<RecordType> Types => _types;
+
     /// <summary>The names of the types.</summary>
     public IEnumerable<string> Names => Types.Select(t => t.Name);
 
     /// <summary>The type of a name; null where there is none.</summary>
-    public RecordType? Find(string name) => Types.FirstOrDefault(t => t.Name == name);
+    public RecordType? Find(string name) => _types.Find(t => t.Name == name);
+
+    internal bool Holds(Type type) => type.IsSubclassOf(_base) && type.IsDefined(typeof(SceneTypeAttribute));
+
+    internal void Add(RecordType type) => _types = Sorted(_types.Append(type));
+
+    private static ImmutableList<RecordType> Sorted(IEnumerable<RecordType> types) => [.. types.OrderBy(t => t.Name, StringComparer.Ordinal)];
 }

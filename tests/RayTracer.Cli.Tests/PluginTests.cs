@@ -1,0 +1,145 @@
+using System.Diagnostics;
+using System.Reflection.Metadata;
+using System.Reflection.Metadata.Ecma335;
+using System.Reflection.PortableExecutable;
+
+namespace RayTracer.Cli.Tests;
+
+/// <summary>Covers <see cref="PluginOption"/> and the loading behind it, in processes of their own: what is added stays.</summary>
+public class PluginTests
+{
+    private const string Scene = """
+        {
+          "camera": { "position": [0, 1, 5] },
+          "render": { "width": 24, "height": 16, "samplesPerPixel": 4, "integrator": "path" },
+          "shapes": [
+            { "type": "ball", "center": [0, 0.5, 0], "size": 0.8, "material": { "type": "velvet" } },
+            { "type": "plane", "point": [0, -0.5, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "stripes", "count": 3 } } }
+          ],
+          "lights": [{ "type": "beacon", "position": [0, -0.4, 2], "intensity": [30, 30, 30] }, { "type": "point", "position": [2, 4, 3], "intensity": [50, 50, 50] }]
+        }
+        """;
+
+    private static readonly string s_plugin = Path.Combine(AppContext.BaseDirectory, "RayTracer.SamplePlugin.dll");
+
+    [Fact]
+    public void A_scene_of_things_that_only_a_plug_in_knows_is_rendered_into_its_format_with_its_image()
+    {
+        using TemporaryFolder folder = new();
+        string scene = Write(folder, Scene);
+        string image = folder["picture.ppm"];
+
+        (int status, string text) = Run("render", scene, "--plugin", s_plugin, "-o", image, "--aov", "nearness", "--quiet");
+
+        Assert.Equal((0, ""), (status, text));
+        int[] numbers = [.. File.ReadAllText(image).Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Skip(4).Select(int.Parse)];
+        Assert.Equal(24 * 16 * 3, numbers.Length);
+
+        // The ball is red all over, and darker where it is seen from the front.
+        Assert.All([(12, 8), (12, 5), (10, 7)], p => Assert.True(Red(p.Item1, p.Item2) > 2 * Green(p.Item1, p.Item2), $"no red at {p}"));
+        Assert.Contains(Directory.GetFiles(folder.Path), f => f.Contains("nearness", StringComparison.Ordinal));
+
+        int Red(int x, int y) => numbers[3 * ((24 * y) + x)];
+        int Green(int x, int y) => numbers[(3 * ((24 * y) + x)) + 1];
+    }
+
+    [Fact]
+    public void Without_the_plug_in_its_types_are_unknown_and_a_scene_cannot_name_a_file_of_them()
+    {
+        using TemporaryFolder folder = new();
+        (int status, string text) = Run("check", Write(folder, Scene));
+        Assert.Equal(3, status);
+        Assert.Contains("unknown shape type \"ball\"", text, StringComparison.Ordinal);
+
+        (status, text) = Run("check", Write(folder, Scene.Replace("{\n  \"camera\"", $"{{\n  \"plugin\": \"{s_plugin}\", \"camera\"", StringComparison.Ordinal)));
+        Assert.Equal(3, status);
+        Assert.Contains("unknown key \"plugin\"", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Values_of_plug_ins_are_held_to_their_ranges()
+    {
+        using TemporaryFolder folder = new();
+        (int status, string text) = Run("check", "--plugin=" + s_plugin, Write(folder, Scene.Replace("0.8", "-1", StringComparison.Ordinal)));
+        Assert.Equal(3, status);
+        Assert.Contains("\"size\" must be greater than 0, but is -1", text, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("explain", "velvet")]
+    [InlineData("reference")]
+    [InlineData("schema")]
+    public void Types_of_plug_ins_are_explained_as_the_program_s_own(params string[] words)
+    {
+        (int status, string text) = Run([.. words, "--plugin", s_plugin]);
+        Assert.Equal(0, status);
+        Assert.Contains("velvet", text, StringComparison.Ordinal);
+        Assert.Contains("seen from the side", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Scenes_with_things_of_plug_ins_are_converted_and_described()
+    {
+        using TemporaryFolder folder = new();
+        string scene = Write(folder, Scene);
+        Assert.Equal((0, ""), Run("convert", scene, folder["again.json"], "--plugin", s_plugin));
+        Assert.Contains("\"velvet\"", File.ReadAllText(folder["again.json"]), StringComparison.Ordinal);
+        (int status, string text) = Run("info", scene, "--plugin", s_plugin);
+        Assert.Equal(0, status);
+        Assert.Contains("ball", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void What_is_no_plug_in_is_refused_in_one_sentence()
+    {
+        using TemporaryFolder folder = new();
+        string scene = Write(folder, Scene);
+        string old = folder["old.dll"];
+        File.WriteAllBytes(old, ForOtherCore(File.ReadAllBytes(s_plugin)));
+
+        Refused([scene], "this is no .NET assembly");
+        Refused([folder["missing.dll"]], "cannot be loaded: ");
+        Refused([Path.Combine(AppContext.BaseDirectory, "xunit.assert.dll")], "xunit.assert has no types for scenes");
+        Refused([old], "was made for version 9.9.9.9 of RayTracer.Core, but this is ");
+        Refused([s_plugin, s_plugin], "the shape \"ball\" of RayTracer.SamplePlugin needs another name: there is one already");
+
+        void Refused(string[] files, string message)
+        {
+            (int status, string text) = Run(["check", scene, .. files.SelectMany(f => new[] { "--plugin", f })]);
+            Assert.Equal(4, status);
+            Assert.Contains(message, Assert.Single(text.Trim().Split('\n')), StringComparison.Ordinal);
+        }
+    }
+
+    // The same assembly, but for the version of the core that it names.
+    private static byte[] ForOtherCore(byte[] assembly)
+    {
+        using PEReader file = new(new MemoryStream(assembly));
+        MetadataReader metadata = file.GetMetadataReader();
+        AssemblyReferenceHandle core = metadata.AssemblyReferences.First(r => metadata.GetString(metadata.GetAssemblyReference(r).Name) == "RayTracer.Core");
+        int row = MetadataTokens.GetRowNumber(core) - 1;
+        int start = file.PEHeaders.MetadataStartOffset + metadata.GetTableMetadataOffset(TableIndex.AssemblyRef) + (row * metadata.GetTableRowSize(TableIndex.AssemblyRef));
+        for (int part = 0; part < 4; part++)
+        {
+            BitConverter.TryWriteBytes(assembly.AsSpan(start + (2 * part)), (ushort)9);
+        }
+
+        return assembly;
+    }
+
+    private static string Write(TemporaryFolder folder, string scene)
+    {
+        File.WriteAllText(folder["scene.json"], scene);
+        return folder["scene.json"];
+    }
+
+    // What a command says on both of its streams.
+    private static (int Status, string Text) Run(params string[] words)
+    {
+        using Process process = ProcessTests.Start(words);
+        Task<string> error = process.StandardError.ReadToEndAsync();
+        string output = process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        return (process.ExitCode, output + error.Result);
+    }
+}
