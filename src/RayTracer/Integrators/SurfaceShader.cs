@@ -12,9 +12,8 @@ namespace RayTracer.Rendering;
 /// <param name="Scene">The scene.</param>
 /// <param name="Finished">Takes the paths that end.</param>
 /// <param name="Queue">Takes shadow rays that wait until the whole stream is shaded; null where none do.</param>
-/// <param name="Recorder">Takes down what becomes of each path; null in renders.</param>
-/// <param name="Shares">Takes layers of light; null where none are wanted.</param>
-internal sealed record ShaderContext(Scene Scene, FinishedPaths Finished, ShadowQueue? Queue, PathRecorder? Recorder, LightShares? Shares);
+/// <param name="Observer">Sees what happens to the paths; null where nobody asks.</param>
+internal sealed record ShaderContext(Scene Scene, FinishedPaths Finished, ShadowQueue? Queue, PathObserver? Observer);
 
 /// <summary>
 /// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
@@ -26,17 +25,14 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     private readonly PinnedBuffer<PacketW> _packet = new(1);
     private SampleRange _samples;
 
-    /// <summary>How many shadow rays were traced.</summary>
+    /// <summary>The number of shadow rays that were traced.</summary>
     public virtual long ShadowRays => 0;
 
     protected Scene Scene { get; } = context.Scene;
 
     protected FinishedPaths Finished { get; } = context.Finished;
 
-    protected PathRecorder? Recorder { get; } = context.Recorder;
-
-    /// <summary>Takes layers of light; null where none are wanted.</summary>
-    protected LightShares? Shares { get; } = context.Shares;
+    protected PathObserver? Observer { get; } = context.Observer;
 
     /// <summary>The random numbers of the vertex that is shaded.</summary>
     protected VertexSamples Vertex { get; } = new(context.Scene.Sampler);
@@ -72,8 +68,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
-            Recorder?.Missed(stream, index, active);
-            Shares?.Missed(path, active, stream.PickThroughput(index) * arriving);
+            Observer?.Missed(stream, index, active, arriving);
             Finished.Append(active.Bits, radiance, path);
         }
     }
@@ -81,7 +76,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     /// <summary>Shades all hits of one group.</summary>
     /// <param name="group">The group.</param>
     /// <param name="stream">The paths.</param>
-    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="members">Indices of the group's paths in the stream, padded to whole packets.</param>
     /// <param name="count">Number of the group's paths.</param>
     public void Shade(ShadingGroup group, PathStream stream, PathStream next, uint* members, int count)
@@ -99,7 +94,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
 
     /// <summary>Shades what media have scattered.</summary>
     /// <param name="stream">The paths.</param>
-    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="members">Indices of those paths in the stream, padded to whole packets.</param>
     /// <param name="count">Their number.</param>
     public virtual void Scatter(PathStream stream, PathStream next, uint* members, int count)
@@ -154,13 +149,13 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
 
         if (group.IsNested)
         {
-            // Where nobody keeps in mind what paths are in, nothing is around.
+            // Where paths do not track what they are in, nothing is around.
             surface.Around = 1f;
         }
 
         if (group.Traits.Disperses)
         {
-            // The yellow line of helium, by which refractive indices are told: where no path chooses its wavelength (Disperse).
+            // The yellow line of helium, at which refractive indices are given: where no path chooses its wavelength (Disperse).
             surface.Wavelength = 0.5876f;
         }
 
@@ -233,7 +228,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
         throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
     }
 
-    /// <summary>The part of a path's state after a surface that tells whether it stands for a single wavelength.</summary>
+    /// <summary>The part of a path's state after a surface that marks it as standing for a single wavelength.</summary>
     protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => Scene.Wavelengths is null ? 0u
         : group.Traits.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
 
@@ -311,7 +306,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     /// </summary>
     public static MaskW IsUnreal(UIntW before, UIntW after) => UIntW.Equal(MediumStack.Innermost(before), MediumStack.Innermost(after));
 
-    /// <summary>Where rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).</summary>
+    /// <summary>The lanes whose rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).</summary>
     public static MaskW ComesFromInside(in SurfaceW surface) => Vec3W.Dot(surface.Incoming, surface.Normal) > 0f;
 
     // Off the surface, on the side where the ray goes.
@@ -322,7 +317,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
         return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);
     }
 
-    /// <summary>What shading works with, beside what the stream has.</summary>
+    /// <summary>The values that shading works with, beside those of the stream.</summary>
     protected struct PacketW
     {
         public ScatterW Scatter;
