@@ -23,8 +23,7 @@ internal sealed unsafe class OcclusionShader(ShaderContext context) : SurfaceSha
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out SurfaceW surface);
         FloatW far = (FloatW.Pick(stream.Distance, index) > _reach).Select(1f, 0f);
         RgbW radiance = new(far, far, far);
-        Recorder?.Emitted(path, active, radiance);
-        Recorder?.Brightened(path, active, radiance);
+        Observer?.Emitted(group, stream, index, active, radiance, radiance);
 
         Vertex.Direction(out FloatW u, out FloatW v);
         Onb.FromNormal(surface.Facing, out Onb frame);
@@ -35,7 +34,7 @@ internal sealed unsafe class OcclusionShader(ShaderContext context) : SurfaceSha
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }
 
-        Recorder?.Scattered(stream, index, active, alive, group.Material, surface, scatter);
+        Observer?.Scattered(stream, index, active, alive, group.Material, surface, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
         if (ended != 0)

@@ -19,7 +19,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     private const uint DepthBits = 0xffff;
     private const float LargestSurvival = 0.95f;
     private readonly ShadowQueue? _queue = context.Queue;
-    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Shares);
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer);
     private readonly LightMap _lights = new(context.Scene);
     private readonly uint _maxDepth = (uint)(maxDepth < 0 ? RenderDescription.LongestPath : maxDepth);
 
@@ -72,7 +72,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         vertex = state & DepthBits;
         packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
-        Shares?.BeginPacket(path);
+        Observer?.BeginPacket(stream, index, active);
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
         UIntW around = 0u;
         if (Scene.HasNesting && group.IsNested)
@@ -91,9 +91,6 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         {
             AddEmission(group, surface, stream, index, active, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
         }
-
-        Recorder?.Emitted(path, active, radiance);
-        Recorder?.Brightened(path, active, radiance);
 
         if (group.Traits.Disperses)
         {
@@ -127,8 +124,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         }
 
         alive = Survive(vertex, alive, ref throughput);
-        Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
-        Shares?.Scattered(alive, surface, material, scatter, isByLobe: false);
+        Observer?.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
         if (_queue is not null && group.Traits.HasDensity)
@@ -181,7 +177,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         }
     }
 
-    // What dielectrics that paths keep in mind leave of the light, all the way to what is met.
+    // Takes what dielectrics that paths track absorb of the light, all the way to what is met.
     private void Absorb(PathStream stream, int i)
     {
         UIntW media = MaskW.First(stream.Count - i).Select(UIntW.Load(stream.Media + i), 0u);
@@ -228,15 +224,13 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         UIntW vertex = state & DepthBits;
         UIntW media = UIntW.Pick(stream.Media, index);
         BeginVertex(path, vertex);
-        Shares?.BeginPacket(path);
+        Observer?.BeginPacket(stream, index, active);
         FloatW time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         RgbW throughput = stream.PickThroughput(index);
         RgbW radiance = stream.PickRadiance(index);
         Vec3W incoming = stream.PickDirection(index);
         Vec3W point = Vec3W.MultiplyAdd(incoming, FloatW.Pick(stream.Distance, index), stream.PickOrigin(index));
         FloatW anisotropy = Scene.Media.Anisotropy(media);
-        Recorder?.Emitted(path, active, radiance);
-        Recorder?.Brightened(path, active, radiance);
 
         MaskW alive = active & (vertex + 1u < _maxDepth);
         alive = alive.Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
@@ -245,8 +239,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
         alive = Survive(vertex, alive, ref throughput);
-        Recorder?.InMedium(stream, index, active, alive, point, pdf);
-        Shares?.ScatteredInMedium(alive);
+        Observer?.ScatteredInMedium(stream, index, active, alive, point, pdf);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
         if (ended != 0)
@@ -283,7 +276,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         }
 
         Vec3W direction = surface.Incoming;
-        Recorder?.Crossed(stream, index, active, surface);
+        Observer?.Crossed(stream, index, active, surface);
         if (Scene.IsTimed)
         {
             next.SetTime(going, FloatW.Pick(stream.Time, index));
@@ -340,7 +333,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         next.Append(going, packet.Origin, scatter.Direction, packet.Throughput, packet.Radiance, packet.Path, packet.Vertex);
     }
 
-    // Ends paths at random, and makes those that go on brighter, so that the mean stays.
+    // Ends paths at random, and makes those that survive brighter, so that the mean stays.
     private MaskW Survive(UIntW vertex, MaskW alive, ref RgbW throughput)
     {
         MaskW asked = alive & (vertex + 1u > (uint)Scene.Render.RouletteDepth);
@@ -351,7 +344,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
 
         FloatW most = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
 
-        // Written so that a path whose throughput is not a number goes on, and is counted at its end.
+        // Written so that a path whose throughput is not a number survives, and is counted at its end.
         FloatW survival = (most < LargestSurvival).Select(most, LargestSurvival);
         throughput *= asked.Select(1f / survival, 1f);
         return alive.Except(asked & (Vertex.Roulette() >= survival));
@@ -382,7 +375,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         }
 
         radiance = RgbW.MultiplyAdd(throughput, emitted, radiance);
-        Shares?.Emitted(group, stream, index, active, throughput * emitted);
+        Observer?.Emitted(group, stream, index, active, throughput * emitted, radiance);
     }
 }
 

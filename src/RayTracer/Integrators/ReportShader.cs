@@ -11,7 +11,7 @@ namespace RayTracer.Rendering;
 internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader(context)
 {
     private readonly ShadowQueue? _queue = context.Queue;
-    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Shares);
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer);
 
     internal override long ShadowRays => _directLight.ShadowRays;
 
@@ -31,7 +31,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
         UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
         packet.Vertex = diffuseDepth + specularDepth;
         BeginVertex(path, packet.Vertex);
-        Shares?.BeginPacket(path);
+        Observer?.BeginPacket(stream, index, active);
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
@@ -44,8 +44,6 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
             AddEmission(group, stream, index, active, surface, throughput, state, ref radiance);
         }
 
-        Recorder?.Emitted(path, active, radiance);
-
         if (group.Traits.Disperses)
         {
             Disperse(state, ref surface, ref throughput);
@@ -55,10 +53,8 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
         {
             material.AmbientResponse(surface, out RgbW response);
             radiance = RgbW.MultiplyAdd(throughput * response, Scene.Ambient, radiance);
-            Shares?.Brightened(active, throughput * response * Scene.Ambient);
+            Observer?.Brightened(stream, index, active, throughput * response * Scene.Ambient, radiance);
         }
-
-        Recorder?.Brightened(path, active, radiance);
 
         // Light from the sources.
         if (group.Traits.IsLit)
@@ -72,14 +68,14 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
             _directLight.Add(surface, group, isShared: false, 0u, Vertex, packet.Time, active, throughput * brdf, ref radiance);
         }
 
-        // Where the path goes on.
+        // The next ray.
         ref ScatterW scatter = ref packet.Scatter;
         material.Scatter(surface, Vertex, out scatter);
         throughput *= scatter.Weight;
         UIntW limit = scatter.Specular.Select((UIntW)(uint)Scene.Render.MaxSpecularDepth, (uint)Scene.Render.MaxDiffuseDepth);
         MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;
 
-        // Written so that a path whose throughput is not a number goes on, and is counted at its end.
+        // Written so that a path whose throughput is not a number survives, and is counted at its end.
         MaskW isDark = (throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f);
         MaskW alive = active.Except(scatter.Absorbed).Except(isDark) & goesOn;
         if (group.MayLeak)
@@ -87,8 +83,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }
 
-        Recorder?.Scattered(stream, index, active, alive, material, surface, scatter);
-        Shares?.Scattered(alive, surface, material, scatter, isByLobe: true);
+        Observer?.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe: true);
         uint ended = active.Except(alive).Bits;
         uint going = alive.Bits;
         if (_queue is not null && group.Traits.IsLit)
@@ -128,7 +123,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
         MaskW counts = ~UIntW.Equal(state & PathState.CountsEmission, 0u);
         group.Material.Emission(CosineOfEmission(surface), surface.U, surface.V, out RgbW emitted);
         radiance = counts.Select(RgbW.MultiplyAdd(throughput, emitted, radiance), radiance);
-        Shares?.Emitted(group, stream, index, active & counts, throughput * emitted);
+        Observer?.Emitted(group, stream, index, active & counts, throughput * emitted, radiance);
     }
 }
 

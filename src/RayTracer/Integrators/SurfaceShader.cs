@@ -11,8 +11,8 @@ namespace RayTracer.Rendering;
 /// <summary>What a shader works with: the scene, and where its light goes.</summary>
 public sealed class ShaderContext
 {
-    internal ShaderContext(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathRecorder? recorder, LightShares? shares) =>
-        (Scene, Finished, Queue, Recorder, Shares) = (scene, finished, queue, recorder, shares);
+    internal ShaderContext(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer) =>
+        (Scene, Finished, Queue, Observer) = (scene, finished, queue, observer);
 
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
@@ -22,11 +22,8 @@ public sealed class ShaderContext
     // Takes shadow rays that wait until the whole stream is shaded; null where none do.
     internal ShadowQueue? Queue { get; }
 
-    // Takes down what becomes of each path; null in renders.
-    internal PathRecorder? Recorder { get; }
-
-    // Takes layers of light; null where none are wanted.
-    internal LightShares? Shares { get; }
+    // Sees what happens to the paths; null where nobody asks.
+    internal PathObserver? Observer { get; }
 }
 
 /// <summary>
@@ -40,7 +37,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     private readonly PinnedBuffer<PacketW> _packet = new(1);
     private SampleRange _samples;
 
-    /// <summary>How many shadow rays were traced.</summary>
+    /// <summary>The number of shadow rays that were traced.</summary>
     internal virtual long ShadowRays => 0;
 
     /// <summary>The scene.</summary>
@@ -49,10 +46,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     /// <summary>Takes the paths that end.</summary>
     protected FinishedPaths Finished { get; } = context.Finished;
 
-    private protected PathRecorder? Recorder { get; } = context.Recorder;
-
-    /// <summary>Takes layers of light; null where none are wanted.</summary>
-    private protected LightShares? Shares { get; } = context.Shares;
+    private protected PathObserver? Observer { get; } = context.Observer;
 
     /// <summary>The random numbers of the vertex that is shaded.</summary>
     protected VertexSamples Vertex { get; } = new(context.Scene.Sampler);
@@ -88,8 +82,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
-            Recorder?.Missed(stream, index, active);
-            Shares?.Missed(path, active, stream.PickThroughput(index) * arriving);
+            Observer?.Missed(stream, index, active, arriving);
             Finished.Append(active.Bits, radiance, path);
         }
     }
@@ -97,7 +90,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     /// <summary>Shades all hits of one group.</summary>
     /// <param name="group">The group.</param>
     /// <param name="stream">The paths.</param>
-    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="members">Indices of the group's paths in the stream, padded to whole packets.</param>
     /// <param name="count">Number of the group's paths.</param>
     internal void Shade(ShadingGroup group, PathStream stream, PathStream next, uint* members, int count)
@@ -115,7 +108,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
 
     /// <summary>Shades what media have scattered.</summary>
     /// <param name="stream">The paths.</param>
-    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="members">Indices of those paths in the stream, padded to whole packets.</param>
     /// <param name="count">Their number.</param>
     internal virtual void Scatter(PathStream stream, PathStream next, uint* members, int count)
@@ -170,13 +163,13 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
 
         if (group.IsNested)
         {
-            // Where nobody keeps in mind what paths are in, nothing is around.
+            // Where paths do not track what they are in, nothing is around.
             surface.Around = 1f;
         }
 
         if (group.Traits.Disperses)
         {
-            // The yellow line of helium, by which refractive indices are told: where no path chooses its wavelength (Disperse).
+            // The yellow line of helium, at which refractive indices are given: where no path chooses its wavelength (Disperse).
             surface.Wavelength = 0.5876f;
         }
 
@@ -225,10 +218,10 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
     }
 
-    /// <summary>Shades a packet of hits of one group: paths end in <see cref="Finished"/>, or go on in the next stream.</summary>
+    /// <summary>Shades a packet of hits of one group: paths end in <see cref="Finished"/>, or get their next rays in the next stream.</summary>
     /// <param name="group">The group.</param>
     /// <param name="stream">The paths.</param>
-    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="index">Indices of the packet's paths in the stream.</param>
     /// <param name="active">The lanes in use.</param>
     protected abstract void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active);
@@ -254,7 +247,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
     }
 
-    /// <summary>The part of a path's state after a surface that tells whether it stands for a single wavelength.</summary>
+    /// <summary>The part of a path's state after a surface that marks it as standing for a single wavelength.</summary>
     private protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => Scene.Wavelengths is null ? 0u
         : group.Traits.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
 
@@ -332,7 +325,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     /// </summary>
     internal static MaskW IsUnreal(UIntW before, UIntW after) => UIntW.Equal(MediumStack.Innermost(before), MediumStack.Innermost(after));
 
-    /// <summary>Where rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).</summary>
+    /// <summary>The lanes whose rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).</summary>
     internal static MaskW ComesFromInside(in SurfaceW surface) => Vec3W.Dot(surface.Incoming, surface.Normal) > 0f;
 
     /// <summary>Returns where a ray starts that leaves a surface: off it, on the side where the ray goes.</summary>
@@ -343,7 +336,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);
     }
 
-    /// <summary>What shading works with, beside what the stream has.</summary>
+    /// <summary>The values that shading works with, beside those of the stream.</summary>
     private protected struct PacketW
     {
         public ScatterW Scatter;

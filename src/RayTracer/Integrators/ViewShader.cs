@@ -17,10 +17,9 @@ internal abstract unsafe class ViewShader(ShaderContext context, bool usesUv) : 
         UIntW path = UIntW.Pick(stream.Path, index);
         Describe(Scene, group, stream, index, group.Traits.UsesUv || usesUv, out SurfaceW surface);
         Color(group.Material, surface, out RgbW color);
-        Recorder?.Emitted(path, active, color);
-        Recorder?.Brightened(path, active, color);
+        Observer?.Emitted(group, stream, index, active, color, color);
         ScatterW scatter = default;
-        Recorder?.Scattered(stream, index, active, MaskW.None, group.Material, surface, scatter);
+        Observer?.Scattered(stream, index, active, MaskW.None, group.Material, surface, scatter, isByLobe: false);
         Finished.Append(active.Bits, color, path);
     }
 }

@@ -9,7 +9,7 @@ namespace RayTracer.Lights;
 [SceneType("directional", "Light from infinitely far away along one direction, like a sun without extent: its shadows are sharp. No ray meets it. Transforms turn it but do not change its strength.")]
 public sealed record DirectionalLightDescription : PunctualLightDescription
 {
-    /// <summary>Where the light goes.</summary>
+    /// <summary>The direction in which the light travels.</summary>
     [Parameter("The direction in which the light travels, of any length.")]
     public Vector3 Direction { get; init; } = new(0, -1, 0);
 

@@ -19,7 +19,7 @@ public sealed record ImageEnvironmentDescription : EnvironmentDescription
     [Parameter("Factor on the picture's colours, which are radiances.", Minimum = 0)]
     public float Scale { get; init; } = 1;
 
-    /// <summary>Whether the file's numbers are taken as they are.</summary>
+    /// <summary>The file's numbers are taken as they are.</summary>
     [Parameter("Whether the file's numbers are linear and used as they are, instead of being decoded from sRGB. Floating-point files are always linear.")]
     public bool Raw { get; init; }
 

@@ -34,7 +34,7 @@ internal sealed unsafe class LightSelection
     {
         LightExtent[] extents = [.. lights.Select(l => l.Extent(shutter))];
 
-        // Beside the brightest; what is too bright to be told counts as that, and what has any light is never forgotten.
+        // Beside the brightest; what is too bright to be measured counts as that, and what has any light is never forgotten.
         float largest = extents.Max(e => float.IsFinite(e.Strength) ? e.Strength : 0);
         float[] strengths = [.. extents.Select(e => e.Strength <= 0 ? 0 : e.Strength < largest ? float.Max(e.Strength / largest, Faintest) : 1)];
         _far = [.. Enumerable.Range(0, extents.Length).Where(i => !extents[i].Box.IsFinite)];

@@ -19,10 +19,10 @@ public abstract class LightSource(int instance, int primitive)
     /// <summary>The light's number among the shapes of the world itself; −1 where it is none of them.</summary>
     internal int OwnPrimitive { get; } = instance == 0 ? primitive : -1;
 
-    /// <summary>By what it is told from other lights; null where nothing is said.</summary>
+    /// <summary>The label that sets it apart from other lights; null where it has none.</summary>
     internal LightLabel? Label { get; set; }
 
-    /// <summary>Whether the light comes from single points or directions, which no ray meets by chance.</summary>
+    /// <summary>The light comes from single points or directions, which no ray meets by chance.</summary>
     public virtual bool IsDelta => false;
 
     /// <summary>The density, per steradian, with which <see cref="Sample"/> chooses the direction of a ray that meets this light.</summary>
@@ -30,7 +30,7 @@ public abstract class LightSource(int instance, int primitive)
     /// <param name="pdf">The density; zero where the light is seen from behind.</param>
     public abstract void Pdf(in LightHitW hit, out FloatW pdf);
 
-    /// <summary>Where it is and how strong, to choose between many lights by.</summary>
+    /// <summary>Its place and strength, by which one of many lights is chosen.</summary>
     /// <param name="shutter">When the shutter opens and closes, in seconds.</param>
     public abstract LightExtent Extent((double Open, double Close) shutter);
 

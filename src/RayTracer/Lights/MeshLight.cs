@@ -29,7 +29,7 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
     /// <summary>The table that the triangles are in.</summary>
     public MeshTable Mesh => mesh;
 
-    /// <summary>What they are made of.</summary>
+    /// <summary>Their material.</summary>
     public LuminaireMaterial Luminaire => luminaire;
 
     /// <inheritdoc/>

@@ -9,7 +9,7 @@ namespace RayTracer.Lights;
 [SceneType("point", "A light at a point, without extent: it shines equally in all directions, and its shadows are sharp. No ray meets it. Transforms move it but do not change its strength.")]
 public sealed record PointLightDescription : PunctualLightDescription
 {
-    /// <summary>Where it stands.</summary>
+    /// <summary>Its position.</summary>
     [Parameter("Where it stands.", Unit = "scene units")]
     public Vector3 Position { get; init; }
 

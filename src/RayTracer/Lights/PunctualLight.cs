@@ -7,7 +7,7 @@ namespace RayTracer.Lights;
 
 /// <summary>A light without extent: from each lit point there is one way to it. Its density is a delta function, and rays never meet it.</summary>
 /// <param name="position">Where it stands in its own space.</param>
-/// <param name="axis">A direction of its own space.</param>
+/// <param name="axis">A direction in the light's space.</param>
 /// <param name="motion">Where its own space is in the world. Sizes do not matter: only the position, and where the axis points.</param>
 public abstract unsafe class PunctualLight(Vector3 position, Vector3 axis, Motion motion) : LightSource(0, -1)
 {
@@ -23,7 +23,7 @@ public abstract unsafe class PunctualLight(Vector3 position, Vector3 axis, Motio
     /// <inheritdoc/>
     public sealed override void Pdf(in LightHitW hit, out FloatW pdf) => pdf = 0f;
 
-    /// <summary>Where it stands and where its axis points, in the world.</summary>
+    /// <summary>The position and the direction of its axis, in the world.</summary>
     /// <param name="time">The times in seconds; used only where it moves.</param>
     /// <param name="place">The position.</param>
     /// <param name="direction">The axis, of unit length.</param>

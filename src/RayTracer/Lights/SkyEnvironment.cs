@@ -13,15 +13,15 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
     // The sun's angular radius as seen from the earth.
     private const float SunRadius = 0.2665f;
 
-    /// <summary>How hazy the air is.</summary>
+    /// <summary>The haziness of the air.</summary>
     [Parameter("How hazy the air is: 2 is very clear, 3 clear, 6 warm and moist, 10 hazy.", Minimum = 2, Maximum = 10)]
     public float Turbidity { get; init; } = 3;
 
-    /// <summary>How high the sun stands.</summary>
+    /// <summary>The height of the sun.</summary>
     [Parameter("The sun's height above the horizon.", Unit = "degrees", Minimum = 0, Maximum = 90)]
     public float SunElevation { get; init; } = 40;
 
-    /// <summary>Where the sun stands.</summary>
+    /// <summary>The direction of the sun.</summary>
     [Parameter("The sun's direction along the horizon: 0 is over −z, 90 over +x.", Unit = "degrees")]
     public float SunAzimuth { get; init; } = 45;
 
@@ -33,7 +33,7 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
     [Parameter("Factor on the sun alone; 0 is a sky without a sun.", Minimum = 0)]
     public float SunScale { get; init; } = 1;
 
-    /// <summary>How large the sun is.</summary>
+    /// <summary>The size of the sun.</summary>
     [Parameter("The sun's diameter as a multiple of the real one (0.533°), with the same total light: larger ones make softer shadows.", Minimum = 0.1, Maximum = 100)]
     public float SunSize { get; init; } = 1;
 

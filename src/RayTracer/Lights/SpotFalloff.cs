@@ -1,6 +1,6 @@
 namespace RayTracer.Lights;
 
-/// <summary>How the intensity of a spot light falls between its beam and its edge.</summary>
+/// <summary>The ways in which the intensity of a spot light falls between its beam and its edge.</summary>
 public enum SpotFalloff
 {
     /// <summary>In proportion to the angle.</summary>

@@ -9,11 +9,11 @@ namespace RayTracer.Lights;
 [SceneType("spot", "A light at a point, without extent, that shines into a cone: at full strength within its beam, and weaker from there to the cone's edge. No ray meets it. Transforms move and turn it but do not change its strength or width.")]
 public sealed record SpotLightDescription : PunctualLightDescription
 {
-    /// <summary>Where it stands.</summary>
+    /// <summary>Its position.</summary>
     [Parameter("Where it stands.", Unit = "scene units")]
     public Vector3 Position { get; init; }
 
-    /// <summary>Where it shines.</summary>
+    /// <summary>The point at which it shines.</summary>
     [Parameter("The direction in which it shines, of any length.")]
     public Vector3 Direction { get; init; } = new(0, -1, 0);
 
@@ -29,7 +29,7 @@ public sealed record SpotLightDescription : PunctualLightDescription
     [Parameter("The angle between the direction and the edge of the beam, within which the light has its full strength; at most the cutoff angle. Without it, three quarters of that.", Unit = "degrees", Minimum = 0, Maximum = 180)]
     public float? BeamWidth { get; init; }
 
-    /// <summary>How it falls between the two.</summary>
+    /// <summary>The falloff between the two.</summary>
     [Parameter("How the light falls off from the edge of the beam to that of the cone: in proportion to the angle, or, as glTF's spot lights do, by the square of a number that falls with the angle's cosine.")]
     public SpotFalloff Falloff { get; init; }
 

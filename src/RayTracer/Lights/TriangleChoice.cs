@@ -33,7 +33,7 @@ internal sealed class TriangleChoice
     /// <summary>The area of all.</summary>
     public float Area { get; }
 
-    /// <summary>Whether there is an area, and not too large a one.</summary>
+    /// <summary>There is an area, and not too large a one.</summary>
     public bool IsFinite { get; }
 
     /// <summary>The probability with which a triangle is chosen.</summary>

@@ -16,15 +16,15 @@ public sealed record BumpMapMaterialDescription : MaterialDescription
     [Parameter("Factor on the heights; negative turns hills into hollows.", Unit = "scene units")]
     public float Scale { get; init; } = 1;
 
-    /// <summary>What is done where the map turns the normal away from the ray.</summary>
+    /// <summary>The treatment of normals that the map turns away from the ray.</summary>
     [Parameter("What happens where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are reversed, or the back is shown, which is black if the material is one-sided.")]
     public TurnedNormal Turned { get; init; }
 
-    /// <summary>Whether slopes that turn from light darken softly.</summary>
+    /// <summary>Slopes that turn from light darken softly.</summary>
     [Parameter("Whether light that arrives at a grazing angle is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
     public bool SoftensShadow { get; init; }
 
-    /// <summary>What scatters light.</summary>
+    /// <summary>The material that scatters light.</summary>
     [Parameter("What scatters light: a material of any type but a luminaire.", Required = true)]
     public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
 

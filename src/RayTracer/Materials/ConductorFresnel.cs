@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Materials;
 
-/// <summary>How much a smooth conductor reflects.</summary>
+/// <summary>The reflectance of a smooth conductor.</summary>
 public sealed class ConductorFresnel
 {
     private readonly Rgb _eta;

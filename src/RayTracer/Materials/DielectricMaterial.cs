@@ -8,7 +8,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Materials;
 
-/// <summary>How a dielectric's reflectance is computed.</summary>
+/// <summary>The formulas of a dielectric's reflectance.</summary>
 public enum FresnelModel
 {
     /// <summary>Fresnel's equations for unpolarised light.</summary>
@@ -32,7 +32,7 @@ public sealed record DielectricMaterialDescription : GlassDescription
     [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). It applies where a ray meets this surface from inside, over the distance since the last hit (or the camera), but not over a distance that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
     public Rgb Extinction { get; init; }
 
-    /// <summary>How the reflectance is computed.</summary>
+    /// <summary>The formula of the reflectance.</summary>
     [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did (with the angle on the side of the lower index).")]
     public FresnelModel Fresnel { get; init; } = FresnelModel.Exact;
 

@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Materials;
 
-/// <summary>How much a smooth boundary reflects.</summary>
+/// <summary>The reflectance of smooth boundaries.</summary>
 public static class Fresnel
 {
     /// <summary>Schlick's approximation, R0 + (1 − R0)(1 − cos)⁵ (An inexpensive BRDF model for physically-based rendering, 1994, eq. 24).</summary>

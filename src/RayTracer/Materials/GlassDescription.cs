@@ -6,13 +6,13 @@ using RayTracer.Spectra;
 
 namespace RayTracer.Materials;
 
-/// <summary>What the descriptions of smooth and rough glass share.</summary>
+/// <summary>The common part of the descriptions of smooth and rough glass.</summary>
 public abstract record GlassDescription : MaterialDescription
 {
     private const float SmallestIndex = 1e-3f;
     private const float LargestIndex = 100;
 
-    /// <summary>Which glass; null where the other parameters tell.</summary>
+    /// <summary>The glass; null where the other parameters describe it.</summary>
     [Parameter("Which glass, from published tables, in place of refractiveIndex: light of each colour is refracted by its own index, as in a prism. The surroundings are air.")]
     public Glass? Glass { get; init; }
 
@@ -28,7 +28,7 @@ public abstract record GlassDescription : MaterialDescription
     [Parameter("C₁, C₂ and C₃ of Sellmeier's formula; together with sellmeierB.", Unit = "µm²")]
     public Vector3? SellmeierC { get; init; }
 
-    /// <summary>What fills the inside besides.</summary>
+    /// <summary>The medium inside.</summary>
     [Parameter("What fills the inside: milk, fog, a coloured liquid. The volPath integrator shows it.")]
     public MediumDescription Interior { get; init; } = new();
 
@@ -36,14 +36,14 @@ public abstract record GlassDescription : MaterialDescription
     [Parameter("Of overlapping dielectrics, the one with the highest priority counts, with the path, direct and volPath integrators. A liquid that reaches into its glass, which has the higher priority, needs no matching boundary. All dielectrics that touch must have priorities, and then refractive indices are relative to empty space. 0 is no priority: the index is relative to the surroundings.", Minimum = 0, Maximum = 1000)]
     public int Priority { get; init; }
 
-    /// <summary>How the inside goes with others; null without a priority.</summary>
+    /// <summary>The inside's place among others; null without a priority.</summary>
     /// <param name="refractiveIndex">The index where it does not depend on the wavelength.</param>
     /// <param name="dispersion">How it does; null where it does not.</param>
     /// <param name="extinction">How the inside absorbs.</param>
     protected Nesting? BuildNesting(float refractiveIndex, Dispersion? dispersion, Rgb extinction) =>
         Priority == 0 ? null : new(Priority, dispersion ?? Dispersion.None(refractiveIndex), extinction);
 
-    /// <summary>How the index depends on the wavelength; null where it does not.</summary>
+    /// <summary>The index by wavelength; null where it does not.</summary>
     /// <param name="builder">Takes what is wrong.</param>
     /// <param name="refractiveIndex">The property of the index that does not depend on it.</param>
     /// <param name="isGiven">Whether that is another than the one that is used where none is given.</param>

@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Materials;
 
-/// <summary>How often one of two lobes is chosen.</summary>
+/// <summary>The probability of one of two lobes.</summary>
 internal static class LobeChoice
 {
     /// <summary>The probability of the first lobe, in proportion to what the two send on; a half where that is nothing.</summary>

@@ -74,7 +74,7 @@ public abstract class Material
     }
 
     /// <summary>
-    /// The density, per steradian, with which <see cref="Scatter"/> lets a path go on in a direction. Its integral falls short of 1
+    /// The density, per steradian, with which <see cref="Scatter"/> chooses a direction. Its integral falls short of 1
     /// by the share of paths that end (<see cref="ScatterW.Absorbed"/>) and of delta lobes.
     /// </summary>
     /// <param name="surface">Where the path meets the surface.</param>

@@ -4,10 +4,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Materials;
 
-/// <summary>What the descriptions of smooth and rough conductors share.</summary>
+/// <summary>The common part of the descriptions of smooth and rough conductors.</summary>
 public abstract record MetalDescription : MaterialDescription
 {
-    /// <summary>Which metal; null where <see cref="Eta"/> and <see cref="K"/> tell.</summary>
+    /// <summary>The metal; null where <see cref="Eta"/> and <see cref="K"/> describe it.</summary>
     [Parameter("Which metal, from published tables; \"none\" reflects everything. It is \"none\" where neither this nor eta and k are given.")]
     public Metal? Metal { get; init; }
 

@@ -2,7 +2,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Materials;
 
-/// <summary>How the normals of a rough surface's microfacets are distributed.</summary>
+/// <summary>The distributions of the normals of a rough surface's microfacets.</summary>
 public enum MicrofacetDistribution
 {
     /// <summary>Trowbridge's and Reitz's distribution, with long tails.</summary>
@@ -19,7 +19,7 @@ public enum MicrofacetDistribution
 /// </summary>
 internal readonly struct Microfacets
 {
-    /// <summary>Roughness below this is taken for this: floats could not tell the directions apart.</summary>
+    /// <summary>Roughness below this is taken for this: floats could not resolve the directions.</summary>
     public const float SmallestAlpha = 1e-4f;
 
     // Walter's Lambda is below 1e-6 from here on.

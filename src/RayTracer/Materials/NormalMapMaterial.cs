@@ -16,19 +16,19 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
     [Parameter("Factor on the slopes: 1 leaves the map as it is, 0 is flat.", Minimum = 0, Maximum = 100)]
     public float Strength { get; init; } = 1;
 
-    /// <summary>Whether green points to where v grows.</summary>
+    /// <summary>Green points to where v grows.</summary>
     [Parameter("Whether green points to where v grows even where pictures are mirrored on the surface, as in glTF files; otherwise it points to the left of where u grows.")]
     public bool GreenAlongV { get; init; }
 
-    /// <summary>What is done where the map turns the normal away from the ray.</summary>
+    /// <summary>The treatment of normals that the map turns away from the ray.</summary>
     [Parameter("What happens where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are reversed, or the back is shown, which is black if the material is one-sided.")]
     public TurnedNormal Turned { get; init; }
 
-    /// <summary>Whether slopes that turn from light darken softly.</summary>
+    /// <summary>Slopes that turn from light darken softly.</summary>
     [Parameter("Whether light that arrives at a grazing angle is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
     public bool SoftensShadow { get; init; }
 
-    /// <summary>What scatters light.</summary>
+    /// <summary>The material that scatters light.</summary>
     [Parameter("What scatters light: a material of any type but a luminaire.", Required = true)]
     public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
 
@@ -44,13 +44,13 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
     }
 }
 
-/// <summary>Turns normals to what a texture tells, in the frame of the tangent along u, the normal × that, and the normal.</summary>
+/// <summary>Turns normals to those of a texture, in the frame of the tangent along u, the normal × that, and the normal.</summary>
 /// <param name="inner">What scatters light.</param>
 /// <param name="map">The normals.</param>
 /// <param name="strength">Factor on the slopes.</param>
 public sealed class NormalMapMaterial(Material inner, Texture map, float strength) : PerturbedMaterial(inner)
 {
-    /// <summary>Whether green points to where v grows, and not always to the left of where u grows.</summary>
+    /// <summary>Green points to where v grows, and not always to the left of where u grows.</summary>
     public bool GreenAlongV { get; init; }
 
     /// <inheritdoc/>

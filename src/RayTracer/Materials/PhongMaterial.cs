@@ -9,7 +9,7 @@ namespace RayTracer.Materials;
 [SceneType("phong", "Phong's model, of ambient, diffuse and specular reflection: the surface of early computer graphics.")]
 public sealed record PhongMaterialDescription : MaterialDescription
 {
-    /// <summary>What ambient light is multiplied by; null for the sum of the others.</summary>
+    /// <summary>The factor on ambient light; null for the sum of the others.</summary>
     [Parameter("Factor on the scene's ambient light, per channel; without it, the sum of the other two.", Minimum = 0, Maximum = 1)]
     public TextureDescription? Ambient { get; init; }
 

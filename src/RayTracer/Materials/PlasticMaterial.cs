@@ -5,7 +5,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Materials;
 
-/// <summary>What the descriptions of smooth and rough plastic share.</summary>
+/// <summary>The common part of the descriptions of smooth and rough plastic.</summary>
 public abstract record CoatedDescription : MaterialDescription
 {
     /// <summary>Colour of the base.</summary>
@@ -16,7 +16,7 @@ public abstract record CoatedDescription : MaterialDescription
     [Parameter("Refractive index of the clear coat relative to the outside: 1.49 is acrylic glass.", Minimum = 1, Maximum = 100)]
     public float RefractiveIndex { get; init; } = 1.49f;
 
-    /// <summary>Whether the base's colour deepens with each reflection inside the coat.</summary>
+    /// <summary>The base's colour deepens with each reflection inside the coat.</summary>
     [Parameter("Whether light that the coat throws back onto the base is coloured again each time, which deepens colours. Otherwise it is coloured only once.")]
     public bool Nonlinear { get; init; }
 

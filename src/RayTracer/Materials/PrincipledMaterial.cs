@@ -22,19 +22,19 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     [Parameter("Roughness of the surface: its square is the alpha of other materials.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Roughness { get; init; } = Number(0.5f);
 
-    /// <summary>How much highlights are stretched along u.</summary>
+    /// <summary>The stretch of highlights along u.</summary>
     [Parameter("How much highlights are stretched in the direction in which u grows: 0 is not at all.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Anisotropic { get; init; } = Number(0);
 
-    /// <summary>Reflectance head-on in units of 8 %; null where <see cref="RefractiveIndex"/> tells.</summary>
+    /// <summary>Reflectance head-on in units of 8 %; null where <see cref="RefractiveIndex"/> gives it.</summary>
     [Parameter("Reflectance when seen head-on, in units of 8 %: 0.5 is 4 %, as for glass and plastic. It replaces refractiveIndex.", Minimum = 0, Maximum = 1)]
     public float? Specular { get; init; }
 
-    /// <summary>Refractive index of the inside; null for 1.5, or what <see cref="Specular"/> tells.</summary>
+    /// <summary>Refractive index of the inside; null for 1.5, or by <see cref="Specular"/>.</summary>
     [Parameter("Refractive index of the inside relative to the outside, instead of specular. Without either, it is 1.5.", Minimum = 1.001, Maximum = 10)]
     public float? RefractiveIndex { get; init; }
 
-    /// <summary>How much of a dielectric's highlight has the colour of the base.</summary>
+    /// <summary>The share of a dielectric's highlight that has the colour of the base.</summary>
     [Parameter("How much the highlights have the colour of the base.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription SpecularTint { get; init; } = Number(0);
 
@@ -46,7 +46,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     [Parameter("Light at grazing angles, as on fuzzy cloth.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Sheen { get; init; } = Number(0);
 
-    /// <summary>How much of the sheen has the colour of the base.</summary>
+    /// <summary>The share of the sheen that has the colour of the base.</summary>
     [Parameter("How much the sheen has the colour of the base.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription SheenTint { get; init; } = Number(0);
 
@@ -62,7 +62,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     [Parameter("How much the matt base looks as if light scattered below the surface, as in skin and wax.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Flatness { get; init; } = Number(0);
 
-    /// <summary>What fills the inside.</summary>
+    /// <summary>The medium inside.</summary>
     [Parameter("What fills the inside of the (closed) shape, where transmission lets light in. The volPath integrator shows it.")]
     public MediumDescription Interior { get; init; } = new();
 
@@ -110,7 +110,7 @@ public sealed class PrincipledMaterial(PrincipledTextures textures, float refrac
 {
     private const float SmallestAlpha = 1e-3f;
 
-    // The coat has an index of 1.5, a quarter of the strength of the main lobe, and masking of its own.
+    // The coat has an index of 1.5, a quarter of the strength of the main lobe, and separate masking.
     private const float CoatReflectance = 0.04f;
     private const float CoatStrength = 0.25f;
     private const float CoatMasking = 0.25f;

@@ -17,10 +17,10 @@ public sealed class PrincipledTextures
     /// <summary>0 is a dielectric, 1 a metal.</summary>
     public Texture Metallic { get; init; } = s_zero;
 
-    /// <summary>How much highlights are stretched along u.</summary>
+    /// <summary>The stretch of highlights along u.</summary>
     public Texture Anisotropic { get; init; } = s_zero;
 
-    /// <summary>How much of a dielectric's highlight has the colour of the base.</summary>
+    /// <summary>The share of a dielectric's highlight that has the colour of the base.</summary>
     public Texture SpecularTint { get; init; } = s_zero;
 
     /// <summary>0 is opaque, 1 is glass.</summary>
@@ -29,7 +29,7 @@ public sealed class PrincipledTextures
     /// <summary>Light at grazing angles.</summary>
     public Texture Sheen { get; init; } = s_zero;
 
-    /// <summary>How much of the sheen has the colour of the base.</summary>
+    /// <summary>The share of the sheen that has the colour of the base.</summary>
     public Texture SheenTint { get; init; } = s_zero;
 
     /// <summary>A second coat.</summary>
@@ -41,11 +41,11 @@ public sealed class PrincipledTextures
     /// <summary>0 is matt, 1 as if light went around below the surface.</summary>
     public Texture Flatness { get; init; } = s_zero;
 
-    /// <summary>Whether any of them varies.</summary>
+    /// <summary>Some of them vary.</summary>
     public bool UsesUv => BaseColor.Constant is null || Roughness.Constant is null || Metallic.Constant is null || Anisotropic.Constant is null
         || SpecularTint.Constant is null || Transmission.Constant is null || Sheen.Constant is null || SheenTint.Constant is null
         || Clearcoat.Constant is null || ClearcoatRoughness.Constant is null || Flatness.Constant is null;
 
-    /// <summary>Whether a parameter is zero everywhere.</summary>
+    /// <summary>Returns whether a parameter is zero everywhere.</summary>
     public static bool IsZero(Texture texture) => texture.Constant is { R: 0 };
 }

@@ -9,7 +9,7 @@ namespace RayTracer.Materials;
 [SceneType("roughConductor", "Rough metal: brushed, sand-blasted or hammered, made of tiny mirrors.")]
 public sealed record RoughConductorMaterialDescription : MetalDescription
 {
-    /// <summary>How the microfacets' normals are distributed.</summary>
+    /// <summary>The distribution of the microfacets' normals.</summary>
     [Parameter("How the tiny mirrors are tilted: \"ggx\" has long tails, as most surfaces do; \"beckmann\" is a rough surface of normally distributed slopes.")]
     public MicrofacetDistribution Distribution { get; init; }
 
@@ -25,7 +25,7 @@ public sealed record RoughConductorMaterialDescription : MetalDescription
     [Parameter("Roughness perpendicular to that, if different.", Minimum = 0, Maximum = 10, IsNumber = true)]
     public TextureDescription? AlphaV { get; init; }
 
-    /// <summary>Whether light that is reflected from one microfacet to another is not lost.</summary>
+    /// <summary>Light that is reflected from one microfacet to another is not lost.</summary>
     [Parameter("Whether light that is reflected more than once among the tiny mirrors is added, about as much as is lost without it: rough metal is then as bright as polished metal. It needs one number for alpha.")]
     public bool MultipleScattering { get; init; }
 

@@ -17,7 +17,7 @@ public sealed record RoughDielectricMaterialDescription : GlassDescription
     [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5. Not 1: that would be no boundary.", Minimum = 1e-3, Maximum = 100)]
     public float RefractiveIndex { get; init; } = UsualIndex;
 
-    /// <summary>How the microfacets' normals are distributed.</summary>
+    /// <summary>The distribution of the microfacets' normals.</summary>
     [Parameter("How the tiny facets are tilted: \"ggx\" has long tails, as ground glass does; \"beckmann\" is a rough surface of normally distributed slopes.")]
     public MicrofacetDistribution Distribution { get; init; }
 

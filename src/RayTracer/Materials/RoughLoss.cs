@@ -2,7 +2,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Materials;
 
-/// <summary>How much light rough mirrors lose, because one microfacet reflects it onto another, over what they reflect: a table by numerical integration.</summary>
+/// <summary>The light that rough mirrors lose, because one microfacet reflects it onto another, over what they reflect: a table by numerical integration.</summary>
 internal sealed unsafe class RoughLoss
 {
     private const int Angles = 128;
@@ -23,7 +23,7 @@ internal sealed unsafe class RoughLoss
         }
     }
 
-    /// <summary>What is lost, as a part of what is reflected.</summary>
+    /// <summary>The light that is lost, as a part of what is reflected.</summary>
     /// <param name="cosine">Cosine of the ray; taken for 0 below, and for 1 above.</param>
     public FloatW At(FloatW cosine)
     {

@@ -9,7 +9,7 @@ namespace RayTracer.Materials;
 [SceneType("roughPlastic", "Plastic with a satin finish: a matt base under a rough clear coat.")]
 public sealed record RoughPlasticMaterialDescription : CoatedDescription
 {
-    /// <summary>How the microfacets' normals are distributed.</summary>
+    /// <summary>The distribution of the microfacets' normals.</summary>
     [Parameter("How the tiny facets of the coat are tilted: \"ggx\" has long tails; \"beckmann\" is a rough surface of normally distributed slopes.")]
     public MicrofacetDistribution Distribution { get; init; }
 
@@ -24,7 +24,7 @@ public sealed record RoughPlasticMaterialDescription : CoatedDescription
 
 /// <summary>
 /// A matt base under a rough clear coat: as <see cref="PlasticMaterial"/>, but the coat reflects as microfacets do, and lets through what
-/// <see cref="RoughTransmittance"/> tells.
+/// <see cref="RoughTransmittance"/> gives.
 /// </summary>
 /// <param name="base">Colour of the base.</param>
 /// <param name="refractiveIndex">Index of the coat over that of the outside, at least 1.</param>

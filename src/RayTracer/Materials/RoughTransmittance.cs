@@ -53,7 +53,7 @@ internal sealed unsafe class RoughTransmittance
         return FloatW.MultiplyAdd(b - a, place - left, a);
     }
 
-    /// <summary>What is reflected and let through of light that comes at a cosine.</summary>
+    /// <summary>The parts of light that are reflected and let through at a cosine.</summary>
     /// <param name="microfacets">The microfacets.</param>
     /// <param name="cosine">Cosine of incidence, above 0.</param>
     /// <param name="eta">Index of the light's side over that of the other; 0 for mirrors without loss.</param>

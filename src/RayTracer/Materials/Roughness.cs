@@ -10,10 +10,10 @@ namespace RayTracer.Materials;
 /// <param name="alphaV">Roughness along v; its red channel counts.</param>
 public sealed class Roughness(MicrofacetDistribution distribution, Texture alphaU, Texture alphaV)
 {
-    /// <summary>Whether it depends on uv.</summary>
+    /// <summary>The roughness depends on uv.</summary>
     public bool UsesUv => alphaU.Constant is null || alphaV.Constant is null;
 
-    /// <summary>Whether it may differ along u and v.</summary>
+    /// <summary>The roughness may differ along u and v.</summary>
     public bool UsesTangent { get; } = alphaU != alphaV && (alphaU.Constant is not { } u || alphaV.Constant is not { } v || u.R != v.R);
 
     /// <summary>The roughness that a record describes.</summary>

@@ -22,7 +22,7 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
     [Parameter("Factor on what passes through, per channel: tinted glass.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
-    /// <summary>What fills the inside.</summary>
+    /// <summary>The medium inside.</summary>
     [Parameter("What fills the inside of the (closed) shape: a bubble's wall around smoke. The volPath integrator shows it.")]
     public MediumDescription Interior { get; init; } = new();
 
@@ -33,7 +33,7 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
 
 /// <summary>
 /// Two smooth boundaries on top of each other, with all reflections between them: of each boundary's reflectance R, R + T²R/(1 − R²) = 2R/(1 + R) is
-/// reflected, and the rest goes on as it came (Stokes 1862).
+/// reflected, and the rest passes straight through (Stokes 1862).
 /// </summary>
 /// <param name="refractiveIndex">Index of the pane over that of its surroundings.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>

@@ -18,7 +18,7 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
     [Parameter("Fraction of the light that comes out on the other side, per channel. The sum of both fractions must not be above 1.", Minimum = 0, Maximum = 1)]
     public TextureDescription Transmittance { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
-    /// <summary>What fills the inside.</summary>
+    /// <summary>The medium inside.</summary>
     [Parameter("What fills the inside of the (closed) shape. The volPath integrator shows it.")]
     public MediumDescription Interior { get; init; } = new();
 

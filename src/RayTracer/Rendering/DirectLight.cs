@@ -13,7 +13,7 @@ namespace RayTracer.Rendering;
 /// Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4), or, where there are many
 /// lights, of one that is chosen.
 /// </summary>
-internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightShares? shares)
+internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathObserver? observer)
 {
     // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
@@ -75,7 +75,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         ref RgbW arriving = ref lit.Arriving;
         arriving = default;
         queue?.Begin(weight);
-        shares?.BeginLights(weight);
+        observer?.BeginLights(weight);
         if (_selection is not null)
         {
             AddChosen(surface, material, ref lit, lit.From, samples, active, ref arriving);
@@ -137,7 +137,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
                 FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf / probability);
                 _transmittance!.Trace(lit.Bits, point, sample.Direction, sample.Distance, media, time, _lights[i], out RgbW part);
                 radiance = RgbW.MultiplyAdd(weight * light * (share / probability), part, radiance);
-                shares?.LitInMedium(i, lit, weight * light * (share / probability) * part);
+                observer?.LitInMedium(i, lit, weight * light * (share / probability) * part);
             }
         }
     }
@@ -221,7 +221,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
             UIntW there = SurfaceShader.MediaAlong(scene, surface, sample.Direction, lit.Interior, lit.Media);
             _transmittance.Trace(wanted, origin, towards, distance, there, lit.Time, _lights[light], out RgbW part);
             arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
-            shares?.Lit(light, free, radiance * part * cosine, isWaiting: false);
+            observer?.Lit(light, free, radiance * part * cosine, isWaiting: false);
             return;
         }
 
@@ -229,12 +229,12 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         if (queue is not null)
         {
             queue.Add(free.Bits, origin, towards, distance, lit.Time, light, radiance, cosine);
-            shares?.Lit(light, free, radiance * cosine, isWaiting: true);
+            observer?.Lit(light, free, radiance * cosine, isWaiting: true);
             return;
         }
 
         arriving = RgbW.MultiplyAdd(radiance, free.Select(cosine, 0f), arriving);
-        shares?.Lit(light, free, radiance * cosine, isWaiting: false);
+        observer?.Lit(light, free, radiance * cosine, isWaiting: false);
     }
 
     // The shadow ray, which starts on the light's side of the surface. The sample is seen from the surface itself: a ray of its direction
@@ -249,14 +249,14 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, LightS
         lit.Distance = isNear.Select(distance, sample.Distance);
     }
 
-    // What of a light's sample goes on, and what scattered rays leave of it.
+    // The part of a light's sample that the surface scatters, and that scattered rays leave.
     private void Scatter(in SurfaceW surface, Material material, int light, in ShapeSampleW sample, ref MaskW free, ref RgbW radiance)
     {
         ref RgbW bsdf = ref _lit.Pointer->Bsdf;
         ref FloatW pdf = ref _lit.Pointer->Pdf;
         material.Evaluate(surface, sample.Direction, out bsdf, out pdf);
         free = free.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f));
-        shares?.Split(surface, material, sample.Direction, bsdf);
+        observer?.Split(surface, material, sample.Direction, bsdf);
         radiance *= bsdf;
         if (!_lights[light].IsDelta)
         {

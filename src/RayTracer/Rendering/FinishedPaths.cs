@@ -12,15 +12,15 @@ public sealed unsafe class FinishedPaths
     private readonly SampleAccumulator _accumulator;
     private readonly Scene _scene;
     private readonly RayGenerator _generator;
-    private readonly LightShares? _shares;
+    private readonly PathObserver? _observer;
     private readonly bool _hasWeights;
     private readonly int _stride;
     private SampleRange _samples;
     private int _count;
 
-    internal FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, LightShares? shares)
+    internal FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, PathObserver? observer)
     {
-        _shares = shares;
+        _observer = observer;
         _scene = scene;
         _generator = generator;
         _hasWeights = scene.Filter is { HasWeights: true };
@@ -82,9 +82,9 @@ public sealed unsafe class FinishedPaths
                 radiance *= RayGenerator.Weight(_scene, key, sample);
             }
 
-            for (int lane = 0; _shares is not null && lane < Math.Min(FloatW.Count, _count - i); lane++)
+            for (int lane = 0; _observer is not null && lane < Math.Min(FloatW.Count, _count - i); lane++)
             {
-                _shares.Finish(_path.Pointer[i + lane], (int)pixel[lane], Lane(gathered, lane), Lane(radiance, lane));
+                _observer.Finish(_path.Pointer[i + lane], (int)pixel[lane], Lane(gathered, lane), Lane(radiance, lane));
             }
 
             _accumulator.Add(Math.Min(FloatW.Count, _count - i), pixel, sample, radiance);

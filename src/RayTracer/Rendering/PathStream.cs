@@ -6,7 +6,7 @@ namespace RayTracer.Rendering;
 
 /// <summary>
 /// Light paths under way, as a structure of arrays: entry i of every column belongs to path i. A stage reads one stream and
-/// writes the paths that go on to another.
+/// writes the paths that have a next ray to another.
 /// </summary>
 public sealed unsafe class PathStream
 {
@@ -78,7 +78,7 @@ public sealed unsafe class PathStream
     internal float* RadianceG { get; }
     internal float* RadianceB { get; }
 
-    /// <summary>How far away what the ray met is.</summary>
+    /// <summary>The distance of what the ray met.</summary>
     public float* Distance { get; }
     internal uint* Primitive { get; }
 
@@ -94,7 +94,7 @@ public sealed unsafe class PathStream
     /// <summary>The media that the path is in (<see cref="Media.MediumStack"/>); set only where there are media.</summary>
     internal uint* Media { get; }
 
-    /// <summary>How far the path has gone through boundaries since it last scattered; set only where there are media.</summary>
+    /// <summary>The distance that the path has gone through boundaries since it last scattered; set only where there are media.</summary>
     internal float* Travelled { get; }
 
     // The normal of the surface where the ray starts, by which lights were chosen there; zero where all directions counted. Set only where one light of
@@ -203,7 +203,7 @@ internal struct RayW
     public UIntW Primitive;
 }
 
-/// <summary>What a path remembers besides its numbers, in one integer.</summary>
+/// <summary>The state of a path besides its numbers, in one integer.</summary>
 public static class PathState
 {
     /// <summary>Bits 0–7 count diffuse bounces.</summary>
@@ -215,7 +215,7 @@ public static class PathState
     /// <summary>A depth's bits, once it is shifted down.</summary>
     public const uint DepthMask = 0xff;
 
-    /// <summary>How far the specular depth is shifted up.</summary>
+    /// <summary>The number of bits by which the specular depth is shifted up.</summary>
     public const int SpecularShift = 8;
 
     /// <summary>Emission at the next hit counts: the last scattering was specular, or there was none (report: countEmittedLight).</summary>

@@ -28,19 +28,19 @@ public sealed class ShadingGroup(Material material, SurfaceTable batch, int only
 
     internal bool HasShadingNormals { get; } = batch.HasShadingNormals;
 
-    /// <summary>Whether light is scattered with other normals than the surface's own, so that it could leak through it.</summary>
+    /// <summary>Light is scattered with other normals than the surface's own, so that it could leak through it.</summary>
     public bool MayLeak { get; } = batch.HasShadingNormals || material.Traits.TurnsNormal;
 
-    /// <summary>Whether shading normals may be all that counts (<see cref="Scene.IsLiteral"/>).</summary>
+    /// <summary>Shading normals may be all that counts (<see cref="Scene.IsLiteral"/>).</summary>
     internal bool MayBeLiteral { get; } = (batch.HasShadingNormals || material.Traits.TurnsNormal) && !material.Traits.MirrorsNormal;
 
-    /// <summary>Whether the diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>
+    /// <summary>The diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>
     internal bool HasTint { get; } = batch.HasTint && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
 
-    /// <summary>Whether the surface has no colours of its own.</summary>
+    /// <summary>The surface has no colours of its own.</summary>
     internal bool LacksTint { get; } = !batch.HasTint;
 
-    /// <summary>Whether a texture asks for the point in the shape's own coordinates.</summary>
+    /// <summary>A texture asks for the point in the shape's own coordinates.</summary>
     internal bool UsesLocal { get; } = (material.Inputs & TextureInputs.ObjectPoint) != TextureInputs.None;
 
     internal int OnlyIndex => onlyIndex;
@@ -69,7 +69,7 @@ public sealed class ShadingGroup(Material material, SurfaceTable batch, int only
         return [.. groups];
     }
 
-    /// <summary>Gives what is inside of groups numbers from 1, the same to equal ones, and tells which they are.</summary>
+    /// <summary>Gives the insides of groups numbers from 1, the same to equal ones, and returns them.</summary>
     internal static Interior[] NumberInteriors(ShadingGroup[] groups)
     {
         Interior[] interiors = [.. groups.Select(InteriorOf).OfType<Interior>().Distinct()];

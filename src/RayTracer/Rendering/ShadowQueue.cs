@@ -16,7 +16,7 @@ internal sealed unsafe class ShadowQueue
     private const uint IsFinished = 0x80000000;
     private const uint IsNowhere = uint.MaxValue;
     private readonly Scene _scene;
-    private readonly LightShares? _shares;
+    private readonly PathObserver? _observer;
     private readonly LightSource[] _lights;
     private readonly int _lightsOfPoint;
     private readonly int _capacity;
@@ -36,10 +36,10 @@ internal sealed unsafe class ShadowQueue
     private int _count;
     private int _packets;
 
-    public ShadowQueue(Scene scene, LightShares? shares)
+    public ShadowQueue(Scene scene, PathObserver? observer)
     {
         _scene = scene;
-        _shares = shares;
+        _observer = observer;
         _lights = [.. scene.SampledLights];
         _lightsOfPoint = scene.LightSelection is null ? _lights.Length : 1;
         _capacity = Math.Max(8192, _lightsOfPoint * FloatW.Count);
@@ -53,7 +53,7 @@ internal sealed unsafe class ShadowQueue
         _slots = new((long)MaxPackets * FloatW.Count);
     }
 
-    /// <summary>Whether a packet more has room.</summary>
+    /// <summary>There is no room for another packet.</summary>
     public bool IsFull => _packets == MaxPackets || _count + (_lightsOfPoint * FloatW.Count) > _capacity;
 
     /// <summary>Starts a packet.</summary>
@@ -98,7 +98,7 @@ internal sealed unsafe class ShadowQueue
     /// <summary>Says where the paths of the packet went.</summary>
     /// <param name="ended">The lanes that ended.</param>
     /// <param name="firstFinished">Where among the finished paths the first of them is.</param>
-    /// <param name="going">The lanes that go on.</param>
+    /// <param name="going">The lanes that have a next ray.</param>
     /// <param name="firstNext">Where in the next stream the first of them is.</param>
     public void End(uint ended, int firstFinished, uint going, int firstNext)
     {
@@ -113,7 +113,7 @@ internal sealed unsafe class ShadowQueue
     public void Flush(FinishedPaths finished, PathStream next)
     {
         Trace();
-        _shares?.Settle(_hits.Pointer);
+        _observer?.Settle(_hits.Pointer);
         float* rays = _rays.Pointer;
         for (int i = 0; i < _count; i++)
         {

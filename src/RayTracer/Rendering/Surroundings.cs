@@ -10,7 +10,7 @@ internal sealed unsafe class Surroundings
     private const int Directions = 14;
     private const int MostHits = 1000;
 
-    // As many as a path can keep in mind.
+    // As many as a path can track.
     private const int MostShapes = 3;
     private readonly Scene _scene;
     private readonly PinnedBuffer<int> _hits;
@@ -31,7 +31,7 @@ internal sealed unsafe class Surroundings
         Array.Fill(_distance, float.PositiveInfinity);
     }
 
-    /// <summary>What a scene's camera stands in, where it is when the shutter opens.</summary>
+    /// <summary>The media that a scene's camera stands in, where it is when the shutter opens.</summary>
     /// <param name="scene">A scene whose interiors have numbers.</param>
     public static uint Of(Scene scene) => new Surroundings(scene).Find();
 

@@ -8,7 +8,7 @@ namespace RayTracer.Rendering;
 /// What media, or in the report transparent things, leave of the light on its way from a light to where it is scattered, through boundaries that do not change its direction, that priorities make unreal, or where the report does not mind it. Each thread has
 /// its own.
 /// </summary>
-/// <param name="scene">A scene in which paths keep in mind what they are in, or transparent things weaken shadows.</param>
+/// <param name="scene">A scene in which paths track what they are in, or transparent things weaken shadows.</param>
 internal sealed unsafe class Transmittance(Scene scene)
 {
     private const int MaxBoundaries = 256;
@@ -50,7 +50,7 @@ internal sealed unsafe class Transmittance(Scene scene)
         transmittance = new(FloatW.Load(arrived), FloatW.Load(arrived + 16), FloatW.Load(arrived + 32));
     }
 
-    // Takes a ray to what it meets: the light, something that stops it, or a boundary, from where it goes on.
+    // Takes a ray to what it meets: the light, something that stops it, or a boundary, which it crosses.
     private void Step(uint ray, LightSource light, float* arrived)
     {
         uint* index = stackalloc uint[16];

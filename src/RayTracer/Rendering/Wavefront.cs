@@ -16,29 +16,26 @@ internal sealed unsafe class Wavefront
     private readonly FinishedPaths _finished;
     private readonly GroupMembers _members;
     private readonly PinnedBuffer<int> _hits;
-    private readonly PathRecorder? _recorder;
-    private readonly LightShares? _shares;
+    private readonly PathObserver? _observer;
     private PathStream _current;
     private PathStream _next;
 
     /// <summary>Makes one.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="streamSize">How many paths go on together.</param>
+    /// <param name="streamSize">The number of paths that are followed together.</param>
     /// <param name="maxTilePixels">The most pixels of a tile.</param>
-    /// <param name="recorder">Takes down what becomes of each path; null in renders.</param>
-    /// <param name="layers">Takes layers of light; null where none are wanted.</param>
-    public Wavefront(Scene scene, int streamSize, int maxTilePixels, PathRecorder? recorder = null, LightLayerFilm? layers = null)
+    /// <param name="observer">Sees what happens to the paths; null where nobody asks.</param>
+    public Wavefront(Scene scene, int streamSize, int maxTilePixels, PathObserver? observer = null)
     {
-        _shares = layers is null ? null : new(scene, layers);
         _scene = scene;
-        _recorder = recorder;
+        _observer = observer;
         _current = new(streamSize);
         _next = new(streamSize);
         _generator = new(scene, maxTilePixels);
         _accumulator = new(maxTilePixels);
-        _finished = new(scene, streamSize, _generator, _accumulator, _shares);
+        _finished = new(scene, streamSize, _generator, _accumulator, observer);
         bool queues = !scene.World.IsPlain && scene.SampledLights.Count > 0 && !scene.TracksInteriors && !scene.WeakensShadows;
-        _shader = scene.Render.Integrator.CreateShader(new(scene, _finished, queues ? new(scene, _shares) : null, recorder, _shares));
+        _shader = scene.Render.Integrator.CreateShader(new(scene, _finished, queues ? new(scene, observer) : null, observer));
         _hits = new(scene.World.RoomForHits(streamSize));
         _members = new(scene, streamSize);
     }
@@ -78,11 +75,11 @@ internal sealed unsafe class Wavefront
         Paths += (long)pixels.Length * samples.Count;
     }
 
-    /// <summary>Follows the paths of some samples of every pixel of a tile; where there is a recorder, it takes them instead of the film.</summary>
+    /// <summary>Follows the paths of some samples of every pixel of a tile; an observer may take them from the film.</summary>
     public void Follow(in Tile tile, SampleRange samples)
     {
         _generator.Begin(tile, samples);
-        _shares?.Begin(tile, samples);
+        _observer?.Begin(tile, samples);
         Follow(samples);
     }
 
@@ -104,7 +101,7 @@ internal sealed unsafe class Wavefront
             _shader.Fly(_current);
             _members.Sort(_current);
             Shade();
-            _recorder?.Take(_finished, _next);
+            _observer?.EndStep(_finished, _next);
             _finished.Drain();
             (_current, _next) = (_next, _current);
         }

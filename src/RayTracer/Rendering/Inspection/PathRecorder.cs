@@ -5,16 +5,16 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Takes down what becomes of the paths of one pixel, in the stages that shade them. It only reads; renders have none.
+/// Takes down what happens to the paths of one pixel.
 /// </summary>
 /// <param name="scene">The scene.</param>
-internal sealed unsafe class PathRecorder(Scene scene)
+internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
 {
     private SampleRange _samples;
     private Path[] _paths = [];
 
-    /// <summary>Prepares for some samples.</summary>
-    public void Begin(SampleRange samples)
+    /// <inheritdoc/>
+    public override void Begin(in Tile tile, SampleRange samples)
     {
         _samples = samples;
         _paths = [.. Enumerable.Range(0, samples.Count).Select(_ => new Path())];
@@ -23,8 +23,8 @@ internal sealed unsafe class PathRecorder(Scene scene)
     /// <summary>All paths, once they have ended.</summary>
     public IEnumerable<TracedPath> Paths() => _paths.Select((p, i) => new TracedPath(_samples.First + i, p.Radiance, p.Vertices));
 
-    /// <summary>Takes down paths that meet nothing.</summary>
-    public void Missed(PathStream stream, uint* index, MaskW lanes)
+    /// <inheritdoc/>
+    public override void Missed(PathStream stream, uint* index, MaskW lanes, in RgbW arriving)
     {
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
@@ -33,28 +33,22 @@ internal sealed unsafe class PathRecorder(Scene scene)
         }
     }
 
-    /// <summary>Takes down what paths have gathered after a surface's own light.</summary>
-    public void Emitted(UIntW path, MaskW lanes, in RgbW radiance)
-    {
-        for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
-        {
-            int lane = BitOperations.TrailingZeroCount(rest);
-            _paths[path[lane]].AfterEmission = Lane(radiance, lane);
-        }
-    }
+    /// <inheritdoc/>
+    public override void BeginPacket(PathStream stream, uint* index, MaskW lanes) =>
+        Gathered(stream, index, lanes, stream.PickRadiance(index), true);
 
-    /// <summary>Takes down what paths have gathered after ambient light.</summary>
-    public void Brightened(UIntW path, MaskW lanes, in RgbW radiance)
-    {
-        for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
-        {
-            int lane = BitOperations.TrailingZeroCount(rest);
-            _paths[path[lane]].AfterAmbient = Lane(radiance, lane);
-        }
-    }
+    /// <inheritdoc/>
+    public override void Emitted(ShadingGroup group, PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance) =>
+        Gathered(stream, index, lanes, radiance, true);
 
-    /// <summary>Takes down how paths go on from a surface.</summary>
-    public void Scattered(PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter)
+    /// <inheritdoc/>
+    public override void Brightened(PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance) =>
+        Gathered(stream, index, lanes, radiance, false);
+
+    /// <inheritdoc/>
+    public override void Scattered(
+        PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
+        bool isByLobe)
     {
         material.Pdf(surface, scatter.Direction, out FloatW pdf);
         uint specular = scatter.Specular.Bits;
@@ -81,8 +75,8 @@ internal sealed unsafe class PathRecorder(Scene scene)
         }
     }
 
-    /// <summary>Takes down how paths go on from where a medium scattered them.</summary>
-    public void InMedium(PathStream stream, uint* index, MaskW active, MaskW alive, in Vec3W point, in FloatW pdf)
+    /// <inheritdoc/>
+    public override void ScatteredInMedium(PathStream stream, uint* index, MaskW active, MaskW alive, in Vec3W point, in FloatW pdf)
     {
         for (uint rest = active.Bits; rest != 0; rest &= rest - 1)
         {
@@ -98,8 +92,8 @@ internal sealed unsafe class PathRecorder(Scene scene)
         }
     }
 
-    /// <summary>Takes down where paths go straight through a boundary.</summary>
-    public void Crossed(PathStream stream, uint* index, MaskW active, in SurfaceW surface)
+    /// <inheritdoc/>
+    public override void Crossed(PathStream stream, uint* index, MaskW active, in SurfaceW surface)
     {
         for (uint rest = active.Bits; rest != 0; rest &= rest - 1)
         {
@@ -115,8 +109,8 @@ internal sealed unsafe class PathRecorder(Scene scene)
         }
     }
 
-    /// <summary>Takes down what all paths of a step have gathered at its end, and takes the finished ones away.</summary>
-    public void Take(FinishedPaths finished, PathStream next)
+    /// <inheritdoc/>
+    public override void EndStep(FinishedPaths finished, PathStream next)
     {
         for (int i = 0; i < next.Count; i++)
         {
@@ -130,6 +124,18 @@ internal sealed unsafe class PathRecorder(Scene scene)
         }
 
         finished.Clear();
+    }
+
+    // Ambient light comes after a surface's own.
+    private void Gathered(PathStream stream, uint* index, MaskW lanes, in RgbW radiance, bool isEmission)
+    {
+        for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(rest);
+            Path path = _paths[stream.Path[index[lane]]];
+            path.AfterAmbient = Lane(radiance, lane);
+            path.AfterEmission = isEmission ? path.AfterAmbient : path.AfterEmission;
+        }
     }
 
     private static PathVertex Arrival(PathStream stream, uint i, PathEvent met)

@@ -3,8 +3,8 @@ using RayTracer.Sampling;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Follows single samples of a pixel once more, in the same stages as a rendering, and tells what they meet. Each is the same to the bit as in a
-/// rendering, since no path depends on others.
+/// Follows single samples of a pixel once more, in the same stages as a rendering, and reports what they meet. Each is the same to the bit
+/// as in a rendering, since no path depends on others.
 /// </summary>
 /// <param name="scene">The scene.</param>
 public sealed class PathTracing(Scene scene)
@@ -29,7 +29,6 @@ public sealed class PathTracing(Scene scene)
         for (int first = samples.First; first < samples.End; first += StreamSize)
         {
             SampleRange block = new(first, Math.Min(samples.End, first + StreamSize));
-            recorder.Begin(block);
             wavefront.Follow(new(x, y, 1, 1), block);
             paths.AddRange(recorder.Paths());
         }

@@ -8,12 +8,13 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Splits the light of the paths of a tile into layers: the shaders tell what they add to a path and where it comes from, and when the path ends,
-/// each layer's sum goes to its film. Each thread has one where layers are wanted; elsewhere there is none, and nothing is done.
+/// Splits the light of the paths of a tile into layers, by what is added to each path and where it comes from; when the path ends, each
+/// layer's sum goes to its film.
 /// </summary>
-internal sealed unsafe class LightShares
+internal sealed unsafe class LightShares : PathObserver
 {
-    // Of a path: its vertices so far, the matt share of its first vertex (channel by channel), whether that is in a medium, and then the layers' sums.
+    // Of a path: its vertices so far, the matt share of its first vertex (channel by channel), whether that is in a medium, and then the
+    // layers' sums.
     private const int Vertices = 0;
     private const int Matt = 1;
     private const int InMedium = 4;
@@ -30,7 +31,8 @@ internal sealed unsafe class LightShares
     private Tile _tile;
     private readonly long _pictureWidth;
 
-    // Of the packet that is shaded: the paths, what light of their vertices is multiplied by, and how much of the light that is asked for is matt.
+    // Of the packet that is shaded: the paths, what light of their vertices is multiplied by, and how much of the light that is asked for
+    // is matt.
     private UIntW _path;
     private bool _hasFirst;
     private RgbW _weight;
@@ -50,8 +52,8 @@ internal sealed unsafe class LightShares
 
     private int Layers { get; }
 
-    /// <summary>Prepares for some samples of a tile.</summary>
-    public void Begin(in Tile tile, SampleRange samples)
+    /// <inheritdoc/>
+    public override void Begin(in Tile tile, SampleRange samples)
     {
         _tile = tile;
         _waiting.Clear();
@@ -65,24 +67,19 @@ internal sealed unsafe class LightShares
         NativeMemory.Clear(_numbers.Pointer, (nuint)needed * sizeof(float));
     }
 
-    /// <summary>Turns to the paths of a packet that is shaded.</summary>
-    public void BeginPacket(UIntW path)
+    /// <inheritdoc/>
+    public override void BeginPacket(PathStream stream, uint* index, MaskW lanes)
     {
-        _path = path;
+        _path = UIntW.Pick(stream.Path, index);
         _hasFirst = false;
         for (int lane = 0; lane < FloatW.Count; lane++)
         {
-            _hasFirst |= Of(path[lane])[Vertices] == 0;
+            _hasFirst |= Of(_path[lane])[Vertices] == 0;
         }
     }
 
-    /// <summary>Takes the light of surfaces that paths have met.</summary>
-    /// <param name="group">What they have met.</param>
-    /// <param name="stream">The paths.</param>
-    /// <param name="index">Indices of a packet of them.</param>
-    /// <param name="lanes">The lanes in use.</param>
-    /// <param name="light">What is added.</param>
-    public void Emitted(ShadingGroup group, PathStream stream, uint* index, MaskW lanes, in RgbW light)
+    /// <inheritdoc/>
+    public override void Emitted(ShadingGroup group, PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance)
     {
         UIntW instance = group.IsInstanced ? UIntW.Pick(stream.Instance, index) : 0u;
         UIntW primitive = UIntW.Pick(stream.Primitive, index);
@@ -97,12 +94,11 @@ internal sealed unsafe class LightShares
         }
     }
 
-    /// <summary>Takes the light of what is behind everything.</summary>
-    /// <param name="path">The paths.</param>
-    /// <param name="lanes">The lanes in use.</param>
-    /// <param name="light">What is added.</param>
-    public void Missed(UIntW path, MaskW lanes, in RgbW light)
+    /// <inheritdoc/>
+    public override void Missed(PathStream stream, uint* index, MaskW lanes, in RgbW arriving)
     {
+        UIntW path = UIntW.Pick(stream.Path, index);
+        RgbW light = stream.PickThroughput(index) * arriving;
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
@@ -114,11 +110,10 @@ internal sealed unsafe class LightShares
         }
     }
 
-    /// <summary>Takes ambient light: it stands in for light that comes by many ways, and what it meets first counts as matt.</summary>
-    /// <param name="lanes">The lanes in use.</param>
-    /// <param name="light">What is added.</param>
-    public void Brightened(MaskW lanes, in RgbW light)
+    /// <inheritdoc/>
+    public override void Brightened(PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance)
     {
+        // Ambient light stands in for light that comes by many ways, and what it meets first counts as matt.
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
@@ -129,19 +124,15 @@ internal sealed unsafe class LightShares
         }
     }
 
-    /// <summary>Says what the light that sources send to the packet is multiplied by, all of it scattered by matt surfaces unless <see cref="Split"/> tells.</summary>
-    public void BeginLights(in RgbW weight)
+    /// <inheritdoc/>
+    public override void BeginLights(in RgbW weight)
     {
         _weight = weight;
         _matt = Rgb.White;
     }
 
-    /// <summary>Finds out how much of the light from a direction matt surfaces scatter.</summary>
-    /// <param name="surface">The surfaces.</param>
-    /// <param name="material">What they are made of.</param>
-    /// <param name="direction">Unit directions to the light.</param>
-    /// <param name="bsdf">The BSDF in those directions.</param>
-    public void Split(in SurfaceW surface, Material material, in Vec3W direction, in RgbW bsdf)
+    /// <inheritdoc/>
+    public override void Split(in SurfaceW surface, Material material, in Vec3W direction, in RgbW bsdf)
     {
         if (_hasFirst)
         {
@@ -150,12 +141,8 @@ internal sealed unsafe class LightShares
         }
     }
 
-    /// <summary>Takes the light of a source.</summary>
-    /// <param name="light">The source.</param>
-    /// <param name="lanes">The lanes that it reaches.</param>
-    /// <param name="radiance">What arrives, before the weight.</param>
-    /// <param name="isWaiting">Whether the rays to the source are still to be traced.</param>
-    public void Lit(int light, MaskW lanes, in RgbW radiance, bool isWaiting)
+    /// <inheritdoc/>
+    public override void Lit(int light, MaskW lanes, in RgbW radiance, bool isWaiting)
     {
         RgbW all = _weight * radiance;
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
@@ -180,24 +167,21 @@ internal sealed unsafe class LightShares
         }
     }
 
-    /// <summary>Takes the light of a source that a medium scatters.</summary>
-    /// <param name="light">The source.</param>
-    /// <param name="lanes">The lanes that it reaches.</param>
-    /// <param name="radiance">What is added.</param>
-    public void LitInMedium(int light, MaskW lanes, in RgbW radiance)
+    /// <inheritdoc/>
+    public override void LitInMedium(int light, MaskW lanes, in RgbW radiance)
     {
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
             float* numbers = Of(_path[lane]);
             bool isFirst = numbers[Vertices] == 0;
-            Add(numbers, _layerOfLight[light + 1], isFirst ? LightLayer.Direct : LightLayer.Indirect, Lane(radiance, lane), FirstMatt(numbers), isFirst || numbers[InMedium] > 0);
+            LightLayer kind = isFirst ? LightLayer.Direct : LightLayer.Indirect;
+            Add(numbers, _layerOfLight[light + 1], kind, Lane(radiance, lane), FirstMatt(numbers), isFirst || numbers[InMedium] > 0);
         }
     }
 
-    /// <summary>Takes those of the waiting shares whose rays have met nothing.</summary>
-    /// <param name="hits">What the rays have met, in the order in which they were told; negative for nothing.</param>
-    public void Settle(int* hits)
+    /// <inheritdoc/>
+    public override void Settle(int* hits)
     {
         for (int i = 0; i < _waiting.Count; i++)
         {
@@ -210,20 +194,17 @@ internal sealed unsafe class LightShares
         _waiting.Clear();
     }
 
-    /// <summary>Takes down how paths go on from a surface.</summary>
-    /// <param name="lanes">Those that do.</param>
-    /// <param name="surface">The surfaces.</param>
-    /// <param name="material">What they are made of.</param>
-    /// <param name="scatter">How they go on.</param>
-    /// <param name="isByLobe">Whether light is not looked for where the matt part was chosen, so that what is found else is not that part's (report).</param>
-    public void Scattered(MaskW lanes, in SurfaceW surface, Material material, in ScatterW scatter, bool isByLobe)
+    /// <inheritdoc/>
+    public override void Scattered(
+        PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
+        bool isByLobe)
     {
         MaskW straight = scatter.Delta & (scatter.Direction.X >= surface.Incoming.X) & (scatter.Direction.X <= surface.Incoming.X)
             & (scatter.Direction.Y >= surface.Incoming.Y) & (scatter.Direction.Y <= surface.Incoming.Y)
             & (scatter.Direction.Z >= surface.Incoming.Z) & (scatter.Direction.Z <= surface.Incoming.Z);
         RgbW share = default;
         bool isKnown = false;
-        for (uint rest = lanes.Except(straight).Bits; rest != 0; rest &= rest - 1)
+        for (uint rest = alive.Except(straight).Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
             float* numbers = Of(_path[lane]);
@@ -240,10 +221,10 @@ internal sealed unsafe class LightShares
         }
     }
 
-    /// <summary>Takes down that a medium scatters paths.</summary>
-    public void ScatteredInMedium(MaskW lanes)
+    /// <inheritdoc/>
+    public override void ScatteredInMedium(PathStream stream, uint* index, MaskW active, MaskW alive, in Vec3W point, in FloatW pdf)
     {
-        for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
+        for (uint rest = alive.Bits; rest != 0; rest &= rest - 1)
         {
             float* numbers = Of(_path[BitOperations.TrailingZeroCount(rest)]);
             if (numbers[Vertices]++ == 0)
@@ -253,12 +234,8 @@ internal sealed unsafe class LightShares
         }
     }
 
-    /// <summary>Hands the layers of a path that has ended to the film.</summary>
-    /// <param name="path">The path's number in the tile.</param>
-    /// <param name="pixel">The pixel's number in the tile.</param>
-    /// <param name="radiance">What the path has gathered.</param>
-    /// <param name="sample">What the film takes of it: times the filter's weight.</param>
-    public void Finish(uint path, int pixel, Rgb radiance, Rgb sample)
+    /// <inheritdoc/>
+    public override void Finish(uint path, int pixel, Rgb radiance, Rgb sample)
     {
         if (!float.IsFinite(sample.R) || !float.IsFinite(sample.G) || !float.IsFinite(sample.B))
         {
@@ -282,7 +259,8 @@ internal sealed unsafe class LightShares
 
     private static RgbW Ratio(in RgbW part, in RgbW whole) => new(Ratio(part.R, whole.R), Ratio(part.G, whole.G), Ratio(part.B, whole.B));
 
-    // How much of the light along the next ray the matt part scatters. Where a lobe is chosen that lights are not asked for, only its own share counts.
+    // How much of the light along the next ray the matt part scatters. Where a lobe is chosen that lights are not asked for, only its own
+    // share counts.
     private static RgbW MattShare(in SurfaceW surface, Material material, in ScatterW scatter, bool isByLobe)
     {
         material.Bsdf(surface, scatter.Direction, out RgbW bsdf);
