@@ -14,13 +14,19 @@ internal static class InspectionEndpoints
         api.MapGet("/wireframe", () =>
         {
             ShownScene shown = session.View.RequireShown();
-            return Answers.Json(new { shapes = Wireframe.Of(shown), camera = CameraFrame.Of(shown) });
+            return Answers.Json(new WireframeView(Wireframe.Of(shown), CameraFrame.Of(shown)));
         });
         api.MapGet("/convergence", async () => Answers.Json(await session.View.Loop.Convergence()));
         api.MapGet("/times", async (HttpContext context) =>
         {
             ReportTime[] times = await session.Part<ReportTimes>().Measure().WaitAsync(context.RequestAborted);
-            return Answers.Json(new { machine = ReportScene.Machine, threads = ReportTimes.Threads, times });
+            return Answers.Json(new MeasuredTimes(ReportScene.Machine, ReportTimes.Threads, times));
         });
     }
 }
+
+/// <summary>The scene as lines, and the camera that shows it.</summary>
+internal sealed record WireframeView(IReadOnlyList<WireShape> Shapes, CameraFrame Camera);
+
+/// <summary>The report's times beside this machine's.</summary>
+internal sealed record MeasuredTimes(string Machine, int Threads, IReadOnlyList<ReportTime> Times);

@@ -26,19 +26,33 @@ internal static class StateEndpoints
     private static IResult State(StudioSession session)
     {
         SessionState state = SessionState.Of(session);
-        return Answers.Json(new
-        {
-            state.Version,
-            state.Document,
-            state.Selection,
-            render = RenderState.Of(state.Render, state.Settings),
-            tone = new { state.Tone.Exposure, state.Tone.ToneMap, choices = ToneMaps },
-            state.Snapshots,
-            state.Recovery,
-            message = state.Notice,
-            state.Jobs,
-        });
+        return Answers.Json(new StudioState(
+            state.Version, state.Document, state.Selection, RenderState.Of(state.Render, state.Settings), new(state.Tone.Exposure, state.Tone.ToneMap, ToneMaps),
+            state.Snapshots, state.Recovery, state.Notice, state.Jobs));
     }
 
     internal sealed record JobRequest(int Id);
+}
+
+/// <summary>The state of a session as pages get it.</summary>
+internal sealed record StudioState(
+    long Version, DocumentStatus Document, string? Selection, RenderState Render, ToneState Tone, IReadOnlyList<Snapshot> Snapshots,
+    IReadOnlyList<RecoveryEntry> Recovery, Notice? Message, IReadOnlyList<Job> Jobs);
+
+/// <summary>How light is brought onto the screen, and how it might be.</summary>
+internal sealed record ToneState(float Exposure, ToneMap ToneMap, IReadOnlyList<ToneMap> Choices);
+
+/// <summary>How far the picture is, as pages are told.</summary>
+internal sealed record RenderState(
+    string Status, int Width, int Height, int Samples, int SamplesTotal, double RaysPerSecond, double Seconds, double? SecondsLeft, double? Noise,
+    int Threads, int Cores, string Map, int[]? Region, RenderQuality? Quality, bool IsPreview, long BadSamples)
+{
+    /// <summary>That of a view, by what is known of its picture and what the user wants.</summary>
+    public static RenderState Of(RenderStatus status, ViewSettings settings)
+    {
+        int[]? region = settings.Region is { } r ? [r.X, r.Y, r.Width, r.Height] : null;
+        return new(
+            status.Status, status.Width, status.Height, status.Samples, status.SamplesTotal, status.RaysPerSecond, status.Seconds, status.SecondsLeft, status.Noise,
+            settings.Threads, Environment.ProcessorCount, settings.Map.Name, region, settings.Quality, status.IsPreview, status.BadSamples);
+    }
 }

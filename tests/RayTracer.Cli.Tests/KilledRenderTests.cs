@@ -4,6 +4,7 @@ using RayTracer.Imaging;
 namespace RayTracer.Cli.Tests;
 
 /// <summary>Renders that end as nobody wants them to.</summary>
+[Trait("Category", "Thorough")]
 public sealed class KilledRenderTests : IDisposable
 {
     private const int Patience = 60_000;

@@ -5,6 +5,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Cli.Tests;
 
+[Trait("Category", "Thorough")]
 public sealed class LongRenderTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();

@@ -13,6 +13,7 @@ namespace RayTracer.RenderTests;
 /// Scenes that physics says look the same: another scale, place, attitude or order of things. The world is changed exactly, in powers of
 /// two and quarter turns, so that only the program's treatment of it differs.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class EquivalentScenesTests
 {
     private static readonly int s_seeds = TestSettings.Scale(32, 128);

@@ -1,6 +1,7 @@
 namespace RayTracer.RenderTests;
 
 /// <summary>Shapes that can be made of others: both ways look the same, whether they are seen, cast shadows, shine, or are of glass.</summary>
+[Trait("Category", "Thorough")]
 public class EquivalentShapesTests
 {
     private const string Faces = """

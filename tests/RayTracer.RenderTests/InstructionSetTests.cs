@@ -8,6 +8,7 @@ namespace RayTracer.RenderTests;
 /// The same pictures, to the bit, whatever instructions and register widths the runtime may use and however it compiles: each
 /// case is a child process with another setting of the runtime.
 /// </summary>
+[Trait("Category", "Thorough")]
 public sealed class InstructionSetTests : IDisposable
 {
     private const string Child = "RayTracer.RenderTests.dll";

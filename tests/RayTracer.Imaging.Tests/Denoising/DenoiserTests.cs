@@ -6,6 +6,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging.Tests;
 
+[Trait("Category", "Thorough")]
 public class DenoiserTests
 {
     [Fact]

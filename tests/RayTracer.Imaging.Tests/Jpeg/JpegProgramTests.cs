@@ -12,6 +12,7 @@ namespace RayTracer.Imaging.Tests;
 /// so two decoders' grey codes differ by 1 at most. libjpeg rounds interpolated colour differences too, by up to ½ on both sides: a colour may
 /// differ by 1 + 1.772 · 1.5 + ½, rounded to whole codes 4, and on average by far less.
 /// </remarks>
+[Trait("Category", "Thorough")]
 public class JpegProgramTests
 {
     private const int GreyLimit = 1;

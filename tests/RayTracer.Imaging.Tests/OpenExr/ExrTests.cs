@@ -5,6 +5,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging.Tests;
 
+[Trait("Category", "Thorough")]
 public class ExrTests
 {
     public static TheoryData<ExrPixelType, ExrCompression> Kinds()

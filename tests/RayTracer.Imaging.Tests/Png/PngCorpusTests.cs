@@ -4,6 +4,7 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging.Tests;
 
 /// <summary>PngSuite and other public PNG files, against ImageMagick and pngcheck.</summary>
+[Trait("Category", "Thorough")]
 public class PngCorpusTests
 {
     private static readonly string[] s_damaged = ["x", "invalid-", "bad", "huge_"];

@@ -5,6 +5,7 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Import.Tests;
 
+[Trait("Category", "Thorough")]
 public class ModelTextTests
 {
     // The fast way must give the very bits that the runtime's parser gives, which rounds correctly (IEEE 754).

@@ -4,6 +4,7 @@ namespace RayTracer.RenderTests.Analytic;
 /// Where the camera shows things: the part of each pixel that a shining polygon covers, known exactly by similar triangles,
 /// averaged over the points of the lens.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class CameraTests
 {
     private const int Width = 12;

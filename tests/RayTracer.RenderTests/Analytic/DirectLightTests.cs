@@ -4,6 +4,7 @@ namespace RayTracer.RenderTests.Analytic;
 /// Light that falls on a matt floor straight from a source, against its closed form: every pixel of a small picture of the
 /// floor sees another distance and angle.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class DirectLightTests
 {
     private const int Edge = 4;

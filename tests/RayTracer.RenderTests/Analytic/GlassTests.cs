@@ -9,6 +9,7 @@ namespace RayTracer.RenderTests.Analytic;
 /// Fresnel's equations, Snell's law, total reflection and Beer's law for the materials of the report's table 4.1. The
 /// expected reflectances are computed from the angles (Born &amp; Wolf 1999, section 1.5.2, eq. 21), not, as in the product, from cosines.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class GlassTests
 {
     /// <summary>The report's table 4.1, "Sample indices of refraction".</summary>

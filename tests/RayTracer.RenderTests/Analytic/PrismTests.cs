@@ -8,6 +8,7 @@ using RayTracer.Spectra;
 namespace RayTracer.RenderTests.Analytic;
 
 /// <summary>Dispersion against Snell's law at each wavelength, and against what must not depend on it.</summary>
+[Trait("Category", "Thorough")]
 public class PrismTests
 {
     private static readonly int s_seeds = TestSettings.Scale(8, 64);

@@ -4,6 +4,7 @@ namespace RayTracer.RenderTests.Analytic;
 /// Closed rooms, in which the radiance is a geometric series over the bounces: a lost fraction of energy, or one bounce more or
 /// less than the depth limit says, changes every pixel.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class RoomTests
 {
     private static readonly double[] s_albedo = [0.8, 0.5, 0.25];

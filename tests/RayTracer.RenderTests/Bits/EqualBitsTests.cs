@@ -3,6 +3,7 @@ using RayTracer.Rendering;
 namespace RayTracer.RenderTests.Bits;
 
 /// <summary>The same film, to the bit, and the same counts, however the work is cut and whoever does it.</summary>
+[Trait("Category", "Thorough")]
 public class EqualBitsTests
 {
     public static TheoryData<string> Scenes() => new([.. BitScenes.Report, .. BitScenes.Samplers, BitScenes.Hills, BitScenes.DispersingShadows, .. BitScenes.Meshes, .. BitScenes.Lights]);

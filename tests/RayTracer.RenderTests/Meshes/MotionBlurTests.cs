@@ -5,6 +5,7 @@ using RayTracer.Scenes;
 namespace RayTracer.RenderTests.Meshes;
 
 /// <summary>The blur of what moves, against what it must be.</summary>
+[Trait("Category", "Thorough")]
 public class MotionBlurTests
 {
     private const int Width = 64;

@@ -4,6 +4,7 @@ using RayTracer.Scenes;
 namespace RayTracer.RenderTests.Meshes;
 
 /// <summary>Scenes that are written differently and must look the same: a thing moved, and the thing made of moved numbers.</summary>
+[Trait("Category", "Thorough")]
 public class PlacedScenesTests
 {
     private const string Cube = """

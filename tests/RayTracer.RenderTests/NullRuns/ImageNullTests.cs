@@ -6,6 +6,7 @@ using Xunit.Abstractions;
 namespace RayTracer.RenderTests.NullRuns;
 
 /// <summary>Comparisons of images whose expectations are the same: one scene, other seeds and other samplers.</summary>
+[Trait("Category", "Thorough")]
 public class ImageNullTests(ITestOutputHelper output)
 {
     private const int Seeds = 32;

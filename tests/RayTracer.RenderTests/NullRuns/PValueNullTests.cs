@@ -3,6 +3,7 @@ using Xunit.Abstractions;
 namespace RayTracer.RenderTests.NullRuns;
 
 /// <summary>The formulas of <see cref="PValues"/>, on numbers whose distribution is known.</summary>
+[Trait("Category", "Thorough")]
 public class PValueNullTests(ITestOutputHelper output)
 {
     [Fact]

@@ -4,6 +4,7 @@ using Xunit.Abstractions;
 namespace RayTracer.RenderTests.Oracle;
 
 /// <summary>Whether p-values of product against oracle are what they claim: small ones must not be frequent where nothing is wrong.</summary>
+[Trait("Category", "Thorough")]
 [Trait("Category", "Slow")]
 public class OracleNullTests(ITestOutputHelper output)
 {

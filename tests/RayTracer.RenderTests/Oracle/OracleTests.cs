@@ -8,6 +8,7 @@ namespace RayTracer.RenderTests.Oracle;
 /// the same number of independent pictures of as many samples, so that where their noise is of one kind, the difference is
 /// distributed symmetrically even if the noise is not. The output tells how fine the comparison is.
 /// </summary>
+[Trait("Category", "Thorough")]
 [Trait("Category", "Slow")]
 public class OracleTests(ITestOutputHelper output)
 {

@@ -2,7 +2,7 @@ namespace RayTracer.RenderTests.Pairs;
 
 /// <summary>
 /// Rows of choices, one choice a factor, in which every two choices of different factors stand together somewhere: made greedily, each row around a pair that
-/// is still missing (after Cohen et al., "The AETG system", 1997).
+/// is still missing (after Cohen et al. 1997).
 /// </summary>
 /// <param name="Rows">The rows: for each factor, which of its levels.</param>
 internal sealed record CoveringArray(IReadOnlyList<IReadOnlyList<int>> Rows)

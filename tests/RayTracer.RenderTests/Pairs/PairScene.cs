@@ -38,8 +38,8 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
     /// <summary>How many groups the lights of the equal scene are rendered in.</summary>
     public int Groups => Is("lights", "many") ? 3 : 1;
 
-    /// <summary>Whether something moves.</summary>
-    public bool Moves => Is("motion", "moves");
+    /// <summary>How many instants are rendered of the equal scene.</summary>
+    public int Instants => Is("motion", "moves") ? 4 : 1;
 
     /// <summary>The scene with its features.</summary>
     public string Text => Write(isOtherwise: false, group: 0, time: null);
@@ -61,13 +61,13 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
 
     private string Write(bool isOtherwise, int group, double? time)
     {
-        string shutter = !Moves ? "[0, 0]" : time is { } t && isOtherwise ? FormattableString.Invariant($"[{t}, {t}]") : "[0, 1]";
+        string shutter = Instants == 1 ? "[0, 0]" : time is { } t && isOtherwise ? FormattableString.Invariant($"[{t}, {t}]") : "[0, 1]";
         string filter = Is("filter", "gaussian") ? """, "filter": { "shape": "gaussian", "radius": 1.2 }""" : "";
         string environment = Is("environment", "constant") && group == 0 ? """ "environment": { "type": "constant", "radiance": [0.2, 0.25, 0.35] },""" : "";
         return $$"""
             {
               "camera": { "position": [0.4, 1.3, 4.5], "lookAt": [0, 0.5, 0], {{Projection()}}{{Lens()}} },
-              "render": { "width": 16, "height": 16, "samplesPerPixel": 16, "integrator": "{{Integrator(isOtherwise)}}", "maxDepth": 6, "rouletteDepth": 30,
+              "render": { "width": 16, "height": 16, "samplesPerPixel": {{(isOtherwise && Instants > 1 ? 4 : 9)}}, "integrator": "{{Integrator(isOtherwise)}}", "maxDepth": 6, "rouletteDepth": 30,
                 "sampler": "{{Sampler(isOtherwise)}}", "shadingNormals": "{{(Is("shading normals", "literal") ? "literal" : "mended")}}", "shutter": {{shutter}}{{filter}} },
               {{environment}}
               "shapes": [
@@ -93,7 +93,7 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
         string place = Is("placing", "stretched instance")
             ? """ "transform": [{ "scale": [0.9, 0.5, -0.6] }, { "translate": [0.2, 0.65, 0.1] }]"""
             : """ "transform": [{ "translate": [0.2, 0.75, 0.1] }]""";
-        string motion = Moves ? """, "motion": [{ "time": 0 }, { "time": 1, "transform": [{ "translate": [-0.5, 0.2, 0.1] }] }]""" : "";
+        string motion = Instants > 1 ? """, "motion": [{ "time": 0 }, { "time": 1, "transform": [{ "translate": [-0.5, 0.2, 0.1] }] }]""" : "";
         string bare = Shape() + $$""", "material": {{Material(isOtherwise)}}""";
         return (Is("placing", "stretched instance"), isOtherwise) switch
         {
@@ -133,13 +133,14 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
         : isOtherwise ? $$"""{ "type": "mix", "weight": {{Checker("0.3", "1")}}, "first": { "type": "invisible" }, "second": {{inner}} }"""
         : $$"""{ "type": "mask", "opacity": {{Checker("0.3", "1")}}, "material": {{inner}} }""";
 
+    // Fog gives way only to what has a priority: there the water keeps it, and the glass alone has an index relative to the water's.
     private string SecondThing(bool isOtherwise)
     {
         const string outer = """ "type": "sphere", "center": [-0.9, 0.5, 0.6], "radius": 0.45 """;
         const string inner = """ "type": "sphere", "center": [-0.9, 0.45, 0.6], "radius": 0.25 """;
         return Is("second thing", "none") ? ""
             : Is("second thing", "prism") ? $$""", { "type": "mesh", "positions": [[-1.3, 0, 0.3], [-0.5, 0, 0.3], [-0.9, 0.8, 0.3], [-1.3, 0, 0.9], [-0.5, 0, 0.9], [-0.9, 0.8, 0.9]], "triangles": [[0, 2, 1], [3, 4, 5], [0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]], "transform": [{ "translate": [0, 0.02, 0] }], "material": { "type": "dielectric", {{(isOtherwise ? """ "sellmeierB": [1.0396122, 0.231792344, 1.01046945], "sellmeierC": [0.00600069867, 0.0200179144, 103.560653] """ : """ "glass": "bk7" """)}} } }"""
-            : isOtherwise ? $$""", { {{outer}}, "material": { "type": "dielectric", "refractiveIndex": 1.333 } }, { {{inner}}, "material": { "type": "dielectric", "refractiveIndex": 1.2753188 } }"""
+            : isOtherwise ? $$""", { {{outer}}, "material": { "type": "dielectric", "refractiveIndex": 1.333{{(Is("medium", "fog") ? ", \"priority\": 1" : "")}} } }, { {{inner}}, "material": { "type": "dielectric", "refractiveIndex": 1.2753188 } }"""
             : $$""", { {{outer}}, "material": { "type": "dielectric", "refractiveIndex": 1.333, "priority": 1 } }, { {{inner}}, "material": { "type": "dielectric", "refractiveIndex": 1.7, "priority": 2 } }""";
     }
 

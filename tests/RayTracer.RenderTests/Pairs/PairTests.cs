@@ -6,10 +6,11 @@ namespace RayTracer.RenderTests.Pairs;
 /// <summary>
 /// Features two by two: each pair of levels of <see cref="PairScene.Features"/> stands in some small scene, and each scene has the same expected image as an equal one that is made otherwise.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class PairTests
 {
     private static readonly CoveringArray s_scenes = CoveringArray.Of([.. PairScene.Features.Select(f => f.Levels.Length)]);
-    private static readonly int s_seeds = TestSettings.Scale(12, 96);
+    private static readonly int s_seeds = TestSettings.Scale(20, 128);
 
     public static TheoryData<int> Scenes => [.. Enumerable.Range(0, s_scenes.Rows.Count)];
 
@@ -36,17 +37,19 @@ public class PairTests
         for (int i = 0; i < s_seeds; i++)
         {
             // An instant of each equal part of the time that the shutter is open: their mean is what is seen of motion.
-            double time = (i + times.NextDouble()) / s_seeds;
-            others.Add(new Sum([.. Enumerable.Range(0, scene.Groups).Select(group =>
-                (IImageRows)SceneRuns.RenderText(scene.Otherwise(group, time), 1, firstSeed: 1001 + (i * scene.Groups) + group).Mean())]));
+            long seed = 1001 + (i * 100);
+            others.Add(new Sum([.. from instant in Enumerable.Range(0, scene.Instants)
+                                   let time = (instant + times.NextDouble()) / scene.Instants
+                                   from groupOfLights in Enumerable.Range(0, scene.Groups)
+                                   select SceneRuns.RenderText(scene.Otherwise(groupOfLights, time), 1, firstSeed: seed++).Mean()], 1f / scene.Instants));
         }
 
         BlockTest test = BlockTest.Compare(images, others);
         ErrorBudget.Pairs.Check(test.P, $"scene {number} ({scene}): {test}", () => $"The scene:\n{scene.Text}\nmade otherwise:\n{scene.Otherwise(0, 0.5)}");
     }
 
-    /// <summary>Light is added: images of some of the lights make the image of all.</summary>
-    private sealed class Sum(IReadOnlyList<IImageRows> parts) : IImageRows
+    /// <summary>Light is added: images of some of the lights make the image of all. The images of several instants are averaged.</summary>
+    private sealed class Sum(IReadOnlyList<IImageRows> parts, float factor) : IImageRows
     {
         public int Width => parts[0].Width;
 
@@ -61,7 +64,7 @@ public class PairTests
                 image.ReadRow(y, part);
                 for (int i = 0; i < part.Length; i++)
                 {
-                    rgb[i] += part[i];
+                    rgb[i] += part[i] * factor;
                 }
             }
         }

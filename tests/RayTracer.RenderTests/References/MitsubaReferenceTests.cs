@@ -9,6 +9,7 @@ namespace RayTracer.RenderTests.References;
 /// All scenes of the references, read from the files that the other renderer reads and rendered by path tracing, against its
 /// pictures. Nothing but chance is allowed for.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class MitsubaReferenceTests(ITestOutputHelper output)
 {
     private const string Missing = "the other renderer's images are not here";

@@ -11,6 +11,7 @@ namespace RayTracer.RenderTests.References;
 /// The comparison with the references sees small faults: scenes that are a little wrong must fail it. Where that were left to
 /// chance, this test would fail by chance; so the faults are such that their p-values are many powers of ten below the level.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class ReferenceSensitivityTests(ITestOutputHelper output)
 {
     private static readonly Dictionary<string, Fault> s_faults = new()

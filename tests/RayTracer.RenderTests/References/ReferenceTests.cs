@@ -4,6 +4,7 @@ using Xunit.Abstractions;
 namespace RayTracer.RenderTests.References;
 
 /// <summary>Pictures against those of Mitsuba 3, which shares no line with this project.</summary>
+[Trait("Category", "Thorough")]
 public class ReferenceTests(ITestOutputHelper output)
 {
     public static TheoryData<string> Names => new(ReferenceCase.All.Select(c => c.Name));

@@ -5,6 +5,7 @@ using RayTracer.Scenes;
 namespace RayTracer.RenderTests.Transport;
 
 /// <summary>The expectations of layers of light: what a picture shows that has nothing else.</summary>
+[Trait("Category", "Thorough")]
 public class LightLayerTests
 {
     private static readonly int s_seeds = TestSettings.Scale(8, 48);

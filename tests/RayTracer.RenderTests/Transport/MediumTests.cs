@@ -3,6 +3,7 @@ using RayTracer.Description;
 namespace RayTracer.RenderTests.Transport;
 
 /// <summary>Media against closed forms.</summary>
+[Trait("Category", "Thorough")]
 public class MediumTests
 {
     private static readonly int s_seeds = TestSettings.Scale(16, 96);

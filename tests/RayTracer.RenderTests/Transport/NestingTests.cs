@@ -3,6 +3,7 @@ using RayTracer.Description;
 namespace RayTracer.RenderTests.Transport;
 
 /// <summary>Dielectrics that overlap, with priorities, against the same boundaries without overlap and against closed forms.</summary>
+[Trait("Category", "Thorough")]
 public class NestingTests
 {
     private const double Glass = 1.5;

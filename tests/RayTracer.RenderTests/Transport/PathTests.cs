@@ -4,6 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.RenderTests.Transport;
 
 /// <summary>The path integrator against the report's, which shares no decision about lights with it, and against what must not matter.</summary>
+[Trait("Category", "Thorough")]
 public class PathTests
 {
     private const string Sphere = """{ "type": "sphere", "center": [-0.6, -0.4, 0], "radius": 0.6, "material": GLOSS }""";

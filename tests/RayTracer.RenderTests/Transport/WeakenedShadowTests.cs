@@ -3,6 +3,7 @@ using RayTracer.Description;
 namespace RayTracer.RenderTests.Transport;
 
 /// <summary>Shadows of transparent things by the report's integrator, where they only weaken light (section 4.3.1).</summary>
+[Trait("Category", "Thorough")]
 public class WeakenedShadowTests
 {
     private static readonly int s_seeds = TestSettings.Scale(16, 64);

@@ -9,6 +9,7 @@ namespace RayTracer.Repository.Tests.Testing;
 /// The primer's scenes against pictures of earlier renders. All but the first test outlive a change of samplers or of the order of
 /// random numbers, for they compare what is seen, or expectations. <c>RAYTRACER_UPDATE=1</c> writes the pictures anew.
 /// </summary>
+[Trait("Category", "Thorough")]
 [Trait("Category", "Pinned")]
 public class RegressionTests
 {

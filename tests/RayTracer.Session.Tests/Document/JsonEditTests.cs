@@ -6,6 +6,7 @@ using JsonNode = RayTracer.Scenes.JsonNode;
 namespace RayTracer.Session.Tests;
 
 /// <summary>Edits of a text by pointer: what they write where, and that they write nowhere else.</summary>
+[Trait("Category", "Thorough")]
 public sealed class JsonEditTests
 {
     public static TheoryData<string> Scenes => ShippedScenes.All;

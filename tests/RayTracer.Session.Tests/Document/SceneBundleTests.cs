@@ -6,6 +6,7 @@ using RayTracer.Session;
 namespace RayTracer.Session.Tests;
 
 /// <summary>Bundles hold all that a scene needs, and nothing gets out of the folder that one is unpacked into.</summary>
+[Trait("Category", "Thorough")]
 public sealed class SceneBundleTests : IDisposable
 {
     private readonly SessionFolder _folder = new();

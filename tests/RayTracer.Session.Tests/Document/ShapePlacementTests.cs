@@ -7,6 +7,7 @@ using RayTracer.Session;
 namespace RayTracer.Session.Tests;
 
 /// <summary>Shapes that are moved in the text stand where they were moved to, in numbers of their own where that is possible.</summary>
+[Trait("Category", "Thorough")]
 public sealed class ShapePlacementTests
 {
     private static readonly Dictionary<string, string> s_shapes = new(StringComparer.Ordinal)

@@ -3,6 +3,7 @@ using RayTracer.Session;
 namespace RayTracer.Session.Tests;
 
 /// <summary>Undo and redo restore exact texts; a gesture is one step.</summary>
+[Trait("Category", "Thorough")]
 public sealed class UndoTests
 {
     [Fact]

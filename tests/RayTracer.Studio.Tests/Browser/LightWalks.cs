@@ -12,6 +12,7 @@ namespace RayTracer.Studio.Tests.Browser;
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
 [Trait("Category", "Slow")]
+[Trait("Category", "Thorough")]
 public class LightWalks(ChromiumBrowser browser)
 {
     [SkippableFact]

@@ -7,6 +7,7 @@ namespace RayTracer.Studio.Tests.Browser;
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
 [Trait("Category", "Slow")]
+[Trait("Category", "Thorough")]
 public class RandomWalk(ChromiumBrowser browser)
 {
     private static readonly string[] s_keys =

@@ -9,6 +9,7 @@ using RayTracer.Textures;
 namespace RayTracer.Tests.Lights;
 
 /// <summary>What holds for the sampling of every light: the cases of <see cref="LightCase"/>.</summary>
+[Trait("Category", "Thorough")]
 public class AreaLightTests
 {
     public static TheoryData<string> Cases() => [.. LightCase.All.Select(c => c.Name)];

@@ -12,6 +12,7 @@ using RayTracer.Textures;
 namespace RayTracer.Tests.Lights;
 
 /// <summary>What holds for every environment: the cases of <see cref="s_cases"/>, of which each type must have one.</summary>
+[Trait("Category", "Thorough")]
 public class EnvironmentTests
 {
     private const int Columns = 48, Rows = 24;

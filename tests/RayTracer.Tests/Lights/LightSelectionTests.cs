@@ -11,6 +11,7 @@ using RayTracer.Tests.Statistics;
 namespace RayTracer.Tests.Lights;
 
 /// <summary>The choice of one light among many.</summary>
+[Trait("Category", "Thorough")]
 public class LightSelectionTests
 {
     // All that may shine, many of them, of strengths over six orders of magnitude.

@@ -9,6 +9,7 @@ using RayTracer.Textures;
 namespace RayTracer.Tests.Materials;
 
 /// <summary>What holds for the sampling of every material: the cases of <see cref="MaterialCase"/>.</summary>
+[Trait("Category", "Thorough")]
 public class ScatteringTests
 {
     // 1,048,576 cells: what a horizon cuts off is known to a few in 100,000.

@@ -4,6 +4,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Tests.Numerics;
 
+[Trait("Category", "Thorough")]
 public class TransformTests
 {
     [Fact]

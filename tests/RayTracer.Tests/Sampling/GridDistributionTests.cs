@@ -5,6 +5,7 @@ using RayTracer.Tests.Statistics;
 namespace RayTracer.Tests.Sampling;
 
 /// <summary>Choosing a cell of a grid.</summary>
+[Trait("Category", "Thorough")]
 public class GridDistributionTests
 {
     private const int Columns = 13, Rows = 7;

@@ -9,6 +9,7 @@ using RayTracer.Tests.Statistics;
 
 namespace RayTracer.Tests.Sampling;
 
+[Trait("Category", "Thorough")]
 public class PixelFilterTests
 {
     private const double Rare = 0.02;

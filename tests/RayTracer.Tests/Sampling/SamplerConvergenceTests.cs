@@ -8,6 +8,7 @@ namespace RayTracer.Tests.Sampling;
 /// samples; for jittered ones the sum of the variances within the cells, which is about N⁻² for smooth integrands and N^(−3/2)
 /// across edges (Mitchell 1996); for scrambled nets about N⁻³ for smooth ones (Owen 1997).
 /// </summary>
+[Trait("Category", "Thorough")]
 public class SamplerConvergenceTests
 {
     private const int Batches = 16;

@@ -7,6 +7,7 @@ namespace RayTracer.Tests.Sampling;
 /// Over many pixels, no two random decisions of a path know of one another, nor do neighbouring pixels, nor do the pictures of
 /// different seeds: by correlation, and by a χ² test of joint cells for dependence of any other form.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class SamplerIndependenceTests
 {
     private const int Samples = 16;

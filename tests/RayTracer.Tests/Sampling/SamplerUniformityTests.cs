@@ -4,6 +4,7 @@ using RayTracer.Sampling;
 namespace RayTracer.Tests.Sampling;
 
 /// <summary>Over many pixels, every sample of every decision is uniform by itself.</summary>
+[Trait("Category", "Thorough")]
 public class SamplerUniformityTests
 {
     private static readonly uint s_seed = (uint)TestSettings.Seed * 7919u;

@@ -5,6 +5,7 @@ using RayTracer.Tests.Statistics;
 namespace RayTracer.Tests.Sampling;
 
 /// <summary>Warps against their distributions: each point is mapped back to the square by the closed form, in double precision.</summary>
+[Trait("Category", "Thorough")]
 public class WarpTests
 {
     [Fact]

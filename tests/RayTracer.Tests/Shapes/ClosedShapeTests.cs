@@ -9,6 +9,7 @@ using Plane = RayTracer.Shapes.Plane;
 namespace RayTracer.Tests.Shapes;
 
 /// <summary>No ray leaves a closed shape, even if it is aimed at an edge or a corner.</summary>
+[Trait("Category", "Thorough")]
 public class ClosedShapeTests
 {
     private static readonly Material s_material = new DiffuseMaterial(new SolidTexture(Rgb.White));

@@ -4,6 +4,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Tests.Shapes;
 
+[Trait("Category", "Thorough")]
 public class MeshDoctorTests
 {
     private static readonly Vector3[] s_square = [new(0, 0, 0), new(1, 0, 0), new(1, 1, 0), new(0, 1, 0)];

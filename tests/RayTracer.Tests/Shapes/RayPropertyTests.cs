@@ -11,6 +11,7 @@ namespace RayTracer.Tests.Shapes;
 /// What holds for rays and shapes of any size and place. Errors are bounded in units of u·M: unit roundoff 2⁻²⁴ times the largest
 /// coordinate of the scene.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class RayPropertyTests
 {
     private const double Roundoff = 1.0 / (1 << 24);

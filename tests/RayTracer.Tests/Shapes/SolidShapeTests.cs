@@ -8,6 +8,7 @@ using RayTracer.Textures;
 namespace RayTracer.Tests.Shapes;
 
 /// <summary>Solids keep rays in, and tori miss none, against arithmetic in double precision.</summary>
+[Trait("Category", "Thorough")]
 public class SolidShapeTests
 {
     private const double Roundoff = 1.0 / (1 << 24);

@@ -5,6 +5,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Tests.Textures;
 
+[Trait("Category", "Thorough")]
 public class GradientNoiseTests
 {
     // The middles of a cube's edges; those of a tetrahedron among them twice.

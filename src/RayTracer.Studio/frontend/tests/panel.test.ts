@@ -1,14 +1,14 @@
 import { expect, test } from "vitest";
-import type { Parameter, RecordType, SchemaAnswer } from "../src/api/types";
+import type { CatalogueParameter, CatalogueType, TypeCatalogue } from "../src/api/types";
 import { asNumber, boundsOf, findType, hasSlider, kindOf, retyped, spaced } from "../src/panel/types";
 
-const parameter = (key: string, kind: string, more: Partial<Parameter> = {}): Parameter => ({
+const parameter = (key: string, kind: string, more: Partial<CatalogueParameter> = {}): CatalogueParameter => ({
   key, kind, summary: "", unit: "", minimum: null, maximum: null, minimumIsExclusive: false, required: false, choices: [], default: null, range: "", family: null, record: null, isNumber: false, ...more,
 });
 
-const metal: RecordType = { name: "phongMetal", summary: "", addedAs: [], parameters: [parameter("color", "texture"), parameter("exponent", "number")] };
-const image: RecordType = { name: "image", summary: "", addedAs: [], parameters: [parameter("file", "file", { required: true })] };
-const schema = { schema: {}, types: { material: [metal], texture: [image] }, sections: { camera: { name: "camera", summary: "", addedAs: [], parameters: [] } }, refractiveIndices: [], colors: {}, maps: [] } as SchemaAnswer;
+const metal: CatalogueType = { name: "phongMetal", summary: "", addedAs: [], parameters: [parameter("color", "texture"), parameter("exponent", "number")] };
+const image: CatalogueType = { name: "image", summary: "", addedAs: [], parameters: [parameter("file", "file", { required: true })] };
+const schema = { schema: {}, types: { material: [metal], texture: [image] }, sections: { camera: { name: "camera", summary: "", addedAs: [], parameters: [] } }, refractiveIndices: [], colors: {}, maps: [] } as TypeCatalogue;
 
 test("a type is found in its family, and sections by their names", () => {
   expect(findType(schema, "material", "phongMetal")).toBe(metal);
@@ -18,14 +18,14 @@ test("a type is found in its family, and sections by their names", () => {
 });
 
 test("another type keeps what it knows of the old one, and gets what it must have", () => {
-  const diffuse: RecordType = { ...metal, name: "diffuse", parameters: [parameter("color", "texture")] };
+  const diffuse: CatalogueType = { ...metal, name: "diffuse", parameters: [parameter("color", "texture")] };
   expect(retyped({ type: "diffuse", color: [1, 0, 0], roughness: 1 }, metal, diffuse)).toEqual({ type: "phongMetal", color: [1, 0, 0] });
   expect(retyped("red", image, null)).toEqual({ type: "image", file: "" });
 });
 
 test("what has the same name but another meaning or range does not stay", () => {
-  const types = (more: Partial<Parameter>): RecordType => ({ ...metal, parameters: [parameter("a", "texture", more)] });
-  const kept = (value: Parameter["default"], before: Partial<Parameter>, now: Partial<Parameter>) => retyped({ a: value }, types(now), types(before)).a;
+  const types = (more: Partial<CatalogueParameter>): CatalogueType => ({ ...metal, parameters: [parameter("a", "texture", more)] });
+  const kept = (value: CatalogueParameter["default"], before: Partial<CatalogueParameter>, now: Partial<CatalogueParameter>) => retyped({ a: value }, types(now), types(before)).a;
   expect(kept([5, 5, 5], {}, { maximum: 1 })).toBeUndefined();
   expect(kept([1, 0, 1], {}, { maximum: 1 })).toEqual([1, 0, 1]);
   expect(kept(0.5, { isNumber: true }, {})).toBeUndefined();

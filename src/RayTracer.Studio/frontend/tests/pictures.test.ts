@@ -49,7 +49,8 @@ test("the outliner finds things by name or type, with what they stand in", () =>
   const tree = [node("table", [node("leg"), node("top")]), node("ball")];
   expect(filterNodes(tree, "LEG")).toMatchObject([{ name: "table", children: [{ name: "leg" }] }]);
   expect(filterNodes(tree, "sphere")).toHaveLength(2);
-  const outline = { camera: null, render: null, background: null, environment: null, ambient: null, shapes: tree, lights: [], materials: [], textures: [], objects: [] };
+  const none = node("none");
+  const outline = { revision: 1, camera: none, render: none, background: none, environment: none, ambient: none, shapes: tree, lights: [], materials: [], textures: [], objects: [] };
   expect(findNode(outline, "/top")?.name).toBe("top");
-  expect(findNode(outline, "/none")).toBeNull();
+  expect(findNode(outline, "/nowhere")).toBeNull();
 });

@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
-import type { Vec3, ViewCamera } from "../src/api/types";
+import type { Vec3, CameraFrame } from "../src/api/types";
 import { orbitCamera, project, projectLine, rayThrough } from "../src/math/projection";
 import { cross, dot, length, scale, subtract } from "../src/math/vec3";
 
-const camera: ViewCamera = { position: [0, 0, 5], right: [1, 0, 0], up: [0, 1, 0], forward: [0, 0, -1], fieldOfView: 90, width: 200, height: 100 };
+const camera: CameraFrame = { position: [0, 0, 5], right: [1, 0, 0], up: [0, 1, 0], forward: [0, 0, -1], fieldOfView: 90, width: 200, height: 100, lookAt: [0, 0, 0] };
 
 describe("a camera", () => {
   test("sees what is straight ahead in the middle, and the edge at half its angle", () => {

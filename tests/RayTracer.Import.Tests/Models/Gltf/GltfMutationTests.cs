@@ -6,6 +6,7 @@ using RayTracer.Scenes;
 namespace RayTracer.Import.Tests;
 
 /// <summary>Whatever stands in a glTF file: loading it ends in a scene or a message, and takes no more memory than its size can account for.</summary>
+[Trait("Category", "Thorough")]
 public class GltfMutationTests
 {
     private const int Mutants = 100;

@@ -11,6 +11,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Import.Tests;
 
+[Trait("Category", "Thorough")]
 public class ObjReaderTests
 {
     private const string Square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

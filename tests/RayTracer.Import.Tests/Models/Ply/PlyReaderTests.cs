@@ -9,6 +9,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Import.Tests;
 
+[Trait("Category", "Thorough")]
 public class PlyReaderTests
 {
     private static readonly string[] s_formats = ["ascii", "binary_little_endian", "binary_big_endian"];

@@ -7,6 +7,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Import.Tests;
 
+[Trait("Category", "Thorough")]
 public class StlReaderTests
 {
     private static readonly Vector3[] s_corners = [new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(0, 0, 1.5e-3f)];

@@ -6,6 +6,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Tests.Acceleration;
 
 /// <summary>The classic structures find what the plain loop finds, to the bit: they test triangles alike, and may only leave out what is not hit.</summary>
+[Trait("Category", "Thorough")]
 public class ClassicTests
 {
     public static TheoryData<string, int> Meshes() => new()

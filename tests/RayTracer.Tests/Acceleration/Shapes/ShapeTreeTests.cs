@@ -11,6 +11,7 @@ using RayTracer.Tests.Shapes;
 namespace RayTracer.Tests.Acceleration;
 
 /// <summary>The tree over shapes of all kinds against the plain loop.</summary>
+[Trait("Category", "Thorough")]
 public unsafe class ShapeTreeTests
 {
     private const int Nothing = 1_000_000;

@@ -3,6 +3,7 @@ using RayTracer.Acceleration;
 
 namespace RayTracer.Tests.Acceleration;
 
+[Trait("Category", "Thorough")]
 public sealed class TriangleBvhTests
 {
     private static readonly TraversalMode[] s_modes = [TraversalMode.Single, TraversalMode.Blocks, TraversalMode.Sorted, TraversalMode.Automatic];

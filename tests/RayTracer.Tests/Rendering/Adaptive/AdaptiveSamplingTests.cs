@@ -3,6 +3,7 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Tests.Rendering;
 
+[Trait("Category", "Thorough")]
 public class AdaptiveSamplingTests
 {
     // Left: an even sky. Right: lamps far smaller than pixels, so that independent samples differ much.

@@ -8,7 +8,7 @@ import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutt
 import { effect } from "@preact/signals";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { get, post, Refusal } from "../api/client";
-import type { Diagnostic } from "../api/types";
+import type { PlacedDiagnostic } from "../api/types";
 import { SchemaGuide, type Schema } from "../json/schema";
 import { runCommand } from "../state/commands";
 import { newGesture } from "../state/edits";
@@ -86,11 +86,11 @@ function create(root: ShadowRoot, text: string, startRevision: number): { view: 
   return { view, sync };
 }
 
-function showDiagnostics(view: EditorView, diagnostics: Diagnostic[]): void {
+function showDiagnostics(view: EditorView, diagnostics: PlacedDiagnostic[]): void {
   const end = view.state.doc.length;
   const shown = diagnostics.map((d) => {
     const from = Math.min(d.from, end);
-    return { from, to: Math.min(Math.max(d.to, from), end), severity: d.severity, message: d.message };
+    return { from, to: Math.min(Math.max(d.to, from), end), severity: d.severity as "error" | "warning", message: d.message };
   });
   view.dispatch(setDiagnostics(view.state, shown));
 }

@@ -1,5 +1,5 @@
 import { get } from "../api/client";
-import type { ValueAnswer } from "../api/types";
+import type { PropertyValues } from "../api/types";
 import { attempt } from "../state/messages";
 import { bottomOpen, bottomTab } from "../state/settings";
 import { wantedPlace } from "../state/store";
@@ -14,6 +14,6 @@ export function showRange(from: number, to: number): void {
 /** Opens the source where a thing is written. */
 export const showInSource = (pointer: string) =>
   attempt(async () => {
-    const { from, to } = await get<ValueAnswer>("value", { pointer });
+    const { from, to } = await get<PropertyValues>("value", { pointer });
     showRange(from, to);
   });

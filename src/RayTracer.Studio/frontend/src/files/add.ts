@@ -1,4 +1,4 @@
-import type { RecordType } from "../api/types";
+import type { CatalogueType } from "../api/types";
 import { kindOf } from "../panel/types";
 import { addThing } from "../state/edits";
 import { rightTab } from "../state/settings";
@@ -7,7 +7,7 @@ import { chooseFile } from "./choose";
 import { relativeTo } from "./paths";
 
 /** Adds a thing to the scene; one that cannot be without a file asks for it first. */
-export function add(family: string, type: RecordType): void {
+export function add(family: string, type: CatalogueType): void {
   const put = (file?: string) => {
     rightTab.value = family === "environment" ? "world" : "object";
     addThing(family, type.name, file);

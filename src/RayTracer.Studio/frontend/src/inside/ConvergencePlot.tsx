@@ -1,7 +1,7 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { useEffect, useRef } from "preact/hooks";
-import type { ConvergenceAnswer } from "../api/types";
+import type { Convergence } from "../api/types";
 import { format } from "../json/numbers";
 import { isDark } from "../state/settings";
 import { texts } from "../texts";
@@ -31,7 +31,7 @@ function options(width: number, height: number, dark: boolean): uPlot.Options {
 }
 
 /** Error against samples, both axes logarithmic, beside the theory's slope. */
-export default function ConvergencePlot({ points }: Pick<ConvergenceAnswer, "points">) {
+export default function ConvergencePlot({ points }: Pick<Convergence, "points">) {
   const ref = useRef<HTMLDivElement>(null);
   const plot = useRef<uPlot | null>(null);
   const data = useRef<uPlot.AlignedData>([[], [], []]);

@@ -1,6 +1,6 @@
 import type { ComponentType } from "preact";
 import { useEffect, useState } from "preact/hooks";
-import type { ConvergenceAnswer } from "../api/types";
+import type { Convergence } from "../api/types";
 import { format } from "../json/numbers";
 import { texts } from "../texts";
 import { usePoll } from "./poll";
@@ -10,9 +10,9 @@ const t = texts.convergence;
 
 /** How the error falls; the plot's code is loaded when it is first looked at. */
 function ConvergenceTab() {
-  const [Plot, setPlot] = useState<ComponentType<Pick<ConvergenceAnswer, "points">> | null>(null);
+  const [Plot, setPlot] = useState<ComponentType<Pick<Convergence, "points">> | null>(null);
   useEffect(() => void import("./ConvergencePlot").then((m) => setPlot(() => m.default)), []);
-  const answer = usePoll<ConvergenceAnswer>("convergence", 1500);
+  const answer = usePoll<Convergence>("convergence", 1500);
   const points = (answer?.points ?? []).filter((p) => p.error > 0);
   return (
     <div class="convergence">

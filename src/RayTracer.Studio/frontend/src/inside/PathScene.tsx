@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { get } from "../api/client";
-import type { PathSample, WireframeAnswer } from "../api/types";
+import type { InspectedPath, WireframeView } from "../api/types";
 import { orbitCamera } from "../math/projection";
 import { length, subtract } from "../math/vec3";
 import { complain } from "../state/messages";
@@ -11,7 +11,7 @@ import { texts } from "../texts";
 import { SceneDrawing, type Palette } from "./drawScene";
 import { around, nearer, newOrbit, turned } from "./orbit";
 
-const wireframe = signal<WireframeAnswer | null>(null);
+const wireframe = signal<WireframeView | null>(null);
 
 const palettes: Record<"light" | "dark", Palette> = {
   light: { wire: "#9aa7b4", selected: "#c26a00", camera: "#2f6fb0", faint: "#3a4552" },
@@ -19,7 +19,7 @@ const palettes: Record<"light" | "dark", Palette> = {
 };
 
 interface PathSceneProps {
-  samples: PathSample[];
+  samples: InspectedPath[];
   chosen: number;
 }
 
@@ -31,7 +31,7 @@ export function PathScene({ samples, chosen }: PathSceneProps) {
   const now = revision.value;
 
   useEffect(() => {
-    get<WireframeAnswer>("wireframe").then((answer) => {
+    get<WireframeView>("wireframe").then((answer) => {
       wireframe.value = answer;
       const points = answer.shapes.flatMap((s) => s.lines.flat());
       orbit.value ??= around([...points, answer.camera.position], answer.camera.position);

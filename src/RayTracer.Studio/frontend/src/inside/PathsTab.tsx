@@ -1,5 +1,5 @@
 import { useEffect } from "preact/hooks";
-import type { PathSample, PathsAnswer, PathVertex } from "../api/types";
+import type { InspectedPath, InspectedPixel, InspectedVertex } from "../api/types";
 import { toHex } from "../json/color";
 import { format } from "../json/numbers";
 import { select } from "../state/edits";
@@ -27,7 +27,7 @@ function PixelChooser() {
   );
 }
 
-function SampleList({ answer }: { answer: PathsAnswer }) {
+function SampleList({ answer }: { answer: InspectedPixel }) {
   return (
     <div class="sample-list">
       <PixelChooser />
@@ -50,7 +50,7 @@ function SampleList({ answer }: { answer: PathsAnswer }) {
   );
 }
 
-function VertexRow({ vertex, index }: { vertex: PathVertex; index: number }) {
+function VertexRow({ vertex, index }: { vertex: InspectedVertex; index: number }) {
   const { parts } = vertex;
   const details = parts ? t.parts(rgb(parts.emitted), rgb(parts.ambient), rgb(parts.direct)) : undefined;
   return (
@@ -66,7 +66,7 @@ function VertexRow({ vertex, index }: { vertex: PathVertex; index: number }) {
   );
 }
 
-function VertexTable({ sample }: { sample: PathSample }) {
+function VertexTable({ sample }: { sample: InspectedPath }) {
   return (
     <div class="vertices" role="region" aria-label={t.table} tabIndex={0}>
       <table>

@@ -1,6 +1,6 @@
 /** Draws the scene's wires and the light's paths on a canvas. */
 
-import type { PathSample, Vec3, ViewCamera, WireframeAnswer } from "../api/types";
+import type { InspectedPath, Vec3, CameraFrame, WireframeView } from "../api/types";
 import { toHex } from "../json/color";
 import { project, projectLine, rayThrough } from "../math/projection";
 import { add, scale } from "../math/vec3";
@@ -21,7 +21,7 @@ function pathColor(radiance: Vec3): string {
 export class SceneDrawing {
   constructor(
     private readonly context: CanvasRenderingContext2D,
-    private readonly camera: ViewCamera,
+    private readonly camera: CameraFrame,
     private readonly palette: Palette,
   ) {}
 
@@ -41,7 +41,7 @@ export class SceneDrawing {
     context.globalAlpha = 1;
   }
 
-  wires(answer: WireframeAnswer, selected: string | null): void {
+  wires(answer: WireframeView, selected: string | null): void {
     for (const { pointer, lines } of answer.shapes) {
       const isSelected = pointer !== null && pointer === selected;
       for (const line of lines) this.polyline(line, isSelected ? this.palette.selected : this.palette.wire, isSelected ? 1.5 : 1);
@@ -49,7 +49,7 @@ export class SceneDrawing {
   }
 
   /** The scene's camera as a small pyramid, a tenth of the way to what it looks at. */
-  eye(view: ViewCamera, depth: number): void {
+  eye(view: CameraFrame, depth: number): void {
     const corners = [[0, 0], [view.width, 0], [view.width, view.height], [0, view.height]].map(([x, y]) => {
       const { origin, direction } = rayThrough(view, { x: x!, y: y! });
       return add(origin, scale(direction, depth));
@@ -58,7 +58,7 @@ export class SceneDrawing {
     for (const corner of corners) this.polyline([view.position, corner], this.palette.camera, 1);
   }
 
-  path(sample: PathSample, isChosen: boolean, farAway: number): void {
+  path(sample: InspectedPath, isChosen: boolean, farAway: number): void {
     const points = pathPoints(sample, farAway);
     const color = pathColor(sample.radiance);
     if (isChosen) this.polyline(points, this.palette.faint, 5, 0.7);
@@ -81,7 +81,7 @@ export class SceneDrawing {
 }
 
 /** The places of a path. One that leaves the scene ends without a place to end at: its last stretch is cut. */
-export function pathPoints(sample: PathSample, farAway: number): Vec3[] {
+export function pathPoints(sample: InspectedPath, farAway: number): Vec3[] {
   const points = sample.vertices.map((v) => v.position).filter((p) => p?.every(Number.isFinite));
   return points.map((p, i) => {
     const before = points[i - 1];

@@ -1,17 +1,17 @@
 import { effect, signal } from "@preact/signals";
 import { get } from "../api/client";
 import { Latest } from "../api/latest";
-import type { PathsAnswer } from "../api/types";
+import type { InspectedPixel } from "../api/types";
 import { complain } from "../state/messages";
 import { inspectedPixel, revision } from "../state/store";
 
 export const perPage = 16;
 export const firstSample = signal(0);
 export const chosenSample = signal(0);
-export const paths = signal<PathsAnswer | null>(null);
+export const paths = signal<InspectedPixel | null>(null);
 
 const asking = new Latest<{ x: number; y: number; first: number }>(async ({ x, y, first }) => {
-  paths.value = await get<PathsAnswer>("paths", { x, y, first, count: perPage });
+  paths.value = await get<InspectedPixel>("paths", { x, y, first, count: perPage });
   if (!paths.value.samples.some((s) => s.sample === chosenSample.value)) chosenSample.value = first;
 }, complain);
 

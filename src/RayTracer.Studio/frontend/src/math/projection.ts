@@ -1,6 +1,6 @@
 /** A pinhole camera: world to picture and back. Pixels are counted from the upper left corner. */
 
-import type { Vec3, ViewCamera } from "../api/types";
+import type { Vec3, CameraFrame } from "../api/types";
 import { add, cross, dot, normalize, scale, subtract } from "./vec3";
 
 export interface Point {
@@ -14,10 +14,10 @@ export interface Ray {
 }
 
 /** Distance in pixels between eye and picture. */
-const focal = (camera: ViewCamera) => camera.height / 2 / Math.tan((camera.fieldOfView * Math.PI) / 360);
+const focal = (camera: CameraFrame) => camera.height / 2 / Math.tan((camera.fieldOfView * Math.PI) / 360);
 
 /** Where a point is seen; null behind the eye. */
-export function project(camera: ViewCamera, point: Vec3): Point | null {
+export function project(camera: CameraFrame, point: Vec3): Point | null {
   const seen = subtract(point, camera.position);
   const depth = dot(seen, camera.forward);
   if (depth <= 1e-6) return null;
@@ -28,7 +28,7 @@ export function project(camera: ViewCamera, point: Vec3): Point | null {
 const nearDepth = 1e-3;
 
 /** Where a line between two points is seen, cut off just before the eye; null where all of it is behind. */
-export function projectLine(camera: ViewCamera, a: Vec3, b: Vec3): [Point, Point] | null {
+export function projectLine(camera: CameraFrame, a: Vec3, b: Vec3): [Point, Point] | null {
   const depthA = dot(subtract(a, camera.position), camera.forward) - nearDepth;
   const depthB = dot(subtract(b, camera.position), camera.forward) - nearDepth;
   if (depthA <= 0 && depthB <= 0) return null;
@@ -39,7 +39,7 @@ export function projectLine(camera: ViewCamera, a: Vec3, b: Vec3): [Point, Point
 }
 
 /** The ray from the eye through a point of the picture. */
-export function rayThrough(camera: ViewCamera, point: Point): Ray {
+export function rayThrough(camera: CameraFrame, point: Point): Ray {
   const f = focal(camera);
   const sideways = add(
     scale(camera.right, (point.x - camera.width / 2) / f),
@@ -49,9 +49,9 @@ export function rayThrough(camera: ViewCamera, point: Point): Ray {
 }
 
 /** The camera that stands around `target` at the angles (radians) and distance, with y up. */
-export function orbitCamera(target: Vec3, yaw: number, pitch: number, distance: number, width: number, height: number): ViewCamera {
+export function orbitCamera(target: Vec3, yaw: number, pitch: number, distance: number, width: number, height: number): CameraFrame {
   const back: Vec3 = [Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch)];
   const forward = scale(back, -1);
   const right: Vec3 = [Math.cos(yaw), 0, -Math.sin(yaw)];
-  return { position: add(target, scale(back, distance)), forward, right, up: cross(right, forward), fieldOfView: 40, width, height };
+  return { position: add(target, scale(back, distance)), forward, right, up: cross(right, forward), fieldOfView: 40, width, height, lookAt: target };
 }

@@ -1,8 +1,8 @@
-import type { Json, Parameter } from "../api/types";
+import type { Json, CatalogueParameter } from "../api/types";
 
 /** What every editor of a parameter is given. */
 export interface FieldProps {
-  parameter: Parameter;
+  parameter: CatalogueParameter;
   pointer: string;
   /** As written; undefined where the default counts. */
   value: Json | undefined;

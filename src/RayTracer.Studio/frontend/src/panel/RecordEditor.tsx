@@ -1,14 +1,14 @@
-import type { Json, RecordType } from "../api/types";
+import type { Json, CatalogueType } from "../api/types";
 import { join } from "../json/pointer";
 import { resetValue } from "../state/edits";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { Field } from "./Field";
 import { asNumber, isObject, kindOf, spaced } from "./types";
-import type { Parameter } from "../api/types";
+import type { CatalogueParameter } from "../api/types";
 
 interface RecordEditorProps {
-  type: RecordType;
+  type: CatalogueType;
   pointer: string;
   value: Json | undefined;
   /** Parameters that are shown elsewhere. */
@@ -17,10 +17,10 @@ interface RecordEditorProps {
 
 const tallKinds = new Set(["color", "texture", "material", "record", "records", "vector3", "file"]);
 
-const isTall = (parameter: Parameter, effective: Json) =>
+const isTall = (parameter: CatalogueParameter, effective: Json) =>
   tallKinds.has(kindOf(parameter)) && !(parameter.isNumber && asNumber(effective) !== null) && !(kindOf(parameter) === "color" && effective === null);
 
-function explain(parameter: Parameter): string {
+function explain(parameter: CatalogueParameter): string {
   const { range, unit, summary } = parameter;
   return [summary, unit && `(${texts.panel.unit(unit)})`, range && `${texts.panel.range(range)}.`].filter(Boolean).join(" ");
 }

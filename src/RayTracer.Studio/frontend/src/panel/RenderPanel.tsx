@@ -1,5 +1,5 @@
 import { post } from "../api/client";
-import type { Quality } from "../api/types";
+import type { RenderQuality } from "../api/types";
 import { setValue } from "../state/edits";
 import { attempt } from "../state/messages";
 import { renderState } from "../state/store";
@@ -39,7 +39,7 @@ export function RenderPanel() {
               { value: "final", label: t.final, tip: t.finalWhy },
               { value: "written", label: t.written, tip: t.writtenWhy },
             ]}
-            onChange={(quality) => set(quality === "written" ? { samples: 0 } : { quality: quality as Quality })}
+            onChange={(quality) => set(quality === "written" ? { samples: 0 } : { quality: quality as RenderQuality })}
           />
         </div>
         <span class="no-reset" />

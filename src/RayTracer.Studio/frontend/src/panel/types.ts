@@ -1,6 +1,6 @@
 /** What the schema says about a place of the scene. */
 
-import type { Json, Parameter, RecordType, SchemaAnswer } from "../api/types";
+import type { Json, CatalogueParameter, CatalogueType, TypeCatalogue } from "../api/types";
 
 export type JsonObject = { [key: string]: Json };
 
@@ -8,20 +8,20 @@ export const isObject = (value: Json | undefined): value is JsonObject =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 
 /** The kind of a parameter, whether the server writes "Vector3" or "vector3". */
-export const kindOf = (parameter: Parameter) => parameter.kind.charAt(0).toLowerCase() + parameter.kind.slice(1);
+export const kindOf = (parameter: CatalogueParameter) => parameter.kind.charAt(0).toLowerCase() + parameter.kind.slice(1);
 
 /** The record that describes a thing of this family and type; sections (camera, render …) have no family. */
-export function findType(schema: SchemaAnswer, family: string | null, type: string | null): RecordType | null {
+export function findType(schema: TypeCatalogue, family: string | null, type: string | null): CatalogueType | null {
   if (!type) return null;
   const families = family && schema.types[family] ? [schema.types[family]] : Object.values(schema.types);
   return families.flat().find((t) => t.name === type) ?? schema.sections[type] ?? null;
 }
 
 /** The record that stands in a parameter of kind record or records. */
-export const sectionOf = (schema: SchemaAnswer, parameter: Parameter): RecordType | null =>
+export const sectionOf = (schema: TypeCatalogue, parameter: CatalogueParameter): CatalogueType | null =>
   schema.sections[parameter.record ?? parameter.key] ?? null;
 
-export const boundsOf = (parameter: Parameter) => ({
+export const boundsOf = (parameter: CatalogueParameter) => ({
   minimum: parameter.minimum,
   maximum: parameter.maximum,
   minimumIsExclusive: parameter.minimumIsExclusive,
@@ -29,7 +29,7 @@ export const boundsOf = (parameter: Parameter) => ({
 });
 
 /** A number gets a slider where all its range can sensibly be reached by one. */
-export const hasSlider = (parameter: Parameter) =>
+export const hasSlider = (parameter: CatalogueParameter) =>
   parameter.minimum !== null && parameter.maximum !== null && parameter.maximum - parameter.minimum <= (kindOf(parameter) === "integer" ? 64 : 360);
 
 /** A number, or the one that all channels of a colour are; null where it is neither. */
@@ -43,7 +43,7 @@ const numbersOf = (value: Json): number[] =>
   typeof value === "number" ? [value] : Array.isArray(value) ? value.flatMap(numbersOf) : [];
 
 /** Whether what was written for one parameter may stand for another one of the same name. */
-function fits(before: Parameter | undefined, now: Parameter, value: Json): boolean {
+function fits(before: CatalogueParameter | undefined, now: CatalogueParameter, value: Json): boolean {
   if (!before || kindOf(before) !== kindOf(now) || before.record !== now.record) return false;
   if (typeof value === "number" && kindOf(now) === "texture" && !now.isNumber) return false;
   if (kindOf(now) === "choice") return now.choices.includes(String(value));
@@ -51,7 +51,7 @@ function fits(before: Parameter | undefined, now: Parameter, value: Json): boole
 }
 
 /** Another type in place of this one: what both of them know stays, where it means the same. */
-export function retyped(value: Json | undefined, type: RecordType, before: RecordType | null): JsonObject {
+export function retyped(value: Json | undefined, type: CatalogueType, before: CatalogueType | null): JsonObject {
   const result: JsonObject = { type: type.name };
   for (const p of type.parameters) {
     const written = isObject(value) ? value[p.key] : undefined;

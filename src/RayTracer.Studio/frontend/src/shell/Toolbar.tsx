@@ -1,4 +1,4 @@
-import type { RecordType } from "../api/types";
+import type { CatalogueType } from "../api/types";
 import { add } from "../files/add";
 import { commandButton, commandItem, type CommandId } from "../state/commands";
 import { bottomOpen, leftOpen, rightOpen } from "../state/settings";
@@ -14,7 +14,7 @@ const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "ho
 
 function addItems(): MenuItem[] {
   const all = Object.values(schema.value?.types ?? {}).flat();
-  const isPossible = (type: RecordType) => !!outline.value?.objects.length || !type.parameters.some((p) => p.required && p.kind === "shape");
+  const isPossible = (type: CatalogueType) => !!outline.value?.objects.length || !type.parameters.some((p) => p.required && p.kind === "shape");
   return ["shape", "light", "environment", "material", "texture"].flatMap((family) =>
     all
       .filter((type) => type.addedAs.includes(family) && isPossible(type))

@@ -3,7 +3,7 @@
 import { effect } from "@preact/signals";
 import { get, Refusal } from "../api/client";
 import { Latest } from "../api/latest";
-import type { Outline, SchemaAnswer, StudioState } from "../api/types";
+import type { Outline, TypeCatalogue, StudioState } from "../api/types";
 import { complain, say } from "./messages";
 import { connection, documentState, outline, revision, schema, studio } from "./store";
 
@@ -22,7 +22,7 @@ async function followState(): Promise<never> {
       version = state.version;
       connection.value = "open";
       const message = state.message;
-      if (message && message.id !== studio.value?.message?.id) say(message.kind, message.text);
+      if (message && message.id !== studio.value?.message?.id) say(message.kind as "info" | "error", message.text);
       studio.value = state;
       await pause(Math.max(0, shortestPause - (performance.now() - start)));
     } catch (error) {
@@ -38,7 +38,7 @@ async function followState(): Promise<never> {
 export function follow(): void {
   void followState();
   effect(() => {
-    if (connection.value === "open" && !schema.value) get<SchemaAnswer>("schema").then((s) => (schema.value = s), complain);
+    if (connection.value === "open" && !schema.value) get<TypeCatalogue>("schema").then((s) => (schema.value = s), complain);
   });
 
   const outlines = new Latest<number>(async (r) => (outline.value = await get<Outline>("outline", { revision: r })), complain);

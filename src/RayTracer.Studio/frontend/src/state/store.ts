@@ -1,11 +1,11 @@
 /** What all parts of the window look at. The server's state is taken as it comes; only what no server needs to know is kept here. */
 
 import { computed, signal } from "@preact/signals";
-import type { Outline, SchemaAnswer, StudioState } from "../api/types";
+import type { Outline, TypeCatalogue, StudioState } from "../api/types";
 
 export const studio = signal<StudioState | null>(null);
 export const connection = signal<"waiting" | "open" | "lost" | "refused">("waiting");
-export const schema = signal<SchemaAnswer | null>(null);
+export const schema = signal<TypeCatalogue | null>(null);
 export const outline = signal<Outline | null>(null);
 
 // Slices: whoever looks at one is drawn again only if that one changes.

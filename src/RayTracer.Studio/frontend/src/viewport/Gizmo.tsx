@@ -2,7 +2,7 @@ import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { post } from "../api/client";
 import { Latest } from "../api/latest";
-import type { GizmoAnswer, GizmoKind, HandleDrag, Vec3 } from "../api/types";
+import type { GizmoHandles, GizmoKind, HandleDrag, Vec3 } from "../api/types";
 import { axes, scale } from "../math/vec3";
 import { isSeen, newGesture, type Placement } from "../state/edits";
 import { complain } from "../state/messages";
@@ -11,12 +11,12 @@ import { texts } from "../texts";
 import { drag } from "./gizmoDrag";
 import { cameraMoves, placement } from "./stage";
 
-const gizmo = signal<GizmoAnswer | null>(null);
+const gizmo = signal<GizmoHandles | null>(null);
 const handleLength = 72;
 const keyStep = { move: 0.1, rotate: 5, scale: 1.05 };
 
 type Question = { pointer: string; kind: GizmoKind; length: number };
-const asked = new Latest<Question>(async (question) => (gizmo.value = await post<GizmoAnswer>("view/gizmo", question)), () => (gizmo.value = null));
+const asked = new Latest<Question>(async (question) => (gizmo.value = await post<GizmoHandles>("view/gizmo", question)), () => (gizmo.value = null));
 const dragging = new Latest<HandleDrag>((way) => post("view/drag", way), complain);
 const placing = new Latest<Placement[]>(async (all) => {
   for (const p of all) await post("document/place", p);

@@ -1,5 +1,4 @@
 import { useEffect, useState } from "preact/hooks";
-import type { Region } from "../api/types";
 import { pictureAddress } from "../files/commands";
 import { complain } from "../state/messages";
 import { compared, inspectedPixel, renderState, tool, wipe } from "../state/store";
@@ -8,9 +7,9 @@ import { regionBetween } from "./clicks";
 import { drawnRegion } from "./pointers";
 import { picture, placement } from "./stage";
 
-function Rectangle({ region, kind }: { region: Region; kind: string }) {
+function Rectangle({ region, kind }: { region: number[]; kind: string }) {
   const { scale, left, top } = placement.value;
-  const [x, y, width, height] = region;
+  const [x = 0, y = 0, width = 0, height = 0] = region;
   return <div class={`region ${kind}`} style={{ left: `${left + x * scale}px`, top: `${top + y * scale}px`, width: `${width * scale}px`, height: `${height * scale}px` }} />;
 }
 

@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { get } from "../api/client";
-import type { MaskAnswer } from "../api/types";
+import type { PixelMask } from "../api/types";
 import { isSeen } from "../state/edits";
 import { revision, selection } from "../state/store";
 import { outlineOf } from "./mask";
@@ -8,7 +8,7 @@ import { cameraMoves, picture, placement } from "./stage";
 
 const color = [255, 158, 44];
 
-function draw(canvas: HTMLCanvasElement, mask: MaskAnswer, reach: number): void {
+function draw(canvas: HTMLCanvasElement, mask: PixelMask, reach: number): void {
   [canvas.width, canvas.height] = [mask.width, mask.height];
   const image = new ImageData(mask.width, mask.height);
   outlineOf(mask, reach).forEach((isOn, i) => {
@@ -29,7 +29,7 @@ export function SelectionOutline() {
     const canvas = ref.current;
     if (!canvas || !isShown) return;
     const abort = new AbortController();
-    get<MaskAnswer>("view/mask", { pointer }, abort.signal).then(
+    get<PixelMask>("view/mask", { pointer }, abort.signal).then(
       (mask) => draw(canvas, mask, reach),
       // Not everything that can be selected is seen.
       () => abort.signal.aborted || ([canvas.width, canvas.height] = [1, 1]),

@@ -1,7 +1,7 @@
 /** What a click in the picture does, by the chosen tool. */
 
 import { get, post } from "../api/client";
-import type { PickAnswer, Region } from "../api/types";
+import type { PickResult } from "../api/types";
 import type { Point } from "../math/projection";
 import { attempt } from "../state/messages";
 import { bottomOpen, bottomTab, rightTab } from "../state/settings";
@@ -14,7 +14,7 @@ export function clickPixel(pixel: Point): void {
   else if (tool.value === "inspect") inspect(pixel);
   else
     attempt(async () => {
-      const { pointer } = await get<PickAnswer>("pick", { x, y });
+      const { pointer } = await get<PickResult>("pick", { x, y });
       await post("select", { pointer });
       if (pointer) rightTab.value = "object";
     });
@@ -27,7 +27,7 @@ export function inspect(pixel: Point): void {
 }
 
 /** The whole pixels of the picture within a rectangle between two points; null where there are none. */
-export function regionBetween(a: Point, b: Point, size: { width: number; height: number }): Region | null {
+export function regionBetween(a: Point, b: Point, size: { width: number; height: number }): number[] | null {
   const left = Math.max(0, Math.floor(Math.min(a.x, b.x)));
   const top = Math.max(0, Math.floor(Math.min(a.y, b.y)));
   const right = Math.min(size.width, Math.ceil(Math.max(a.x, b.x)));

@@ -1,9 +1,9 @@
 /** The outline of a thing in the picture, from the pixels that show it. */
 
-import type { MaskAnswer } from "../api/types";
+import type { PixelMask } from "../api/types";
 
 /** 1 for each pixel that lies outside of the thing and within `reach` pixels of it. */
-export function outlineOf({ width, height, runs }: MaskAnswer, reach: number): Uint8Array {
+export function outlineOf({ width, height, runs }: PixelMask, reach: number): Uint8Array {
   const inside = new Uint8Array(width * height);
   for (let i = 0; i + 1 < runs.length; i += 2) inside.fill(1, runs[i], runs[i]! + runs[i + 1]!);
 
