@@ -24,10 +24,10 @@ public abstract class Projection(string name) : NamedValue(name)
     /// <summary>Why a camera of this kind cannot show a window of its picture, as the end of a message; null where it can.</summary>
     public virtual string? WindowComplaint => null;
 
-    /// <summary>Whether straight lines are straight in the picture.</summary>
+    /// <summary>True where straight lines are straight in the picture.</summary>
     public virtual bool IsStraight => true;
 
-    /// <summary>Whether all rays are parallel, so that nothing gets smaller with distance.</summary>
+    /// <summary>True where all rays are parallel, so that nothing gets smaller with distance.</summary>
     public virtual bool IsParallel => false;
 
     /// <summary>How much of a plane across the view a picture shows from its lower to its upper edge.</summary>

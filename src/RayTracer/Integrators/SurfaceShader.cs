@@ -218,10 +218,10 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
     }
 
-    /// <summary>Shades a packet of hits of one group: paths end in <see cref="Finished"/>, or go on in the next stream.</summary>
+    /// <summary>Shades a packet of hits of one group: paths end in <see cref="Finished"/>, or get their next rays in the next stream.</summary>
     /// <param name="group">The group.</param>
     /// <param name="stream">The paths.</param>
-    /// <param name="next">Takes the paths that go on.</param>
+    /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="index">Indices of the packet's paths in the stream.</param>
     /// <param name="active">The lanes in use.</param>
     protected abstract void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active);

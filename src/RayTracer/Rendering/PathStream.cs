@@ -78,7 +78,7 @@ public sealed unsafe class PathStream
     internal float* RadianceG { get; }
     internal float* RadianceB { get; }
 
-    /// <summary>How far away what the ray met is.</summary>
+    /// <summary>The distance of what the ray met.</summary>
     public float* Distance { get; }
     internal uint* Primitive { get; }
 
