@@ -72,7 +72,7 @@ public abstract class Integrator(string name, IntegratorTraits traits) : NamedVa
     /// <summary>Makes what shades for one thread.</summary>
     protected internal abstract SurfaceShader CreateShader(ShaderContext context);
 
-    // "only the path, direct and volPath integrators know"
+    // "only the path, direct and volPath integrators support"
     internal static string Only(IntegratorTraits trait, string verb)
     {
         string[] names = [.. Known.All.Where(i => i.Has(trait)).Select(i => i.Name)];

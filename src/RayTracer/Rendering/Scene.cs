@@ -240,7 +240,7 @@ public sealed class Scene
 
         if (integrator.Has(IntegratorTraits.Light) && !HasNesting && HasInterior(static i => i.Nesting is not null))
         {
-            builder.Warn(description.Render, nameof(Render.Integrator), $"there are dielectrics with priorities, which {Integrator.Only(IntegratorTraits.Priorities, "know")}");
+            builder.Warn(description.Render, nameof(Render.Integrator), $"there are dielectrics with priorities, which {Integrator.Only(IntegratorTraits.Priorities, "support")}");
         }
 
         if (integrator.Has(IntegratorTraits.Light) && !HasMedia && HasInterior(static i => i.Medium is not null))
