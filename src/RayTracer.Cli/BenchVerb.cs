@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Numerics;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 
@@ -17,19 +18,19 @@ internal static class BenchVerb
     public static void Build(Command command, Streams streams)
     {
         Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes.Folder}, and the Cornell box.", Arity = ArgumentArity.ZeroOrMore };
-        ParsedOption<long?> samples = OptionValues.Parameter("--spp", nameof(Description.RenderDescription.SamplesPerPixel));
-        ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "Number of times each scene is rendered; the best counts. Default: 3.", 1, 1000);
+        JobOptionSet samples = new([JobOptions.Find("--spp")!]);
+        ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "How often each scene is rendered; the best counts. 3 without it.", 1, 1000);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(scenes);
-        command.Options.Add(samples.Symbol);
+        command.Options.Add(samples.Symbols.Single());
         command.Options.Add(repeat.Symbol);
         command.Options.Add(json);
         SettingOption settings = new(command);
         VerboseOption verbose = new(command);
-        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Values(result), (int?)samples.Value(result), (int)(repeat.Value(result) ?? 3), result.GetValue(json), verbose.Times(result, streams), streams));
+        command.SetAction(result => Run(result.GetValue(scenes)!, [.. settings.Values(result), .. samples.Given(result).Settings], (int)(repeat.Value(result) ?? 3), result.GetValue(json), verbose.Times(result, streams), streams));
     }
 
-    private static int Run(string[] scenes, IReadOnlyList<SceneSetting> settings, int? samples, int repeat, bool json, StageTimes stages, Streams streams)
+    private static int Run(string[] scenes, IReadOnlyList<SceneSetting> settings, int repeat, bool json, StageTimes stages, Streams streams)
     {
         IReadOnlyList<string> paths = scenes.Length > 0 ? scenes : ReportScenes.FindMeasured();
         List<Measurement> all = [];
@@ -43,7 +44,7 @@ internal static class BenchVerb
             Scene? scene = SceneFile.Load(path, streams, s =>
             {
                 stages.EndLoad();
-                return samples is { } n ? s with { Render = s.Render with { SamplesPerPixel = n } } : s;
+                return s;
             }, settings);
             if (scene is null)
             {

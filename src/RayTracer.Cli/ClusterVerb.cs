@@ -7,10 +7,8 @@ namespace RayTracer.Cli;
 internal sealed class ClusterVerb
 {
     private readonly Argument<string> _scene = new("SCENE") { Description = "The scene file, in a folder that all nodes see." };
-    private readonly ParsedOption<long?> _tasks = OptionValues.Integer("--tasks", "Number of tasks that share the samples or, with --frames, the frames.", 1, 100_000);
-    private readonly ParsedOption<FrameRange?> _frames = OptionValues.Frames();
-    private readonly ParsedOption<int[]?> _crop = OptionValues.Integers("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.");
-    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Processor cores for each task. Default: 1.", 1, 1024);
+    private readonly ParsedOption<long?> _tasks = OptionValues.Integer("--tasks", "How many tasks share the samples, or with --frames the frames.", 1, 100_000);
+    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Processor cores for each task; 1 without it.", 1, 1024);
     private readonly Option<string?> _partition = new("--partition") { Description = "The partition of the cluster.", HelpName = "NAME" };
     private readonly Option<string?> _time = new("--time-limit") { Description = "The time limit of a task, as Slurm writes it: 30 (minutes), 2:00:00, 1-12:00:00.", HelpName = "TIME" };
     private readonly Option<string?> _memory = new("--memory") { Description = "Memory of a task, as Slurm writes it: 4G.", HelpName = "SIZE" };
@@ -20,15 +18,15 @@ internal sealed class ClusterVerb
     private readonly Option<string?> _program = new("--program") { Description = "The raytracer command on the nodes. Default: the one running here.", HelpName = "COMMAND" };
     private readonly Option<bool> _submit = new("--submit") { Description = "Submits the jobs with sbatch; otherwise they are only written." };
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
-    private readonly SceneOverrides _overrides;
+    private readonly JobOptionSet _overrides;
     private readonly WritingOptions _writing;
 
     private ClusterVerb(Command command)
     {
         command.Arguments.Add(_scene);
         _writing = new(command);
-        _overrides = new(command);
-        foreach (Option option in _writing.Looks.Concat([_tasks.Symbol, _frames.Symbol, _crop.Symbol, _threads.Symbol, _partition, _time, _memory, _lines, _retries.Symbol, _folder, _program, _submit, _quiet]))
+        _overrides = new(command, [.. JobOptions.OfScenes, JobOptions.Crop, JobOptions.Frames]);
+        foreach (Option option in _writing.Looks.Concat([_tasks.Symbol, _threads.Symbol, _partition, _time, _memory, _lines, _retries.Symbol, _folder, _program, _submit, _quiet]))
         {
             command.Options.Add(option);
         }
@@ -61,23 +59,19 @@ internal sealed class ClusterVerb
             throw new CommandException(ExitStatus.Usage, "how many tasks? Give --tasks N");
         }
 
-        string[] crop = _crop.Value(result) is { } c ? ["--crop", string.Join(',', c)] : [];
-        FrameRange? frames = _frames.Value(result);
-        string[] render = [Path.GetFullPath(result.GetValue(_scene)!), .. _overrides.Words(result), .. crop];
-        string[] looks = [.. _writing.Words(result)];
-        string[] files = [.. outputs.SelectMany(o => new[] { "-o", Path.GetFullPath(o) })];
+        RenderJob given = _overrides.Given(result) with { Scene = Path.GetFullPath(result.GetValue(_scene)!), Outputs = [.. outputs.Select(Path.GetFullPath)], Writing = _writing.Writing(result) };
+        if (JobRules.Complaint(given.Frames is null ? given : given with { Part = (1, (int)tasks) }) is { } complaint)
+        {
+            // Reported here, not by every task.
+            throw new CommandException(ExitStatus.Usage, complaint);
+        }
 
-        // Wrong words are told here, not by every task.
-        (RenderRequest request, Func<Description.SceneDescription, Description.SceneDescription> changes) =
-            RenderVerb.Parse(frames is null ? [.. render, .. looks, .. files] : [.. render, .. looks, .. files, "--frames", $"{frames}", "--part", $"1/{tasks}"]);
         return new()
         {
-            Request = request,
-            Overrides = changes,
+            Job = given,
             Tasks = (int)tasks,
-            Render = render,
-            Looks = looks,
-            Files = files,
+            Render = [given.Scene, .. _overrides.Words(result)],
+            Looks = [.. _writing.Words(result)],
             Folder = Path.GetFullPath(result.GetValue(_folder) ?? Path.ChangeExtension(FrameRange.Name(outputs[0], 0), ".slurm")),
             Program = result.GetValue(_program),
             Threads = (int)(_threads.Value(result) ?? 1),

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Text.Json;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
@@ -39,7 +40,7 @@ internal static class CompareVerb
     {
         foreach (string file in new[] { files.Difference, files.Map, files.Sheet }.OfType<string>())
         {
-            ImageOutputs.Check(file);
+            JobFiles.Check(file);
         }
 
         Picture image = ImageFile.Read(paths[0]);

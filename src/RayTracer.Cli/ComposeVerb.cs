@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Globalization;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -46,7 +47,7 @@ internal static class ComposeVerb
         (string Word, string Light, Rgb Factor)[] factors = [.. words.Select(Parse)];
         foreach (string file in outputs)
         {
-            ImageOutputs.Check(file);
+            JobFiles.Check(file);
         }
 
         Picture? composed = OfFile<Picture?>(path, file =>
@@ -78,7 +79,7 @@ internal static class ComposeVerb
         }
 
         stages.End("compose");
-        int written = ImageOutputs.Write(outputs, composed, writing, streams).Count;
+        int written = JobFiles.Write(outputs, composed, writing, streams).Count;
         stages.EndWrite();
         return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }

@@ -96,7 +96,7 @@ internal sealed class ConvertVerb
             throw new CommandException(ExitStatus.Usage, $"{SettingOption.Name} {setting.Text}: images have no settings");
         }
 
-        ImageOutputs.CheckFilm(target);
+        JobFiles.CheckFilm(target);
         _writing.WarnOfUnused(result, [target], streams);
         WritingOptions.WarnOfUnused(result, _exrType.Symbol, ImageFeatures.PixelType, [target], streams);
         ImageWriteOptions writing = _writing.Writing(result, [target]) with { ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float };
@@ -128,7 +128,7 @@ internal sealed class ConvertVerb
 
         (FilmHeader header, Film film) = CarriedFilm.Read(path);
         stages.EndLoad();
-        ImageOutputs.WriteFilm(target, film, header, writing with { Metadata = FilmTexts.Of(header, film.ComputeHash()), ExrLayers = LayersBeside(path) });
+        JobFiles.WriteFilm(target, film, header, writing with { Metadata = PictureTexts.Of(header, film.ComputeHash()), ExrLayers = LayersBeside(path) });
         stages.End("write");
         return ExitStatus.Fine;
     }
@@ -145,13 +145,13 @@ internal sealed class ConvertVerb
         if (CarriedFilm.Is(path))
         {
             (FilmHeader header, Film film) = CarriedFilm.Read(path);
-            return header.Samples.Count > 0 ? (film, FilmTexts.Of(header, film.ComputeHash()), LayersBeside(path)) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
+            return header.Samples.Count > 0 ? (film, PictureTexts.Of(header, film.ComputeHash()), LayersBeside(path)) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
         }
 
         (Picture picture, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
 
         // What other programs wrote into a file stays there: it may be long, and no text of ours.
-        return (picture, texts.Where(t => MergeVerb.TextKeys.Contains(t.Key)), layers);
+        return (picture, texts.Where(t => PictureTexts.Keys.Contains(t.Key)), layers);
     }
 
     private static (int Width, int Height) Size(IImageRows image, int? width, int? height)

@@ -2,7 +2,18 @@ using System.CommandLine;
 
 namespace RayTracer.Cli;
 
-/// <summary>The options of verbs that render, about what they tell meanwhile and at the end.</summary>
+/// <summary>What a command reports meanwhile and at the end.</summary>
+/// <param name="Preview">Whether the picture is shown in the terminal meanwhile.</param>
+/// <param name="Quiet">Whether nothing but errors and warnings is printed.</param>
+/// <param name="Verbose">Whether the stages are reported.</param>
+/// <param name="Json">Whether a JSON object is printed.</param>
+internal sealed record Display(bool Preview = false, bool Quiet = false, bool Verbose = false, bool Json = false)
+{
+    /// <summary>The options that it is of, as far as they bear on the job.</summary>
+    public string[] Options => [.. Preview ? new[] { "--preview" } : [], .. Json ? new[] { "--json" } : []];
+}
+
+/// <summary>The options of verbs that render, about what they report meanwhile and at the end.</summary>
 internal sealed class DisplayOptions
 {
     private readonly Option<bool> _preview = new("--preview") { Description = "Shows the picture in the terminal while it renders, as view does." };
@@ -21,24 +32,6 @@ internal sealed class DisplayOptions
         _verbose = new(command);
     }
 
-    /// <summary>A request with what was asked for.</summary>
-    public RenderRequest Put(ParseResult result, RenderRequest request) => request with
-    {
-        Preview = result.GetValue(_preview),
-        Quiet = result.GetValue(_quiet),
-        Verbose = _verbose.Value(result),
-        Json = result.GetValue(_json),
-    };
-
-    /// <summary>A request without a preview where there is no terminal for it.</summary>
-    public static RenderRequest ForTerminal(RenderRequest request, Streams streams)
-    {
-        if (!request.Preview || streams.HasTerminal)
-        {
-            return request;
-        }
-
-        streams.Warn("--preview: standard error is not a terminal that can show pictures, so nothing is shown");
-        return request with { Preview = false };
-    }
+    /// <summary>What was asked for.</summary>
+    public Display Of(ParseResult result) => new(result.GetValue(_preview), result.GetValue(_quiet), _verbose.Value(result), result.GetValue(_json));
 }

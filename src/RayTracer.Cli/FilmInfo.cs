@@ -56,9 +56,9 @@ internal static class FilmInfo
         }
 
         output.WriteLine($"scene      {PlainText.Of(header.Scene)}");
-        if (header.Overrides.Count > 0)
+        if (OldFilms.Settings(header) is { Count: > 0 } settings)
         {
-            output.WriteLine($"options    {PlainText.Of(Shell.Command(header.Overrides)[(Shell.Command([]).Length + 1)..])}");
+            output.WriteLine($"settings   {PlainText.Of(string.Join("; ", settings))}");
         }
 
         output.WriteLine($"software   {PlainText.Of(header.Software)}");
@@ -94,7 +94,7 @@ internal static class FilmInfo
         }
 
         json.WriteString("scene", header.Scene);
-        JsonText.Strings(json, "overrides", header.Overrides);
+        JsonText.Strings(json, "settings", OldFilms.Settings(header));
         json.WriteString("software", header.Software);
         json.WriteString("contentHash", header.Content);
         if (hash is not null)

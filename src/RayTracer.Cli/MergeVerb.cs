@@ -43,7 +43,7 @@ internal sealed class MergeVerb
 
         foreach (string output in outputs)
         {
-            ImageOutputs.CheckFilm(output);
+            JobFiles.CheckFilm(output);
         }
 
         _writing.WarnOfUnused(result, outputs, streams);
@@ -64,7 +64,7 @@ internal sealed class MergeVerb
             streams.Warn(missing);
         }
 
-        ImageOutputs.CheckUnfinished(outputs, replacement: merge.Header);
+        JobFiles.CheckUnfinished(outputs, replacement: merge.Header);
         stages.End("headers");
         Film film = merge.Add();
         stages.EndLoad();
@@ -77,7 +77,7 @@ internal sealed class MergeVerb
     {
         string hash = film.ComputeHash();
         int samples = header.Samples.Sum(r => r.Count);
-        IReadOnlyList<string> written = ImageOutputs.Write(outputs, film, header, _writing.Writing(result) with { Metadata = FilmTexts.Of(header, hash) }, streams);
+        IReadOnlyList<string> written = JobFiles.Write(outputs, film, header, _writing.Writing(result) with { Metadata = PictureTexts.Of(header, hash) }, streams);
         if (result.GetValue(_json))
         {
             WriteJson(header, samples, hash, written, streams);
@@ -94,9 +94,6 @@ internal sealed class MergeVerb
 
         return written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
-
-    /// <summary>What images say of themselves.</summary>
-    public static IReadOnlyList<string> TextKeys { get; } = ["Software", "Command", "Scene", "Samples", "FilmHash", "SampleRange"];
 
     private static void WriteJson(FilmHeader header, int samples, string hash, IReadOnlyList<string> written, Streams streams) => JsonText.Write(streams, json =>
     {

@@ -1,49 +1,50 @@
 using System.Text.Json;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
 
 /// <summary>What <c>render</c> prints when it is done.</summary>
-/// <param name="request">What was asked for.</param>
-/// <param name="outcome">What it came to.</param>
-/// <param name="written">The files that were written.</param>
+/// <param name="job">What was asked for.</param>
+/// <param name="result">What it came to.</param>
+/// <param name="display">What is reported.</param>
 /// <param name="stages">How long its stages took.</param>
 /// <param name="totalSeconds">How long everything took.</param>
-internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome, IReadOnlyList<string> written, StageTimes stages, double totalSeconds)
+internal sealed class RenderReport(RenderJob job, JobResult result, Display display, StageTimes stages, double totalSeconds)
 {
-    private readonly RenderStatistics _statistics = outcome.Statistics;
-    private readonly RenderDescription _render = outcome.Scene.Render;
+    private readonly RenderStatistics _statistics = result.Statistics;
+    private readonly RenderDescription _render = result.Scene.Render;
 
     /// <summary>Prints the summary or the JSON object, and the warnings.</summary>
     public void Write(Streams streams)
     {
-        if (request.Json)
+        if (display.Json)
         {
             WriteJson(streams);
         }
-        else if (!request.Quiet)
+        else if (!display.Quiet)
         {
             WriteSummary(streams.Output);
         }
 
-        if (outcome.Plan?.Error > request.Noise)
+        if (result.Plan?.Error > job.Noise)
         {
-            streams.Warn($"the wanted noise of {100 * request.Noise:G3} % would take more samples than allowed (--spp); the estimate is {100 * outcome.Plan.Error:G3} %");
+            streams.Warn($"the wanted noise of {100 * job.Noise:G3} % would take more samples than allowed (--spp); the estimate is {100 * result.Plan.Error:G3} %");
         }
 
         WarnOfBadSamples(streams);
         WarnOfClamped(_statistics, streams);
-        if (request.Time is not null && !(outcome.Plan?.Error > request.Noise) && outcome.IsNoisy(request))
+        if (job.Time is not null && !(result.Plan?.Error > job.Noise) && result.IsNoisy(job))
         {
-            streams.Warn($"time ran out before the wanted noise was reached: there are {outcome.MeanSamples:F0} of {outcome.Header!.Wanted.Count} samples");
+            streams.Warn($"time ran out before the wanted noise was reached: there are {result.MeanSamples:F0} of {result.Header!.Wanted.Count} samples");
         }
 
         if (_statistics.Cancelled)
         {
-            string files = written.Count > 0 ? $"the image so far is in {string.Join(" and ", written)}" : "no image was written";
-            string frame = request.IsOfSequence ? $"frame {request.Frame} was " : "";
+            string files = result.Files.Count > 0 ? $"the image so far is in {string.Join(" and ", result.Files)}" : "no image was written";
+            string frame = job.IsOfSequence ? $"frame {job.Frame} was " : "";
             streams.Warn($"{frame}stopped after {_statistics.Paths} paths; {files}");
         }
     }
@@ -67,28 +68,28 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         streams.Warn($"{_statistics.NonFiniteSamples} samples were not finite and were discarded; to trace them again:");
         foreach (BadSample bad in _statistics.BadSamples)
         {
-            streams.Error.WriteLine($"  {request.ReplayCommand(bad)}");
+            streams.Error.WriteLine($"  {job.ReplayCommand(bad)}");
         }
     }
 
     private void WriteSummary(TextWriter output)
     {
-        string threads = outcome.Threads == 1 ? "1 thread" : $"{outcome.Threads} threads";
-        output.WriteLine($"{request.ScenePath}: {_render.Width}×{_render.Height} pixels, {outcome.SamplesText} samples each, {threads}");
-        output.WriteLine($"{_statistics.Paths:N0} paths and {_statistics.Rays:N0} rays in {outcome.Seconds:F2} s, {outcome.RaysPerSecond / 1e6:F1} M rays/s; {totalSeconds:F2} s in all");
-        if (outcome.Plan is { } plan)
+        string threads = result.Threads == 1 ? "1 thread" : $"{result.Threads} threads";
+        output.WriteLine($"{job.Scene}: {_render.Width}×{_render.Height} pixels, {result.SamplesText} samples each, {threads}");
+        output.WriteLine($"{_statistics.Paths:N0} paths and {_statistics.Rays:N0} rays in {result.Seconds:F2} s, {result.RaysPerSecond / 1e6:F1} M rays/s; {totalSeconds:F2} s in all");
+        if (result.Plan is { } plan)
         {
             output.WriteLine($"estimated relative error {100 * plan.Error:G3} %, decided with {plan.Statistics.Paths:N0} of these paths");
         }
 
-        if (outcome.Header is { IsComplete: false } header && !_statistics.Cancelled)
+        if (result.Header is { IsComplete: false } header && !_statistics.Cancelled)
         {
-            string film = (request.Checkpoint ?? written.FirstOrDefault(FilmFile.IsNamed)) is { } file ? $": \"raytracer resume {file}\" continues it" : "";
+            string film = (job.Checkpoint ?? result.Files.FirstOrDefault(FilmFile.IsNamed)) is { } file ? $": \"raytracer resume {file}\" continues it" : "";
             output.WriteLine($"time ran out at {header.Samples.Sum(r => r.Count)} of {header.Wanted.Count} samples{film}");
         }
 
-        output.WriteLine($"film {outcome.Hash}");
-        foreach (string path in written)
+        output.WriteLine($"film {result.Hash}");
+        foreach (string path in result.Files)
         {
             output.WriteLine($"wrote {path}");
         }
@@ -98,12 +99,12 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
     {
         json.WriteNumber("width", _render.Width);
         json.WriteNumber("height", _render.Height);
-        json.WriteNumber("samplesPerPixel", outcome.MeanSamples);
+        json.WriteNumber("samplesPerPixel", result.MeanSamples);
         WriteNoise(json);
-        json.WriteNumber("threads", outcome.Threads);
+        json.WriteNumber("threads", result.Threads);
         json.WriteNumber("loadSeconds", stages.Load);
         json.WriteNumber("buildSeconds", stages.Build);
-        json.WriteNumber("renderSeconds", outcome.Seconds);
+        json.WriteNumber("renderSeconds", result.Seconds);
         json.WriteNumber("writeSeconds", stages.Write);
         json.WriteNumber("totalSeconds", totalSeconds);
         if (StageTimes.PeakMemory is { } bytes)
@@ -114,15 +115,15 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         json.WriteNumber("paths", _statistics.Paths);
         json.WriteNumber("closestHitRays", _statistics.ClosestHitRays);
         json.WriteNumber("shadowRays", _statistics.ShadowRays);
-        json.WriteNumber("raysPerSecond", outcome.RaysPerSecond);
-        json.WriteString("filmHash", outcome.Hash);
-        if (outcome.Header is { } header)
+        json.WriteNumber("raysPerSecond", result.RaysPerSecond);
+        json.WriteString("filmHash", result.Hash);
+        if (result.Header is { } header)
         {
             json.WriteString("samples", header.SamplesText);
             json.WriteBoolean("complete", header.IsComplete);
         }
 
-        if (outcome.Checkpoints is { } checkpoints)
+        if (result.Checkpoints is { } checkpoints)
         {
             json.WriteNumber("checkpoints", checkpoints.Count);
             json.WriteNumber("checkpointSeconds", checkpoints.Spent.TotalSeconds);
@@ -131,7 +132,7 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         json.WriteNumber("nonFiniteSamples", _statistics.NonFiniteSamples);
         json.WriteBoolean("cancelled", _statistics.Cancelled);
         json.WriteStartArray("outputs");
-        foreach (string path in written)
+        foreach (string path in result.Files)
         {
             json.WriteStringValue(path);
         }
@@ -141,7 +142,7 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
 
     private void WriteNoise(Utf8JsonWriter json)
     {
-        if (outcome.Plan is not { } plan)
+        if (result.Plan is not { } plan)
         {
             return;
         }
@@ -150,7 +151,7 @@ internal sealed class RenderReport(RenderRequest request, RenderOutcome outcome,
         json.WriteNumber("mostSamples", plan.Most);
         json.WriteNumber("estimatedError", plan.Error);
         json.WriteNumber("decidingPaths", plan.Statistics.Paths);
-        if (request.Noise is { } wanted)
+        if (job.Noise is { } wanted)
         {
             json.WriteNumber("wantedError", wanted);
             json.WriteBoolean("reached", plan.Error <= wanted);

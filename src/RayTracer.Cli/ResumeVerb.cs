@@ -1,32 +1,37 @@
 using System.CommandLine;
-using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer resume FILE</c>: goes on with a film that was not finished, or gives it more samples.</summary>
+/// <summary><c>raytracer resume FILE</c>: adds samples to a film that was not finished, or more than it was to have.</summary>
 internal sealed class ResumeVerb
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "The film: .rtfilm, from --checkpoint or -o; or an .exr image that carries it (--exr-film). The file itself is updated from time to time and at the end." };
-    private readonly ParsedOption<long?> _samples = OptionValues.Parameter("--spp", nameof(RenderDescription.SamplesPerPixel));
-    private readonly Option<string?> _scene = new("--scene") { Description = "The scene file, if it has moved.", HelpName = "SCENE" };
-    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads. Default: one per core.", 1, 1024);
+    private static readonly JobOption s_samples = JobOptions.Find("--spp")!;
+    private static readonly JobOption s_time = JobOptions.Find("--time")!;
+    private readonly Argument<string> _file = new("FILE")
+    {
+        Description = "The film: .rtfilm, of --checkpoint or -o; or an .exr image that carries it (--exr-film). It is brought up to date itself, now and then and at the end.",
+    };
+
+    private readonly Option<string?> _scene = new("--scene") { Description = "The scene file, where it is no longer where it was.", HelpName = "SCENE" };
     private readonly WritingOptions _writing;
-    private readonly LongRenderOptions _long;
+    private readonly JobOptionSet _options;
+    private readonly JobOptionSet _long;
     private readonly DisplayOptions _display;
 
     private ResumeVerb(Command command)
     {
         command.Arguments.Add(_file);
         _writing = new(command);
-        foreach (Option option in new Option[] { _samples.Symbol, _scene, _threads.Symbol }.Concat(_writing.Looks).Append(_writing.ExrFilm))
+        _options = new(command, [s_samples, JobOptions.Threads]);
+        foreach (Option option in _writing.Looks.Prepend(_scene).Append(_writing.ExrFilm))
         {
             command.Options.Add(option);
         }
 
-        _long = new(command, "Writes the film to this file from time to time. Default: FILE.");
+        _long = new(command, JobOptions.OfLongRenders.Select(o => o.Name == "--checkpoint" ? o with { Description = "Writes the film to this file now and then; without it, to FILE." } : o));
         _display = new(command);
     }
 
@@ -36,118 +41,58 @@ internal sealed class ResumeVerb
         command.SetAction(result => verb.Run(result, streams));
     }
 
-    /// <summary>The complaint about a scene that a film is not of.</summary>
-    public static CommandException OtherScene(string path) =>
-        new(ExitStatus.InputOutput, $"the film is not of '{path}': the scene, a file that it refers to, its settings or the program have changed");
-
-    /// <summary>The complaint about a film of other content than what it shall be gone on with.</summary>
-    public static CommandException OtherFilm(RenderRequest request, FilmHeader header, RenderDescription render) => render.Sampler.DependsOnCount && render.SamplesPerPixel != header.Total
-        ? new(
-            ExitStatus.Usage,
-            $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, so a film of {header.Total} cannot have more or fewer: render from scratch, or with --sampler sobol")
-        : OtherScene(request.ScenePath);
-
-    /// <summary>The header of a film that is gone on with.</summary>
-    /// <param name="film">The film.</param>
-    /// <param name="header">The header of a new film.</param>
-    /// <param name="request">What was asked for.</param>
-    /// <param name="render">How it is rendered.</param>
-    /// <exception cref="CommandException">It is of another picture, or of other samples.</exception>
-    public static FilmHeader GoOn(ResumedFilm film, FilmHeader header, RenderRequest request, RenderDescription render)
-    {
-        FilmHeader old = film.Header;
-        if (old.Content != header.Content)
-        {
-            throw OtherFilm(request, old, render);
-        }
-
-        bool isBegin = old.Samples is [] || (old.Samples is [var held] && held.First == header.Wanted.First && held.End <= header.Wanted.End);
-        return isBegin ? header with { Samples = old.Samples, Overrides = header.Wanted == old.Wanted ? old.Overrides : header.Overrides } : throw new CommandException(
-            ExitStatus.InputOutput, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of the requested {FilmHeader.Text(header.Wanted)}");
-    }
-
     private int Run(ParseResult result, Streams streams)
     {
         string file = result.GetValue(_file)!;
-        (FilmHeader header, Film film) = CarriedFilm.Read(file);
-        if (DecisionCheckpoint.Is(header))
+        HeldFilm film = HeldFilm.Read(file);
+        RenderJob origin = JobOrigin.Of(film.Header, file);
+        RenderJob given = _long.Put(result, _options.Put(result, new() { Scene = result.GetValue(_scene) ?? origin.Scene, Checkpoint = file }));
+        RenderJob job = given with
         {
-            return Decide(result, new(header, film, file), streams);
-        }
-
-        int? samples = (int?)_samples.Value(result);
-        bool isOpenEnded = _long.HasTime(result) && samples is null && header.IsComplete && IsWhole(header) && header.Total < NoiseRequest.Limit;
-        SampleRange wanted = isOpenEnded ? new(0, NoiseRequest.Limit) : Wanted(header, samples);
-        int total = samples is null ? Math.Max(header.Total, wanted.End) : wanted.End;
-        IReadOnlyList<string> words = FilmTexts.Words(header, total);
-        string scene = result.GetValue(_scene) ?? PictureOrigin.ScenePath(header.Scene, file);
-        (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([scene, "--json", .. words]);
-        RenderRequest request = _display.Put(result, _long.Put(result, new()
-        {
-            ScenePath = scene,
+            Settings = origin.Settings,
+            Frames = origin.Frames,
+            Noise = origin.Noise,
+            Crop = origin.Crop,
             Outputs = _writing.Files(result),
             Writing = Writing(result, file),
-            Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
-            Crop = header.Crop is { } c ? [c.X, c.Y, c.Width, c.Height] : null,
-            Samples = wanted,
-            IsOpenEnded = isOpenEnded,
-            Frames = first.Frames,
-            HasSamples = true,
-            Checkpoint = file,
-            Resumed = new(header, film, file),
-            Settings = first.Settings,
-            OverrideWords = words,
-            CommandText = Shell.Command(["render", scene, .. words, .. FilmTexts.CropWords(header)]),
-        }));
-        if (header.Samples is [var held] && held == wanted)
-        {
-            streams.Warn($"'{file}' has all {(IsWhole(header) ? $"{held.Count} samples: give --spp or --time for more" : $"samples of its part, {header.SamplesText}")}; nothing is rendered");
-        }
-
-        return Run(result, request, overrides, streams);
-    }
-
-    // Goes on with deciding how many samples there shall be, and renders them.
-    private int Decide(ParseResult result, ResumedFilm film, Streams streams)
-    {
-        if (_samples.Value(result) is { } samples)
-        {
-            throw new CommandException(ExitStatus.Usage, $"--spp {samples}: the film's number of samples is still being decided (--noise): leave --spp out");
-        }
-
-        string scene = result.GetValue(_scene) ?? PictureOrigin.ScenePath(film.Header.Scene, film.Path);
-        string[] words = [scene, .. film.Header.Overrides];
-        (RenderRequest first, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([.. words, "--json"]);
-        RenderRequest request = _display.Put(result, _long.Put(result, first with
-        {
-            Outputs = _writing.Files(result),
-            Writing = Writing(result, film.Path),
-            Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
-            Checkpoint = film.Path,
-            Decision = film,
-            CommandText = Shell.Command(["render", .. words]),
-        }));
-        return Run(result, request.WithFrameWords(), overrides, streams);
-    }
-
-    private int Run(ParseResult result, RenderRequest request, Func<SceneDescription, SceneDescription> overrides, Streams streams)
-    {
-        if (result.GetValue(_file)! is var file && request.Checkpoint == file && FilmExr.Is(file))
+        };
+        int? samples = given.GivenSamples;
+        job = DecisionCheckpoint.Is(film.Header) ? Decide(job, film, samples) : Continue(job, film, samples, streams);
+        if (job.Checkpoint == file && FilmExr.Is(file))
         {
             CheckLayers(file);
         }
-        else if (!FilmFile.IsNamed(request.Checkpoint!))
+        else if (JobRules.Complaint(job with { Outputs = [], Writing = new() }) is { } complaint)
         {
-            throw new CommandException(ExitStatus.Usage, $"--checkpoint {request.Checkpoint}: films are written to .rtfilm files");
+            throw new CommandException(ExitStatus.Usage, complaint);
         }
 
-        _writing.WarnOfUnused(result, request.Outputs, streams, isSeen: request.Preview);
-        return new RenderRun(DisplayOptions.ForTerminal(request, streams), overrides, streams).Run();
+        Display display = _display.Of(result);
+        _writing.WarnOfUnused(result, job.Outputs, streams, isSeen: display.Preview);
+        return new ConsoleRun(display, streams).Run(job);
     }
+
+    private static RenderJob Continue(RenderJob job, HeldFilm film, int? samples, Streams streams)
+    {
+        FilmHeader header = film.Header;
+        bool isOpenEnded = job.Time is not null && samples is null && header.IsComplete && IsWhole(header) && header.Total < SampleDecision.Limit;
+        SampleRange wanted = isOpenEnded ? new(0, SampleDecision.Limit) : Wanted(header, samples);
+        if (header.Samples is [var held] && held == wanted)
+        {
+            string what = IsWhole(header) ? $"{held.Count} samples: give --spp or --time for more" : $"samples of its part, {header.SamplesText}";
+            streams.Warn($"'{film.Path}' has all {what}; nothing is rendered");
+        }
+
+        return job.WithSamples(samples is null ? Math.Max(header.Total, wanted.End) : wanted.End) with { Samples = wanted, IsOpenEnded = isOpenEnded, Resumed = film };
+    }
+
+    // Continues to decide how many samples there are, and renders them.
+    private static RenderJob Decide(RenderJob job, HeldFilm film, int? samples) => samples is null ? job with { Decision = film }
+        : throw new CommandException(ExitStatus.Usage, $"--spp {samples}: it is being decided how many samples the film shall have (--noise): leave --spp out");
 
     private static bool IsWhole(FilmHeader header) => header.Wanted == new SampleRange(0, header.Total);
 
-    // Whoever goes on with an image that carries the film does not lose it.
+    // An image that carries the film does not lose it.
     private ImageWriteOptions Writing(ParseResult result, string file)
     {
         ImageWriteOptions writing = _writing.Writing(result, [.. _writing.Files(result), file]);
@@ -158,8 +103,8 @@ internal sealed class ResumeVerb
     {
         if (FilmExr.OtherLayers(file) is { Count: > 0 } layers)
         {
-            throw new CommandException(
-                ExitStatus.Usage, $"'{file}' has layers that are not updated when samples are added ({string.Join(", ", layers)}): with --checkpoint FILE.rtfilm (and -o) it stays unchanged");
+            throw new CommandException(ExitStatus.Usage, $"'{file}' has layers that are not updated when samples are added ({string.Join(", ", layers)}): "
+                + "with --checkpoint FILE.rtfilm (and -o) it stays unchanged");
         }
     }
 
@@ -169,7 +114,8 @@ internal sealed class ResumeVerb
         SampleRange wanted = samples is { } more ? new(header.Wanted.First, more) : header.Wanted;
         if (samples is not null && !IsWhole(header))
         {
-            throw new CommandException(ExitStatus.Usage, $"--spp {samples}: the film is a part of a picture, samples {FilmHeader.Text(header.Wanted)} of {header.Total}: render the others and merge");
+            throw new CommandException(
+                ExitStatus.Usage, $"--spp {samples}: the film is a part of a picture, samples {FilmHeader.Text(header.Wanted)} of {header.Total}: render the others and merge");
         }
 
         return header.Samples switch

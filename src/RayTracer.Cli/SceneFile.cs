@@ -70,13 +70,7 @@ internal static class SceneFile
     }
 
     /// <summary>Shows diagnostics as a compiler does.</summary>
-    public static void Show(SceneLoadResult result, Streams streams)
-    {
-        if (result.Diagnostics.Count > 0)
-        {
-            streams.Error.WriteLine(Diagnostic.Format(result.Diagnostics));
-        }
-    }
+    public static void Show(SceneLoadResult result, Streams streams) => streams.Read(result.Diagnostics);
 
     /// <summary>The exit status for a scene that could not be loaded.</summary>
     public static int FailureStatus(string path) => File.Exists(path) ? ExitStatus.Scene : ExitStatus.InputOutput;

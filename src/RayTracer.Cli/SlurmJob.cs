@@ -18,10 +18,7 @@ internal sealed record SlurmJob
     private const string Merge = "merge.sh";
 
     /// <summary>What a single render would be asked for.</summary>
-    public required RenderRequest Request { get; init; }
-
-    /// <summary>Puts the options of the command line into the scene.</summary>
-    public required Func<SceneDescription, SceneDescription> Overrides { get; init; }
+    public required RenderJob Job { get; init; }
 
     /// <summary>How many tasks there are.</summary>
     public required int Tasks { get; init; }
@@ -31,9 +28,6 @@ internal sealed record SlurmJob
 
     /// <summary>The words that say how images look.</summary>
     public required IReadOnlyList<string> Looks { get; init; }
-
-    /// <summary>The words of the outputs.</summary>
-    public required IReadOnlyList<string> Files { get; init; }
 
     /// <summary>Where scripts, parts and logs are.</summary>
     public required string Folder { get; init; }
@@ -50,7 +44,7 @@ internal sealed record SlurmJob
     /// <summary>Options of sbatch.</summary>
     public required IReadOnlyList<string> Lines { get; init; }
 
-    private bool HasFrames => Request.Frames is not null;
+    private bool HasFrames => Job.Frames is not null;
 
     private string Command => Program ?? ProgramHere();
 
@@ -58,11 +52,11 @@ internal sealed record SlurmJob
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public int Run(bool submit, bool quiet, Streams streams)
     {
-        SceneLoadResult scene = SceneFile.Load(Request.ScenePath, Overrides, settings: Request.Settings, frame: Request.Frames?.First);
+        SceneLoadResult scene = (Job.Frames is { } frames ? Job with { Frames = new(frames.First, frames.First, 1) } : Job).Load();
         SceneFile.Show(scene, streams);
         if (scene.Scene is null)
         {
-            return SceneFile.FailureStatus(Request.ScenePath);
+            return SceneFile.FailureStatus(Job.Scene);
         }
 
         int samples = scene.Description!.Render.SamplesPerPixel;
@@ -71,13 +65,13 @@ internal sealed record SlurmJob
             throw new CommandException(ExitStatus.Usage, $"--tasks {Tasks}: {samples} samples make at most {samples} parts");
         }
 
-        foreach (string output in Request.Outputs)
+        foreach (string output in Job.Outputs)
         {
-            ImageOutputs.CheckFilm(output);
+            JobFiles.CheckFilm(output);
         }
 
         // Parts of another scene, or another number of them, have other names: what was rendered before of this one counts.
-        string name = $"{ContentHash.Of(scene.Description, Request.ScenePath, Request.Area)[..8]}-{(HasFrames ? $"{Request.Frames}" : samples)}-{Tasks}".Replace("..", "to", StringComparison.Ordinal).Replace(':', 'x');
+        string name = $"{ContentHash.Of(scene.Description, Job.Scene, Job.Crop)[..8]}-{(HasFrames ? $"{Job.Frames}" : samples)}-{Tasks}".Replace("..", "to", StringComparison.Ordinal).Replace(':', 'x');
         WriteScripts(name);
         if (!quiet)
         {
@@ -146,7 +140,7 @@ internal sealed record SlurmJob
     {
         string work = HasFrames
             ? $$"""
-              raytracer render {{Words(Render)}} {{Words(Looks)}} --frames {{Request.Frames}} --part "$SLURM_ARRAY_TASK_ID/{{Tasks}}" --threads {{Threads}} {{Words(Files)}}
+              raytracer render {{Words(Render)}} {{Words(Looks)}} --part "$SLURM_ARRAY_TASK_ID/{{Tasks}}" --threads {{Threads}} {{Words(Job.Outputs.SelectMany(o => new[] { "-o", o }))}}
               touch "$done"
               """
             : $$"""
@@ -214,7 +208,7 @@ internal sealed record SlurmJob
     {
         if (HasFrames)
         {
-            return $"echo 'frames {Request.Frames} are there'";
+            return $"echo 'frames {Job.Frames} are there'";
         }
 
         return $$"""
@@ -222,7 +216,7 @@ internal sealed record SlurmJob
             for SLURM_ARRAY_TASK_ID in $(seq {{Tasks}}); do
                 parts+=("$folder/{{Done(name)}}")
             done
-            raytracer merge "${parts[@]}" {{Words(Looks)}} {{Words(Files)}}
+            raytracer merge "${parts[@]}" {{Words(Looks)}} {{Words(Job.Outputs.SelectMany(o => new[] { "-o", o }))}}
             rm -f "$folder"/.{{name}}-* "$folder"/..{{name}}-*
             """;
     }

@@ -28,6 +28,13 @@ internal sealed class StageTimes(Streams? spoken)
         }
     }
 
+    /// <summary>A stage of a job has come to its end.</summary>
+    public void End(JobStage stage)
+    {
+        Action end = stage switch { JobStage.Load => EndLoad, JobStage.Build => EndBuild, JobStage.Render => EndRender, _ => EndWrite };
+        end();
+    }
+
     /// <summary>The scene file has been read.</summary>
     public void EndLoad() => Load = End("load");
 

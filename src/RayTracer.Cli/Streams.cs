@@ -1,10 +1,13 @@
+using RayTracer.Jobs;
+using RayTracer.Scenes;
+
 namespace RayTracer.Cli;
 
 /// <summary>Where a command writes.</summary>
 /// <param name="Output">Results.</param>
 /// <param name="Error">Errors, warnings and progress.</param>
 /// <param name="HasTerminal">Whether <paramref name="Error"/> is a terminal (<see cref="IsTerminal"/>), which can show a progress bar.</param>
-internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerminal = false)
+internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerminal = false) : IJobWatch
 {
     /// <summary>Whether a stream is a terminal on which the cursor can be moved: one that calls itself dumb cannot.</summary>
     /// <param name="isRedirected">Whether it goes elsewhere.</param>
@@ -16,4 +19,13 @@ internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerm
 
     /// <summary>Writes one line about something doubtful.</summary>
     public void Warn(string message) => Error.WriteLine($"raytracer: warning: {message}");
+
+    /// <summary>Shows diagnostics as a compiler does.</summary>
+    public void Read(IReadOnlyList<Diagnostic> diagnostics)
+    {
+        if (diagnostics.Count > 0)
+        {
+            Error.WriteLine(Diagnostic.Format(diagnostics));
+        }
+    }
 }

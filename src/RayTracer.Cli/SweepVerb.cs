@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Text.Json;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Textures;
@@ -15,9 +16,9 @@ internal sealed class SweepVerb
 
     private readonly Argument<string> _scene = new("SCENE") { Description = "The scene file." };
     private readonly WritingOptions _writing;
-    private readonly SceneOverrides _overrides;
-    private readonly ParsedOption<long?> _cell = OptionValues.Integer("--cell", $"Width of each picture; its height follows from the scene's aspect ratio. Default (without --width and --height): at most {StandardCell}.", 8, 1 << 16);
-    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads. Default: one per core.", 1, 1024);
+    private readonly JobOptionSet _overrides;
+    private readonly ParsedOption<long?> _cell = OptionValues.Integer("--cell", $"Columns of each picture, its rows by the scene's shape; without it (and --width and --height), at most {StandardCell}.", 8, 1 << 16);
+    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "Number of threads; without it, one for each core.", 1, 1024);
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
     private readonly VerboseOption _verbose;
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of the axes and films." };
@@ -25,8 +26,8 @@ internal sealed class SweepVerb
     private SweepVerb(Command command)
     {
         command.Arguments.Add(_scene);
-        _writing = new(command, $"The sheet's file: {ImageFormat.Endings()}. Repeatable.");
-        _overrides = new(command);
+        _writing = new(command, $"The sheet's file: {ImageFormat.Endings()}. May be given several times.");
+        _overrides = new(command, JobOptions.OfScenes);
         foreach (Option option in new Option[] { _cell.Symbol, _threads.Symbol }.Concat(_writing.Looks).Concat([_quiet, _json]))
         {
             command.Options.Add(option);
@@ -51,14 +52,16 @@ internal sealed class SweepVerb
 
         foreach (string output in outputs)
         {
-            ImageOutputs.Check(output);
+            JobFiles.Check(output);
         }
 
         _writing.WarnOfUnused(result, outputs, streams, isSeen: true);
         StageTimes stages = _verbose.Times(result, streams);
         string path = result.GetValue(_scene)!;
-        SweepAxes axes = new(_overrides.Settings(result));
-        SceneDescription Changed(SceneDescription scene) => Fit(_overrides.Apply(result, scene), result);
+        IReadOnlyList<SceneSetting> given = _overrides.Given(result).Settings;
+        SweepAxes axes = new(given);
+        bool isSized = _cell.Value(result) is null && given.Any(s => s.Path is "render.width" or "render.height");
+        SceneDescription Changed(SceneDescription scene) => isSized ? scene : Fit(scene, result);
         (int Width, int Height)? size = null;
         foreach (SweepCell cell in axes.Samples)
         {
@@ -83,19 +86,9 @@ internal sealed class SweepVerb
         List<(SweepCell Cell, string Hash)> films = [];
         foreach (SweepCell cell in axes.Cells.TakeWhile(_ => !signals.Token.IsCancellationRequested))
         {
-            RenderRequest request = new()
-            {
-                ScenePath = path,
-                Outputs = [],
-                Writing = writing,
-                Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount),
-                Settings = axes.Settings(cell),
-                OverrideWords = [],
-                CommandText = "",
-                Quiet = true,
-                Verbose = _verbose.Value(result),
-            };
-            if (new RenderRun(request, Changed, streams).Compute(signals.Token) is not { } outcome)
+            RenderJob job = new() { Scene = path, Writing = writing, Threads = (int)(_threads.Value(result) ?? Environment.ProcessorCount), Settings = axes.Settings(cell) };
+            ConsoleRun watch = new(new(Quiet: true, Verbose: _verbose.Value(result)), streams);
+            if (new JobRun(job, watch) { Change = Changed }.Compute(signals.Token) is not { } outcome)
             {
                 // Its place stays dark.
                 failed = SceneFile.FailureStatus(path);
@@ -122,7 +115,7 @@ internal sealed class SweepVerb
         }
 
         stages.End("pictures");
-        IReadOnlyList<string> written = sheet is null ? [] : ImageOutputs.Write(outputs, sheet.Picture, writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = Texts(path, result) }, streams);
+        IReadOnlyList<string> written = sheet is null ? [] : JobFiles.Write(outputs, sheet.Picture, writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = Texts(path, result) }, streams);
         stages.EndWrite();
         Report(result, axes, films, written, streams);
         return signals.Status != 0 ? signals.Status : failed != ExitStatus.Fine ? failed : written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
@@ -146,8 +139,7 @@ internal sealed class SweepVerb
     private SceneDescription Fit(SceneDescription scene, ParseResult result)
     {
         int width = (int)(_cell.Value(result) ?? Math.Min(StandardCell, scene.Render.Width));
-        bool isGiven = _cell.Value(result) is null && _overrides.Words(result).Any(w => w is "--width" or "--height");
-        return isGiven ? scene : scene with
+        return scene with
         {
             Render = scene.Render with { Width = width, Height = Math.Max(1, (int)Math.Round((double)scene.Render.Height * width / scene.Render.Width)) },
         };

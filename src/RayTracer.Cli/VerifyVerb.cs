@@ -43,26 +43,23 @@ internal static class VerifyVerb
         Film? whole = null;
         foreach (SampleRange? range in claim.Samples)
         {
-            RenderRequest request = claim.Request with { Outputs = [], Aovs = [], Denoise = false, Checkpoint = null, Threads = threads, Quiet = true, Verbose = verbose, Preview = false };
-            if (range is not null)
+            RenderJob job = claim.Job with { Outputs = [], Aovs = [], Layers = [], Denoise = false, Checkpoint = null, Threads = threads };
+
+            // Whatever decided on the number of samples: these they are.
+            job = range is null ? job : job with { Samples = range, Part = null, Noise = null, Time = null };
+            JobResult? result = new JobRun(job, new ConsoleRun(new(Quiet: true, Verbose: verbose), streams)) { Change = s => Changed(s, claim, range) }.Compute(signals.Token);
+            if (result is null)
             {
-                // Whatever decided on the number of samples: these they are.
-                request = request with { Samples = range, Part = null, Noise = null, Time = null };
+                return SceneFile.FailureStatus(job.Scene);
             }
 
-            RenderOutcome? outcome = new RenderRun(request, s => Widen(claim.Overrides(s), range), streams).Compute(signals.Token);
-            if (outcome is null)
-            {
-                return SceneFile.FailureStatus(request.ScenePath);
-            }
-
-            if (outcome.Statistics.Cancelled)
+            if (result.Statistics.Cancelled)
             {
                 return signals.Status;
             }
 
-            whole ??= new(outcome.Film.Width, outcome.Film.Height);
-            whole.Merge(outcome.Film);
+            whole ??= new(result.Film.Width, result.Film.Height);
+            whole.Merge(result.Film);
         }
 
         string hash = whole?.ComputeHash() ?? "";
@@ -78,17 +75,24 @@ internal static class VerifyVerb
         }
         else
         {
-            streams.Output.WriteLine(same ? $"the same to the bit: film {hash}" : $"a different picture: the file's film is {claim.Hash}, but rendering '{claim.Request.ScenePath}' again gives {hash}");
+            streams.Output.WriteLine(same ? $"the same to the bit: film {hash}" : $"another picture: the file's film is {claim.Hash}, but '{claim.Job.Scene}' rendered again is {hash}");
         }
 
         return same ? ExitStatus.Fine : ExitStatus.Different;
     }
 
     // Samples of a sampler without a pattern do not depend on how many there are.
-    private static SceneDescription Widen(SceneDescription scene, SampleRange? range) =>
-        range is { } samples && samples.End > scene.Render.SamplesPerPixel && !scene.Render.Sampler.DependsOnCount
+    private static SceneDescription Changed(SceneDescription scene, Claim claim, SampleRange? range)
+    {
+        if (claim.IsOld)
+        {
+            OldFilms.CheckBits(scene, $"'{claim.File}'");
+        }
+
+        return range is { } samples && samples.End > scene.Render.SamplesPerPixel && !scene.Render.Sampler.DependsOnCount
             ? scene with { Render = scene.Render with { SamplesPerPixel = samples.End } }
             : scene;
+    }
 
     private static Claim Of(string file, string? scene)
     {
@@ -105,16 +109,14 @@ internal static class VerifyVerb
                 throw DecisionCheckpoint.NoPicture(file);
             }
 
-            (RenderRequest asked, Func<SceneDescription, SceneDescription> changes) =
-                RenderVerb.Parse([scene ?? PictureOrigin.ScenePath(header.Scene, file), "--json", .. FilmTexts.Words(header, header.Total), .. FilmTexts.CropWords(header)]);
-            return new(asked, changes, [.. header.Samples.Select(r => (SampleRange?)r)], film.ComputeHash());
+            return new(
+                file, At(JobOrigin.Of(header, file).WithSamples(header.Total)), [.. header.Samples.Select(r => (SampleRange?)r)], film.ComputeHash(), IsOld: header.Words is not null);
         }
 
-        Dictionary<string, string> texts = ImageFile.ReadText(file).GroupBy(t => t.Key).ToDictionary(g => g.Key, g => g.First().Value, StringComparer.Ordinal);
-        if (!texts.TryGetValue("FilmHash", out string? hash) || !texts.TryGetValue("Command", out string? line) || Shell.Words(line) is not [_, "render", .. var words])
+        (RenderJob job, IReadOnlyDictionary<string, string> texts) = JobOrigin.OfImage(file);
+        if (!texts.TryGetValue("FilmHash", out string? hash))
         {
-            string those = $"only .rtfilm, {ImageFormat.Endings(ImageFeatures.Texts)} files of render, resume and merge do";
-            throw new CommandException(ExitStatus.InputOutput, $"'{file}' does not say how it was made: {those}");
+            throw JobOrigin.Unknown(file);
         }
 
         if (texts.ContainsKey("Aov") || texts.ContainsKey("Layer") || texts.ContainsKey("Denoised"))
@@ -124,18 +126,20 @@ internal static class VerifyVerb
 
         if (texts.GetValueOrDefault("Samples")?.Contains("unfinished", StringComparison.Ordinal) == true && !texts.ContainsKey("SampleRange"))
         {
-            throw new CommandException(ExitStatus.InputOutput, $"'{file}' is unfinished: it was stopped when some pixels had more samples than others, so it cannot be rendered again");
+            throw new CommandException(ExitStatus.InputOutput, $"'{file}' is unfinished: it was stopped when some pixels had more samples than others, so that it cannot be rendered again");
         }
 
-        (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse(["--json", .. words]);
-        SampleRange?[] ranges = texts.TryGetValue("SampleRange", out string? samples) ? [.. samples.Split(", ").Select(SampleShares.Range)] : [null];
-        return new(request with { ScenePath = scene ?? PictureOrigin.ScenePath(request.ScenePath, file, request.Outputs) }, overrides, ranges, hash);
+        SampleRange?[] ranges = texts.TryGetValue("SampleRange", out string? samples) ? [.. samples.Split(", ").Select(r => (SampleRange?)OptionWords.Samples(r))] : [null];
+        return new(file, At(job), ranges, hash, IsOld: !texts.ContainsKey(PictureTexts.SettingsKey));
+
+        RenderJob At(RenderJob job) => scene is null ? job : job with { Scene = scene };
     }
 
     /// <summary>What a file says of itself.</summary>
-    /// <param name="Request">How it was rendered.</param>
-    /// <param name="Overrides">Puts the options of the command line into the scene.</param>
-    /// <param name="Samples">The samples that it holds; null for those that the request decides on.</param>
+    /// <param name="File">The file.</param>
+    /// <param name="Job">How it was rendered.</param>
+    /// <param name="Samples">The samples that it holds; null for those that the job decides on.</param>
     /// <param name="Hash">The hash of its film.</param>
-    private sealed record Claim(RenderRequest Request, Func<SceneDescription, SceneDescription> Overrides, IReadOnlyList<SampleRange?> Samples, string Hash);
+    /// <param name="IsOld">Whether it is of the first format.</param>
+    private sealed record Claim(string File, RenderJob Job, IReadOnlyList<SampleRange?> Samples, string Hash, bool IsOld);
 }

@@ -1,6 +1,7 @@
 using System.Collections;
 using System.Globalization;
 using System.Numerics;
+using System.Reflection;
 using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using System.Text;
@@ -12,16 +13,16 @@ using RayTracer.Shapes;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// The hash of all that decides what a sample comes to: the description with every value, the content of every file that it names, and the part that
-/// is rendered. Where files lie, what they are called and how scenes are written does not count.
+/// The hash of all that decides what a sample comes to: the description with every value that is not as it is without being given, the content of every file that it names, the part that
+/// is rendered, and for each kind of thing in the scene the version of its bits. Where files lie, what they are called and how scenes are written does not count.
 /// </summary>
-public sealed class ContentHash : IDisposable
+public class ContentHash : IDisposable
 {
     private readonly IncrementalHash _hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
     private readonly Dictionary<object, int> _seen = new(ReferenceEqualityComparer.Instance);
     private readonly string _folder;
 
-    private ContentHash(string folder) => _folder = folder;
+    private protected ContentHash(string folder) => _folder = folder;
 
     /// <summary>Computes it.</summary>
     /// <param name="scene">The scene as it is rendered.</param>
@@ -30,13 +31,16 @@ public sealed class ContentHash : IDisposable
     public static string Of(SceneDescription scene, string path, Tile? crop)
     {
         using ContentHash hash = new(Path.GetDirectoryName(path) ?? "");
-        hash.Text(ProgramName.Text);
         hash.Text($"{crop}");
-        hash.Add(scene with { Animation = [], Render = scene.Render with { SamplesPerPixel = scene.Render.Sampler.DependsOnCount ? scene.Render.SamplesPerPixel : 1 } });
-        return Convert.ToHexStringLower(hash._hash.GetHashAndReset());
+        foreach (BitVersion version in BitVersions.Of(scene))
+        {
+            hash.Text($"{version.Name} {version.Version}");
+        }
+
+        return hash.Of(scene);
     }
 
-    /// <summary>As <see cref="Of"/>, of a picture with all its samples.</summary>
+    /// <summary>The hash of all that decides on a picture, with all its samples.</summary>
     /// <param name="scene">The scene as it is rendered.</param>
     /// <param name="path">The scene's file; others are looked for from its folder.</param>
     /// <param name="crop">The part that is rendered; null for all.</param>
@@ -44,7 +48,41 @@ public sealed class ContentHash : IDisposable
         string.Create(CultureInfo.InvariantCulture, $"{Of(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
 
     /// <inheritdoc/>
-    public void Dispose() => _hash.Dispose();
+    public void Dispose()
+    {
+        _hash.Dispose();
+        GC.SuppressFinalize(this);
+    }
+
+    /// <summary>The hash of what was added, and a scene.</summary>
+    private protected string Of(SceneDescription scene)
+    {
+        Add(scene with { Animation = [], Render = scene.Render with { SamplesPerPixel = scene.Render.Sampler.DependsOnCount ? scene.Render.SamplesPerPixel : 1 } });
+        return Convert.ToHexStringLower(_hash.GetHashAndReset());
+    }
+
+    /// <summary>Whether a value counts: one that is as it is without being given has no effect.</summary>
+    private protected virtual bool Counts(RecordParameter parameter, object? value) => value switch
+    {
+        null => false,
+        ICollection things => things.Count > 0,
+        _ => !value.Equals(parameter.Default) || !Parts(value).SequenceEqual(Parts(parameter.Default!)),
+    };
+
+    /// <summary>Ends a record, some of whose values may not count.</summary>
+    private protected virtual void EndRecord() => Text("end");
+
+    // Equal numbers may have other bits: 0 and −0.
+    private static IEnumerable<string> Parts(object value) => value switch
+    {
+        IFormattable number and not Enum => [number.ToString(null, CultureInfo.InvariantCulture)],
+        ValueType and not Enum and not bool => Fields(value).SelectMany(Parts),
+        _ => [],
+    };
+
+    // Small values such as colours.
+    private static IEnumerable<object> Fields(object value) =>
+        value.GetType().GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).Select(f => f.GetValue(value)!);
 
     private void Add(object? value)
     {
@@ -56,14 +94,14 @@ public sealed class ContentHash : IDisposable
             case string text:
                 Text(text);
                 break;
+            case NamedValue { Name: var name }:
+                Text(char.ToUpperInvariant(name[0]) + name[1..]);
+                break;
             case IFormattable number and not Enum:
                 Text(number.ToString(null, CultureInfo.InvariantCulture));
                 break;
             case Enum or bool:
                 Text($"{value}");
-                break;
-            case NamedValue { Name: var name }:
-                Text(char.ToUpperInvariant(name[0]) + name[1..]);
                 break;
             case IDictionary named:
                 AddNamed(named);
@@ -118,10 +156,9 @@ public sealed class ContentHash : IDisposable
     {
         if (record.GetType().IsValueType)
         {
-            // Small values such as colours.
-            foreach (System.Reflection.FieldInfo field in record.GetType().GetFields(System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.Public | System.Reflection.BindingFlags.NonPublic))
+            foreach (object field in Fields(record))
             {
-                Add(field.GetValue(record));
+                Add(field);
             }
 
             return;
@@ -137,8 +174,13 @@ public sealed class ContentHash : IDisposable
         Text(type.Origin is { } origin ? $"record {type.Name} of {origin}" : $"record {type.Name}");
         foreach (RecordParameter parameter in type.Parameters)
         {
-            Text(parameter.Key);
             object? value = parameter.Get(record);
+            if (!Counts(parameter, value))
+            {
+                continue;
+            }
+
+            Text(parameter.Key);
             if (parameter.Kind == ParameterKind.File && value is string { Length: > 0 } file)
             {
                 AddFile(Path.GetFullPath(Path.Combine(_folder, file)));
@@ -148,6 +190,8 @@ public sealed class ContentHash : IDisposable
                 Add(value);
             }
         }
+
+        EndRecord();
     }
 
     private void AddFile(string path)
@@ -168,7 +212,7 @@ public sealed class ContentHash : IDisposable
     }
 
     // With its length before it, so that no two sequences of texts are the same bytes.
-    private void Text(string text)
+    private protected void Text(string text)
     {
         byte[] bytes = Encoding.UTF8.GetBytes(text);
         _hash.AppendData(BitConverter.GetBytes(bytes.Length));

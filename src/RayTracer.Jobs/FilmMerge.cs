@@ -79,6 +79,11 @@ public sealed class FilmMerge
 
     private static FilmHeader Together((string Path, FilmHeader Header)[] parts)
     {
+        if (parts.Any(p => p.Header.Content != parts[0].Header.Content))
+        {
+            parts = [.. parts.Select(p => (p.Path, OldFilms.Current(p.Header, p.Path)))];
+        }
+
         (string firstPath, FilmHeader first) = parts[0];
         if (Array.Find(parts, p => p.Header.Samples.Count == 0).Path is { } empty)
         {

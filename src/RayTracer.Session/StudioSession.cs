@@ -99,7 +99,7 @@ public sealed class StudioSession : IDisposable
         where T : class, ISessionPart<T> => (T)_parts.GetOrAdd(typeof(T), _ => T.Of(this));
 
     // A film or image is shown as it was rendered.
-    private void Begin(PictureOrigin? origin, FilmStart? start)
+    private void Begin(RenderJob? origin, FilmStart? start)
     {
         if (origin is null)
         {
@@ -107,7 +107,7 @@ public sealed class StudioSession : IDisposable
             return;
         }
 
-        View.Begin(start, start?.Header.Total ?? origin.Samples, start is null ? origin.Crop : start.Header.Crop);
+        View.Begin(start, start?.Header.Total ?? origin.GivenSamples, start is null ? origin.Crop : start.Header.Crop);
     }
 
     /// <summary>Ends all work, and keeps what is not saved.</summary>

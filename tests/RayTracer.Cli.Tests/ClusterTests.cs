@@ -50,7 +50,7 @@ public sealed class ClusterTests : IDisposable
     public void Frames_are_shared_out()
     {
         Assert.Equal(0, CliRun.Of("cluster", "slurm", _scene, "--tasks", "2", "--frames", "0..9:3", "-o", _folder["f-##.png"], "--quiet").Status);
-        Assert.Contains("--frames 0..9:3 --part \"$SLURM_ARRAY_TASK_ID/2\"", Script("f-00.slurm/render.sh"), StringComparison.Ordinal);
+        Assert.Contains("--frames 0..9:3  --part \"$SLURM_ARRAY_TASK_ID/2\"", Script("f-00.slurm/render.sh"), StringComparison.Ordinal);
         Script("f-00.slurm/merge.sh");
     }
 

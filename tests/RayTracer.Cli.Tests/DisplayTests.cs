@@ -1,6 +1,7 @@
 using System.Text.Json;
 using RayTracer.Cli;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 
 namespace RayTracer.Cli.Tests;
@@ -77,20 +78,9 @@ public sealed class DisplayTests : IDisposable
     {
         using StringWriter error = new();
         Streams streams = new(TextWriter.Null, error);
-        RenderRequest request = new()
-        {
-            ScenePath = _scene,
-            Outputs = [],
-            Writing = new(),
-            Threads = 1,
-            OverrideWords = [],
-            CommandText = "",
-            Quiet = true,
-            Frames = new(7, 7, 1),
-            IsOfSequence = true,
-        };
-        RenderOutcome outcome = new(SceneFile.Load(_scene, streams)!, new(1, 1), new() { Cancelled = true }, 1, 0);
-        new RenderReport(request, outcome, [], new(null), 0).Write(streams);
+        RenderJob job = new() { Scene = _scene, Frames = new(7, 7, 1), IsOfSequence = true };
+        JobResult result = new(SceneFile.Load(_scene, streams)!, new(1, 1), new() { Cancelled = true }, 1, 0);
+        new RenderReport(job, result, new(Quiet: true), new(null), 0).Write(streams);
         Assert.Equal("raytracer: warning: frame 7 was stopped after 0 paths; no image was written", error.ToString().TrimEnd());
     }
 

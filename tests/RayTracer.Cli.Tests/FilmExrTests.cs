@@ -29,7 +29,7 @@ public sealed class FilmExrTests : IDisposable
         (FilmHeader header, Film film) = CarriedFilm.Read(_image);
         FilmExr.Write(_image, film, header with { Wanted = new(0, 16) }, new());
 
-        CliRun.Refused(4, $"'{_image}' holds samples 0..6 of an unfinished rendering: \"raytracer resume {_image}\" resumes it", "render", _scene, "--spp", "1", "-o", _image);
+        CliRun.Refused(4, $"'{_image}' holds samples 0..6 of an unfinished rendering: \"raytracer resume {_image}\" continues", "render", _scene, "--spp", "1", "-o", _image);
         CliRun.Fine("resume", _image, "--quiet");
         Assert.Equal(whole, CarriedFilm.Read(_image).Film.ComputeHash());
         Assert.True(CarriedFilm.ReadHeader(_image).IsComplete);

@@ -27,14 +27,14 @@ public sealed class InfoTests : IDisposable
             ("film", 24, 16, "1..2", 2, "1..2", 2, 4, true, "[2,3,10,9]", _scene, hash),
             (Text(json, "kind"), Number(json, "width"), Number(json, "height"), Text(json, "samples"), Number(json, "heldSamples"), Text(json, "wanted"), Number(json, "wantedSamples"), Number(json, "totalSamples"),
                 json.GetProperty("complete").GetBoolean(), json.GetProperty("crop").GetRawText().ReplaceLineEndings("").Replace(" ", "", StringComparison.Ordinal), Text(json, "scene"), Text(json, "filmHash")));
-        Assert.Equal(["--seed", "7"], json.GetProperty("overrides").EnumerateArray().Select(w => w.GetString()!));
+        Assert.Equal(["render.seed=7"], json.GetProperty("settings").EnumerateArray().Select(w => w.GetString()!));
         Assert.Equal(FilmFile.ReadHeader(film).Content, Text(json, "contentHash"));
         Assert.StartsWith("raytracer ", Text(json, "software"));
         Assert.Equal(new FileInfo(film).Length, Number(json, "fileBytes"));
 
         CliRun told = CliRun.Of("info", film);
         Assert.Contains("samples    1..2: 2 of 2 wanted (1..2), complete", told.Output, StringComparison.Ordinal);
-        Assert.Contains("options    --seed 7", told.Output, StringComparison.Ordinal);
+        Assert.Contains("settings   render.seed=7", told.Output, StringComparison.Ordinal);
         Assert.DoesNotContain(hash, told.Output, StringComparison.Ordinal);
 
         FilmFile.Write(film, FilmFile.Read(film).Film, FilmFile.ReadHeader(film) with { Wanted = new(1, 9), Scene = "a\u001b[31mb" });

@@ -55,8 +55,8 @@ public sealed class LongRenderTests : IDisposable
     {
         string film = _folder["a.rtfilm"];
         CliRun.Fine("render", _scene, "--spp", "16", "--samples", "0..3", "-o", film);
-        CliRun.Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" resumes it; delete it to start from scratch", "render", _scene, "--spp", "16", "--part", "1/2", "--checkpoint", Unfinished(film));
-        CliRun.Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" resumes it; delete it to start from scratch", "render", _scene, "--spp", "1", "-o", film);
+        CliRun.Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" continues; delete it to begin from scratch", "render", _scene, "--spp", "16", "--part", "1/2", "--checkpoint", Unfinished(film));
+        CliRun.Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" continues; delete it to begin from scratch", "render", _scene, "--spp", "1", "-o", film);
         CliRun.Fine("resume", film, "--quiet");
         CliRun.Fine("render", _scene, "--spp", "16", "--checkpoint", film, "--quiet");
     }
@@ -65,7 +65,7 @@ public sealed class LongRenderTests : IDisposable
     public void A_film_without_samples_is_refused()
     {
         string film = _folder["none.rtfilm"];
-        FilmFile.Write(film, new(4, 3), new FilmHeader { Width = 4, Height = 3, Content = "", Samples = [], Wanted = new(0, 8), Total = 8, Scene = _scene, Overrides = [], Software = "" });
+        FilmFile.Write(film, new(4, 3), new FilmHeader { Width = 4, Height = 3, Content = "", Samples = [], Wanted = new(0, 8), Total = 8, Scene = _scene, Software = "" });
         CliRun.Refused(4, $"'{film}' holds no samples yet", "merge", film, "--partial", "--json");
         CliRun.Refused(4, $"'{film}' holds no samples yet", "verify", film);
     }

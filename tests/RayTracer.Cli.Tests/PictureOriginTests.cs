@@ -24,15 +24,15 @@ public sealed class PictureOriginTests : IDisposable
             File.WriteAllText(_folder[name], "");
         }
 
-        Assert.Equal(_folder[expected], PictureOrigin.ScenePath(scene, _folder[file], [output]));
+        Assert.Equal(_folder[expected], JobOrigin.ScenePath(scene, _folder[file], [output]));
     }
 
     [Fact]
     public void One_of_the_same_name_in_the_current_folder_is_not_taken_for_it()
     {
         string here = Path.GetFileName(Directory.GetFiles(".")[0]);
-        Assert.Equal(here, PictureOrigin.ScenePath(here, _folder["k.png"], ["k.png"]));
+        Assert.Equal(here, JobOrigin.ScenePath(here, _folder["k.png"], ["k.png"]));
         File.WriteAllText(_folder[here], "");
-        Assert.Equal(_folder[here], PictureOrigin.ScenePath(here, _folder["k.png"], ["k.png"]));
+        Assert.Equal(_folder[here], JobOrigin.ScenePath(here, _folder["k.png"], ["k.png"]));
     }
 }

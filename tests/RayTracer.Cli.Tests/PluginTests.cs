@@ -11,7 +11,7 @@ public class PluginTests
     private const string Scene = """
         {
           "camera": { "position": [0, 1, 5] },
-          "render": { "width": 24, "height": 16, "samplesPerPixel": 4, "integrator": "path" },
+          "render": { "width": 24, "height": 16, "samplesPerPixel": 4, "integrator": "path", "sampler": "dart" },
           "shapes": [
             { "type": "ball", "center": [0, 0.5, 0], "size": 0.8, "material": { "type": "velvet" } },
             { "type": "plane", "point": [0, -0.5, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "stripes", "count": 3 } } }

@@ -43,7 +43,7 @@ public sealed class RenderTests : IDisposable
         {
             Dictionary<string, string> texts = ImageFile.ReadText(_folder[file]).ToDictionary();
             Assert.StartsWith("raytracer ", texts["Software"]);
-            Assert.Equal($"raytracer render {_scene} -o '{_folder["a b.png"]}' -o {_folder["a.exr"]} -o {_folder["a.jpg"]} --spp 9", texts["Command"]);
+            Assert.Equal($"raytracer render {_scene} --spp 9 -o '{_folder["a b.png"]}' -o {_folder["a.exr"]} -o {_folder["a.jpg"]}", texts["Command"]);
             Assert.Equal("scene.json", texts["Scene"]);
             Assert.Equal("9", texts["Samples"]);
             Assert.Contains(texts["FilmHash"], run.Output, StringComparison.Ordinal);
@@ -161,7 +161,7 @@ public sealed class RenderTests : IDisposable
         Assert.Equal(0, run.Status);
         Assert.Contains("samples were not finite and were discarded", run.Error, StringComparison.Ordinal);
         string replay = run.Error.Split('\n').First(l => l.Contains("--sample", StringComparison.Ordinal)).Trim();
-        Assert.Matches($"^raytracer render {_scene} --pixel \\d+,\\d+ --sample \\d+ --seed 3$", replay);
+        Assert.Matches($"^raytracer render {_scene} --seed 3 --pixel \\d+,\\d+ --sample \\d+$", replay);
         CliRun again = CliRun.Of(replay.Split(' ')[1..]);
         Assert.Contains("not finite and discarded", again.Error, StringComparison.Ordinal);
     }

@@ -66,14 +66,19 @@ public sealed class UnfinishedFilmTests : IDisposable
     [Fact]
     public void A_film_that_comes_to_where_checkpoints_go_is_kept_and_failures_do_not_count()
     {
-        (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse([_scene, "--checkpoint", _film, "--json", "--quiet"]);
+        RenderJob job = new() { Scene = _scene, Checkpoint = _film };
         using StringWriter output = new();
         using StringWriter error = new();
-        int status = new RenderRun(request, s =>
+        ConsoleRun console = new(new(Quiet: true, Json: true), new(output, error));
+        JobRun run = new(job, console)
         {
-            WriteOther(_film);
-            return overrides(s);
-        }, new(output, error)).Run();
+            Change = s =>
+            {
+                WriteOther(_film);
+                return s;
+            },
+        };
+        int status = console.Run(job, run, () => 0, default).Status;
         Assert.Equal(4, status);
         Assert.Contains($"Cannot write '{_film}': another rendering has written its film there meanwhile", error.ToString(), StringComparison.Ordinal);
         Assert.Equal("other", FilmFile.ReadHeader(_film).Content);
@@ -92,7 +97,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         CliRun.Fine("merge", "--partial", _film, "-o", group);
         CliRun.Fine("merge", "--partial", group, _folder["b.rtfilm"], "-o", group);
         Assert.Equal("0..1, 4..7", FilmFile.ReadHeader(group).SamplesText);
-        CliRun.Refused(4, $"'{group}' holds samples 0..1, 4..7 of an unfinished rendering: merge the missing samples in; delete it to start from scratch", "merge", "--partial", _film, "-o", group);
+        CliRun.Refused(4, $"'{group}' holds samples 0..1, 4..7 of an unfinished rendering: merge the missing samples in; delete it to begin from scratch", "merge", "--partial", _film, "-o", group);
         CliRun.Refused(4, "merge the missing samples in", "render", _scene, "-o", group);
     }
 
@@ -167,8 +172,8 @@ public sealed class UnfinishedFilmTests : IDisposable
         Assert.Equal((120 * 80, 2), (decision.Width, decision.Height));
         CliRun.Refused(4, $"'{_film}' holds no samples of the picture yet", "merge", _film, "--json");
         CliRun.Refused(4, $"'{_film}' holds no samples of the picture yet", "verify", _film);
-        CliRun.Refused(4, $"\"raytracer resume {_film}\" resumes it", command);
-        CliRun.Refused(2, "--spp 9: the film's number of samples is still being decided", "resume", _film, "--spp", "9");
+        CliRun.Refused(4, $"\"raytracer resume {_film}\" continues", command);
+        CliRun.Refused(2, "--spp 9: it is being decided how many samples", "resume", _film, "--spp", "9");
         CliRun.Refused(4, $"the film is not of '{_scene}'", [.. command, "--resume", "--seed", "3"]);
 
         CliRun hasty = CliRun.Of("resume", _film, "--time", "0.001", "--json", "--quiet");
@@ -186,14 +191,17 @@ public sealed class UnfinishedFilmTests : IDisposable
 
     private static CliRun Run(string[] words, CancellationTokenSource source, TextWriter error, Action? atLoad = null)
     {
-        (RenderRequest request, Func<SceneDescription, SceneDescription> overrides) = RenderVerb.Parse(words[1..]);
-        SceneDescription Load(SceneDescription scene)
+        RenderJob job = OldFilms.OfWords(words[1..], "the command");
+        ConsoleRun console = new(new(Quiet: true), new(TextWriter.Null, error));
+        JobRun run = new(job, console)
         {
-            atLoad?.Invoke();
-            return overrides(scene);
-        }
-
-        int status = new RenderRun(request with { CommandText = Shell.Command(words) }, Load, new(TextWriter.Null, error)).Run(() => source.IsCancellationRequested ? Stopped : 0, source.Token);
+            Change = scene =>
+            {
+                atLoad?.Invoke();
+                return scene;
+            },
+        };
+        int status = console.Run(job, run, () => source.IsCancellationRequested ? Stopped : 0, source.Token).Status;
         return new(status, "", $"{error}");
     }
 

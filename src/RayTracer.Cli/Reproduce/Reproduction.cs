@@ -63,7 +63,7 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, string 
         {
             foreach (ReportPicture picture in scene.Pictures)
             {
-                ImageOutputs.Check(_output[scene.PictureFile(picture)]);
+                JobFiles.Check(_output[scene.PictureFile(picture)]);
             }
         }
     }

@@ -7,6 +7,9 @@ namespace RayTracer.Imaging;
 /// <summary>The header of a film file, which describes its film.</summary>
 public sealed record FilmHeader
 {
+    private const string SettingsKey = "settings";
+    private const string WordsKey = "overrides";
+
     /// <summary>Width in pixels.</summary>
     public required int Width { get; init; }
 
@@ -31,8 +34,11 @@ public sealed record FilmHeader
     /// <summary>The scene's file.</summary>
     public string Scene { get; init; } = "";
 
-    /// <summary>The options that replace what the scene's file says, as words of a command line.</summary>
-    public IReadOnlyList<string> Overrides { get; init; } = [];
+    /// <summary>The values that replace what the scene's file says, each written <c>path=value</c>.</summary>
+    public IReadOnlyList<string> Settings { get; init; } = [];
+
+    /// <summary>What a file of the first format holds in place of settings: words of a command line; null in any other.</summary>
+    public IReadOnlyList<string>? Words { get; init; }
 
     /// <summary>The program that wrote it.</summary>
     public string Software { get; init; } = "";
@@ -65,10 +71,10 @@ public sealed record FilmHeader
             }
 
             json.WriteString("scene", Scene);
-            json.WriteStartArray("overrides");
-            foreach (string word in Overrides)
+            json.WriteStartArray(Words is null ? SettingsKey : WordsKey);
+            foreach (string text in Words ?? Settings)
             {
-                json.WriteStringValue(word);
+                json.WriteStringValue(text);
             }
 
             json.WriteEndArray();
@@ -100,7 +106,8 @@ public sealed record FilmHeader
                 Total = json.GetProperty("total").GetInt32(),
                 Crop = crop.Length == 4 ? new(crop[0], crop[1], crop[2], crop[3]) : null,
                 Scene = Text(json.GetProperty("scene")),
-                Overrides = [.. json.GetProperty("overrides").EnumerateArray().Select(Text)],
+                Settings = json.TryGetProperty(SettingsKey, out JsonElement settings) ? [.. settings.EnumerateArray().Select(Text)] : [],
+                Words = json.TryGetProperty(SettingsKey, out _) ? null : [.. json.GetProperty(WordsKey).EnumerateArray().Select(Text)],
                 Software = Text(json.GetProperty("software")),
             };
             return header.IsSound ? header : throw new PictureException("its header makes no sense");

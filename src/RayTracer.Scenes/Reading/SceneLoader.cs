@@ -42,9 +42,11 @@ public static class SceneLoader
     /// <param name="overrides">As for <see cref="Load"/>.</param>
     /// <param name="frame">As for <see cref="Load"/>.</param>
     /// <param name="readPicture">As for <see cref="Load"/>.</param>
+    /// <param name="settings">As for <see cref="Load"/>.</param>
     public static SceneLoadResult LoadText(
-        string text, string fileName, string folder, Func<SceneDescription, SceneDescription>? overrides = null, int? frame = null, Func<string, bool, Picture>? readPicture = null) =>
-        Build(SceneReader.ReadText(text, fileName, null, frame), folder, new ModelFolder(folder), AtFrame(overrides, frame), readPicture, keepsSources: false);
+        string text, string fileName, string folder, Func<SceneDescription, SceneDescription>? overrides = null, int? frame = null, Func<string, bool, Picture>? readPicture = null,
+        IReadOnlyList<SceneSetting>? settings = null) =>
+        Build(SceneReader.ReadText(text, fileName, settings, frame), folder, new ModelFolder(folder), AtFrame(overrides, frame), readPicture, keepsSources: false);
 
     /// <summary>The description of a scene, without building it.</summary>
     /// <param name="path">As for <see cref="Load"/>.</param>
@@ -59,6 +61,10 @@ public static class SceneLoader
         return scene is null ? null : AtFrame(overrides, frame)?.Invoke(scene) ?? scene;
     }
 
+    /// <summary>As <see cref="Describe"/>, of a text in the native format.</summary>
+    public static SceneDescription? DescribeText(string text, string fileName, IReadOnlyList<SceneSetting>? settings = null, int? frame = null) =>
+        SceneReader.ReadText(text, fileName, settings, frame).Description is { } scene ? AtFrame(null, frame)?.Invoke(scene) ?? scene : null;
+
     private static SceneReadResult Set(SceneReadResult read, IReadOnlyList<SceneSetting>? settings)
     {
         if (settings is not { Count: > 0 } || read.Description is not { } scene)
@@ -66,8 +72,23 @@ public static class SceneLoader
             return read;
         }
 
+        if (settings.All(s => s.Path.StartsWith("render.", StringComparison.Ordinal)))
+        {
+            return SetRender(read, scene, settings);
+        }
+
         SceneReadResult native = SceneReader.ReadText(SceneWriter.Write(scene), $"{FileName(read)}, converted", settings);
         return new(native.Source, native.Root, native.Partial, native.SourceMap, read.Diagnostics.Concat(native.Diagnostics));
+    }
+
+    // Everything else is not converted, and keeps its places in the file.
+    private static SceneReadResult SetRender(SceneReadResult read, SceneDescription scene, IReadOnlyList<SceneSetting> settings)
+    {
+        string text = SceneWriter.Write(new() { Camera = scene.Camera, Render = scene.Render });
+        SceneReadResult native = SceneReader.ReadText(text, $"{FileName(read)}, converted", settings);
+        SceneDescription changed = scene with { Render = native.Partial?.Render ?? scene.Render };
+        read.SourceMap.Follow(scene, changed);
+        return new(read.Source, read.Root, changed, read.SourceMap, read.Diagnostics.Concat(native.Diagnostics));
     }
 
     /// <summary>Builds the scene of a description that has been read; it remembers the records that its parts were made from.</summary>

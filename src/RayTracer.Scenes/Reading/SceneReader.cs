@@ -60,6 +60,11 @@ public static class SceneReader
         if (frame is { } number && scene is { Animation.Count: > 0 } && bag.Diagnostics.Count == 0)
         {
             root = AnimationTrack.Apply(root!, scene.Animation, map, number / (double)scene.Render.FramesPerSecond);
+
+
+            // What is set for the picture goes before tracks.
+            IEnumerable<SceneSetting> ofPicture = (settings ?? []).Where(s => s.Path.StartsWith("render.", StringComparison.Ordinal));
+            root = ofPicture.Aggregate(root, (tree, setting) => SettingTree.Apply(setting, tree, source, bag));
             map = new();
             scene = RecordReader.ReadScene(root, bag, map);
         }

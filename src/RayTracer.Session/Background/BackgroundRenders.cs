@@ -35,7 +35,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
             throw new SessionException($"{total} samples make at most {total} parts, numbered from 1.");
         }
 
-        SampleRange share = new((int)((number - 1L) * total / count), (int)((long)number * total / count));
+        SampleRange share = Shares.Part(number, count, total);
         (FilmHeader header, string? scene) = FilmHeaders.Of(order, shown, document.Place, full);
         CheckFree(overwrite, scene is null ? [full] : [full, header.Scene]);
         return jobs.Start($"part {number} of {count}: {Path.GetFileName(full)}", (progress, cancellation) =>
@@ -72,10 +72,22 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
             throw new SessionException("Each frame has its own file: mark its number's place in the name, as in frame-####.png.");
         }
 
-        FrameJob job = new(Order(out ShownScene shown), shown, document.Place, full, view.Tone);
-        ImageFile.Check(job.FileOf(first));
-        CheckFree(overwrite, Enumerable.Range(first, last - first + 1).Select(job.FileOf));
-        return jobs.Start($"frames {first} to {last}", (progress, cancellation) => job.Run(first, last, progress, cancellation));
+        ShownScene shown = view.RequireShown();
+        ViewSettings settings = new() { Region = view.Settings.Region, Threads = view.Settings.Threads, Samples = shown.Scene.Render.SamplesPerPixel };
+        RenderJob job = ViewJob.Of(document.Place, shown.Description, settings, view.Tone, full) with
+        {
+            Scene = Path.GetFullPath(document.Place.Path ?? Path.Combine(document.Place.Folder, document.Place.Name)),
+            Text = shown.Good.Text,
+            Frames = new(first, last, 1),
+        };
+        if (JobRules.Complaint(job) is { } complaint)
+        {
+            throw new SessionException(complaint);
+        }
+
+        ImageFile.Check(FrameRange.Name(full, first));
+        CheckFree(overwrite, job.Frames!.Numbers.Select(f => FrameRange.Name(full, f)));
+        return jobs.Start($"frames {first} to {last}", (progress, cancellation) => Frames(job, full, progress, cancellation));
     }
 
     /// <summary>Adds films of different samples of a picture up, into a film or an image.</summary>
@@ -116,7 +128,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
             }
             else
             {
-                ImageFile.Write(full, film, new() { Exposure = view.Tone.Exposure, ToneMap = view.Tone.ToneMap, Metadata = FilmTexts.Of(header, film.ComputeHash()) });
+                ImageFile.Write(full, film, new() { Exposure = view.Tone.Exposure, ToneMap = view.Tone.ToneMap, Metadata = PictureTexts.Of(header, film.ComputeHash()) });
             }
 
             return $"wrote {full}, samples {header.SamplesText}{(merge.Missing is { } gaps ? $"; {gaps}" : "")}";
@@ -134,6 +146,24 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
 
     /// <summary>How an order is computed.</summary>
     internal static RenderOptions Options(RenderOrder order) => new() { Threads = order.Threads, Crop = order.Region };
+
+    private static string Frames(RenderJob job, string pattern, IProgress<double> progress, CancellationToken cancellation)
+    {
+        JobWatch watch = new(progress, job.Frames!.Count);
+        FrameRun frames = new(job, watch);
+        frames.Run(
+            (one, run) =>
+            {
+                cancellation.ThrowIfCancellationRequested();
+                JobResult result = run.Run(cancellation) ?? throw new SessionException($"this is wrong at frame {one.Frame}: {watch.Errors[0]}");
+                return result.Statistics.Cancelled ? throw new OperationCanceledException(cancellation)
+                    : (result, result.IsWritten ? true : throw new SessionException(watch.Errors[0]));
+            },
+            _ => watch.Next());
+        int kept = frames.Done.Count(f => f.Result is null);
+        return $"wrote {frames.Done.Count - kept} frames, {FrameRange.Name(pattern, job.Frames.First)} to {Path.GetFileName(FrameRange.Name(pattern, job.Frames.Last))}"
+            + (kept > 0 ? $"; {kept} were there already" : "");
+    }
 
     private static void CheckFree(bool overwrite, IEnumerable<string> files)
     {
@@ -157,5 +187,29 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
     private sealed class Fractions(IProgress<double> progress) : IProgress<RenderProgress>
     {
         public void Report(RenderProgress value) => progress.Report(value.Fraction);
+    }
+
+    /// <summary>Reports how far several pictures are together.</summary>
+    /// <param name="whole">Takes it.</param>
+    /// <param name="count">How many there are.</param>
+    private sealed class JobWatch(IProgress<double> whole, int count) : IJobWatch, IProgress<RenderProgress>
+    {
+        private int _done;
+
+        public List<string> Errors { get; } = [];
+
+        public void Warn(string message)
+        {
+        }
+
+        public void Fail(string message) => Errors.Add(message);
+
+        public void Read(IReadOnlyList<Diagnostic> diagnostics) => Errors.AddRange(diagnostics.Where(d => d.Severity == Severity.Error).Select(d => d.Message));
+
+        public IProgress<RenderProgress> Begin() => this;
+
+        public void Report(RenderProgress value) => whole.Report((_done + value.Fraction) / count);
+
+        public void Next() => whole.Report((double)++_done / count);
     }
 }

@@ -33,12 +33,11 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
         (Scene scene, ViewSettings settings) = (view.RequireShown().Scene, view.Settings);
         Film film = FilmBudget.Create(scene.Render.Width, scene.Render.Height);
         LightLayerFilm layers = Layers(film, scene);
-        string command = $"{CommandText.Of(document.Place, document.Read.Description, settings, Tone.Plain, full)} --aov lights";
+        RenderJob job = ViewJob.Of(document.Place, document.Read.Description, settings, Tone.Plain, full) with { Layers = [LightLayer.Lights] };
         return jobs.Start($"lights: {Path.GetFileName(full)}", (progress, cancellation) =>
         {
             BackgroundRenders.Render(scene, new() { Threads = settings.Threads, Crop = settings.Region, Layers = layers }, progress, cancellation, film);
-            KeyValuePair<string, string>[] texts = [new("Software", ProgramName.Text), new("Command", command), new("Scene", document.Place.Name), new("FilmHash", film.ComputeHash())];
-            ImageFile.Write(full, film, new() { Metadata = texts, ExrLayers = AovFiles.Layers(layers) });
+            ImageFile.Write(full, film, new() { Metadata = PictureTexts.Of(job, film.ComputeHash(), $"{scene.Render.SamplesPerPixel}", null), ExrLayers = AovFiles.Layers(layers) });
             return $"wrote {full}";
         });
     }

@@ -37,7 +37,7 @@ public sealed class SceneFiles
     public IReadOnlyList<string> Recent => _recent.All;
 
     /// <summary>Raised after a document was opened: with what a film or image says about its rendering, and the film that is gone on with; null for other files.</summary>
-    internal event Action<PictureOrigin?, FilmStart?>? Opened;
+    internal event Action<RenderJob?, FilmStart?>? Opened;
 
     /// <summary>Whether a file can be opened, by its name.</summary>
     public static bool CanOpen(string name) => IsScene(name) || IsImage(name);
@@ -203,7 +203,8 @@ public sealed class SceneFiles
     private void OpenPicture(string path)
     {
         FilmStart? start = CarriedFilm.Is(path) ? FilmStart.Read(path) : null;
-        PictureOrigin origin = start is null ? PictureOrigin.OfImage(path) : PictureOrigin.Of(start.Header, path);
+        RenderJob origin = start is null ? JobOrigin.OfImage(path).Job : JobOrigin.Of(start.Header, path);
+        origin = origin with { Scene = Path.GetFullPath(origin.Scene) };
         if (!File.Exists(origin.Scene))
         {
             throw new DocumentException($"the scene of {Path.GetFileName(path)} is neither at {origin.Scene} nor beside it");
@@ -223,7 +224,7 @@ public sealed class SceneFiles
         Show(text, place, isSaved: true, origin, start);
     }
 
-    private void Show(string text, DocumentPlace place, bool isSaved, PictureOrigin? origin = null, FilmStart? start = null)
+    private void Show(string text, DocumentPlace place, bool isSaved, RenderJob? origin = null, FilmStart? start = null)
     {
         _document.Open(text, place, isSaved);
         Opened?.Invoke(origin, start);

@@ -35,7 +35,7 @@ internal static class FilmHeaders
         if (order.Start?.Header is { } begun)
         {
             // What it was rendered from then, it is rendered from now.
-            return (header with { Scene = begun.Scene, Overrides = begun.Overrides }, null);
+            return (header with { Scene = begun.Scene, Settings = OldFilms.Settings(begun) }, null);
         }
 
         string file = Path.GetFullPath(place.Path ?? Path.Combine(place.Folder, place.Name));

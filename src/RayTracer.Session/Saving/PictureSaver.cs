@@ -111,17 +111,19 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     }
 
     /// <summary>The command that would render the picture.</summary>
-    public string Command(string? output = null) => CommandText.Of(document.Place, document.Read.Description, view.Settings, view.Tone, output);
+    public string Command(string? output = null) => Job(output).Command;
+
+    private RenderJob Job(string? output) => ViewJob.Of(document.Place, document.Read.Description, view.Settings, view.Tone, output);
 
     // A copy, so that rendering goes on meanwhile.
     private async Task<Taken> Take(string output)
     {
-        (Tone tone, string command) = (view.Tone, Command(output));
+        RenderJob job = Job(output);
         return await view.Loop.Look((film, order, samples) =>
         {
             Film copy = FilmBudget.Create(film.Width, film.Height);
             copy.Merge(film);
-            return new Taken(copy, order, samples, tone, command);
+            return new Taken(copy, order, samples, job);
         }).ConfigureAwait(false);
     }
 
@@ -133,24 +135,12 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         return images;
     }
 
-    private ImageWriteOptions Options(Taken taken, PictureRequest request)
+    private static ImageWriteOptions Options(Taken taken, PictureRequest request)
     {
         bool isWhole = taken.Samples >= taken.Order.Samples;
-        return new()
-        {
-            BitDepth = request.BitDepth,
-            Exposure = taken.Tone.Exposure,
-            ToneMap = taken.Tone.ToneMap,
-            Metadata =
-            [
-                new("Software", ProgramName.Text),
-                new("Command", taken.Command),
-                new("Scene", document.Place.Name),
-                new("Samples", $"{taken.Order.Samples}{(isWhole ? "" : $", unfinished: {taken.Film.TotalSamples} paths")}"),
-                new("FilmHash", taken.Film.ComputeHash()),
-            ],
-        };
+        string samples = $"{taken.Order.Samples}{(isWhole ? "" : $", unfinished: {taken.Film.TotalSamples} paths")}";
+        return taken.Job.Writing with { BitDepth = request.BitDepth, Metadata = PictureTexts.Of(taken.Job, taken.Film.ComputeHash(), samples, null) };
     }
 
-    private sealed record Taken(Film Film, RenderOrder Order, int Samples, Tone Tone, string Command);
+    private sealed record Taken(Film Film, RenderOrder Order, int Samples, RenderJob Job);
 }

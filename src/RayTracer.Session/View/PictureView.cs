@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Sampling;
@@ -158,8 +159,14 @@ public sealed class PictureView : IDisposable
     }
 
     /// <summary>What decides what a sample of the picture comes to, as a hash.</summary>
-    internal static string ContentOf(GoodScene good, RenderOrder order, string folder) => ContentHash.Of(
-        good.Read.Description! with { Camera = order.Camera, Render = order.Scene.Render }, Path.Combine(folder, "scene.json"), order.Region);
+    internal static string ContentOf(GoodScene good, RenderOrder order, string folder) => ContentHash.Of(Ordered(good, order), ScenePath(folder), order.Region);
+
+    private static bool IsOf(FilmHeader header, GoodScene good, RenderOrder order, string folder) =>
+        OldFilms.Current(header, Ordered(good, order), ScenePath(folder), order.Region).Content == ContentOf(good, order, folder);
+
+    private static SceneDescription Ordered(GoodScene good, RenderOrder order) => good.Read.Description! with { Camera = order.Camera, Render = order.Scene.Render };
+
+    private static string ScenePath(string folder) => Path.Combine(folder, "scene.json");
 
     /// <summary>Shows another camera, which the text does not have yet.</summary>
     /// <returns>Whether the scene can be seen from there; if not, nothing has changed.</returns>
@@ -297,7 +304,7 @@ public sealed class PictureView : IDisposable
         if (_start is { } start && _startPicture == 0 && _startPlace is { } place && _place == place)
         {
             bool isSame = (start.Header.Width, start.Header.Height) == (order.Scene.Render.Width, order.Scene.Render.Height)
-                && ContentOf(good, order, place.Folder) == start.Header.Content;
+                && IsOf(start.Header, good, order, place.Folder);
             _startPicture = ++_pictures;
             _start = isSame ? start : null;
             if (!isSame)

@@ -58,7 +58,7 @@ public sealed class BackgroundRendersTests
         Scenes.SceneLoadResult load = Scenes.SceneLoader.Load(scene, frame: 5);
         Dictionary<string, string> texts = new(ImageFile.ReadText(Path.Combine(test.Folder, "frame-05.png")));
         Assert.Equal((new RTracer(load.Scene!).Render().Film.ComputeHash(), ContentHash.OfPicture(load.Description!, scene, null)), (texts["FilmHash"], texts["Content"]));
-        Assert.EndsWith("--frames 5", texts["Command"], StringComparison.Ordinal);
+        Assert.Equal("""["frames=5"]""", texts["Settings"]);
 
         File.Delete(Path.Combine(test.Folder, "frame-06.png"));
         Assert.Equal(SessionFault.Conflict, Assert.Throws<SessionException>(() => background.Frames(4, 6, "frame-##.png", overwrite: false)).Fault);
@@ -68,8 +68,9 @@ public sealed class BackgroundRendersTests
 
         // The command takes the Studio's frames for its own, and the Studio the command's.
         string frame = Path.Combine(test.Folder, "frame-05.png");
-        Assert.True(FinishedPicture.Is(frame, texts["Content"], "raytracer render ./scene.json --frames 5 --tonemap clamp -o elsewhere.png"));
-        Assert.False(FinishedPicture.Is(frame, texts["Content"], "raytracer render ./scene.json --frames 5 --tonemap aces -o frame-05.png"));
+        RenderJob job = new() { Scene = scene, Frames = new(5, 5, 1), Outputs = ["elsewhere.png"] };
+        Assert.True(FinishedPicture.Is(frame, job, load.Description!));
+        Assert.False(FinishedPicture.Is(frame, job with { Writing = new() { ToneMap = ToneMap.Aces } }, load.Description!));
         ImageFile.Write(frame, ImageFile.Read(frame), new() { Metadata = [.. texts.Where(t => t.Key != "Command"), new("Command", "raytracer render scene.json --frames 5 -o frame-05.png")] });
         Assert.EndsWith("; 3 were there already", await Job(test, () => background.Frames(4, 6, "frame-##.png", overwrite: true)), StringComparison.Ordinal);
 

@@ -127,7 +127,7 @@ public sealed class FilmTests
         Assert.Contains("neither at", Assert.Throws<DocumentException>(() => test.Session.Files.Open(film, discard: true)).Message, StringComparison.Ordinal);
         string image = Path.Combine(test.Folder, "other.png");
         ImageFile.Write(image, new Film(2, 2));
-        Assert.Contains("does not say which scene", Assert.Throws<JobException>(() => test.Session.Files.Open(image)).Message, StringComparison.Ordinal);
+        Assert.Contains("does not say how it was made", Assert.Throws<JobException>(() => test.Session.Files.Open(image)).Message, StringComparison.Ordinal);
         await File.WriteAllTextAsync(film, "no film");
         Assert.Throws<DocumentException>(() => test.Session.Files.Open(film));
     }

@@ -26,7 +26,7 @@ public sealed class PictureSaverTests
         if (!name.EndsWith(".pfm", StringComparison.Ordinal))
         {
             Dictionary<string, string> texts = new(ImageFile.ReadText(path));
-            Assert.Equal(["Command", "FilmHash", "Samples", "Scene", "Software"], texts.Keys.Order());
+            Assert.Equal(["Command", "FilmHash", "Samples", "Scene", "Settings", "Software"], texts.Keys.Order());
             Assert.Equal((film.ComputeHash(), "4"), (texts["FilmHash"], texts["Samples"]));
         }
     }
@@ -71,7 +71,7 @@ public sealed class PictureSaverTests
         Assert.Equal("raytracer render test.json -o test.png", test.Session.Pictures.Command());
         test.Session.View.Change(s => s with { Samples = 9, Region = new(1, 2, 3, 4) });
         test.Session.View.Tone = new(-1.5f, ToneMap.Aces);
-        Assert.Equal("raytracer render test.json -o 'a b.exr' --spp 9 --crop 1,2,3,4 --exposure -1.5 --tonemap aces", test.Session.Pictures.Command("a b.exr"));
+        Assert.Equal("raytracer render test.json --spp 9 --exposure -1.5 --tonemap aces --crop 1,2,3,4 -o 'a b.exr'", test.Session.Pictures.Command("a b.exr"));
     }
 
     [Fact]

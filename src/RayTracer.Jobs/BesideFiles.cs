@@ -2,31 +2,31 @@ using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
-namespace RayTracer.Cli;
+namespace RayTracer.Jobs;
 
 /// <summary>The files that auxiliary images and denoised pictures are written to, beside outputs that hold no layers.</summary>
-internal sealed class AovOutputs
+internal sealed class BesideFiles
 {
-    private readonly RenderRequest _request;
+    private readonly RenderJob _job;
     private readonly HashSet<string> _taken;
     private readonly List<(string Path, AuxiliaryImage Image)> _files = [];
     private readonly List<(string Path, int Layer)> _layers = [];
     private readonly List<string> _denoised = [];
 
     /// <summary>Lists the files whose names are known before the scene is.</summary>
-    /// <exception cref="CommandException">Two images would go to one file.</exception>
-    public AovOutputs(RenderRequest request)
+    /// <exception cref="JobException">Two images would go to one file.</exception>
+    public BesideFiles(RenderJob job)
     {
-        _request = request;
-        _taken = [.. request.Outputs.Select(Path.GetFullPath)];
+        _job = job;
+        _taken = [.. job.Outputs.Select(Path.GetFullPath)];
         foreach (string output in Pictures)
         {
-            foreach (AuxiliaryImage image in request.Aovs.Distinct())
+            foreach (AuxiliaryImage image in job.Aovs.Distinct())
             {
                 _files.Add((Take($"--aov {image.Name}", output, AovFiles.Beside(output, image.Name)), image));
             }
 
-            if (request.Denoise)
+            if (job.Denoise)
             {
                 _denoised.Add(Take("--denoise", output, DenoisedFiles.Beside(output)));
             }
@@ -37,12 +37,12 @@ internal sealed class AovOutputs
     public IReadOnlyList<string> Files => [.. _files.Select(f => f.Path), .. _denoised, .. _layers.Select(l => l.Path)];
 
     // Outputs that hold no layers.
-    private IEnumerable<string> Pictures => _request.Outputs.Distinct().Where(
-        o => o != _request.Kept && Path.GetExtension(o).Length > 0 && !ImageFormat.Has(o, ImageFeatures.Layers) && !FilmFile.IsNamed(o));
+    private IEnumerable<string> Pictures =>
+        _job.Outputs.Distinct().Where(o => o != _job.Kept && Path.GetExtension(o).Length > 0 && !ImageFormat.Has(o, ImageFeatures.Layers) && !FilmFile.IsNamed(o));
 
     /// <summary>Lists the files of layers of light.</summary>
     /// <param name="layers">The layers' names.</param>
-    /// <exception cref="CommandException">Two images would go to one file, or one cannot be written.</exception>
+    /// <exception cref="JobException">Two images would go to one file, or one cannot be written.</exception>
     public void Add(IReadOnlyList<string> layers)
     {
         foreach (string output in Pictures)
@@ -50,20 +50,20 @@ internal sealed class AovOutputs
             for (int i = 0; i < layers.Count; i++)
             {
                 string path = Take($"--aov: the layer {layers[i]}", output, AovFiles.Beside(output, layers[i]));
-                ImageOutputs.Check(path);
+                JobFiles.Check(path);
                 _layers.Add((path, i));
             }
         }
     }
 
-    /// <summary>Writes them; says of each that cannot be written why.</summary>
+    /// <summary>Writes them; reports why those fail that cannot be written.</summary>
     /// <param name="film">The images; null where they are left out.</param>
     /// <param name="layers">The layers of light; null where there are none.</param>
     /// <param name="denoised">The denoised picture; null where there is none.</param>
     /// <param name="writing">How the picture is written.</param>
-    /// <param name="streams">Takes complaints.</param>
+    /// <param name="watch">Takes failures.</param>
     /// <returns>Those that were written.</returns>
-    public IReadOnlyList<string> Write(AovFilm? film, LightLayerFilm? layers, Picture? denoised, ImageWriteOptions writing, Streams streams)
+    public IReadOnlyList<string> Write(AovFilm? film, LightLayerFilm? layers, Picture? denoised, ImageWriteOptions writing, IJobWatch watch)
     {
         List<string> written = [];
         foreach ((string path, AuxiliaryImage kind) in film is null ? [] : _files)
@@ -71,18 +71,18 @@ internal sealed class AovOutputs
             (IImageRows image, string range) = AovFiles.Rows(path, film!, kind);
             KeyValuePair<string, string>[] texts = [.. writing.Metadata, new("Aov", kind.Name), new("Range", range)];
             ImageWriteOptions plain = writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = texts };
-            written.AddRange(ImageOutputs.Write([path], image, plain, streams));
+            written.AddRange(JobFiles.Write([path], image, plain, watch));
         }
 
         foreach ((string path, int layer) in _layers)
         {
             KeyValuePair<string, string>[] texts = [.. writing.Metadata, new("Layer", layers!.Names[layer])];
-            written.AddRange(ImageOutputs.Write([path], layers.Image(layer), writing with { Metadata = texts }, streams));
+            written.AddRange(JobFiles.Write([path], layers.Image(layer), writing with { Metadata = texts }, watch));
         }
 
         if (denoised is not null)
         {
-            written.AddRange(ImageOutputs.Write(_denoised, denoised, writing with { Metadata = [.. writing.Metadata, new("Denoised", "yes")] }, streams));
+            written.AddRange(JobFiles.Write(_denoised, denoised, writing with { Metadata = [.. writing.Metadata, new("Denoised", "yes")] }, watch));
         }
 
         return written;
@@ -90,5 +90,5 @@ internal sealed class AovOutputs
 
     private string Take(string option, string output, string path) => _taken.Add(Path.GetFullPath(path))
         ? path
-        : throw new CommandException(ExitStatus.Usage, $"{option} writes to '{path}' beside '{output}', but another image goes there");
+        : throw new JobException(JobFault.Request, $"{option} writes to '{path}' beside '{output}', but another image goes there");
 }

@@ -1,9 +1,8 @@
 using System.Diagnostics;
 using RayTracer.Imaging;
-using RayTracer.Jobs;
 using RayTracer.Rendering;
 
-namespace RayTracer.Cli;
+namespace RayTracer.Jobs;
 
 /// <summary>
 /// Renders samples in passes, each of some samples of every pixel, so that the film always holds whole ranges of samples: it can be written at any
@@ -12,7 +11,8 @@ namespace RayTracer.Cli;
 /// <param name="scene">The scene.</param>
 /// <param name="options">How to compute it.</param>
 /// <param name="header">What the film file says of the film before the first pass.</param>
-internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader header)
+/// <param name="watch">Is shown the film after each pass.</param>
+internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader header, IJobWatch watch)
 {
     private const int MostSamples = 64;
 
@@ -28,11 +28,8 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
     /// <summary>Whether the samples that there are count as all that were wanted, however many they come to.</summary>
     public bool IsOpenEnded { get; init; }
 
-    /// <summary>Shows the film now and then; may be null.</summary>
-    public PreviewDisplay? Preview { get; init; }
-
     // What is shown shall change.
-    private double LongestPass => Preview is null ? 5 : 0.5;
+    private double LongestPass => watch.ShowsPasses ? 0.5 : 5;
 
     /// <summary>What a film file says of a film that shall hold no more samples than it does.</summary>
     public static FilmHeader AsAll(FilmHeader header) => header.Samples is [var all] ? header with { Wanted = all, Total = all.End } : header;
@@ -65,7 +62,7 @@ internal sealed class PassRender(Scene scene, RenderOptions options, FilmHeader 
             Header = Header with { Samples = FilmMerge.Join(Header.Samples, range) };
             Header = IsOpenEnded ? AsAll(Header) : Header;
             Checkpoints?.Offer(film, Header);
-            Preview?.Offer(film, isLast: first >= missing.End);
+            watch.Offer(film, isLast: first >= missing.End);
             count = NextCount(Stopwatch.GetElapsedTime(passStart).TotalSeconds / range.Count, Limit - Stopwatch.GetElapsedTime(start));
         }
 

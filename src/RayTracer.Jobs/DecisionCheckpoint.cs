@@ -1,17 +1,16 @@
 using RayTracer.Imaging;
-using RayTracer.Jobs;
 using RayTracer.Rendering;
 
-namespace RayTracer.Cli;
+namespace RayTracer.Jobs;
 
 /// <summary>
 /// Keeps the samples that decide how many the picture shall have (<c>--noise</c>) in the file of <c>--checkpoint</c>, until there are samples of the picture itself. The file is a film of
-/// its own kind, told by its content: a <see cref="DecidingState"/>, whose target is the header's total. It wants more samples than that, so that it never counts as whole.
+/// its own kind, known by its content: a <see cref="DecidingState"/>, whose target is the header's total. It wants more samples than that, so that it never counts as whole.
 /// </summary>
 /// <param name="checkpoints">Writes them.</param>
 /// <param name="picture">What a film file would say of the picture.</param>
-/// <param name="goal">What is decided, in words: decisions on something else are not gone on with.</param>
-internal sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader picture, string goal)
+/// <param name="goal">What is decided, in words: decisions on something else are not resumed.</param>
+public sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader picture, string goal)
 {
     private const string Mark = "-deciding-";
     private readonly string _content = $"{picture.Content}{Mark}{goal}";
@@ -21,14 +20,16 @@ internal sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader pic
     public static bool Is(FilmHeader header) => header.Content.Contains(Mark, StringComparison.Ordinal);
 
     /// <summary>The complaint about a film that holds none of a picture.</summary>
-    public static CommandException NoPicture(string path) =>
-        new(ExitStatus.InputOutput, $"'{path}' holds no samples of the picture yet: their number is still being decided (--noise); \"raytracer resume {path}\" resumes it");
+    public static JobException NoPicture(string path) =>
+        new(JobFault.File, $"'{path}' holds no samples of the picture yet: it is being decided how many there shall be (--noise); \"raytracer resume {path}\" continues");
 
-    /// <summary>Where to go on from.</summary>
-    /// <exception cref="CommandException">The film is of another picture or another decision.</exception>
-    public DecidingState Begun(ResumedFilm film, string scene) => film.Header is { Content: var content, Samples: [var held], Total: var target } && content == _content
-        ? new(film.Film, held.End, target)
-        : throw ResumeVerb.OtherScene(scene);
+    /// <summary>What has been decided before.</summary>
+    /// <exception cref="JobException">The film is of another picture or another decision.</exception>
+    public DecidingState Begun(HeldFilm film, RenderJob job, Description.SceneDescription scene)
+    {
+        FilmHeader header = OldFilms.Current(film.Header, scene, job.Scene, picture.Crop);
+        return header is { Samples: [var held], Total: var target } && header.Content == _content ? new(film.Film, held.End, target) : throw Resuming.OtherScene(job.Scene);
+    }
 
     /// <summary>Writes how far it has come, if it is time for it.</summary>
     public void Keep(DecidingState state)
@@ -38,7 +39,7 @@ internal sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader pic
             Width = state.Film.Width,
             Height = state.Film.Height,
             Crop = null,
-            Overrides = [.. picture.Overrides, .. FilmTexts.CropWords(picture)],
+            Settings = [.. picture.Settings, .. JobOptions.Kept(new() { Scene = "", Crop = picture.Crop }, JobOptionUse.Pictures)],
             Content = _content,
             Samples = [new(0, state.Samples)],
             Wanted = new(0, 2 * state.Target),

@@ -1,10 +1,9 @@
 using RayTracer.Description;
 using RayTracer.Imaging;
-using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
-namespace RayTracer.Cli;
+namespace RayTracer.Jobs;
 
 /// <summary>Renders a picture in two halves, and denoises it. The film is the same to the bit as in one go.</summary>
 internal sealed class Denoising
@@ -25,10 +24,10 @@ internal sealed class Denoising
         (2 * (FilmMemory.Bytes(width, height) + AovFilm.Bytes(HalfRender.Kinds, width, height))) + (Denoiser.BytesPerPixel * (long)width * height);
 
     /// <summary>Prepares.</summary>
-    /// <exception cref="CommandException">There are too few samples.</exception>
+    /// <exception cref="JobException">There are too few samples.</exception>
     public static Denoising Create(Scene scene) => scene.Render.SamplesPerPixel > 1
         ? new(scene)
-        : throw new CommandException(ExitStatus.Usage, "--denoise compares two halves of the samples, but there is only 1 a pixel: give --spp 2 or more");
+        : throw new JobException(JobFault.Request, "--denoise compares two halves of the samples, but there is only 1 a pixel: give --spp 2 or more");
 
     /// <summary>Renders into a film.</summary>
     public RenderStatistics Render(Film film, RenderOptions options, IProgress<RenderProgress>? progress, CancellationToken cancellation)

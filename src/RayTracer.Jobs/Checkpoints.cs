@@ -3,16 +3,16 @@ using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
-namespace RayTracer.Cli;
+namespace RayTracer.Jobs;
 
 /// <summary>
 /// Writes the film to a file now and then. The old file stays until the new one is whole; the interval stretches so that writing takes less than a
-/// hundredth of the time, but for the first, of which nobody knows what it will take. A film of other samples that somebody else puts there meanwhile is not replaced.
+/// hundredth of the time, but for the first, whose cost is unknown. A film of other samples that comes there meanwhile is not replaced.
 /// </summary>
 /// <param name="path">The file.</param>
 /// <param name="interval">The shortest time between two of them.</param>
-/// <param name="streams">Takes complaints.</param>
-internal sealed class Checkpoints(string path, TimeSpan interval, Streams streams)
+/// <param name="watch">Takes failures.</param>
+public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
 {
     // Less than a hundredth, with some room for a disk that is slower the next time.
     private const int LargestShare = 125;
@@ -49,7 +49,7 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
         try
         {
             CheckThere(header);
-            ImageOutputs.WriteFilm(path, film, header);
+            JobFiles.WriteFilm(path, film, header);
             _known = (header.Content, header.Wanted);
             HasFailed = false;
             Count++;
@@ -57,7 +57,7 @@ internal sealed class Checkpoints(string path, TimeSpan interval, Streams stream
         catch (ImageWriteException e)
         {
             // The rendering goes on: there may be room again at the next.
-            streams.Fail(e.Message.TrimEnd('.'));
+            watch.Fail(e.Message.TrimEnd('.'));
             HasFailed = true;
         }
 

@@ -1,0 +1,83 @@
+using System.Diagnostics;
+using System.Text.Json;
+using RayTracer.Jobs;
+
+namespace RayTracer.Cli;
+
+/// <summary>Carries out a job of several frames for a command.</summary>
+/// <param name="job">The job.</param>
+/// <param name="display">What is reported.</param>
+/// <param name="streams">Where to write.</param>
+internal sealed class ConsoleFrames(RenderJob job, Display display, Streams streams)
+{
+    /// <summary>Renders all that is missing.</summary>
+    /// <returns>One of <see cref="ExitStatus"/>.</returns>
+    public int Run()
+    {
+        Stopwatch total = Stopwatch.StartNew();
+        int status = ExitStatus.Fine;
+        ConsoleRun watch = new(display with { Quiet = true, Json = false }, streams);
+        FrameRun frames = new(job, watch);
+        bool isWhole = frames.Run(
+            (one, run) =>
+            {
+                using StopSignals signals = new(streams);
+                (int ended, JobResult? result) = watch.Run(one, run, () => signals.Status, signals.Token);
+                status = Math.Max(status, ended);
+                if (ended == ExitStatus.Scene)
+                {
+                    streams.Fail($"these errors are at frame {one.Frame}");
+                }
+
+                return (result, ended is ExitStatus.Fine or ExitStatus.Noisy);
+            },
+            frame =>
+            {
+                status = frame.IsNoisy ? Math.Max(status, ExitStatus.Noisy) : status;
+                Say($"frame {frame.Number} ({frame.Which}): "
+                    + (frame.Result is { } result ? $"{result.Seconds:F2} s{string.Concat(frame.Files.Select(w => $", {w}"))}" : "exists already"));
+            });
+        foreach (string path in frames.Animations)
+        {
+            Say($"wrote {path}, {frames.Done.Count} frames");
+        }
+
+        if (display.Json)
+        {
+            JsonText.Write(streams, json => Write(json, frames, total.Elapsed.TotalSeconds));
+        }
+
+        return isWhole || status is not (ExitStatus.Fine or ExitStatus.Noisy) ? status : ExitStatus.InputOutput;
+    }
+
+    private void Say(string line)
+    {
+        if (!display.Quiet && !display.Json)
+        {
+            streams.Output.WriteLine(line);
+        }
+    }
+
+    private static void Write(Utf8JsonWriter json, FrameRun frames, double seconds)
+    {
+        json.WriteStartArray("frames");
+        foreach (RenderedFrame frame in frames.Done)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("frame", frame.Number);
+            json.WriteBoolean("rendered", frame.Result is not null);
+            if (frame.Result is { } result)
+            {
+                json.WriteNumber("renderSeconds", result.Seconds);
+                json.WriteString("filmHash", result.Hash);
+            }
+
+            JsonText.Strings(json, "outputs", frame.Files);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        JsonText.Strings(json, "outputs", frames.Animations);
+        json.WriteNumber("totalSeconds", seconds);
+    }
+}

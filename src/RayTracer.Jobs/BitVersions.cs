@@ -1,0 +1,68 @@
+using System.Collections;
+using RayTracer.Description;
+
+namespace RayTracer.Jobs;
+
+/// <summary>A kind of things whose bits have changed since films were first written.</summary>
+/// <param name="Name">What it is called.</param>
+/// <param name="Version">The version of its bits: the number of the change in <c>hashes.txt</c>, the list of films' hashes, by which they became what they are.</param>
+/// <param name="IsIn">Whether a scene has one, by all its records.</param>
+public sealed record BitVersion(string Name, int Version, Func<SceneDescription, IReadOnlyCollection<object>, bool> IsIn);
+
+/// <summary>The versions of bits: films of a scene with one of these kinds go together only if they were rendered with the same version. All other kinds have their first.</summary>
+public static class BitVersions
+{
+    /// <summary>The kinds that have changed.</summary>
+    public static IReadOnlyList<BitVersion> All { get; } =
+    [
+        new("boundaries inside of other materials", 15, (_, records) => records.Any(r => r is MaterialDescription && Inside(r).Any(IsBoundary))),
+        new("meshes with literal shading normals or materials that transmit", 17, (scene, records) =>
+            records.Any(r => Name(r) is "mesh" or "model") && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
+    ];
+
+    /// <summary>Those that a scene has.</summary>
+    public static IReadOnlyList<BitVersion> Of(SceneDescription scene)
+    {
+        List<object> records = [];
+        Visit(scene, records);
+        return [.. All.Where(v => v.IsIn(scene, records))];
+    }
+
+    private static bool IsBoundary(object record) => Name(record) == "invisible";
+
+    private static bool Transmits(object record) => Name(record) is "roughDielectric" or "principled" or "translucent";
+
+    private static string Name(object record) => RecordType.Of(record.GetType()).Name;
+
+    private static IEnumerable<object> Inside(object record)
+    {
+        List<object> records = [];
+        Visit(record, records);
+        return records.Skip(1);
+    }
+
+    private static void Visit(object? value, List<object> records)
+    {
+        switch (value)
+        {
+            case SceneDescription or ShapeDescription or MaterialDescription when !records.Any(r => ReferenceEquals(r, value)):
+                records.Add(value);
+                foreach (RecordParameter parameter in RecordType.Of(value.GetType()).Parameters)
+                {
+                    Visit(parameter.Get(value), records);
+                }
+
+                break;
+            case IDictionary named:
+                Visit(named.Values, records);
+                break;
+            case IEnumerable<ShapeDescription> or IEnumerable<MaterialDescription> or ICollection and not Array:
+                foreach (object? thing in (IEnumerable)value)
+                {
+                    Visit(thing, records);
+                }
+
+                break;
+        }
+    }
+}

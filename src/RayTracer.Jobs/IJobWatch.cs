@@ -1,0 +1,51 @@
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+
+namespace RayTracer.Jobs;
+
+/// <summary>The stages of a job.</summary>
+public enum JobStage
+{
+    /// <summary>The scene's file is read.</summary>
+    Load,
+
+    /// <summary>Pictures and models are read, and what rays meet is built.</summary>
+    Build,
+
+    /// <summary>The picture is rendered.</summary>
+    Render,
+
+    /// <summary>Files are written.</summary>
+    Write,
+}
+
+/// <summary>Takes what a job reports, and shows how far it is.</summary>
+public interface IJobWatch
+{
+    /// <summary>Whether it shows the film between passes, so that there must be passes.</summary>
+    bool ShowsPasses => false;
+
+    /// <summary>Takes a line about something doubtful.</summary>
+    void Warn(string message);
+
+    /// <summary>Takes a line about something that went wrong without ending the job.</summary>
+    void Fail(string message);
+
+    /// <summary>Takes what there is to say about the scene.</summary>
+    void Read(IReadOnlyList<Diagnostic> diagnostics);
+
+    /// <summary>Takes the end of a stage.</summary>
+    void End(JobStage stage)
+    {
+    }
+
+    /// <summary>Begins to show how far the rendering is, until that is disposed of; null where nothing is shown.</summary>
+    IProgress<RenderProgress>? Begin() => null;
+
+    /// <summary>Takes the film as it is after a pass.</summary>
+    /// <param name="film">The film.</param>
+    /// <param name="isLast">Whether no other pass follows.</param>
+    void Offer(Film film, bool isLast)
+    {
+    }
+}

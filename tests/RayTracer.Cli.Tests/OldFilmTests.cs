@@ -1,0 +1,72 @@
+using System.Globalization;
+using RayTracer.Imaging;
+
+namespace RayTracer.Cli.Tests;
+
+/// <summary>Films and images of the first format, which hold words of a command line (<see cref="Jobs.OldFilms"/>).</summary>
+public sealed class OldFilmTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public OldFilmTests()
+    {
+        foreach (string file in Directory.EnumerateFiles(ProjectFolder.PathOf("tests", "RayTracer.Cli.Tests", "Old")))
+        {
+            File.Copy(file, _folder[Path.GetFileName(file)]);
+        }
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [InlineData("part-1.rtfilm")]
+    [InlineData("frame.rtfilm")]
+    [InlineData("carries.exr")]
+    [InlineData("picture.png")]
+    public void They_are_verified(string file) => CliRun.Fine("verify", _folder[file]);
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Parts_merge_with_each_other_and_with_new_ones(bool isNew)
+    {
+        if (isNew)
+        {
+            CliRun.Fine([.. Part, "--part", "2/2", "-o", _folder["new.rtfilm"]]);
+        }
+
+        string second = _folder[isNew ? "new.rtfilm" : "part-2.rtfilm"];
+        Assert.Equal(CliRun.FilmHash([.. Part, "--json"]), CliRun.FilmHash("merge", _folder["part-1.rtfilm"], second, "--json", "-o", _folder["all.rtfilm"]));
+        Assert.Equal(CliRun.FilmHash([.. Part.Select(w => w == "6" ? "8" : w), "--json"]), CliRun.FilmHash("resume", _folder["all.rtfilm"], "--spp", "8", "--json"));
+    }
+
+    [Fact]
+    public void They_are_resumed_to_the_bits_of_one_render()
+    {
+        string[] render = ["render", _folder["scene.json"], "--json", "--spp"];
+        Assert.Equal(CliRun.FilmHash([.. render, "7", "--frames", "1", "--max-depth", "3"]), CliRun.FilmHash("resume", _folder["frame.rtfilm"], "--spp", "7", "--json"));
+        Assert.Equal(CliRun.FilmHash([.. render, "5"]), CliRun.FilmHash("resume", _folder["carries.exr"], "--spp", "5", "--json"));
+        FilmHeader header = FilmFile.ReadHeader(_folder["frame.rtfilm"]);
+        Assert.Null(header.Words);
+        Assert.Equal(["frames=1", "render.maxDepth=3", "render.samplesPerPixel=7"], header.Settings.Order(StringComparer.Ordinal));
+    }
+
+    [Fact]
+    public void A_film_of_another_scene_is_refused()
+    {
+        File.WriteAllText(_folder["scene.json"], File.ReadAllText(_folder["scene.json"]).Replace("skyblue", "black", StringComparison.Ordinal));
+        CliRun.Refused(4, "the film is not of", "resume", _folder["frame.rtfilm"], "--spp", "7");
+        Assert.Equal(1, CliRun.Of("verify", _folder["picture.png"]).Status);
+    }
+
+    [Fact]
+    public void What_has_other_bits_now_is_refused_with_the_reason()
+    {
+        string reason = "was rendered before a fault was mended: the bits of scenes with meshes with literal shading normals or materials that transmit are others now";
+        CliRun.Refused(4, reason, "resume", _folder["literal.rtfilm"], "--spp", "8");
+        CliRun.Refused(4, $"'{_folder["literal.rtfilm"]}' {reason}", "verify", _folder["literal.rtfilm"]);
+    }
+
+    private string[] Part =>
+        ["render", _folder["scene.json"], "--spp", "6", "--sampler", "independent", "--set", "materials.paint.color=[0.9, 0.2, 0.1]", "--crop", "1,1,6,4"];
+}
