@@ -42,7 +42,7 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
     public int Instants => Is("motion", "moves") ? 4 : 1;
 
     /// <summary>The scene with its features.</summary>
-    public string Text => Write(isOtherwise: false, group: 0, time: null);
+    public string Text => Write(isOtherwise: false, group: 0, time: 0);
 
     /// <summary>The equal scene, made otherwise.</summary>
     /// <param name="group">Which of its groups of lights shines.</param>
@@ -59,9 +59,9 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
         return l >= 0 ? Row[i] == l : throw new ArgumentException($"{feature} is never {level}", nameof(level));
     }
 
-    private string Write(bool isOtherwise, int group, double? time)
+    private string Write(bool isOtherwise, int group, double time)
     {
-        string shutter = Instants == 1 ? "[0, 0]" : time is { } t && isOtherwise ? FormattableString.Invariant($"[{t}, {t}]") : "[0, 1]";
+        string shutter = Instants > 1 && !isOtherwise ? "[0, 1]" : "[0, 0]";
         string filter = Is("filter", "gaussian") ? """, "filter": { "shape": "gaussian", "radius": 1.2 }""" : "";
         string environment = Is("environment", "constant") && group == 0 ? """ "environment": { "type": "constant", "radiance": [0.2, 0.25, 0.35] },""" : "";
         return $$"""
@@ -72,7 +72,7 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
               {{environment}}
               "shapes": [
                 { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "checker", "even": [0.7, 0.6, 0.5], "odd": [0.3, 0.4, 0.5] } } },
-                {{Thing(isOtherwise)}}{{SecondThing(isOtherwise)}}{{Fog(isOtherwise)}}{{string.Concat(Lights(isOtherwise, group))}}
+                {{Thing(isOtherwise, time)}}{{SecondThing(isOtherwise)}}{{Fog(isOtherwise)}}{{string.Concat(Lights(isOtherwise, group))}}
               ]
             }
             """;
@@ -87,13 +87,15 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
 
     private string Sampler(bool isOtherwise) => !isOtherwise ? Features[0].Levels[Row[0]] : Is("sampler", "independent") ? "sobol" : "independent";
 
-    // The instance's transforms are worked into the thing in the other scene, and the motion is of the group around it.
-    private string Thing(bool isOtherwise)
+    // The instance's transforms are worked into the thing in the other scene, where nothing moves: it stands where it is at the time.
+    private string Thing(bool isOtherwise, double time)
     {
         string place = Is("placing", "stretched instance")
             ? """ "transform": [{ "scale": [0.9, 0.5, -0.6] }, { "translate": [0.2, 0.65, 0.1] }]"""
             : """ "transform": [{ "translate": [0.2, 0.75, 0.1] }]""";
-        string motion = Instants > 1 ? """, "motion": [{ "time": 0 }, { "time": 1, "transform": [{ "translate": [-0.5, 0.2, 0.1] }] }]""" : "";
+        string motion = Instants == 1 ? ""
+            : isOtherwise ? FormattableString.Invariant($", \"transform\": [{{ \"translate\": [{-0.5 * time}, {0.2 * time}, {0.1 * time}] }}]")
+            : """, "motion": [{ "time": 0 }, { "time": 1, "transform": [{ "translate": [-0.5, 0.2, 0.1] }] }]""";
         string bare = Shape() + $$""", "material": {{Material(isOtherwise)}}""";
         return (Is("placing", "stretched instance"), isOtherwise) switch
         {
