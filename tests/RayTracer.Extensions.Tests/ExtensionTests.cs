@@ -133,7 +133,7 @@ public sealed class ExtensionTests : IDisposable
     {
         string file = WriteScene("fisheye", "lattice", 4);
         File.WriteAllText(file, File.ReadAllText(file).Replace("\"background\": \"black\"", "\"background\": \"black\", \"ambient\": [1, 1, 1]", StringComparison.Ordinal));
-        Assert.Contains("only the report integrator knows ambient light", string.Join('\n', SceneLoader.Load(file).Diagnostics), StringComparison.Ordinal);
+        Assert.Contains("only the report integrator supports ambient light", string.Join('\n', SceneLoader.Load(file).Diagnostics), StringComparison.Ordinal);
     }
 
     [Fact]
