@@ -77,7 +77,8 @@ public static class JobOptions
 
     /// <summary>Whether images carry the film; of verbs that have it.</summary>
     public static JobOption ExrFilm { get; } = new("--exr-film", null, "OpenEXR: the image carries the film itself, which resume adds samples to, as to .rtfilm.",
-        (j, _) => Written(j, o => o with { ExrFilm = true }), j => Flag(j.Writing.ExrFilm)) { Use = JobOptionUse.Pictures };
+        (j, _) => Written(j, o => o with { ExrFilm = true }), j => Flag(j.Writing.ExrFilm))
+    { Use = JobOptionUse.Pictures };
 
     /// <summary>The number of threads.</summary>
     public static JobOption Threads { get; } = new("--threads", "N", "Number of threads; without it, one for each core.", (j, w) => j with { Threads = (int)W.Integer(w, 1, 1024) }, _ => null);
@@ -85,12 +86,14 @@ public static class JobOptions
     /// <summary>The part of the picture.</summary>
     public static JobOption Crop { get; } = new("--crop", "x,y,w,h", "Renders only this rectangle of pixels; the rest of the image stays black.",
         (j, w) => j with { Crop = W.Integers(w, "x,y,w,h") is [var x, var y, var width, var height] ? new(x, y, width, height) : null },
-        j => j.Crop is { } c ? $"{c.X},{c.Y},{c.Width},{c.Height}" : null) { Use = JobOptionUse.Pictures };
+        j => j.Crop is { } c ? $"{c.X},{c.Y},{c.Width},{c.Height}" : null)
+    { Use = JobOptionUse.Pictures };
 
     /// <summary>The frames.</summary>
     public static JobOption Frames { get; } = new("--frames", "N|A..B|A..B:STEP",
         "Renders these frames of the animation, both included, each to its own file: -o frame-####.png. Frames that are there already are left as they are.",
-        (j, w) => j with { Frames = FrameRange.Parse(w) }, j => j.Frames?.ToString()) { Use = JobOptionUse.Films };
+        (j, w) => j with { Frames = FrameRange.Parse(w) }, j => j.Frames?.ToString())
+    { Use = JobOptionUse.Films };
 
     /// <summary>Those of rendering for long.</summary>
     public static IReadOnlyList<JobOption> OfLongRenders { get; } =
@@ -164,7 +167,8 @@ public static class JobOptions
             : parameter.RangeComplaint(value) is { } complaint ? throw new FormatException(complaint)
             : Invariant($"{value}");
         return new(name, parameter.Choices.Count > 0 ? string.Join('|', parameter.Choices) : "N", $"{parameter.Summary} Replaces the scene's.",
-            (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse($"{path}={Value(w)}")] }, j => j.Settings.LastOrDefault(s => s.Path == path)?.Value) { Setting = path };
+            (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse($"{path}={Value(w)}")] }, j => j.Settings.LastOrDefault(s => s.Path == path)?.Value)
+        { Setting = path };
     }
 
     private static RenderJob PutAovs(RenderJob job, string list)
