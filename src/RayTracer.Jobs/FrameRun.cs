@@ -212,7 +212,7 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
         }
         catch (ArgumentException e)
         {
-            throw new JobException(e.Message.Split(" (Parameter '")[0].TrimEnd('.'));
+            throw new JobException(e.Message.Split(" (Parameter '")[0].TrimEnd('.'), e);
         }
     }
 

@@ -1,7 +1,6 @@
+using System.Collections.Concurrent;
 using RayTracer.Import;
 using RayTracer.Jobs;
-
-using System.Collections.Concurrent;
 
 namespace RayTracer.Session;
 

@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using RayTracer.Cli.Tests;
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -34,6 +35,9 @@ public sealed class ExtensionTests : IDisposable
     {
         AuxiliaryImage.Known.Add(new FacingImage());
         ImageFormat.Known.Add(new PpmFormat());
+        Integrator.Known.Add(new HeadlightIntegrator());
+        SamplerKind.Known.Add(new LatticeKind());
+        Projection.Known.Add(new FisheyeProjection());
     }
 
     public void Dispose() => _folder.Dispose();
@@ -94,6 +98,45 @@ public sealed class ExtensionTests : IDisposable
     }
 
     [Fact]
+    public void A_scene_file_names_an_integrator_a_sampler_and_a_projection_of_another_assembly()
+    {
+        string[] seen = ["", "fisheye"];
+        Film[] films = [.. seen.Select(projection => new RTracer(SceneLoader.Load(WriteScene(projection, "lattice", 16)).Scene!).Render().Film)];
+        Assert.NotEqual(films[0].ComputeHash(), films[1].ComputeHash());
+
+        // The sphere has an angular radius of asin(1.5 / 5) = 17.46 degrees, of 90 over the height: 6.2 pixels.
+        (int middle, int edge) = (Size / 2, (Size / 2) - 6);
+        float[] row = new float[3 * Size];
+        float[] column = [.. Enumerable.Range(0, Size).Select(y =>
+        {
+            films[1].ReadRow(y, row);
+            return row[3 * middle];
+        })];
+        Assert.InRange(column[middle], 0.48f, 0.5f);
+        Assert.All(Enumerable.Range(edge + 1, 10), y => Assert.InRange(column[y], 0.05f, 0.5f));
+        Assert.All(Enumerable.Range(0, edge - 1), y => Assert.Equal(0, column[y]));
+    }
+
+    [Fact]
+    public void Their_names_are_understood_whatever_their_case_and_are_in_schema_help_and_suggestions()
+    {
+        CliRun.Fine("render", WriteScene("FishEye", "LATTICE", 4), "-o", _folder["a.png"], "--integrator", "HeadLight", "--quiet");
+        CliRun.Refused(2, "(did you mean \"headlight\"?)", "render", _scene, "-o", _folder["a.png"], "--integrator", "headligth");
+        CliRun.Refused(2, "a lattice needs at least 2 samples", "render", _scene, "-o", _folder["a.png"], "--sampler", "lattice");
+        Assert.Contains("at least 2 samples", string.Join('\n', SceneLoader.Load(WriteScene("fisheye", "lattice", 1)).Diagnostics), StringComparison.Ordinal);
+        Assert.All(["headlight", "lattice", "fisheye"], name => Assert.Contains($"\"{name}\"", SceneSchema.Generate(), StringComparison.Ordinal));
+        Assert.All(["headlight", "lattice", "fisheye"], name => Assert.Contains($"\"{name}\"", SceneReference.Generate(), StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void What_an_integrator_does_not_show_is_warned_of()
+    {
+        string file = WriteScene("fisheye", "lattice", 4);
+        File.WriteAllText(file, File.ReadAllText(file).Replace("\"background\": \"black\"", "\"background\": \"black\", \"ambient\": [1, 1, 1]", StringComparison.Ordinal));
+        Assert.Contains("only the report integrator supports ambient light", string.Join('\n', SceneLoader.Load(file).Diagnostics), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void The_Studio_offers_them()
     {
         Assert.Contains(PictureSaver.Formats, f => f is { Value: "ppm", Label: "PPM", HasDepth: false, HasLayers: false, IsFilm: false });
@@ -109,6 +152,21 @@ public sealed class ExtensionTests : IDisposable
         ArgumentException format = Assert.Throws<ArgumentException>(() => ImageFormat.Known.Add(new PpmFormat()));
         Assert.StartsWith("There is another image format \"PPM\": RayTracer.Extensions.Tests.PpmFormat needs another name.", format.Message);
         Assert.Single(ImageFormat.Known.All, f => f.Name == "PPM");
+    }
+
+    private string WriteScene(string projection, string sampler, int samples)
+    {
+        string file = _folder[$"{projection}.json"];
+        string named = projection.Length > 0 ? $", \"projection\": \"{projection}\"" : "";
+        File.WriteAllText(file, $$"""
+            {
+              "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "fieldOfView": 90{{named}} },
+              "render": { "width": {{Size}}, "height": {{Size}}, "samplesPerPixel": {{samples}}, "sampler": "{{sampler}}", "integrator": "headlight" },
+              "background": "black",
+              "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1.5, "material": { "type": "diffuse", "color": [0.5, 0.5, 0.5] } }]
+            }
+            """);
+        return file;
     }
 
     // The cosine at the sphere's point in the middle of a pixel; -1 beside it.

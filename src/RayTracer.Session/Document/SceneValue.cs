@@ -117,7 +117,7 @@ public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter?
     {
         (ParameterKind.Number, { Kind: JsonKind.Number }) => ToFloat(Node),
         (ParameterKind.Integer, { Kind: JsonKind.Number }) => (int)ToFloat(Node),
-        (ParameterKind.Choice, { Kind: JsonKind.String }) => Enum.GetValues(Parameter.ValueType).Cast<object>().ElementAtOrDefault(Parameter.Choices.ToList().IndexOf(Node.Text)),
+        (ParameterKind.Choice, { Kind: JsonKind.String }) => Parameter.Choice(Node.Text),
         (ParameterKind.Vector2, { Kind: JsonKind.Array }) when Floats(Node) is [var x, var y] => new Vector2(x, y),
         (ParameterKind.Vector3, { Kind: JsonKind.Array }) when Floats(Node) is [var x, var y, var z] => new Vector3(x, y, z),
         _ => null,

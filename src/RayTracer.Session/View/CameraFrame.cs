@@ -1,5 +1,5 @@
 using System.Numerics;
-using RayTracer.Cameras;
+using RayTracer.Description;
 using RayTracer.Numerics;
 
 namespace RayTracer.Session;
@@ -24,7 +24,7 @@ public sealed record CameraFrame(Vector3 Position, Vector3 Right, Vector3 Up, Ve
     /// <exception cref="SessionException">Straight lines are not straight in the picture.</exception>
     public static CameraFrame Of(ShownScene shown)
     {
-        ProjectionKind kind = ProjectionKind.Of(shown.Camera);
+        Projection kind = shown.Camera.Projection;
         if (!kind.IsStraight)
         {
             throw new SessionException("Lines and handles cannot be drawn over the picture of this camera, in which straight lines are bent.");

@@ -1,4 +1,3 @@
-using RayTracer.Cameras;
 using RayTracer.Description;
 
 namespace RayTracer.Session;
@@ -35,7 +34,7 @@ public sealed class CameraHand(SceneDocument document, PictureView view)
     public float Focus(float x, float y)
     {
         ShownScene shown = view.RequireShown();
-        if (ProjectionKind.Of(shown.Camera).LensComplaint is not null)
+        if (shown.Camera.Projection.LensComplaint is not null)
         {
             throw new SessionException("This camera has no lens: everything is sharp.");
         }

@@ -1,5 +1,4 @@
 using System.Numerics;
-using RayTracer.Cameras;
 using RayTracer.Description;
 using RayTracer.Numerics;
 
@@ -29,7 +28,7 @@ public static class CameraMotion
     public static CameraDescription Look(CameraDescription camera, float dx, float dy)
     {
         Vector3 view = camera.LookAt - camera.Position;
-        float degrees = ProjectionKind.Of(camera).DegreesOfHeight(camera);
+        float degrees = camera.Projection.DegreesOfHeight(camera);
         return camera with { LookAt = camera.Position + Turned(camera, view, -dx * degrees, dy * degrees) };
     }
 
@@ -47,13 +46,13 @@ public static class CameraMotion
 
     /// <summary>Narrows the field of view (upwards) or widens it; the camera stays.</summary>
     /// <exception cref="SessionException">The camera sees everything.</exception>
-    public static CameraDescription Zoom(CameraDescription camera, float dy) => ProjectionKind.Of(camera).Zoomed(camera, Factor(dy))
+    public static CameraDescription Zoom(CameraDescription camera, float dy) => camera.Projection.Zoomed(camera, Factor(dy))
         ?? throw new SessionException("This camera sees all directions: there is no field of view to change.");
 
     /// <summary>
     /// Moves the camera towards the point that it looks at (upwards) or away from it; it never gets there. Of an orthographic one, nearness is what it shows.
     /// </summary>
-    public static CameraDescription Dolly(CameraDescription camera, float dy) => ProjectionKind.Of(camera).IsParallel
+    public static CameraDescription Dolly(CameraDescription camera, float dy) => camera.Projection.IsParallel
         ? Zoom(camera, dy)
         : camera with { Position = camera.LookAt + ((camera.Position - camera.LookAt) * Factor(dy)) };
 
@@ -81,7 +80,7 @@ public static class CameraMotion
     /// <param name="camera">The camera.</param>
     /// <param name="distance">How far away the plane is.</param>
     /// <param name="aspect">Width of the picture over its height.</param>
-    public static float HeightAt(CameraDescription camera, float distance, float aspect) => ProjectionKind.Of(camera).HeightAt(camera, distance, aspect);
+    public static float HeightAt(CameraDescription camera, float distance, float aspect) => camera.Projection.HeightAt(camera, distance, aspect);
 
     private static CameraDescription Moved(CameraDescription camera, Vector3 by) =>
         camera with { Position = camera.Position + by, LookAt = camera.LookAt + by };

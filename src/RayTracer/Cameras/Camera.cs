@@ -60,7 +60,7 @@ public sealed class Camera
         }
 
         bool hasLens = camera.Lens.Shape == LensShape.EyeJitter ? camera.Lens.Jitter != Vector3.Zero : camera.Lens.ApertureRadius > 0;
-        ProjectionKind kind = ProjectionKind.Of(camera);
+        Projection kind = camera.Projection;
         if (hasLens && kind.LensComplaint is { } complaint)
         {
             builder.Error(camera, nameof(CameraDescription.Lens), complaint);
@@ -76,7 +76,7 @@ public sealed class Camera
         return new Camera(kind.Create(view), hasLens ? new Lens(camera.Lens, view.Right, view.Up) : null, motion, view);
     }
 
-    /// <summary>How far along the viewing direction a point is that the ray through a point of the picture meets.</summary>
+    /// <summary>The distance along the viewing direction of the point that the ray through a point of the picture meets.</summary>
     /// <param name="x">Column, in pixels from the left edge.</param>
     /// <param name="y">Row, in pixels from the top edge.</param>
     /// <param name="distance">Its distance along the ray.</param>
@@ -99,7 +99,7 @@ public sealed class Camera
         return origin;
     }
 
-    private static bool IsWindow(CameraDescription camera, ProjectionKind kind, SceneBuilder builder)
+    private static bool IsWindow(CameraDescription camera, Projection kind, SceneBuilder builder)
     {
         IReadOnlyList<float> window = camera.Window;
         string? complaint = window switch

@@ -5,7 +5,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Cameras;
 
 /// <summary>By parallel rays.</summary>
-internal sealed class OrthographicKind : ProjectionKind
+internal sealed class OrthographicKind() : Projection("orthographic")
 {
     /// <inheritdoc/>
     public override bool IsParallel => true;
@@ -17,7 +17,7 @@ internal sealed class OrthographicKind : ProjectionKind
     public override CameraDescription Zoomed(CameraDescription camera, float factor) => camera with { ViewSize = camera.ViewSize * factor };
 
     /// <inheritdoc/>
-    internal override CameraProjection Create(in CameraView view) => new OrthographicProjection(view);
+    public override CameraProjection Create(in CameraView view) => new OrthographicProjection(view);
 }
 
 /// <summary>Parallel rays, from a plane through the eye across the viewing direction.</summary>

@@ -5,7 +5,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Cameras;
 
 /// <summary>By rays through one point.</summary>
-internal sealed class PerspectiveKind : ProjectionKind
+internal sealed class PerspectiveKind() : Projection("perspective")
 {
     private const float NarrowestDegrees = 0.1f;
     private const float WidestDegrees = 170;
@@ -21,7 +21,7 @@ internal sealed class PerspectiveKind : ProjectionKind
     }
 
     /// <inheritdoc/>
-    internal override CameraProjection Create(in CameraView view) => new PerspectiveProjection(view, Shown(view.Camera, view.Focus));
+    public override CameraProjection Create(in CameraView view) => new PerspectiveProjection(view, Shown(view.Camera, view.Focus));
 
     // Of a plane at a distance, over the extent that the field of view measures.
     private static float Shown(CameraDescription camera, float distance) => 2 * distance * LaneMath.Tan(camera.FieldOfView * (float.Pi / 360));

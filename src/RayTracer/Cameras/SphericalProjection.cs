@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Cameras;
 
 /// <summary>By all directions around one point.</summary>
-internal sealed class SphericalKind : ProjectionKind
+internal sealed class SphericalKind() : Projection("spherical")
 {
     /// <inheritdoc/>
     public override string LensComplaint => "a spherical camera looks in all directions and cannot have a lens";
@@ -25,7 +25,7 @@ internal sealed class SphericalKind : ProjectionKind
     public override float DegreesOfHeight(CameraDescription camera) => 180;
 
     /// <inheritdoc/>
-    internal override CameraProjection Create(in CameraView view) => new SphericalProjection(view);
+    public override CameraProjection Create(in CameraView view) => new SphericalProjection(view);
 }
 
 /// <summary>All directions around the eye: longitude grows across the picture, colatitude down its height (equirectangular).</summary>

@@ -21,19 +21,6 @@ public enum FieldOfViewAxis
     Diagonal,
 }
 
-/// <summary>The projection of the scene to the picture.</summary>
-public enum Projection
-{
-    /// <summary>By rays through one point: what is farther away is smaller.</summary>
-    Perspective,
-
-    /// <summary>By parallel rays: nothing gets smaller with distance.</summary>
-    Orthographic,
-
-    /// <summary>All directions around one point: longitude across the picture, latitude along its height (equirectangular).</summary>
-    Spherical,
-}
-
 /// <summary>Describes the camera.</summary>
 public sealed record CameraDescription
 {

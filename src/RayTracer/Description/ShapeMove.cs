@@ -23,10 +23,10 @@ public readonly record struct ShapeMove(Transform Map, bool ShowsUv)
     /// <summary>The image of a difference of points.</summary>
     public Vector3 Vector(Vector3 vector) => Map.Vector(vector);
 
-    /// <summary>What a direction of any length becomes: it stays unchanged written if it still points there.</summary>
+    /// <summary>The image of a direction of any length: its text stays unchanged if it still points there.</summary>
     public Vector3 Direction(Vector3 written) => Kept(written, Map.Vector(written).Unit());
 
-    /// <summary>What the direction of a normal, of any length, becomes: it stays unchanged written if it still points there.</summary>
+    /// <summary>The image of a normal, of any length: its text stays unchanged if it still points there.</summary>
     public Vector3 Normal(Vector3 written) => Kept(written, Map.Inverse().TransposedVector(written).Unit());
 
     private static Vector3 Kept(Vector3 written, Vector3 moved) => (written.Unit() - moved).Norm() < 1e-6f ? written : moved;

@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Description;
 
-/// <summary>Where an editor puts a new shape, and how large it is to be.</summary>
+/// <summary>The place and size that an editor gives a new shape.</summary>
 /// <param name="Target">Where its middle is to be.</param>
 /// <param name="Right">Unit vector to the right in the picture.</param>
 /// <param name="Up">Unit vector upwards in the picture.</param>

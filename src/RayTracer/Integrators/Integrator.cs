@@ -70,9 +70,9 @@ public abstract class Integrator(string name, IntegratorTraits traits) : NamedVa
     public bool Has(IntegratorTraits wanted) => (traits & wanted) == wanted;
 
     /// <summary>Makes what shades for one thread.</summary>
-    internal abstract SurfaceShader CreateShader(ShaderContext context);
+    protected internal abstract SurfaceShader CreateShader(ShaderContext context);
 
-    // "only the path, direct and volPath integrators know"
+    // "only the path, direct and volPath integrators support"
     internal static string Only(IntegratorTraits trait, string verb)
     {
         string[] names = [.. Known.All.Where(i => i.Has(trait)).Select(i => i.Name)];

@@ -58,5 +58,5 @@ internal sealed unsafe class OcclusionShader(ShaderContext context) : SurfaceSha
 /// <summary>The integrator of ambient occlusion.</summary>
 internal sealed class AoIntegrator() : Integrator("ao", IntegratorTraits.None)
 {
-    internal override SurfaceShader CreateShader(ShaderContext context) => new OcclusionShader(context);
+    protected internal override SurfaceShader CreateShader(ShaderContext context) => new OcclusionShader(context);
 }

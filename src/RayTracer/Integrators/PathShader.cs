@@ -23,9 +23,9 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     private readonly LightMap _lights = new(context.Scene);
     private readonly uint _maxDepth = (uint)(maxDepth < 0 ? RenderDescription.LongestPath : maxDepth);
 
-    public override long ShadowRays => _directLight.ShadowRays;
+    internal override long ShadowRays => _directLight.ShadowRays;
 
-    public override void Flush(PathStream next) => _queue?.Flush(Finished, next);
+    internal override void Flush(PathStream next) => _queue?.Flush(Finished, next);
 
     protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving)
     {
@@ -150,7 +150,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     /// what a path carries never grows (the history-aware probabilities of Kutz et al. 2017); channels that are alike would
     /// let a few long paths carry nearly all.
     /// </summary>
-    public override void Fly(PathStream stream)
+    internal override void Fly(PathStream stream)
     {
         for (int i = 0; Scene.HasMedia && i < stream.Count; i += FloatW.Count)
         {
@@ -169,7 +169,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     }
 
     /// <inheritdoc/>
-    public override void Scatter(PathStream stream, PathStream next, uint* members, int count)
+    internal override void Scatter(PathStream stream, PathStream next, uint* members, int count)
     {
         for (int i = 0; i < count; i += FloatW.Count)
         {
@@ -383,13 +383,13 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
 internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.None) : Integrator(
     name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment | more)
 {
-    internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, context.Scene.Render.MaxDepth);
+    protected internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, context.Scene.Render.MaxDepth);
 }
 
 /// <summary>Path tracing with direct light only.</summary>
 internal sealed class DirectIntegrator() : PathIntegrator("direct")
 {
-    internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, maxDepth: 2);
+    protected internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, maxDepth: 2);
 }
 
 /// <summary>Path tracing with media.</summary>

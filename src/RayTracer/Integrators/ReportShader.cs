@@ -13,9 +13,9 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
     private readonly ShadowQueue? _queue = context.Queue;
     private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer);
 
-    public override long ShadowRays => _directLight.ShadowRays;
+    internal override long ShadowRays => _directLight.ShadowRays;
 
-    public override void Flush(PathStream next) => _queue?.Flush(Finished, next);
+    internal override void Flush(PathStream next) => _queue?.Flush(Finished, next);
 
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
@@ -131,5 +131,5 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
 internal sealed class ReportIntegrator()
     : Integrator("report", IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.AmbientLight | IntegratorTraits.WeakenedShadows)
 {
-    internal override SurfaceShader CreateShader(ShaderContext context) => new ReportShader(context);
+    protected internal override SurfaceShader CreateShader(ShaderContext context) => new ReportShader(context);
 }

@@ -9,48 +9,62 @@ using RayTracer.Sampling;
 namespace RayTracer.Rendering;
 
 /// <summary>What a shader works with: the scene, and where its light goes.</summary>
-/// <param name="Scene">The scene.</param>
-/// <param name="Finished">Takes the paths that end.</param>
-/// <param name="Queue">Takes shadow rays that wait until the whole stream is shaded; null where none do.</param>
-/// <param name="Observer">Sees what happens to the paths; null where nobody asks.</param>
-internal sealed record ShaderContext(Scene Scene, FinishedPaths Finished, ShadowQueue? Queue, PathObserver? Observer);
+public sealed class ShaderContext
+{
+    internal ShaderContext(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer) =>
+        (Scene, Finished, Queue, Observer) = (scene, finished, queue, observer);
+
+    /// <summary>The scene.</summary>
+    public Scene Scene { get; }
+
+    internal FinishedPaths Finished { get; }
+
+    // Takes shadow rays that wait until the whole stream is shaded; null where none do.
+    internal ShadowQueue? Queue { get; }
+
+    // Sees what happens to the paths; null where nobody asks.
+    internal PathObserver? Observer { get; }
+}
 
 /// <summary>
 /// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
 /// and how a ray leaves it.
 /// </summary>
-internal abstract unsafe class SurfaceShader(ShaderContext context)
+/// <param name="context">What it works with.</param>
+public abstract unsafe class SurfaceShader(ShaderContext context)
 {
     // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
     private readonly PinnedBuffer<PacketW> _packet = new(1);
     private SampleRange _samples;
 
     /// <summary>The number of shadow rays that were traced.</summary>
-    public virtual long ShadowRays => 0;
+    internal virtual long ShadowRays => 0;
 
+    /// <summary>The scene.</summary>
     protected Scene Scene { get; } = context.Scene;
 
+    /// <summary>Takes the paths that end.</summary>
     protected FinishedPaths Finished { get; } = context.Finished;
 
-    protected PathObserver? Observer { get; } = context.Observer;
+    private protected PathObserver? Observer { get; } = context.Observer;
 
     /// <summary>The random numbers of the vertex that is shaded.</summary>
     protected VertexSamples Vertex { get; } = new(context.Scene.Sampler);
 
-    protected RayGenerator Generator { get; private set; } = null!;
+    private protected RayGenerator Generator { get; private set; } = null!;
 
     /// <summary>Room for what is known of the packet that is shaded.</summary>
-    protected ref PacketW Packet => ref *_packet.Pointer;
+    private protected ref PacketW Packet => ref *_packet.Pointer;
 
     /// <summary>Prepares for a tile.</summary>
-    public void Begin(RayGenerator generator, SampleRange samples)
+    internal void Begin(RayGenerator generator, SampleRange samples)
     {
         Generator = generator;
         _samples = samples;
     }
 
     /// <summary>Ends the paths that left the scene.</summary>
-    public void Miss(PathStream stream, uint* members, int count)
+    internal void Miss(PathStream stream, uint* members, int count)
     {
         for (int i = 0; i < count; i += FloatW.Count)
         {
@@ -79,7 +93,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="members">Indices of the group's paths in the stream, padded to whole packets.</param>
     /// <param name="count">Number of the group's paths.</param>
-    public void Shade(ShadingGroup group, PathStream stream, PathStream next, uint* members, int count)
+    internal void Shade(ShadingGroup group, PathStream stream, PathStream next, uint* members, int count)
     {
         for (int i = 0; i < count; i += FloatW.Count)
         {
@@ -88,7 +102,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     }
 
     /// <summary>Lets media scatter rays before they reach what they would meet.</summary>
-    public virtual void Fly(PathStream stream)
+    internal virtual void Fly(PathStream stream)
     {
     }
 
@@ -97,12 +111,12 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="members">Indices of those paths in the stream, padded to whole packets.</param>
     /// <param name="count">Their number.</param>
-    public virtual void Scatter(PathStream stream, PathStream next, uint* members, int count)
+    internal virtual void Scatter(PathStream stream, PathStream next, uint* members, int count)
     {
     }
 
     /// <summary>Adds what waits to the paths that went on to the next stream, or ended.</summary>
-    public virtual void Flush(PathStream next)
+    internal virtual void Flush(PathStream next)
     {
     }
 
@@ -204,7 +218,12 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
     }
 
-    /// <summary>Shades a packet of hits of one group.</summary>
+    /// <summary>Shades a packet of hits of one group: paths end in <see cref="Finished"/>, or get their next rays in the next stream.</summary>
+    /// <param name="group">The group.</param>
+    /// <param name="stream">The paths.</param>
+    /// <param name="next">Takes the paths that have a next ray.</param>
+    /// <param name="index">Indices of the packet's paths in the stream.</param>
+    /// <param name="active">The lanes in use.</param>
     protected abstract void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active);
 
     /// <summary>The radiance that arrives where rays meet nothing.</summary>
@@ -222,14 +241,14 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     }
 
     /// <summary>Gives paths their wavelengths at a surface that disperses light: from the first one on, they have the colour of a single wavelength.</summary>
-    protected void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
+    private protected void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
     {
         Scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
         throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
     }
 
     /// <summary>The part of a path's state after a surface that marks it as standing for a single wavelength.</summary>
-    protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => Scene.Wavelengths is null ? 0u
+    private protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => Scene.Wavelengths is null ? 0u
         : group.Traits.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
 
     // As DescribePlain, in the space that each lane's instance shows.
@@ -270,14 +289,14 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
 
     // Directions that lie on different sides of the surface and of the plane that it is shaded as: what is reflected would come through
     // it, and what is refracted would not (Veach 1997, section 5.3). They carry no light.
-    public static MaskW Leaks(in SurfaceW surface, in Vec3W direction)
+    internal static MaskW Leaks(in SurfaceW surface, in Vec3W direction)
     {
         FloatW side = Vec3W.Dot(direction, surface.Inside.Select(-surface.Normal, surface.Normal));
         return side * Vec3W.Dot(direction, surface.Facing) <= 0f;
     }
 
     /// <summary>The cosine between the shape's own normal and the way back along the ray; negative from behind.</summary>
-    protected static FloatW CosineOfEmission(in SurfaceW surface)
+    private protected static FloatW CosineOfEmission(in SurfaceW surface)
     {
         FloatW cosine = -Vec3W.Dot(surface.Incoming, surface.Normal);
         return FloatW.Max(FloatW.Min(cosine, 1f), -1f);
@@ -289,7 +308,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     /// <param name="direction">The ray's direction.</param>
     /// <param name="interior">Number of the medium inside; 0 for none.</param>
     /// <param name="media">The media of the ray that came.</param>
-    public static UIntW MediaAlong(Scene scene, in SurfaceW surface, in Vec3W direction, uint interior, UIntW media)
+    internal static UIntW MediaAlong(Scene scene, in SurfaceW surface, in Vec3W direction, uint interior, UIntW media)
     {
         if (interior == 0)
         {
@@ -304,12 +323,12 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     /// Where a boundary is none, since what is inside it does not count on either side: another dielectric of a higher priority is there
     /// (the false intersections of Schmidt &amp; Budge 2002).
     /// </summary>
-    public static MaskW IsUnreal(UIntW before, UIntW after) => UIntW.Equal(MediumStack.Innermost(before), MediumStack.Innermost(after));
+    internal static MaskW IsUnreal(UIntW before, UIntW after) => UIntW.Equal(MediumStack.Innermost(before), MediumStack.Innermost(after));
 
     /// <summary>The lanes whose rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).</summary>
-    public static MaskW ComesFromInside(in SurfaceW surface) => Vec3W.Dot(surface.Incoming, surface.Normal) > 0f;
+    internal static MaskW ComesFromInside(in SurfaceW surface) => Vec3W.Dot(surface.Incoming, surface.Normal) > 0f;
 
-    // Off the surface, on the side where the ray goes.
+    /// <summary>Returns where a ray starts that leaves a surface: off it, on the side where the ray goes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vec3W Leave(in SurfaceW surface, in Vec3W direction)
     {
@@ -318,7 +337,7 @@ internal abstract unsafe class SurfaceShader(ShaderContext context)
     }
 
     /// <summary>The values that shading works with, beside those of the stream.</summary>
-    protected struct PacketW
+    private protected struct PacketW
     {
         public ScatterW Scatter;
         public RgbW Throughput;

@@ -27,7 +27,7 @@ internal abstract unsafe class ViewShader(ShaderContext context, bool usesUv) : 
 /// <summary>The view of shading normals.</summary>
 internal sealed class NormalsIntegrator() : Integrator("normals", IntegratorTraits.None)
 {
-    internal override SurfaceShader CreateShader(ShaderContext context) => new Shader(context);
+    protected internal override SurfaceShader CreateShader(ShaderContext context) => new Shader(context);
 
     private sealed class Shader(ShaderContext context) : ViewShader(context, usesUv: false)
     {
@@ -41,7 +41,7 @@ internal sealed class NormalsIntegrator() : Integrator("normals", IntegratorTrai
 /// <summary>The view of surface coordinates.</summary>
 internal sealed class UvIntegrator() : Integrator("uv", IntegratorTraits.None)
 {
-    internal override SurfaceShader CreateShader(ShaderContext context) => new Shader(context);
+    protected internal override SurfaceShader CreateShader(ShaderContext context) => new Shader(context);
 
     private sealed class Shader(ShaderContext context) : ViewShader(context, usesUv: true)
     {
@@ -53,7 +53,7 @@ internal sealed class UvIntegrator() : Integrator("uv", IntegratorTraits.None)
 /// <summary>The view of how much light surfaces send on.</summary>
 internal sealed class AlbedoIntegrator() : Integrator("albedo", IntegratorTraits.None)
 {
-    internal override SurfaceShader CreateShader(ShaderContext context) => new Shader(context);
+    protected internal override SurfaceShader CreateShader(ShaderContext context) => new Shader(context);
 
     private sealed class Shader(ShaderContext context) : ViewShader(context, usesUv: false)
     {

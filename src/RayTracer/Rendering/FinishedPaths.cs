@@ -5,7 +5,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>Collects the paths that ended, and hands their radiance to the accumulator.</summary>
-internal sealed unsafe class FinishedPaths
+public sealed unsafe class FinishedPaths
 {
     private readonly PinnedBuffer<float> _radiance;
     private readonly PinnedBuffer<uint> _path;
@@ -18,7 +18,7 @@ internal sealed unsafe class FinishedPaths
     private SampleRange _samples;
     private int _count;
 
-    public FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, PathObserver? observer)
+    internal FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, PathObserver? observer)
     {
         _observer = observer;
         _scene = scene;
@@ -31,25 +31,28 @@ internal sealed unsafe class FinishedPaths
     }
 
     /// <summary>Number of paths that wait to be added up.</summary>
-    public int Count => _count;
+    internal int Count => _count;
 
     /// <summary>Their radiance: red, and <see cref="Stride"/> further green, and blue.</summary>
-    public float* Radiance => _radiance.Pointer;
+    internal float* Radiance => _radiance.Pointer;
 
     /// <summary>Their numbers in the tile.</summary>
-    public uint* Path => _path.Pointer;
+    internal uint* Path => _path.Pointer;
 
     /// <summary>From one channel to the next.</summary>
-    public int Stride => _stride;
+    internal int Stride => _stride;
 
     /// <summary>Prepares for a tile.</summary>
-    public void Begin(SampleRange samples)
+    internal void Begin(SampleRange samples)
     {
         _samples = samples;
         _count = 0;
     }
 
     /// <summary>Takes the chosen lanes of a packet.</summary>
+    /// <param name="lanes">A bit for each lane.</param>
+    /// <param name="radiance">The radiance that their paths have gathered.</param>
+    /// <param name="path">The numbers of their paths.</param>
     public void Append(uint lanes, in RgbW radiance, in UIntW path)
     {
         radiance.R.Compress(_radiance.Pointer + _count, lanes);
@@ -60,10 +63,10 @@ internal sealed unsafe class FinishedPaths
     }
 
     /// <summary>Forgets all collected paths.</summary>
-    public void Clear() => _count = 0;
+    internal void Clear() => _count = 0;
 
     /// <summary>Adds all collected paths up.</summary>
-    public void Drain()
+    internal void Drain()
     {
         float* r = _radiance.Pointer;
         float* g = r + _stride;

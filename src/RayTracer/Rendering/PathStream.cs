@@ -8,7 +8,7 @@ namespace RayTracer.Rendering;
 /// Light paths under way, as a structure of arrays: entry i of every column belongs to path i. A stage reads one stream and
 /// writes the paths that have a next ray to another.
 /// </summary>
-internal sealed unsafe class PathStream
+public sealed unsafe class PathStream
 {
     private const int Columns = 24;
     private readonly PinnedBuffer<float> _memory;
@@ -16,7 +16,7 @@ internal sealed unsafe class PathStream
 
     /// <summary>Makes an empty stream.</summary>
     /// <param name="capacity">How many paths it can hold.</param>
-    public PathStream(int capacity)
+    internal PathStream(int capacity)
     {
         // Room for a whole register behind the last path, and columns that do not all start on the same cache set.
         int stride = (capacity + (2 * 16) + 15) / 16 * 16 + 16;
@@ -56,52 +56,52 @@ internal sealed unsafe class PathStream
         NormalZ = Next();
     }
 
-    public int Capacity { get; }
+    internal int Capacity { get; }
 
     /// <summary>Room for a packet of the rays.</summary>
-    public ref RayW Packet => ref *_packet.Pointer;
+    internal ref RayW Packet => ref *_packet.Pointer;
 
     /// <summary>Number of paths in the stream.</summary>
-    public int Count { get; set; }
+    public int Count { get; internal set; }
 
     // Where the next ray starts, its unit direction, what it will find is multiplied by, and what the path has gathered.
-    public float* OriginX { get; }
-    public float* OriginY { get; }
-    public float* OriginZ { get; }
-    public float* DirectionX { get; }
-    public float* DirectionY { get; }
-    public float* DirectionZ { get; }
-    public float* ThroughputR { get; }
-    public float* ThroughputG { get; }
-    public float* ThroughputB { get; }
-    public float* RadianceR { get; }
-    public float* RadianceG { get; }
-    public float* RadianceB { get; }
+    internal float* OriginX { get; }
+    internal float* OriginY { get; }
+    internal float* OriginZ { get; }
+    internal float* DirectionX { get; }
+    internal float* DirectionY { get; }
+    internal float* DirectionZ { get; }
+    internal float* ThroughputR { get; }
+    internal float* ThroughputG { get; }
+    internal float* ThroughputB { get; }
+    internal float* RadianceR { get; }
+    internal float* RadianceG { get; }
+    internal float* RadianceB { get; }
 
-    // What the ray met.
+    /// <summary>The distance of what the ray met.</summary>
     public float* Distance { get; }
-    public uint* Primitive { get; }
+    internal uint* Primitive { get; }
 
     /// <summary>The instance that showed the primitive, 0 for the world itself; set only where there are instances.</summary>
-    public uint* Instance { get; }
+    internal uint* Instance { get; }
 
     /// <summary>The path's time in seconds; set only where something moves.</summary>
     public float* Time { get; }
 
     /// <summary>The density, per steradian, with which the ray's direction was chosen; set only where a light may be met that was sampled too.</summary>
-    public float* Pdf { get; }
+    internal float* Pdf { get; }
 
     /// <summary>The media that the path is in (<see cref="Media.MediumStack"/>); set only where there are media.</summary>
-    public uint* Media { get; }
+    internal uint* Media { get; }
 
     /// <summary>The distance that the path has gone through boundaries since it last scattered; set only where there are media.</summary>
-    public float* Travelled { get; }
+    internal float* Travelled { get; }
 
     // The normal of the surface where the ray starts, by which lights were chosen there; zero where all directions counted. Set only where one light of
     // many is chosen.
-    public float* NormalX { get; }
-    public float* NormalY { get; }
-    public float* NormalZ { get; }
+    internal float* NormalX { get; }
+    internal float* NormalY { get; }
+    internal float* NormalZ { get; }
 
     /// <summary>Number of the path in the tile: pixel · samples + sample.</summary>
     public uint* Path { get; }
@@ -132,7 +132,7 @@ internal sealed unsafe class PathStream
 
     /// <summary>The paths' rays, with their distances, as a tree takes them.</summary>
     /// <param name="hits">Takes what they hit.</param>
-    public RayStream Rays(int* hits) => new()
+    internal RayStream Rays(int* hits) => new()
     {
         OriginX = OriginX,
         OriginY = OriginY,
@@ -146,24 +146,24 @@ internal sealed unsafe class PathStream
     };
 
     /// <summary>The ray of one path.</summary>
-    public SpaceRay Ray(int path) =>
+    internal SpaceRay Ray(int path) =>
         new(new(OriginX[path], OriginY[path], OriginZ[path]), new(DirectionX[path], DirectionY[path], DirectionZ[path]));
 
     /// <summary>Sets the times of the chosen lanes of a packet that is appended next.</summary>
     public void SetTime(uint lanes, in FloatW time) => time.Compress(Time + Count, lanes);
 
     /// <summary>Sets the densities of the chosen lanes of a packet that is appended next.</summary>
-    public void SetPdf(uint lanes, in FloatW pdf) => pdf.Compress(Pdf + Count, lanes);
+    internal void SetPdf(uint lanes, in FloatW pdf) => pdf.Compress(Pdf + Count, lanes);
 
     /// <summary>Sets the media of the chosen lanes of a packet that is appended next, and how far they have gone through them.</summary>
-    public void SetMedia(uint lanes, in UIntW media, in FloatW travelled)
+    internal void SetMedia(uint lanes, in UIntW media, in FloatW travelled)
     {
         media.Compress(Media + Count, lanes);
         travelled.Compress(Travelled + Count, lanes);
     }
 
     /// <summary>Sets the normals of the chosen lanes of a packet that is appended next.</summary>
-    public void SetNormal(uint lanes, in Vec3W normal)
+    internal void SetNormal(uint lanes, in Vec3W normal)
     {
         normal.X.Compress(NormalX + Count, lanes);
         normal.Y.Compress(NormalY + Count, lanes);
@@ -171,7 +171,7 @@ internal sealed unsafe class PathStream
     }
 
     /// <summary>Normals where the paths of a packet start.</summary>
-    public Vec3W PickNormal(uint* index) => new(FloatW.Pick(NormalX, index), FloatW.Pick(NormalY, index), FloatW.Pick(NormalZ, index));
+    internal Vec3W PickNormal(uint* index) => new(FloatW.Pick(NormalX, index), FloatW.Pick(NormalY, index), FloatW.Pick(NormalZ, index));
 
     /// <summary>Radiance gathered by the paths of a packet.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -204,7 +204,7 @@ internal struct RayW
 }
 
 /// <summary>The state of a path besides its numbers, in one integer.</summary>
-internal static class PathState
+public static class PathState
 {
     /// <summary>Bits 0–7 count diffuse bounces.</summary>
     public const uint OneDiffuse = 1;

@@ -230,7 +230,7 @@ public sealed class Scene
         Integrator integrator = Render.Integrator;
         if (!Ambient.IsBlack && !integrator.Has(IntegratorTraits.AmbientLight))
         {
-            builder.Warn(description, nameof(Ambient), $"{Integrator.Only(IntegratorTraits.AmbientLight, "know")} ambient light: here it has no effect");
+            builder.Warn(description, nameof(Ambient), $"{Integrator.Only(IntegratorTraits.AmbientLight, "support")} ambient light: here it has no effect");
         }
 
         if (Render.WeakenedShadows && !WeakensShadows)
@@ -240,7 +240,7 @@ public sealed class Scene
 
         if (integrator.Has(IntegratorTraits.Light) && !HasNesting && HasInterior(static i => i.Nesting is not null))
         {
-            builder.Warn(description.Render, nameof(Render.Integrator), $"there are dielectrics with priorities, which {Integrator.Only(IntegratorTraits.Priorities, "know")}");
+            builder.Warn(description.Render, nameof(Render.Integrator), $"there are dielectrics with priorities, which {Integrator.Only(IntegratorTraits.Priorities, "support")}");
         }
 
         if (integrator.Has(IntegratorTraits.Light) && !HasMedia && HasInterior(static i => i.Medium is not null))

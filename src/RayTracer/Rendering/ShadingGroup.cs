@@ -12,45 +12,46 @@ namespace RayTracer.Rendering;
 /// <param name="batch">The batch that the shapes belong to.</param>
 /// <param name="onlyIndex">Index in the batch of the group's only shape; −1 if it has several.</param>
 /// <param name="isInstanced">Whether the shapes stand in a space that instances show.</param>
-internal sealed class ShadingGroup(Material material, SurfaceTable batch, int onlyIndex, bool isInstanced)
+public sealed class ShadingGroup(Material material, SurfaceTable batch, int onlyIndex, bool isInstanced)
 {
     private MaterialTraits _traits = material.Traits;
 
+    /// <summary>The material.</summary>
     public Material Material => material;
 
     /// <summary>The material's constants, but that it disperses light where another one around it may, too.</summary>
     public ref readonly MaterialTraits Traits => ref _traits;
 
-    public SurfaceTable Batch => batch;
+    internal SurfaceTable Batch => batch;
 
-    public bool IsInstanced => isInstanced;
+    internal bool IsInstanced => isInstanced;
 
-    public bool HasShadingNormals { get; } = batch.HasShadingNormals;
+    internal bool HasShadingNormals { get; } = batch.HasShadingNormals;
 
     /// <summary>Light is scattered with other normals than the surface's own, so that it could leak through it.</summary>
     public bool MayLeak { get; } = batch.HasShadingNormals || material.Traits.TurnsNormal;
 
     /// <summary>Shading normals may be all that counts (<see cref="Scene.IsLiteral"/>).</summary>
-    public bool MayBeLiteral { get; } = (batch.HasShadingNormals || material.Traits.TurnsNormal) && !material.Traits.MirrorsNormal;
+    internal bool MayBeLiteral { get; } = (batch.HasShadingNormals || material.Traits.TurnsNormal) && !material.Traits.MirrorsNormal;
 
     /// <summary>The diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>
-    public bool HasTint { get; } = batch.HasTint && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
+    internal bool HasTint { get; } = batch.HasTint && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
 
     /// <summary>The surface has no colours of its own.</summary>
-    public bool LacksTint { get; } = !batch.HasTint;
+    internal bool LacksTint { get; } = !batch.HasTint;
 
     /// <summary>A texture asks for the point in the shape's own coordinates.</summary>
-    public bool UsesLocal { get; } = (material.Inputs & TextureInputs.ObjectPoint) != TextureInputs.None;
+    internal bool UsesLocal { get; } = (material.Inputs & TextureInputs.ObjectPoint) != TextureInputs.None;
 
-    public int OnlyIndex => onlyIndex;
+    internal int OnlyIndex => onlyIndex;
 
     /// <summary>Number of what is inside; 0 for nothing.</summary>
-    public uint Interior { get; set; }
+    internal uint Interior { get; set; }
 
-    public bool IsNested { get; } = material.Traits.Nesting is not null;
+    internal bool IsNested { get; } = material.Traits.Nesting is not null;
 
     /// <summary>Makes the groups of a scene, and the table that names the group of each primitive.</summary>
-    public static ShadingGroup[] Create(World world, out int[] groupOf)
+    internal static ShadingGroup[] Create(World world, out int[] groupOf)
     {
         List<ShadingGroup> groups = [];
         groupOf = new int[world.Count + 2];
@@ -69,7 +70,7 @@ internal sealed class ShadingGroup(Material material, SurfaceTable batch, int on
     }
 
     /// <summary>Gives the insides of groups numbers from 1, the same to equal ones, and returns them.</summary>
-    public static Interior[] NumberInteriors(ShadingGroup[] groups)
+    internal static Interior[] NumberInteriors(ShadingGroup[] groups)
     {
         Interior[] interiors = [.. groups.Select(InteriorOf).OfType<Interior>().Distinct()];
         bool nestedDisperse = Array.Exists(groups, g => g.IsNested && g.Traits.Disperses);

@@ -2,7 +2,7 @@ using RayTracer.Sampling;
 
 namespace RayTracer.Description;
 
-/// <summary>How the samples of a pixel are placed: a sampler before it knows how many there are.</summary>
+/// <summary>The placement of the samples of a pixel: a sampler before their number is known.</summary>
 /// <param name="name">The name in scene files, in camelCase.</param>
 public abstract class SamplerKind(string name) : NamedValue(name)
 {

@@ -1,6 +1,6 @@
 using System.Globalization;
-using RayTracer.Materials;
 using RayTracer.Description;
+using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Spectra;

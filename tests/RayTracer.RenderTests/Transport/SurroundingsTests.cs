@@ -104,7 +104,7 @@ public class SurroundingsTests
 
         string message = Assert.Throws<InvalidOperationException>(() => Means(Up(balls, "0, 0, 0"))).Message;
         Assert.Contains("256 different insides", message, StringComparison.Ordinal);
-        Assert.Contains("there can be 255", message, StringComparison.Ordinal);
+        Assert.Contains("at most 255 are possible", message, StringComparison.Ordinal);
     }
 
     private static string Up(string shapes, string position) => string.Create(CultureInfo.InvariantCulture, $$"""

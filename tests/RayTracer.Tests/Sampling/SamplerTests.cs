@@ -137,7 +137,7 @@ public class SamplerTests
     public void A_number_that_is_no_square_is_refused_with_its_neighbours(int count, int below, int above)
     {
         string? complaint = SamplerKind.Jittered.Complaint(count);
-        Assert.Contains($"take {below} or {above}", complaint, StringComparison.Ordinal);
+        Assert.Contains($"use {below} or {above}", complaint, StringComparison.Ordinal);
         Assert.Throws<ArgumentException>(() => new JitteredSampler(count));
         Assert.Null(SamplerKind.Sobol.Complaint(count));
     }

@@ -25,18 +25,6 @@ public abstract class NamedValues
     /// <summary>Returns the value of a name, whatever its case; null where there is none.</summary>
     public abstract object? Find(string name);
 
-    /// <summary>Adds what an assembly defines: one value of each of its classes that derives from an open type and has a constructor without parameters.</summary>
-    /// <exception cref="ArgumentException">A name is taken, or cannot stand in scene files.</exception>
-    public static void AddAll(Assembly assembly)
-    {
-        foreach (Type type in assembly.GetTypes().Where(t => t is { IsClass: true, IsAbstract: false } && t.GetConstructor(Type.EmptyTypes) is not null))
-        {
-            Of(type)?.AddAny(Activator.CreateInstance(type)!);
-        }
-    }
-
-    private protected abstract void AddAny(object thing);
-
     private sealed class Enumeration(Type type) : NamedValues
     {
         public override IReadOnlyList<object> All { get; } = [.. Enum.GetValues(type).Cast<object>()];
@@ -44,8 +32,6 @@ public abstract class NamedValues
         public override IReadOnlyList<string> Names { get; } = [.. Enum.GetNames(type).Select(NameOf)];
 
         public override object? Find(string name) => All.FirstOrDefault(v => NameOf(v).Equals(name, StringComparison.OrdinalIgnoreCase));
-
-        private protected override void AddAny(object thing) => throw new NotSupportedException("Enumerations are closed.");
     }
 }
 

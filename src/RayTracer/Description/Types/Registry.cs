@@ -28,6 +28,4 @@ public sealed class Registry<T>(string kind, Func<T, IEnumerable<string>> names,
         return taken is null ? all.Add(thing)
             : throw new ArgumentException($"There is another {kind} \"{taken}\": {thing.GetType()} needs another name.", nameof(thing));
     });
-
-    private protected override void AddAny(object thing) => Add((T)thing);
 }

@@ -115,6 +115,7 @@ public sealed class AovTests
             int[] parts = [first, first + 1, first + (2 * Width), first + (2 * Width) + 1];
             int[] met = [.. parts.Where(p => Read(fine, new PrimitiveImage(), p)[0] > 0)];
             edges += met.Length is > 0 and < 4 ? 1 : 0;
+            Assert.Equal(Read(fine, new PrimitiveImage(), first), Read(four, new PrimitiveImage(), i));
             foreach (AuxiliaryImage kind in new AuxiliaryImage[] { new DepthImage(), new UvImage(), new NormalImage(), new AlbedoImage() })
             {
                 for (int c = 0; c < kind.Letters.Length; c++)
