@@ -32,7 +32,7 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
         ("lights", ["few", "many"]),
         ("environment", ["dark", "constant"]),
         ("medium", ["empty", "fog"]),
-        ("second thing", ["none", "glass in water", "prism"]),
+        ("second thing", ["none", "glass in water", "prism", "translucent sheet"]),
     ];
 
     /// <summary>How many groups the lights of the equal scene are rendered in.</summary>
@@ -67,11 +67,11 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
         return $$"""
             {
               "camera": { "position": [0.4, 1.3, 4.5], "lookAt": [0, 0.5, 0], {{Projection()}}{{Lens()}} },
-              "render": { "width": 16, "height": 16, "samplesPerPixel": {{(isOtherwise && Instants > 1 ? 4 : 9)}}, "integrator": "{{Integrator(isOtherwise)}}", "maxDepth": 6, "rouletteDepth": 30,
+              "render": { "width": 8, "height": 8, "samplesPerPixel": {{(isOtherwise && Instants > 1 ? 16 : 36)}}, "integrator": "{{Integrator(isOtherwise)}}", "maxDepth": 6, "rouletteDepth": 30,
                 "sampler": "{{Sampler(isOtherwise)}}", "shadingNormals": "{{(Is("shading normals", "literal") ? "literal" : "mended")}}", "shutter": {{shutter}}{{filter}} },
               {{environment}}
               "shapes": [
-                { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "checker", "even": [0.7, 0.6, 0.5], "odd": [0.3, 0.4, 0.5] } } },
+                { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "checker", "even": [0.3, 0.25, 0.2], "odd": [0.1, 0.15, 0.2] } } },
                 {{Thing(isOtherwise, time)}}{{SecondThing(isOtherwise)}}{{Fog(isOtherwise)}}{{string.Concat(Lights(isOtherwise, group))}}
               ]
             }
@@ -94,8 +94,8 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
             ? """ "transform": [{ "scale": [0.9, 0.5, -0.6] }, { "translate": [0.2, 0.65, 0.1] }]"""
             : """ "transform": [{ "translate": [0.2, 0.75, 0.1] }]""";
         string motion = Instants == 1 ? ""
-            : isOtherwise ? FormattableString.Invariant($", \"transform\": [{{ \"translate\": [{-0.5 * time}, {0.2 * time}, {0.1 * time}] }}]")
-            : """, "motion": [{ "time": 0 }, { "time": 1, "transform": [{ "translate": [-0.5, 0.2, 0.1] }] }]""";
+            : isOtherwise ? FormattableString.Invariant($", \"transform\": [{{ \"translate\": [{-1.1 * time}, {0.4 * time}, {0.2 * time}] }}]")
+            : """, "motion": [{ "time": 0 }, { "time": 1, "transform": [{ "translate": [-1.1, 0.4, 0.2] }] }]""";
         string bare = Shape() + $$""", "material": {{Material(isOtherwise)}}""";
         return (Is("placing", "stretched instance"), isOtherwise) switch
         {
@@ -113,7 +113,7 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
             : octahedron + """, "normals": [[1, 0.2, 0], [-1, 0, 0.2], [0, 1, 0], [0.1, -1, 0], [0, 0, 1], [0, 0.2, -1]]""";
     }
 
-    private string Material(bool isOtherwise) => Embossed(Masked(Is("material", "matt") ? """{ "type": "diffuse", "color": [0.8, 0.5, 0.3] }"""
+    private string Material(bool isOtherwise) => Embossed(Masked(Is("material", "matt") ? """{ "type": "diffuse", "color": [0.95, 0.9, 0.8] }"""
         : Is("material", "polished") ? """{ "type": "roughPlastic", "alpha": 0.3, "color": [0.2, 0.4, 0.6] }"""
         : Is("material", "glass") ? """{ "type": "roughDielectric", "alpha": 0.4 }"""
         : isOtherwise ? $$"""{ "type": "mix", "weight": {{Checker("0", "1")}}, "first": {{Metal("0.15")}}, "second": {{Metal("0.6")}} }"""
@@ -141,6 +141,7 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
         const string outer = """ "type": "sphere", "center": [-0.9, 0.5, 0.6], "radius": 0.45 """;
         const string inner = """ "type": "sphere", "center": [-0.9, 0.45, 0.6], "radius": 0.25 """;
         return Is("second thing", "none") ? ""
+            : Is("second thing", "translucent sheet") ? """, { "type": "rectangle", "corner": [-1.6, 0.3, 0.4], "edgeU": [1.1, 0, 0], "edgeV": [0, 0.9, 0.9], "material": { "type": "translucent", "color": [0.1, 0.1, 0.1], "transmittance": [0.8, 0.8, 0.8] } }"""
             : Is("second thing", "prism") ? $$""", { "type": "mesh", "positions": [[-1.3, 0, 0.3], [-0.5, 0, 0.3], [-0.9, 0.8, 0.3], [-1.3, 0, 0.9], [-0.5, 0, 0.9], [-0.9, 0.8, 0.9]], "triangles": [[0, 2, 1], [3, 4, 5], [0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]], "transform": [{ "translate": [0, 0.02, 0] }], "material": { "type": "dielectric", {{(isOtherwise ? """ "sellmeierB": [1.0396122, 0.231792344, 1.01046945], "sellmeierC": [0.00600069867, 0.0200179144, 103.560653] """ : """ "glass": "bk7" """)}} } }"""
             : isOtherwise ? $$""", { {{outer}}, "material": { "type": "dielectric", "refractiveIndex": 1.333{{(Is("medium", "fog") ? ", \"priority\": 1" : "")}} } }, { {{inner}}, "material": { "type": "dielectric", "refractiveIndex": 1.2753188 } }"""
             : $$""", { {{outer}}, "material": { "type": "dielectric", "refractiveIndex": 1.333, "priority": 1 } }, { {{inner}}, "material": { "type": "dielectric", "refractiveIndex": 1.7, "priority": 2 } }""";
@@ -148,7 +149,7 @@ internal sealed record PairScene(IReadOnlyList<int> Row)
 
     private string Fog(bool isOtherwise)
     {
-        const string material = """ "material": { "type": "invisible", "interior": { "extinction": [0.6, 0.8, 1], "albedo": [0.8, 0.7, 0.6], "anisotropy": 0.4 } } """;
+        const string material = """ "material": { "type": "invisible", "interior": { "extinction": [0.5, 0.4, 0.3], "albedo": [0.9, 0.8, 0.7], "anisotropy": 0.4 } } """;
         return !Is("medium", "fog") ? ""
             : isOtherwise ? $$""", { "type": "mesh", "positions": [[-1.5, 0.01, -1], [1.5, 0.01, -1], [1.5, 1.6, -1], [-1.5, 1.6, -1], [-1.5, 0.01, 1.2], [1.5, 0.01, 1.2], [1.5, 1.6, 1.2], [-1.5, 1.6, 1.2]], "triangles": [[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4], [3, 7, 6], [3, 6, 2], [0, 4, 7], [0, 7, 3], [1, 2, 6], [1, 6, 5]], {{material}} }"""
             : $$""", { "type": "box", "a": [-1.5, 0.01, -1], "b": [1.5, 1.6, 1.2], {{material}} }""";

@@ -10,7 +10,7 @@ namespace RayTracer.RenderTests.Pairs;
 public class PairTests
 {
     private static readonly CoveringArray s_scenes = CoveringArray.Of([.. PairScene.Features.Select(f => f.Levels.Length)]);
-    private static readonly int s_seeds = TestSettings.Scale(20, 128);
+    private static readonly int s_seeds = TestSettings.Scale(16, 128);
 
     public static TheoryData<int> Scenes => [.. Enumerable.Range(0, s_scenes.Rows.Count)];
 
