@@ -115,7 +115,7 @@ public class EverydayWalks(ChromiumBrowser browser)
         w.Expected.Add("401");
         IPage page = await w.NewPage();
         await page.EvaluateAsync("() => { sessionStorage.clear(); location.hash = 'token=wrong'; location.reload(); }");
-        await Expect(page.GetByText("This window is from an earlier start of the Studio.")).ToBeVisibleAsync();
+        await Expect(page.GetByText("This window belongs to an earlier run of the Studio.")).ToBeVisibleAsync();
     }
 
     [SkippableFact]
