@@ -81,7 +81,7 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
         }
     }
 
-    // The frames of an animated PNG are files too, so that a run that was stopped goes on with them: PNGs that were asked for, or else files in a folder beside it.
+    // The frames of an animated PNG are files too, so that a stopped run resumes with them: PNGs that were asked for, or else files in a folder beside it.
     private string? KeptPattern => _animated.Length == 0 ? null : PngFrames ?? Path.Combine(KeptFolder!, "####.png");
 
     private string? KeptFolder => _animated.Length > 0 && PngFrames is null ? _animated[0] + KeptEnding : null;

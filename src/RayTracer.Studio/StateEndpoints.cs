@@ -42,7 +42,7 @@ internal sealed record StudioState(
 /// <summary>How light is brought onto the screen, and how it might be.</summary>
 internal sealed record ToneState(float Exposure, ToneMap ToneMap, IReadOnlyList<ToneMap> Choices);
 
-/// <summary>How far the picture is, as pages are told.</summary>
+/// <summary>The progress of the picture, as reported to pages.</summary>
 internal sealed record RenderState(
     string Status, int Width, int Height, int Samples, int SamplesTotal, double RaysPerSecond, double Seconds, double? SecondsLeft, double? Noise,
     int Threads, int Cores, string Map, int[]? Region, RenderQuality? Quality, bool IsPreview, long BadSamples)

@@ -32,16 +32,16 @@ public sealed class InfoTests : IDisposable
         Assert.StartsWith("raytracer ", Text(json, "software"));
         Assert.Equal(new FileInfo(film).Length, Number(json, "fileBytes"));
 
-        CliRun told = CliRun.Of("info", film);
-        Assert.Contains("samples    1..2: 2 of 2 wanted (1..2), complete", told.Output, StringComparison.Ordinal);
-        Assert.Contains("settings   render.seed=7", told.Output, StringComparison.Ordinal);
-        Assert.DoesNotContain(hash, told.Output, StringComparison.Ordinal);
+        CliRun answer = CliRun.Of("info", film);
+        Assert.Contains("samples    1..2: 2 of 2 wanted (1..2), complete", answer.Output, StringComparison.Ordinal);
+        Assert.Contains("settings   render.seed=7", answer.Output, StringComparison.Ordinal);
+        Assert.DoesNotContain(hash, answer.Output, StringComparison.Ordinal);
 
         FilmFile.Write(film, FilmFile.Read(film).Film, FilmFile.ReadHeader(film) with { Wanted = new(1, 9), Scene = "a\u001b[31mb" });
         Assert.False(Json("info", film, "--json").GetProperty("complete").GetBoolean());
-        told = CliRun.Of("info", film);
-        Assert.Contains("1..2: 2 of 8 wanted (1..8), not complete", told.Output, StringComparison.Ordinal);
-        Assert.Contains("scene      a\\u001B[31mb", told.Output, StringComparison.Ordinal);
+        answer = CliRun.Of("info", film);
+        Assert.Contains("1..2: 2 of 8 wanted (1..8), not complete", answer.Output, StringComparison.Ordinal);
+        Assert.Contains("scene      a\\u001B[31mb", answer.Output, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -49,9 +49,9 @@ public sealed class InfoTests : IDisposable
     {
         string film = _folder["a.rtfilm"];
         Assert.Equal(0, CliRun.Of("render", _scene, "-o", film, "--spp", "1", "--quiet").Status);
-        CliRun told = CliRun.Of("resume", film, "--spp", "16777216", "--time", "0.1s");
-        Assert.Equal(0, told.Status);
-        Assert.Matches(@"\ntime ran out at \d+ of 16777216 samples: ""raytracer resume [^""]*a.rtfilm"" continues it", told.Output);
+        CliRun answer = CliRun.Of("resume", film, "--spp", "16777216", "--time", "0.1s");
+        Assert.Equal(0, answer.Status);
+        Assert.Matches(@"\ntime ran out at \d+ of 16777216 samples: ""raytracer resume [^""]*a.rtfilm"" continues it", answer.Output);
         JsonElement json = Json("resume", film, "--time", "0.1s", "--json", "--quiet");
         Assert.False(json.GetProperty("complete").GetBoolean());
         Assert.Equal(Text(json, "samples"), Text(Json("info", film, "--json"), "samples"));
@@ -93,7 +93,7 @@ public sealed class InfoTests : IDisposable
             (Text(json, "kind"), Text(json, "format"), Number(json, "width"), Number(json, "height"), Number(json, "frames"), Text(json, "compression")));
         Assert.Equal(channels, string.Join(' ', json.GetProperty("channels").EnumerateArray().Select(c => $"{Text(c, "layer")}/{Text(c, "name")}".TrimStart('/'))));
         Assert.Equal((type, bits), (Text(json.GetProperty("channels")[0], "type"), Number(json.GetProperty("channels")[0], "bits")));
-        Assert.Equal(hasTexts, json.GetProperty("texts").TryGetProperty("FilmHash", out JsonElement told) && told.GetString() == hash);
+        Assert.Equal(hasTexts, json.GetProperty("texts").TryGetProperty("FilmHash", out JsonElement answer) && answer.GetString() == hash);
         Assert.Equal(new FileInfo(image).Length, Number(json, "fileBytes"));
         string output = CliRun.Of("info", image).Output;
         Assert.Contains($"{format}, 24×16 pixels", output, StringComparison.Ordinal);
