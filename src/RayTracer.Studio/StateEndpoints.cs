@@ -16,19 +16,15 @@ internal static class StateEndpoints
             await poll.Wait(session.Changes.WaitBeyond, after ?? -1, context.RequestAborted);
             return State(session);
         });
-        api.MapPost("/job/cancel", (JobRequest request) =>
-        {
-            session.Jobs.Cancel(request.Id);
-            return Answers.Done(session);
-        });
+        api.MapPost("/job/cancel", (JobRequest request) => session.Jobs.Cancel(request.Id));
     }
 
-    private static IResult State(StudioSession session)
+    private static StudioState State(StudioSession session)
     {
         SessionState state = SessionState.Of(session);
-        return Answers.Json(new StudioState(
+        return new(
             state.Version, state.Document, state.Selection, RenderState.Of(state.Render, state.Settings), new(state.Tone.Exposure, state.Tone.ToneMap, ToneMaps),
-            state.Snapshots, state.Recovery, state.Notice, state.Jobs));
+            state.Snapshots, state.Recovery, state.Notice, state.Jobs);
     }
 
     internal sealed record JobRequest(int Id);

@@ -11,36 +11,23 @@ internal static class ViewEndpoints
     public static void MapView(this RouteGroupBuilder api, StudioSession session)
     {
         RouteGroupBuilder view = api.MapGroup("/view");
-        view.MapPost("/camera", (CameraMove move) =>
-        {
-            session.Camera.Move(move);
-            return Answers.Done(session);
-        });
-        view.MapPost("/focus", (PixelRequest at) => Answers.Json(new { distance = session.Camera.Focus(at.X, at.Y), revision = session.Document.Revision }));
+        view.MapPost("/camera", session.Camera.Move);
+        view.MapPost("/focus", (PixelRequest at) => new { distance = session.Camera.Focus(at.X, at.Y), revision = session.Document.Revision });
         view.MapPost("/tone", (ToneRequest tone) =>
         {
             Tone before = session.View.Tone;
             session.View.Tone = new(tone.Exposure ?? before.Exposure, tone.ToneMap ?? before.ToneMap);
-            return Answers.Done(session);
         });
-        view.MapPost("/render", (RenderRequest request) =>
-        {
-            session.View.Change(request.Apply, anew: request.Action == "restart");
-            return Answers.Done(session);
-        });
-        view.MapPost("/snapshot", async () => Answers.Json(await session.Snapshots.Take()));
+        view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, anew: request.Action == "restart"));
+        view.MapPost("/snapshot", session.Snapshots.Take);
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
-        view.MapGet("/mask", (string pointer) => Answers.Json(Picking.Mask(session.View.RequireShown(), pointer)));
+        view.MapGet("/mask", (string pointer) => Picking.Mask(session.View.RequireShown(), pointer));
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {
             ShownScene shown = session.View.RequireShown();
-            return Answers.Json(Gizmo.Of(shown, request.Pointer).Handles(CameraFrame.Of(shown), request.Kind, request.Length));
+            return Gizmo.Of(shown, request.Pointer).Handles(CameraFrame.Of(shown), request.Kind, request.Length);
         });
-        view.MapPost("/drag", (HandleDrag way) =>
-        {
-            session.Handles.Drag(way);
-            return Answers.Done(session);
-        });
+        view.MapPost("/drag", session.Handles.Drag);
     }
 
     internal sealed record PixelRequest(float X, float Y);

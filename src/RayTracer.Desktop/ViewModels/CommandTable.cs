@@ -128,3 +128,8 @@ internal sealed class CommandTable
 
     private static void Render(MainViewModel main, RenderMode mode) => main.Hand.Do(s => s.View.Change(v => v with { Mode = mode }));
 }
+
+/// <summary>A menu: commands that belong together.</summary>
+/// <param name="Name">What it is called.</param>
+/// <param name="Commands">The commands.</param>
+internal sealed record CommandGroup(string Name, IReadOnlyList<CommandViewModel> Commands);

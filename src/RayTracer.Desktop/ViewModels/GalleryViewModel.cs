@@ -1,3 +1,4 @@
+using System.Windows.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -28,4 +29,37 @@ internal sealed class GalleryViewModel(Hand hand, Action<string> open)
             }
         }
     }
+}
+
+/// <summary>Shipped scenes that belong together.</summary>
+/// <param name="Title">What they are.</param>
+/// <param name="Items">The scenes.</param>
+internal sealed record GalleryGroupViewModel(string Title, IReadOnlyList<GalleryItemViewModel> Items);
+
+/// <summary>A shipped scene.</summary>
+internal sealed class GalleryItemViewModel(GalleryItem item, Action open) : Observable
+{
+    private byte[]? _picture;
+
+    /// <summary>How the session calls it.</summary>
+    public string Id => item.Id;
+
+    /// <summary>What it is called.</summary>
+    public string Name => item.Name;
+
+    /// <summary>What it shows.</summary>
+    public string Summary => item.Summary;
+
+    /// <summary>What a screen reader says.</summary>
+    public string Label => SessionTexts.Of("gallery.open", item.Name);
+
+    /// <summary>Its small picture as a PNG file; null until it is made.</summary>
+    public byte[]? Picture
+    {
+        get => _picture;
+        set => Set(ref _picture, value);
+    }
+
+    /// <summary>Opens it.</summary>
+    public ICommand Open { get; } = new ActionCommand(open);
 }

@@ -1,4 +1,5 @@
 using System.Collections.ObjectModel;
+using System.Windows.Input;
 
 namespace RayTracer.Desktop.ViewModels;
 
@@ -39,4 +40,17 @@ internal sealed class MessagesViewModel
         await Task.Delay(InfoStaysFor);
         All.Remove(message);
     }
+}
+
+/// <summary>A short message that can be dismissed.</summary>
+internal sealed class MessageViewModel(string kind, string text, Action<MessageViewModel> dismiss)
+{
+    /// <summary>What it tells.</summary>
+    public string Text => text;
+
+    /// <summary>Whether something went wrong.</summary>
+    public bool IsError => kind == "error";
+
+    /// <summary>Takes it away.</summary>
+    public ICommand Dismiss => new ActionCommand(() => dismiss(this));
 }

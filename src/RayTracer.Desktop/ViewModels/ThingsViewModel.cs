@@ -1,3 +1,4 @@
+using System.Windows.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -65,3 +66,14 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
         });
     }
 }
+
+/// <summary>Things of one family that can be added.</summary>
+/// <param name="Name">The family.</param>
+/// <param name="Items">The things.</param>
+internal sealed record AddGroup(string Name, IReadOnlyList<AddItem> Items);
+
+/// <summary>A thing that can be added.</summary>
+/// <param name="Name">What it is called.</param>
+/// <param name="Tip">What it is.</param>
+/// <param name="Add">Adds it.</param>
+internal sealed record AddItem(string Name, string Tip, ICommand Add);

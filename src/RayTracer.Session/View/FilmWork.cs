@@ -273,3 +273,55 @@ internal sealed class FilmWork(FrameBoard frames)
         _pace.Make(() => frames.Publish(info, draw));
     }
 }
+
+/// <summary>Keeps what frames cost the renderer to a small share of its time.</summary>
+public sealed class PublishPace
+{
+    // One part in so many of the time.
+    private const int Share = 12;
+    private long _last = -1;
+    private TimeSpan _cost;
+
+    /// <summary>Whether it is time for a frame.</summary>
+    public bool IsTime => _last < 0 || Stopwatch.GetElapsedTime(_last) >= _cost * (Share - 1);
+
+    /// <summary>Makes a frame, and takes down what that costs.</summary>
+    public void Make(Action frame)
+    {
+        long start = Stopwatch.GetTimestamp();
+        frame();
+        _last = Stopwatch.GetTimestamp();
+        _cost = Stopwatch.GetElapsedTime(start, _last);
+    }
+}
+
+/// <summary>How noisy a picture still is.</summary>
+public static class NoiseEstimate
+{
+    private const int MostPixels = 1 << 15;
+
+    /// <summary>Standard error of the pixels' luminance, mean over some pixels, relative to their mean luminance; null where it is not known.</summary>
+    /// <param name="film">The picture.</param>
+    /// <param name="area">Its pixels that have samples.</param>
+    public static double? Of(Film film, Tile area)
+    {
+        int step = Math.Max(1, (int)Math.Ceiling(Math.Sqrt((double)area.Pixels / MostPixels)));
+        (double error, double light) = (0, 0);
+        for (int y = area.Y; y < area.Y + area.Height; y += step)
+        {
+            for (int x = area.X; x < area.X + area.Width; x += step)
+            {
+                uint count = film.SampleCount(x, y);
+                if (count < 2)
+                {
+                    return null;
+                }
+
+                error += Math.Sqrt(film.SampleVariance(x, y) / count);
+                light += film.Mean(x, y).Luminance;
+            }
+        }
+
+        return light > 0 ? error / light : null;
+    }
+}

@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Rendering;
 
@@ -89,3 +90,17 @@ public static class Picking
         return runs;
     }
 }
+
+/// <summary>What is seen at a pixel.</summary>
+/// <param name="Pointer">The thing in the text; null where nothing is seen.</param>
+/// <param name="Distance">How far away; null where nothing is seen.</param>
+/// <param name="Position">Where, in the world.</param>
+/// <param name="Normal">The normal there, towards the camera.</param>
+/// <param name="Material">The thing's material in the text; null where it is not from the text.</param>
+public sealed record PickResult(string? Pointer, float? Distance, Vector3? Position, Vector3? Normal, string? Material);
+
+/// <summary>Some pixels of a picture.</summary>
+/// <param name="Width">Width of the picture, which may be smaller than the rendered one.</param>
+/// <param name="Height">Its height.</param>
+/// <param name="Runs">Start and length of each run of pixels, counted row by row.</param>
+public sealed record PixelMask(int Width, int Height, IReadOnlyList<int> Runs);

@@ -67,3 +67,8 @@ public sealed class SlicePlan(Tile area, int samples)
     /// <summary>The same work with another number of samples in the end.</summary>
     public SlicePlan WithSamples(int total) => new(area, total) { Samples = Samples, _rows = _rows, _samplesOfRows = _samplesOfRows };
 }
+
+/// <summary>A part of the work on a picture, between two looks at what the user wants.</summary>
+/// <param name="Area">The pixels.</param>
+/// <param name="Samples">The samples.</param>
+public readonly record struct Slice(Tile Area, SampleRange Samples);

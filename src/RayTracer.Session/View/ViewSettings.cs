@@ -1,3 +1,4 @@
+using RayTracer.Imaging;
 using RayTracer.Rendering;
 
 namespace RayTracer.Session;
@@ -22,4 +23,39 @@ public sealed record ViewSettings
 
     /// <summary>The same in words; null where there are none for it.</summary>
     public RenderQuality? Quality => Samples is { } samples && Enum.IsDefined((RenderQuality)samples) ? (RenderQuality)samples : null;
+}
+
+/// <summary>Whether rendering goes on.</summary>
+public enum RenderMode
+{
+    /// <summary>It goes on to the last sample.</summary>
+    Running,
+
+    /// <summary>It waits, and may go on.</summary>
+    Paused,
+
+    /// <summary>It has been ended by the user.</summary>
+    Stopped,
+}
+
+/// <summary>How many samples a picture gets, in words. All are squares, as some samplers need.</summary>
+public enum RenderQuality
+{
+    /// <summary>To look at while working.</summary>
+    Draft = 16,
+
+    /// <summary>To show to others.</summary>
+    Good = 256,
+
+    /// <summary>To print.</summary>
+    Final = 1024,
+}
+
+/// <summary>How light is brought onto the screen.</summary>
+/// <param name="Exposure">In stops, −100 to 100: each doubles the light.</param>
+/// <param name="ToneMap">The curve.</param>
+public sealed record Tone(float Exposure, ToneMap ToneMap)
+{
+    /// <summary>Light as it is.</summary>
+    public static Tone Plain { get; } = new(0, ToneMap.Clamp);
 }

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using RayTracer.Imaging;
 using RayTracer.Session;
 
@@ -49,4 +50,21 @@ internal sealed class ErrorAnswers(TextWriter errors)
         JsonException => (StatusCodes.Status400BadRequest, $"The request's JSON is wrong: {e.Message}"),
         _ => Complaint.Of(e) is { } complaint ? (StatusCodes.Status400BadRequest, complaint) : (StatusCodes.Status500InternalServerError, $"Internal error: {e.Message}"),
     };
+}
+
+/// <summary>What a request that is not met is answered with.</summary>
+/// <param name="Error">Why, in a sentence for the user.</param>
+internal sealed record ErrorAnswer(string Error)
+{
+    /// <summary>Whether changes that were not saved would be lost.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
+    public bool Unsaved { get; init; }
+
+    /// <summary>Whether there is such a file already.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
+    public bool Exists { get; init; }
+
+    /// <summary>Whether somebody else has changed the file.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
+    public bool ChangedOnDisk { get; init; }
 }

@@ -29,14 +29,15 @@ internal sealed class StudioServer : IAsyncDisposable
         _app.UseRouting();
         RouteGroupBuilder api = _app.MapGroup(LocalGuard.Api);
         api.MapLife(guard, _windows, options.Errors);
-        api.MapState(session, poll);
-        api.MapDocument(session);
         api.MapFrames(session.View, poll);
-        api.MapView(session);
-        api.MapInspection(session);
-        api.MapSaving(session);
-        api.MapBackground(session);
-        api.MapLights(session);
+        // A request that has nothing to return gets the revision that the document has now.
+        RouteGroupBuilder acting = api.MapGroup("").AddEndpointFilter(async (call, next) =>
+            await next(call) is var answer and not EmptyHttpResult ? answer : new { revision = session.Document.Revision });
+        acting.MapState(session, poll);
+        acting.MapDocument(session);
+        acting.MapView(session);
+        acting.MapInspection(session);
+        acting.MapSaving(session);
         api.MapFallback("{**path}", () => { throw new SessionException("There is no such request.", SessionFault.Missing); });
         _app.MapFallback("{**path}", new EmbeddedAssets().Serve);
         Guard = guard;
@@ -97,4 +98,23 @@ internal sealed class StudioServer : IAsyncDisposable
         builder.Services.Configure<HostOptions>(host => host.ShutdownTimeout = TimeSpan.FromSeconds(2));
         return builder.Build();
     }
+}
+
+/// <summary>How the server runs.</summary>
+internal sealed record ServerOptions
+{
+    /// <summary>The port; 0 for a free one.</summary>
+    public int Port { get; init; }
+
+    /// <summary>How long to wait for windows.</summary>
+    public GraceTimes Grace { get; init; } = GraceTimes.Default;
+
+    /// <summary>How long a request waits for news.</summary>
+    public TimeSpan Patience { get; init; } = TimeSpan.FromSeconds(20);
+
+    /// <summary>The clock for waiting for windows.</summary>
+    public TimeProvider Time { get; init; } = TimeProvider.System;
+
+    /// <summary>Where errors are told.</summary>
+    public TextWriter Errors { get; init; } = Console.Error;
 }

@@ -105,3 +105,9 @@ internal sealed class ConvergenceViewModel(Hand hand) : Observable
 
     private static double Log(double value) => LaneMath.Log((float)value);
 }
+
+/// <summary>A number at an axis of a plot.</summary>
+/// <param name="Text">The number.</param>
+/// <param name="X">Where, from the left.</param>
+/// <param name="Y">Where, from the top.</param>
+internal sealed record PlotTick(string Text, double X, double Y);

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using System.Text.Json.Nodes;
 using System.Windows.Input;
 using RayTracer.Session;
@@ -95,4 +96,94 @@ internal abstract class FieldViewModel : Observable
     protected void Write(JsonNode? value, string? gesture = null) => Context.Set(Pointer, value, gesture);
 
     private static CatalogueType? SectionOf(CatalogueParameter p) => PanelContext.Catalogue.Sections.GetValueOrDefault(p.Record ?? p.Key);
+}
+
+/// <summary>On or off.</summary>
+internal sealed class SwitchFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+{
+    private bool _isOn;
+
+    /// <summary>Whether it is on.</summary>
+    public bool IsOn
+    {
+        get => _isOn;
+        set
+        {
+            if (!IsTelling && Set(ref _isOn, value))
+            {
+                Write(value);
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void Shown() => _isOn = Effective?.GetValueKind() == JsonValueKind.True;
+}
+
+/// <summary>A text, or the name of a file.</summary>
+internal sealed class TextFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+{
+    /// <summary>The text.</summary>
+    public string Text
+    {
+        get => ParameterValues.Text(Effective) ?? "";
+        set
+        {
+            if (value is not null && value != Text)
+            {
+                Write(value);
+            }
+        }
+    }
+
+    /// <summary>Whether it is a file.</summary>
+    public bool IsFile => Parameter.Kind == "file";
+
+    /// <summary>Asks for a file.</summary>
+    public ICommand Choose => new ActionCommand(() => Context.ChooseFile(path => Write(path)));
+
+    /// <inheritdoc/>
+    protected override void Shown()
+    {
+    }
+}
+
+/// <summary>Something long, which is better edited as text.</summary>
+internal sealed class SourceFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+{
+    /// <summary>Whether something is written.</summary>
+    public bool IsWritten => Written is not null;
+
+    /// <summary>Shows it in the source.</summary>
+    public ICommand ShowText => new ActionCommand(() => Context.ShowInSource(Pointer));
+
+    /// <inheritdoc/>
+    protected override void Shown()
+    {
+    }
+}
+
+/// <summary>One of several words.</summary>
+internal sealed class ChoiceFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+{
+    /// <summary>The words.</summary>
+    public IReadOnlyList<Choice> Choices { get; } = [new("", SessionTexts.Of("panel.noneYet")), .. parameter.Choices.Select(c => new Choice(c, Figures.Spaced(c)))];
+
+    /// <summary>The chosen word.</summary>
+    public Choice? Chosen
+    {
+        get => Choices.FirstOrDefault(c => c.Value.Equals(ParameterValues.Text(Effective) ?? "", StringComparison.OrdinalIgnoreCase)) ?? Choices[0];
+        set
+        {
+            if (!IsTelling && value is { Value.Length: > 0 } && Choices.Contains(value) && value.Value != ParameterValues.Text(Effective))
+            {
+                Write(value.Value);
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void Shown()
+    {
+    }
 }

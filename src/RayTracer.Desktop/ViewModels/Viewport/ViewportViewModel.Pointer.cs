@@ -190,3 +190,61 @@ internal sealed partial class ViewportViewModel
         }
     }
 }
+
+/// <summary>The keys that change what a pointer or a wheel does.</summary>
+[Flags]
+internal enum HeldKeys
+{
+    /// <summary>None.</summary>
+    None = 0,
+
+    /// <summary>Shift.</summary>
+    Shift = 1,
+
+    /// <summary>Ctrl, or Command on a Mac.</summary>
+    Mod = 2,
+
+    /// <summary>Alt.</summary>
+    Alt = 4,
+
+    /// <summary>The space bar.</summary>
+    Space = 8,
+}
+
+/// <summary>The button of a pointer.</summary>
+internal enum PointerButton
+{
+    /// <summary>The left one, a finger, a pen's tip.</summary>
+    Main,
+
+    /// <summary>The wheel.</summary>
+    Middle,
+
+    /// <summary>The right one.</summary>
+    Second,
+}
+
+/// <summary>What the pointer does in the picture.</summary>
+internal enum Tool
+{
+    /// <summary>Orbits, and selects.</summary>
+    Select,
+
+    /// <summary>Moves the selected shape by its handles.</summary>
+    Move,
+
+    /// <summary>Turns it.</summary>
+    Rotate,
+
+    /// <summary>Changes its size.</summary>
+    Scale,
+
+    /// <summary>Focuses on what is clicked.</summary>
+    Focus,
+
+    /// <summary>Looks into the pixel that is clicked.</summary>
+    Inspect,
+
+    /// <summary>Draws the part of the picture that is rendered.</summary>
+    Region,
+}
