@@ -1,6 +1,6 @@
 namespace RayTracer.Session;
 
-/// <summary>What is being done beside the user's work: each job on a thread of its own.</summary>
+/// <summary>The jobs beside the user's work, each on a separate thread.</summary>
 /// <param name="notices">Told how each job ended.</param>
 public sealed class JobList(NoticeBoard notices) : IDisposable
 {

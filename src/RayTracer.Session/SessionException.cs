@@ -29,10 +29,10 @@ public sealed class SessionException : Exception
     public SessionFault Fault { get; }
 }
 
-/// <summary>Why something that was asked for is not done.</summary>
+/// <summary>The reason why something that was asked for is not done.</summary>
 public enum SessionFault
 {
-    /// <summary>What was asked for makes no sense, or cannot be done; the message says why.</summary>
+    /// <summary>The request makes no sense, or cannot be done; the message says why.</summary>
     Refused,
 
     /// <summary>There is no such thing.</summary>
@@ -42,7 +42,7 @@ public enum SessionFault
     Conflict,
 }
 
-/// <summary>What to tell the user about something that went wrong.</summary>
+/// <summary>The sentences for the user about errors.</summary>
 public static class Complaint
 {
     /// <summary>One sentence; null where the program itself is at fault.</summary>

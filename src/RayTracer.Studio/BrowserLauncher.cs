@@ -70,7 +70,7 @@ internal static class BrowserLauncher
     }
 }
 
-/// <summary>What the page is opened in.</summary>
+/// <summary>The browser that opens the page.</summary>
 internal enum BrowserKind
 {
     /// <summary>A window of its own, of Chromium, Chrome or Edge, where there is one; else the default browser.</summary>

@@ -5,7 +5,7 @@ using static RayTracer.Studio.DocumentRequests;
 
 namespace RayTracer.Studio;
 
-/// <summary>What a page does with the document: reading it and editing its text.</summary>
+/// <summary>The requests that read the document and edit its text.</summary>
 internal static class DocumentEndpoints
 {
     // The catalogue never changes.
@@ -33,7 +33,7 @@ internal static class DocumentEndpoints
         api.MapGet("/document", () =>
         {
             (int revision, string text) = document.Current;
-            return new { revision, text };
+            return Results.Json(new { revision, text });
         });
         api.MapGet("/outline", () =>
         {
@@ -55,9 +55,9 @@ internal static class DocumentEndpoints
             return isTaken ? Results.Json(new { revision })
                 : Results.Json(new { error = "The text has changed in the meantime.", revision, text }, statusCode: StatusCodes.Status409Conflict);
         });
-        api.MapPost("/document/set", (Set request) => new { revision = Changed(session.Edits, request, Needed(request.Pointer, "pointer")) });
-        api.MapPost("/document/undo", document.Undo);
-        api.MapPost("/document/redo", document.Redo);
+        api.MapPost("/document/set", (Set request) => Results.Json(new { revision = Changed(session.Edits, request, Needed(request.Pointer, "pointer")) }));
+        api.MapPost("/document/undo", () => document.Undo());
+        api.MapPost("/document/redo", () => document.Redo());
     }
 
     private static void MapThings(RouteGroupBuilder api, StudioSession session)
@@ -69,12 +69,12 @@ internal static class DocumentEndpoints
         api.MapPost("/document/delete", (Many request) =>
         {
             (int revision, IReadOnlyList<string> notes) = edits.Delete(Needed(request.Pointers, "pointers"));
-            return new { revision, notes };
+            return Results.Json(new { revision, notes });
         });
         api.MapPost("/document/place", (Place request) =>
         {
             Placement change = new(request.Translate, request.Rotate, request.Scale, request.Center);
-            return new { revision = edits.Place(Needed(request.Pointer, "pointer"), change, request.Gesture) };
+            return Results.Json(new { revision = edits.Place(Needed(request.Pointer, "pointer"), change, request.Gesture) });
         });
     }
 
@@ -95,5 +95,5 @@ internal static class DocumentEndpoints
             : edits.Set(pointer, System.Text.Json.Nodes.JsonNode.Parse(set.Value.GetRawText()), set.Gesture);
     }
 
-    private static object Pointed((int Revision, string Pointer) edit) => new { revision = edit.Revision, pointer = edit.Pointer };
+    private static IResult Pointed((int Revision, string Pointer) edit) => Results.Json(new { revision = edit.Revision, pointer = edit.Pointer });
 }

@@ -16,7 +16,7 @@ internal static class InspectionEndpoints
             ShownScene shown = session.View.RequireShown();
             return new WireframeView(Wireframe.Of(shown), CameraFrame.Of(shown));
         });
-        api.MapGet("/convergence", session.View.Loop.Convergence);
+        api.MapGet("/convergence", () => session.View.Loop.Convergence());
         api.MapGet("/times", async (HttpContext context) =>
         {
             ReportTime[] times = await session.Part<ReportTimes>().Measure().WaitAsync(context.RequestAborted);

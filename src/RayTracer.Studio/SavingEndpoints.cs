@@ -28,8 +28,8 @@ internal static class SavingEndpoints
             string type = ImageFormat.OfName(extension)!.MediaType;
             return Results.Bytes(bytes, type, Path.ChangeExtension(session.Document.Place.Name, extension));
         });
-        api.MapGet("/picture/formats", () => new { formats = PictureSaver.Formats });
-        api.MapGet("/command", () => new { text = session.Pictures.Command() });
+        api.MapGet("/picture/formats", () => Results.Json(new { formats = PictureSaver.Formats }));
+        api.MapGet("/command", () => Results.Json(new { text = session.Pictures.Command() }));
     }
 
     private static void MapBackground(RouteGroupBuilder group, StudioSession session)
@@ -43,13 +43,13 @@ internal static class SavingEndpoints
     private static void MapLights(RouteGroupBuilder group, StudioSession session)
     {
         group.MapPost("/render", (LightRequest r) => Started(session, session.Lights.Render(Needed(r.Path, "path"), r.Overwrite)));
-        group.MapPost("/open", (LightRequest r) => new { lights = session.Lights.Open(Needed(r.Path, "path")) });
+        group.MapPost("/open", (LightRequest r) => Results.Json(new { lights = session.Lights.Open(Needed(r.Path, "path")) }));
         group.MapGet("/picture", (string? factors) =>
             Results.Bytes(session.Lights.Png(JsonSerializer.Deserialize<Dictionary<string, float[]>>(Needed(factors, "factors")) ?? []), "image/png"));
         group.MapPost("/save", (LightRequest r) => Started(session, session.Lights.Save(Needed(r.Path, "path"), r.Factors ?? [], r.Overwrite)));
     }
 
-    private static object Started(StudioSession session, int job) => new { job, revision = session.Document.Revision };
+    private static IResult Started(StudioSession session, int job) => Results.Json(new { job, revision = session.Document.Revision });
 
     internal sealed record SaveRequest(string Path, int? BitDepth, string[]? Layers, bool Overwrite = false);
 

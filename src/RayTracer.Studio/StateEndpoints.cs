@@ -35,7 +35,7 @@ internal sealed record StudioState(
     long Version, DocumentStatus Document, string? Selection, RenderState Render, ToneState Tone, IReadOnlyList<Snapshot> Snapshots,
     IReadOnlyList<RecoveryEntry> Recovery, Notice? Message, IReadOnlyList<Job> Jobs);
 
-/// <summary>How light is brought onto the screen, and how it might be.</summary>
+/// <summary>The exposure and tone map of the screen, and the tone maps to choose from.</summary>
 internal sealed record ToneState(float Exposure, ToneMap ToneMap, IReadOnlyList<ToneMap> Choices);
 
 /// <summary>The progress of the picture, as reported to pages.</summary>

@@ -2,7 +2,7 @@ using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>What each command does in this window. Which commands there are, the session tells.</summary>
+/// <summary>The action of each command in this window. The session has the list of commands.</summary>
 internal sealed class CommandTable
 {
     private const double Sqrt2 = 1.41421356;

@@ -1,5 +1,6 @@
 using System.Collections.ObjectModel;
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 
 namespace RayTracer.Desktop.ViewModels;
 
@@ -45,12 +46,10 @@ internal sealed class MessagesViewModel
 /// <summary>A short message that can be dismissed.</summary>
 internal sealed class MessageViewModel(string kind, string text, Action<MessageViewModel> dismiss)
 {
-    /// <summary>What it tells.</summary>
     public string Text => text;
 
-    /// <summary>Whether something went wrong.</summary>
     public bool IsError => kind == "error";
 
     /// <summary>Takes it away.</summary>
-    public ICommand Dismiss => new ActionCommand(() => dismiss(this));
+    public ICommand Dismiss => new RelayCommand(() => dismiss(this));
 }

@@ -1,4 +1,5 @@
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -9,7 +10,7 @@ namespace RayTracer.Desktop.ViewModels;
 /// <param name="showTab">Shows a tab of the properties.</param>
 internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<string> showTab)
 {
-    /// <summary>What can be added.</summary>
+    /// <summary>The things that can be added.</summary>
     public IReadOnlyList<AddGroup> Families { get; private set; } = [];
 
     /// <summary>The selected thing, if it is one that can be copied, renamed and deleted.</summary>
@@ -22,7 +23,7 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
         CatalogueType[] types = [.. PanelContext.Catalogue.Types.Values.SelectMany(t => t)];
         Families = [.. families.Select(f => new AddGroup(
             SessionTexts.Of($"families.{f}"),
-            [.. types.Where(t => t.AddedAs.Contains(f)).OrderBy(t => t.AddedAs.Count).Select(t => new AddItem(Figures.Spaced(t.Name), t.Summary, new ActionCommand(() => Add(f, t))))]))];
+            [.. types.Where(t => t.AddedAs.Contains(f)).OrderBy(t => t.AddedAs.Count).Select(t => new AddItem(Figures.Spaced(t.Name), t.Summary, new RelayCommand(() => Add(f, t))))]))];
     }
 
     /// <summary>Adds a thing; one that cannot be without a file asks for it first.</summary>

@@ -4,7 +4,7 @@ namespace RayTracer.Desktop.Views;
 
 // Views that consist of their XAML alone.
 
-/// <summary>What can be added.</summary>
+/// <summary>The things that can be added.</summary>
 internal sealed partial class AddView : UserControl
 {
     /// <summary>Makes it.</summary>
@@ -18,7 +18,6 @@ internal sealed partial class DialogView : UserControl
     public DialogView() => InitializeComponent();
 }
 
-/// <summary>What surrounds the scene.</summary>
 internal sealed partial class EnvironmentView : UserControl
 {
     /// <summary>Makes it.</summary>
@@ -32,7 +31,7 @@ internal sealed partial class FieldRow : UserControl
     public FieldRow() => InitializeComponent();
 }
 
-/// <summary>What was opened lately.</summary>
+/// <summary>The files that were opened last.</summary>
 internal sealed partial class FilesView : UserControl
 {
     /// <summary>Makes it.</summary>
@@ -46,7 +45,6 @@ internal sealed partial class GalleryView : UserControl
     public GalleryView() => InitializeComponent();
 }
 
-/// <summary>What to show in the picture.</summary>
 internal sealed partial class MapsView : UserControl
 {
     /// <summary>Makes it.</summary>
@@ -88,14 +86,13 @@ internal sealed partial class RecoveryView : UserControl
     public RecoveryView() => InitializeComponent();
 }
 
-/// <summary>How the picture is rendered.</summary>
 internal sealed partial class RenderView : UserControl
 {
     /// <summary>Makes it.</summary>
     public RenderView() => InitializeComponent();
 }
 
-/// <summary>How far the rendering is, and what is done beside.</summary>
+/// <summary>The progress of the rendering and of the jobs beside it.</summary>
 internal sealed partial class StatusView : UserControl
 {
     /// <summary>Makes it.</summary>
@@ -116,7 +113,6 @@ internal sealed partial class TimesView : UserControl
     public TimesView() => InitializeComponent();
 }
 
-/// <summary>What the picture shows, and how.</summary>
 internal sealed partial class ViewportBar : UserControl
 {
     /// <summary>Makes it.</summary>

@@ -18,11 +18,11 @@ public sealed class DocumentException : Exception
     {
     }
 
-    /// <summary>What the user may do about it by repeating the command.</summary>
+    /// <summary>The conflict that the user may overrule by repeating the command.</summary>
     public DocumentConflict Conflict { get; init; }
 }
 
-/// <summary>What stands in the way of a command, and may be overruled by whoever repeats it.</summary>
+/// <summary>The conflicts that stop a command unless the user repeats it.</summary>
 public enum DocumentConflict
 {
     /// <summary>Nothing that could be overruled.</summary>

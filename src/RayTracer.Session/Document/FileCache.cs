@@ -17,7 +17,7 @@ internal sealed class FileCache
     private readonly Dictionary<(string Path, string How), Entry> _entries = [];
     private int _build;
 
-    /// <summary>How many files have been read.</summary>
+    /// <summary>The number of files read.</summary>
     public int Reads { get; private set; }
 
     public Picture ReadPicture(string path, bool raw) => Get(path, raw ? "raw" : "picture", () => ImageFile.Read(path, raw));
@@ -62,7 +62,7 @@ internal sealed class FileCache
     }
 }
 
-/// <summary>What tells whether a file is still the one that was read.</summary>
+/// <summary>The length and time of a file, which show whether it is still the one that was read.</summary>
 /// <param name="Length">Its length in bytes.</param>
 /// <param name="Written">When it was written.</param>
 public readonly record struct FileStamp(long Length, DateTime Written)

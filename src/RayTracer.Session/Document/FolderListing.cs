@@ -1,6 +1,6 @@
 namespace RayTracer.Session;
 
-/// <summary>What a dialog shows of a folder.</summary>
+/// <summary>The contents of a folder, for a dialog.</summary>
 /// <param name="Path">The folder's whole path.</param>
 /// <param name="Parent">The folder that it is in; null where there is none.</param>
 /// <param name="Folders">The names of the folders within, without hidden ones.</param>

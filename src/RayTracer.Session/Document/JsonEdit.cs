@@ -243,7 +243,7 @@ public static class JsonEdit
     }
 }
 
-/// <summary>What is to be done to a part of a text.</summary>
+/// <summary>The replacement of a part of a text.</summary>
 /// <param name="From">Offset of the part.</param>
 /// <param name="To">Offset behind it.</param>
 /// <param name="Insert">What takes its place.</param>

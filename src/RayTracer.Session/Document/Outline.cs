@@ -8,7 +8,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
-/// <summary>What a scene consists of, as a tree to choose from.</summary>
+/// <summary>The things of a scene, as a tree to choose from.</summary>
 /// <param name="Revision">The revision of the text that it is of.</param>
 /// <param name="Camera">The camera.</param>
 /// <param name="Render">Size, samples and depths.</param>
@@ -143,7 +143,7 @@ public sealed record Outline(
 /// <param name="Children">What it consists of.</param>
 public sealed record OutlineNode(string Pointer, string Name, string Type, string Summary, bool IsLight, string? Color, IReadOnlyList<OutlineNode> Children);
 
-/// <summary>Where a scene's text refers to a material, texture or object by its name.</summary>
+/// <summary>The places where a scene's text refers to a material, texture or object by its name.</summary>
 internal static class SceneReferences
 {
     /// <summary>All references to a definition.</summary>

@@ -34,7 +34,7 @@ public sealed class Recovery : IDisposable
         _document.Changed += Watch;
     }
 
-    /// <summary>What is offered has changed.</summary>
+    /// <summary>Raised when other texts are offered.</summary>
     public event Action? Changed;
 
     /// <summary>The texts of sessions that have ended without saving them, newest first.</summary>

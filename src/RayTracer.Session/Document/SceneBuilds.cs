@@ -29,7 +29,7 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         }
     }
 
-    /// <summary>How many files have been read in all builds.</summary>
+    /// <summary>The number of files read in all builds.</summary>
     public int FilesRead => _files.Reads;
 
     private static DocumentContent Nothing

@@ -53,7 +53,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>What is read from the text as it is now, without building it.</summary>
+    /// <summary>The result of reading the current text, without building it.</summary>
     public SceneReadResult Read
     {
         get
@@ -78,7 +78,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>Where the document is at home.</summary>
+    /// <summary>The document's place.</summary>
     public DocumentPlace Place
     {
         get
@@ -90,7 +90,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>Whether there are changes that were not saved.</summary>
+    /// <summary>Returns whether there are unsaved changes.</summary>
     public bool IsDirty
     {
         get
@@ -102,7 +102,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>What is to be shown about the document.</summary>
+    /// <summary>The status of the document.</summary>
     public DocumentStatus Status
     {
         get
@@ -117,7 +117,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>How many pictures and models have been read in all builds.</summary>
+    /// <summary>The number of pictures and models read in all builds.</summary>
     internal int FilesRead => _builds.FilesRead;
 
     /// <summary>The content of the text as it is now, as soon as it is built.</summary>
@@ -281,7 +281,7 @@ public sealed class SceneDocument : IDisposable
     private static string Normal(string text) => text.ReplaceLineEndings("\n").TrimStart('\uFEFF');
 }
 
-/// <summary>What is to be shown about a document beside its text.</summary>
+/// <summary>The status of a document: all that is shown beside its text.</summary>
 /// <param name="Revision">The text's revision.</param>
 /// <param name="Name">What the document is called.</param>
 /// <param name="Path">The whole path of its file; null where it has none yet.</param>
@@ -297,13 +297,13 @@ public sealed record DocumentStatus(
     int Revision, string Name, string? Path, bool IsDirty, bool CanUndo, bool CanRedo, string? UndoLabel, string? RedoLabel,
     IReadOnlyList<PlacedDiagnostic> Diagnostics, bool IsGood, int BuiltRevision);
 
-/// <summary>Where a document is at home.</summary>
+/// <summary>The place of a document: its name, file and folder.</summary>
 /// <param name="Name">What it is called: a file's name without its folder.</param>
 /// <param name="Path">The whole path of its file; null where it has none yet.</param>
 /// <param name="Folder">The folder from which the files that it names are looked for.</param>
 public sealed record DocumentPlace(string Name, string? Path, string Folder)
 {
-    /// <summary>What ends a line of the file; the document itself has \n.</summary>
+    /// <summary>The line ending of the file; the document itself has \n.</summary>
     public string LineEnd { get; init; } = "\n";
 
     /// <summary>The place of a file.</summary>

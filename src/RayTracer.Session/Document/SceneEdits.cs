@@ -3,7 +3,7 @@ using Json = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Session;
 
-/// <summary>What a user does to the things of a scene: each is one edit of its text, and one step to undo (edits of one gesture are one step together).</summary>
+/// <summary>The edits of a scene's things: each is one edit of its text, and one step to undo (edits of one gesture are one step together).</summary>
 /// <param name="document">The document.</param>
 /// <param name="selection">What is selected: it follows things that are renamed.</param>
 /// <param name="notices">Told what else an edit has changed.</param>
@@ -96,7 +96,7 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
     }
 }
 
-/// <summary>How a thing is put elsewhere; what is null stays.</summary>
+/// <summary>The movement of a thing; what is null stays.</summary>
 /// <param name="Translate">By how much it is moved.</param>
 /// <param name="Rotate">How it is turned.</param>
 /// <param name="Scale">By which factors it grows.</param>

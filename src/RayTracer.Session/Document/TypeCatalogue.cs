@@ -5,7 +5,7 @@ using Json = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Session;
 
-/// <summary>What scenes can be made of, as property panels need it. The same for every session.</summary>
+/// <summary>The types that scenes can be made of, as property panels need them. The same for every session.</summary>
 /// <param name="Schema">The JSON Schema of scene files.</param>
 /// <param name="Types">The types of shapes, materials and textures, by family.</param>
 /// <param name="Sections">The records that there is one of: scene, camera, lens, render, and those of lists.</param>

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayTracer.Session;
 
-/// <summary>What a hand does to the camera.</summary>
+/// <summary>The movement of a camera by the user.</summary>
 /// <param name="Kind">How it moves.</param>
 /// <param name="Dx">To the right, in heights of the picture.</param>
 /// <param name="Dy">Downwards.</param>
@@ -24,7 +24,7 @@ public sealed record CameraMove(CameraMoveKind Kind, float Dx = 0, float Dy = 0,
     public float? FieldOfView { get; init; }
 }
 
-/// <summary>How a camera is moved; see <see cref="CameraMotion"/>.</summary>
+/// <summary>The kinds of camera movements; see <see cref="CameraMotion"/>.</summary>
 public enum CameraMoveKind
 {
     /// <summary>Around the point looked at.</summary>

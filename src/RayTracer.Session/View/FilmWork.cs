@@ -32,24 +32,24 @@ internal sealed class FilmWork(FrameBoard frames)
     /// <summary>The picture, between steps.</summary>
     public Film? Film { get; private set; }
 
-    /// <summary>What it is of; null before the first.</summary>
+    /// <summary>The order that it is of; null before the first.</summary>
     public RenderOrder? Order { get; private set; }
 
-    /// <summary>What it has looked like.</summary>
+    /// <summary>The record of its convergence.</summary>
     public ConvergenceLog Log { get; } = new();
 
     /// <summary>One more than the last sample of each pixel.</summary>
     public int Samples => _plan.Samples;
 
-    /// <summary>What some pixels have and others lack; null where all have the same samples.</summary>
+    /// <summary>The samples that some pixels have and others lack; null where all have the same samples.</summary>
     public Slice? Rest => _plan.Rest;
 
-    /// <summary>Whether there is something to do for an order.</summary>
+    /// <summary>Returns whether there is something to do for an order.</summary>
     public bool HasWork(RenderOrder order) =>
         order.Picture != Order?.Picture || order.Map != _shown || _previews.Scale > 1 || _maps.Needs(order) || NeedsDenoising(order)
         || (order.Mode == RenderMode.Running && _plan.Samples < order.Samples) || (_isStale && frames.IsWatched);
 
-    /// <summary>Whether the next step must be made to its end, whatever happens: else a fast hand would never see anything.</summary>
+    /// <summary>Returns whether the next step must be completed whatever happens: else somebody who moves fast would never see anything.</summary>
     public bool IsUrgent(RenderOrder order) => order.Picture != Order?.Picture || _previews.IsFirst;
 
     /// <summary>Makes a step.</summary>
@@ -97,7 +97,7 @@ internal sealed class FilmWork(FrameBoard frames)
         }
     }
 
-    /// <summary>How far the picture is.</summary>
+    /// <summary>The progress of the picture.</summary>
     public RenderStatus Status(RenderOrder order)
     {
         double perSample = _rendered > 0 ? _seconds / _rendered : 0;
@@ -282,7 +282,7 @@ public sealed class PublishPace
     private long _last = -1;
     private TimeSpan _cost;
 
-    /// <summary>Whether it is time for a frame.</summary>
+    /// <summary>Returns whether it is time for a frame.</summary>
     public bool IsTime => _last < 0 || Stopwatch.GetElapsedTime(_last) >= _cost * (Share - 1);
 
     /// <summary>Makes a frame, and takes down what that costs.</summary>
@@ -295,7 +295,7 @@ public sealed class PublishPace
     }
 }
 
-/// <summary>How noisy a picture still is.</summary>
+/// <summary>The estimate of a picture's remaining noise.</summary>
 public static class NoiseEstimate
 {
     private const int MostPixels = 1 << 15;

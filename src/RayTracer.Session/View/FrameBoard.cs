@@ -21,7 +21,7 @@ public sealed class FrameBoard
     /// <summary>Counts frames, and changes of how they are seen.</summary>
     public ChangeCounter Changes { get; } = new();
 
-    /// <summary>Whether somebody looks, or did a moment ago.</summary>
+    /// <summary>Returns whether somebody is looking, or was a moment ago.</summary>
     public bool IsWatched => Changes.Waiting > 0 || Stopwatch.GetElapsedTime(Volatile.Read(ref _lastWatched)) < Attention;
 
     /// <summary>Puts a frame up.</summary>
@@ -120,7 +120,7 @@ public sealed class FrameBoard
     }
 }
 
-/// <summary>What is known about a frame.</summary>
+/// <summary>The properties of a frame.</summary>
 /// <param name="PictureWidth">Width of the whole picture; a preview has fewer pixels.</param>
 /// <param name="PictureHeight">Height of the whole picture.</param>
 /// <param name="Samples">Samples in each pixel; 0 in a preview.</param>
@@ -146,7 +146,7 @@ public sealed class FrameLease : IDisposable
     /// <summary>Grows with each frame, and each change of how it is seen.</summary>
     public long Version { get; }
 
-    /// <summary>What is known about the frame.</summary>
+    /// <summary>The properties of the frame.</summary>
     public FrameInfo Info { get; }
 
     /// <summary>The frame.</summary>

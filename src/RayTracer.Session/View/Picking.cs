@@ -9,7 +9,7 @@ public static class Picking
 {
     private const int LargestMask = 1 << 20;
 
-    /// <summary>What is seen in the middle of a pixel.</summary>
+    /// <summary>The surface in the middle of a pixel.</summary>
     /// <param name="shown">The scene.</param>
     /// <param name="x">The pixel's column.</param>
     /// <param name="y">The pixel's row.</param>
@@ -18,7 +18,7 @@ public static class Picking
             ? new(shown.PointerOf(hit.Name), hit.Distance, hit.Position, hit.Normal, shown.MaterialOf(hit.Name))
             : new(null, null, null, null, null);
 
-    /// <summary>How far along the viewing direction what is seen in the middle of a pixel is; null where nothing is.</summary>
+    /// <summary>The depth, along the viewing direction, of the surface in the middle of a pixel; null where there is none.</summary>
     public static float? DepthAt(ShownScene shown, float x, float y) =>
         Hit(shown, x, y) is { } hit ? shown.Scene.Camera.Depth(MathF.Floor(x) + 0.5f, MathF.Floor(y) + 0.5f, hit.Distance) : null;
 
@@ -44,7 +44,7 @@ public static class Picking
         return new(width, height, Runs(shown, names, pointer));
     }
 
-    /// <summary>Whether a pointer is that of a thing, or of one within it.</summary>
+    /// <summary>Returns whether a pointer is that of a thing, or of one within it.</summary>
     public static bool IsWithin(string? inner, string outer) =>
         inner is not null && inner.StartsWith(outer, StringComparison.Ordinal) && (inner.Length == outer.Length || inner[outer.Length] == '/');
 
@@ -91,7 +91,7 @@ public static class Picking
     }
 }
 
-/// <summary>What is seen at a pixel.</summary>
+/// <summary>The surface seen at a pixel.</summary>
 /// <param name="Pointer">The thing in the text; null where nothing is seen.</param>
 /// <param name="Distance">How far away; null where nothing is seen.</param>
 /// <param name="Position">Where, in the world.</param>

@@ -3,16 +3,16 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Session;
 
-/// <summary>What the user wants of the view, beside what the scene says.</summary>
+/// <summary>The user's settings of the view, beside those of the scene.</summary>
 public sealed record ViewSettings
 {
-    /// <summary>Whether rendering goes on.</summary>
+    /// <summary>The state that the user wants of the rendering.</summary>
     public RenderMode Mode { get; init; }
 
     /// <summary>Number of threads. One core is left to the user by default.</summary>
     public int Threads { get; init; } = Math.Max(1, Environment.ProcessorCount - 1);
 
-    /// <summary>What is shown.</summary>
+    /// <summary>The map that is shown.</summary>
     public ViewMap Map { get; init; } = ViewMap.Light;
 
     /// <summary>The part of the picture to render; null for all of it.</summary>
@@ -25,7 +25,7 @@ public sealed record ViewSettings
     public RenderQuality? Quality => Samples is { } samples && Enum.IsDefined((RenderQuality)samples) ? (RenderQuality)samples : null;
 }
 
-/// <summary>Whether rendering goes on.</summary>
+/// <summary>The state that the user wants of the rendering.</summary>
 public enum RenderMode
 {
     /// <summary>It goes on to the last sample.</summary>
@@ -38,7 +38,7 @@ public enum RenderMode
     Stopped,
 }
 
-/// <summary>How many samples a picture gets, in words. All are squares, as some samplers need.</summary>
+/// <summary>The presets of samples for each pixel. All are squares, as some samplers need.</summary>
 public enum RenderQuality
 {
     /// <summary>To look at while working.</summary>
@@ -51,7 +51,7 @@ public enum RenderQuality
     Final = 1024,
 }
 
-/// <summary>How light is brought onto the screen.</summary>
+/// <summary>The exposure and tone map of the screen.</summary>
 /// <param name="Exposure">In stops, −100 to 100: each doubles the light.</param>
 /// <param name="ToneMap">The curve.</param>
 public sealed record Tone(float Exposure, ToneMap ToneMap)

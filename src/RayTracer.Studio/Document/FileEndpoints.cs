@@ -5,7 +5,7 @@ using static RayTracer.Studio.DocumentRequests;
 
 namespace RayTracer.Studio;
 
-/// <summary>What a page does with files: opening, saving, dropping, bundles, the gallery, texts that were not saved.</summary>
+/// <summary>The requests about files: opening, saving, dropping, bundles, the gallery, unsaved texts.</summary>
 internal static class FileEndpoints
 {
     /// <summary>Adds the endpoints.</summary>
@@ -45,7 +45,7 @@ internal static class FileEndpoints
             }
 
             (string path, bool opened) = await files.Upload(Needed(name, "name"), context.Request.Body, discard ?? false, context.RequestAborted);
-            return new { revision = session.Document.Revision, path, opened };
+            return Results.Json(new { revision = session.Document.Revision, path, opened });
         });
     }
 
@@ -55,9 +55,9 @@ internal static class FileEndpoints
         api.MapPost("/file/save", (Save request) =>
         {
             string path = files.Save(request.Path, request.Overwrite);
-            return new { revision = session.Document.Revision, path };
+            return Results.Json(new { revision = session.Document.Revision, path });
         });
-        api.MapGet("/file/recent", () => new { files = files.Recent.Select(p => new { path = p, name = Path.GetFileName(p) }) });
+        api.MapGet("/file/recent", () => Results.Json(new { files = files.Recent.Select(p => new { path = p, name = Path.GetFileName(p) }) }));
         api.MapGet("/file/list", (string? path, bool? named) => files.List(path, named ?? false));
         api.MapGet("/file/bundle", () =>
         {
@@ -81,7 +81,7 @@ internal static class FileEndpoints
 
     private static void MapGallery(RouteGroupBuilder api, Gallery gallery)
     {
-        api.MapGet("/gallery", () => new { groups = gallery.Groups });
+        api.MapGet("/gallery", () => Results.Json(new { groups = gallery.Groups }));
         api.MapGet("/gallery/thumbnail", async (HttpContext context, string? id) => Results.Bytes(await gallery.Thumbnail(Needed(id, "id"), context.RequestAborted), "image/png"));
     }
 }

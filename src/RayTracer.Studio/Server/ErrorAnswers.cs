@@ -52,19 +52,19 @@ internal sealed class ErrorAnswers(TextWriter errors)
     };
 }
 
-/// <summary>What a request that is not met is answered with.</summary>
+/// <summary>The answer to a request that failed.</summary>
 /// <param name="Error">Why, in a sentence for the user.</param>
 internal sealed record ErrorAnswer(string Error)
 {
-    /// <summary>Whether changes that were not saved would be lost.</summary>
+    /// <summary>Returns whether unsaved changes would be lost.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
     public bool Unsaved { get; init; }
 
-    /// <summary>Whether there is such a file already.</summary>
+    /// <summary>Returns whether the file exists already.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
     public bool Exists { get; init; }
 
-    /// <summary>Whether somebody else has changed the file.</summary>
+    /// <summary>Returns whether somebody else has changed the file.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
     public bool ChangedOnDisk { get; init; }
 }

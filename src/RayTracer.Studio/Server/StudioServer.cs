@@ -3,6 +3,7 @@ using System.Net;
 using System.Security.Cryptography;
 using Microsoft.AspNetCore.Hosting.Server;
 using Microsoft.AspNetCore.Hosting.Server.Features;
+using Microsoft.AspNetCore.Http.HttpResults;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;
@@ -46,7 +47,7 @@ internal sealed class StudioServer : IAsyncDisposable
     /// <summary>Raised by each request that bears the secret.</summary>
     public event EventHandler? Connected;
 
-    /// <summary>Where the server is.</summary>
+    /// <summary>The server's address.</summary>
     public Uri Address { get; private set; } = null!;
 
     /// <summary>The secret.</summary>
@@ -100,21 +101,21 @@ internal sealed class StudioServer : IAsyncDisposable
     }
 }
 
-/// <summary>How the server runs.</summary>
+/// <summary>The options of the server.</summary>
 internal sealed record ServerOptions
 {
     /// <summary>The port; 0 for a free one.</summary>
     public int Port { get; init; }
 
-    /// <summary>How long to wait for windows.</summary>
+    /// <summary>The times to wait for windows.</summary>
     public GraceTimes Grace { get; init; } = GraceTimes.Default;
 
-    /// <summary>How long a request waits for news.</summary>
+    /// <summary>The longest time that a request waits for news.</summary>
     public TimeSpan Patience { get; init; } = TimeSpan.FromSeconds(20);
 
     /// <summary>The clock for waiting for windows.</summary>
     public TimeProvider Time { get; init; } = TimeProvider.System;
 
-    /// <summary>Where errors are told.</summary>
+    /// <summary>The writer that errors are reported to.</summary>
     public TextWriter Errors { get; init; } = Console.Error;
 }

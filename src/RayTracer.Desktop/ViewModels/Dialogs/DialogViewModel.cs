@@ -1,4 +1,5 @@
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -6,23 +7,19 @@ namespace RayTracer.Desktop.ViewModels;
 /// <summary>A question over the window.</summary>
 internal abstract class DialogViewModel : Observable
 {
-    /// <summary>A dialog that can be closed.</summary>
-    protected DialogViewModel() => Cancel = new ActionCommand(() => Close());
-
-    /// <summary>What it is called.</summary>
     public abstract string Title { get; }
 
-    /// <summary>What the button says that leaves all as it is.</summary>
+    /// <summary>The text of the button that closes the dialog.</summary>
     public virtual string CancelText => SessionTexts.Of("dialogs.cancel");
 
     /// <summary>Leaves all as it is.</summary>
-    public ICommand Cancel { get; }
+    public ICommand Cancel => field ??= new RelayCommand(() => Close());
 
     /// <summary>Takes it away; set by whoever shows it.</summary>
     public Action Close { get; set; } = () => { };
 
     /// <summary>A button that does something and closes the dialog.</summary>
-    protected ActionCommand Button(Action run) => new(() =>
+    protected RelayCommand Button(Action run) => new(() =>
     {
         Close();
         run();
@@ -59,54 +56,39 @@ internal sealed record ShortcutGroup(string Title, IReadOnlyList<ShortcutRow> Ro
 internal sealed record ShortcutRow(string What, string Keys);
 
 /// <summary>Asks whether a file may be replaced.</summary>
-internal sealed class OverwriteViewModel : DialogViewModel
+/// <param name="why">The reason not to.</param>
+/// <param name="go">Replaces it.</param>
+internal sealed class OverwriteViewModel(string why, Action go) : DialogViewModel
 {
-    /// <summary>The question.</summary>
-    /// <param name="why">What is in the way.</param>
-    /// <param name="go">Replaces it.</param>
-    public OverwriteViewModel(string why, Action go)
-    {
-        Text = why;
-        Replace = Button(go);
-    }
-
     /// <inheritdoc/>
     public override string Title => SessionTexts.Of("dialogs.overwriteTitle");
 
-    /// <summary>What is in the way.</summary>
-    public string Text { get; }
+    /// <summary>The reason not to.</summary>
+    public string Text => why;
 
     /// <summary>Replaces it.</summary>
-    public ICommand Replace { get; }
+    public ICommand Replace => field ??= Button(go);
 }
 
 /// <summary>Asks what becomes of changes that are not saved.</summary>
-internal sealed class UnsavedViewModel : DialogViewModel
+/// <param name="name">The document.</param>
+/// <param name="save">Saves it, and returns whether it is saved.</param>
+/// <param name="go">Continues.</param>
+internal sealed class UnsavedViewModel(string name, Func<Task<bool>> save, Action go) : DialogViewModel
 {
-    /// <summary>The question.</summary>
-    /// <param name="name">The document.</param>
-    /// <param name="save">Saves it, and tells whether it is saved.</param>
-    /// <param name="go">Goes on.</param>
-    public UnsavedViewModel(string name, Func<Task<bool>> save, Action go)
-    {
-        Text = SessionTexts.Of("dialogs.unsaved", name);
-        Discard = Button(go);
-        Save = Button(() => _ = SaveAndGo(save, go));
-    }
-
     /// <inheritdoc/>
     public override string Title => SessionTexts.Of("dialogs.unsavedTitle");
 
     /// <summary>The question in words.</summary>
-    public string Text { get; }
+    public string Text => SessionTexts.Of("dialogs.unsaved", name);
 
-    /// <summary>Goes on without the changes.</summary>
-    public ICommand Discard { get; }
+    /// <summary>Continues without the changes.</summary>
+    public ICommand Discard => field ??= Button(go);
 
     /// <summary>Saves them first.</summary>
-    public ICommand Save { get; }
+    public ICommand Save => field ??= Button(() => _ = SaveAndGo());
 
-    private static async Task SaveAndGo(Func<Task<bool>> save, Action go)
+    private async Task SaveAndGo()
     {
         if (await save())
         {
@@ -116,29 +98,16 @@ internal sealed class UnsavedViewModel : DialogViewModel
 }
 
 /// <summary>Asks for a thing's new name.</summary>
-internal sealed class RenameViewModel : DialogViewModel
+/// <param name="name">The name so far.</param>
+/// <param name="rename">Takes the new one.</param>
+internal sealed class RenameViewModel(string name, Action<string> rename) : DialogViewModel
 {
-    private string _name;
-
-    /// <summary>The question.</summary>
-    /// <param name="name">The name so far.</param>
-    /// <param name="rename">Told the new one.</param>
-    public RenameViewModel(string name, Action<string> rename)
-    {
-        _name = name;
-        Rename = Button(() => rename(_name));
-    }
-
     /// <inheritdoc/>
     public override string Title => SessionTexts.Of("dialogs.renameTitle");
 
     /// <summary>The new name.</summary>
-    public string Name
-    {
-        get => _name;
-        set => Set(ref _name, value ?? "");
-    }
+    public string Name { get; set => SetProperty(ref field, value ?? ""); } = name;
 
     /// <summary>Takes it.</summary>
-    public ICommand Rename { get; }
+    public ICommand Rename => field ??= Button(() => rename(Name));
 }

@@ -31,7 +31,7 @@ internal sealed class GizmoViewModel(Hand hand) : Observable
     public void Place(Stage stage)
     {
         Handles = _target is not { } target ? [] : Drawn(target.Gizmo, target.Camera, target.Kind, stage);
-        Tell(nameof(Handles));
+        OnPropertyChanged(nameof(Handles));
     }
 
     /// <summary>Takes the handle under a point of the screen; false where there is none.</summary>
@@ -97,7 +97,7 @@ internal sealed class GizmoViewModel(Hand hand) : Observable
 /// <param name="Name">What a screen reader calls it.</param>
 internal sealed record HandleViewModel(int? Axis, IReadOnlyList<Spot> Points, string Color, string Name)
 {
-    /// <summary>How far a point of the screen is from it.</summary>
+    /// <summary>The distance of a point of the screen from it.</summary>
     public double DistanceTo(Spot point) => Points.Zip(Points.Skip(1)).Select(s => Distance(point, s.First, s.Second)).DefaultIfEmpty(double.PositiveInfinity).Min();
 
     private static double Distance(Spot point, Spot a, Spot b)

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>Where the picture lies on the part of the window that it is shown in.</summary>
+/// <summary>The place of the picture on the part of the window that it is shown in.</summary>
 /// <param name="PictureWidth">Pixels of the picture across.</param>
 /// <param name="PictureHeight">Pixels of the picture down.</param>
 /// <param name="Width">The part's width, in the window's pixels.</param>
@@ -75,14 +75,12 @@ internal sealed record Box(double Left, double Top, double Width, double Height)
     /// <summary>One that is not to be seen.</summary>
     public static Box None { get; } = new(0, 0, 0, 0);
 
-    /// <summary>Whether it is to be seen.</summary>
     public bool IsVisible => Width > 0 && Height > 0;
 }
 
 /// <summary>A point of the screen or of the picture, in pixels.</summary>
 internal readonly record struct Spot(double X, double Y)
 {
-    /// <summary>How far it is from another one.</summary>
     public double DistanceTo(Spot other) => Math.Sqrt(((X - other.X) * (X - other.X)) + ((Y - other.Y) * (Y - other.Y)));
 
     /// <summary>As a vector.</summary>
