@@ -107,7 +107,7 @@ internal sealed class SweepVerb
             // As it is to be seen, whatever the file: labels have no exposure.
             sheet.Place(new ToneMappedRows(outcome.Film, writing.ToneMap, writing.Exposure), cell.Column, cell.Row, cell.Block);
             films.Add((cell, outcome.Hash));
-            RenderReport.WarnOfClamped(outcome.Statistics, streams);
+            outcome.WarnOfClamped(streams);
             if (!result.GetValue(_quiet))
             {
                 streams.Error.WriteLine($"{films.Count} of {axes.Cells.Count()}: {string.Join(' ', axes.Changes(cell).Select(s => s.Text))}, {outcome.Seconds:F2} s");

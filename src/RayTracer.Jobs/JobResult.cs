@@ -48,6 +48,15 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>Whether the wanted noise was not reached, for want of samples or time.</summary>
     public bool IsNoisy(RenderJob job) => job.Noise is { } wanted && (Plan?.Error > wanted || Header is { IsComplete: false });
 
+    /// <summary>Warns of samples that were made smaller.</summary>
+    public void WarnOfClamped(IJobWatch watch)
+    {
+        if (Statistics.ClampedSamples > 0)
+        {
+            watch.Warn($"{Statistics.ClampedSamples} samples were clamped at ±{Film.SampleLimit}: the picture is too dark there");
+        }
+    }
+
     /// <summary>Rays a second.</summary>
     public double RaysPerSecond => Seconds > 0 ? Statistics.Rays / Seconds : 0;
 }
