@@ -1,8 +1,7 @@
 using System.Collections.Frozen;
-using RayTracer.Imaging;
 using RayTracer.Numerics;
 
-namespace RayTracer.Scenes;
+namespace RayTracer.Description;
 
 /// <summary>The colours that a scene file may name: the 148 named colours of CSS Color Module Level 4 (section 6.1), in lower case.</summary>
 public static class CssColors
@@ -65,6 +64,13 @@ public static class CssColors
 
         return FromDigits(digits.Length == 6 ? digits : string.Concat(digits.Select(d => new string(d, 2))));
     }
+
+    /// <summary>Returns the colour of a name, or of <c>#rgb</c> or <c>#rrggbb</c>: what a scene file may have as text.</summary>
+    /// <param name="text">The text.</param>
+    /// <exception cref="FormatException">It is neither.</exception>
+    public static Rgb Parse(string text) => Find(text) ?? FromHex(text) ?? throw new FormatException(text is ['#', ..]
+        ? $"{Quotation.Of(text)} is not a colour: expected # and three or six hexadecimal digits"
+        : $"unknown colour {Quotation.Of(text)}{Spelling.DidYouMean(text, Names)}");
 
     private static Rgb FromDigits(string digits) => new(Code(digits[..2]), Code(digits[2..4]), Code(digits[4..]));
 

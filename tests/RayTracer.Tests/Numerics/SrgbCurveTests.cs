@@ -1,8 +1,8 @@
 using FsCheck;
 using FsCheck.Fluent;
-using RayTracer.Imaging;
+using RayTracer.Numerics;
 
-namespace RayTracer.Imaging.Tests;
+namespace RayTracer.Tests.Numerics;
 
 public class SrgbCurveTests
 {

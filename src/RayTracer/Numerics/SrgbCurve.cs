@@ -1,4 +1,4 @@
-namespace RayTracer.Imaging;
+namespace RayTracer.Numerics;
 
 /// <summary>
 /// The transfer function of sRGB (IEC 61966-2-1:1999): between linear light and the 8- or 16-bit codes of picture files.

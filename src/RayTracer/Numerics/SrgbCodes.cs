@@ -1,4 +1,4 @@
-namespace RayTracer.Imaging;
+namespace RayTracer.Numerics;
 
 /// <summary>The sRGB curve tabulated for codes 0 … max.</summary>
 internal sealed class SrgbCodes

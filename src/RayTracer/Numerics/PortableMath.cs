@@ -1,4 +1,4 @@
-namespace RayTracer.Imaging;
+namespace RayTracer.Numerics;
 
 /// <summary>Transcendental functions in double precision from + − × ÷ alone, so that their bits are the same on every machine.</summary>
 internal static class PortableMath

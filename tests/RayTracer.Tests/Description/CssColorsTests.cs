@@ -1,7 +1,9 @@
+using RayTracer.Description;
+using RayTracer.Materials;
 using RayTracer.Numerics;
-using RayTracer.Scenes;
+using RayTracer.Textures;
 
-namespace RayTracer.Scenes.Tests;
+namespace RayTracer.Tests.Description;
 
 public class CssColorsTests
 {
@@ -46,6 +48,21 @@ public class CssColorsTests
     [InlineData("#12345g")]
     [InlineData("123456")]
     public void Other_forms_are_no_colors(string text) => Assert.Null(CssColors.FromHex(text));
+
+    [Fact]
+    public void Programs_write_colours_and_textures_as_scene_files_do()
+    {
+        SceneDescription scene = new() { Background = "skyblue" };
+        DiffuseMaterialDescription[] materials = [new() { Color = "red" }, new() { Color = "#f00" }, new() { Color = new Rgb(1, 0, 0) }];
+        Assert.Equal(CssColors.FromHex("#87ceeb"), scene.Background);
+        Assert.All(materials, m => Assert.Equal(new(1, 0, 0), Assert.IsType<SolidTextureDescription>(m.Color).Color));
+    }
+
+    [Theory]
+    [InlineData("rde", "unknown colour \"rde\" (did you mean \"red\"?)")]
+    [InlineData("#12345", "\"#12345\" is not a colour: expected # and three or six hexadecimal digits")]
+    public void A_text_that_is_no_colour_is_refused(string text, string message) =>
+        Assert.Equal(message, Assert.Throws<FormatException>(() => (TextureDescription)text).Message);
 
     [Fact]
     public void White_is_one_and_black_is_zero()
