@@ -4,6 +4,7 @@ using System.Numerics;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
+using RayTracer.Study;
 
 namespace RayTracer.Cli;
 

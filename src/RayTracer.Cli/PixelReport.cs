@@ -27,7 +27,7 @@ internal static class PixelReport
             streams.Error.WriteLine($"pixel {x},{y}, sample {bad.Sample}: {Text(bad.Value)}, not finite and discarded");
         }
 
-        RenderReport.WarnOfClamped(result.Statistics, streams);
+        result.WarnOfClamped(streams);
     }
 
     // Floats are written with as many digits as tell them from every other float.

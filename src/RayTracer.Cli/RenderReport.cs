@@ -35,7 +35,7 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
         }
 
         WarnOfBadSamples(streams);
-        WarnOfClamped(_statistics, streams);
+        result.WarnOfClamped(streams);
         if (job.Time is not null && !(result.Plan?.Error > job.Noise) && result.IsNoisy(job))
         {
             streams.Warn($"time ran out before the wanted noise was reached: there are {result.MeanSamples:F0} of {result.Header!.Wanted.Count} samples");
@@ -46,15 +46,6 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
             string files = result.Files.Count > 0 ? $"the image so far is in {string.Join(" and ", result.Files)}" : "no image was written";
             string frame = job.IsOfSequence ? $"frame {job.Frame} was " : "";
             streams.Warn($"{frame}stopped after {_statistics.Paths} paths; {files}");
-        }
-    }
-
-    /// <summary>Warns of samples that were made smaller.</summary>
-    public static void WarnOfClamped(RenderStatistics statistics, Streams streams)
-    {
-        if (statistics.ClampedSamples > 0)
-        {
-            streams.Warn($"{statistics.ClampedSamples} samples were clamped at ±{Film.SampleLimit}: the picture is too dark there");
         }
     }
 

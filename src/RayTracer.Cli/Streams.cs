@@ -1,4 +1,5 @@
 using RayTracer.Jobs;
+using RayTracer.Rendering;
 using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
@@ -19,6 +20,9 @@ internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerm
 
     /// <summary>Writes one line about something doubtful.</summary>
     public void Warn(string message) => Error.WriteLine($"raytracer: warning: {message}");
+
+    /// <inheritdoc/>
+    public IProgress<RenderProgress>? Begin() => HasTerminal ? ProgressDisplay.Start(this) : null;
 
     /// <summary>Shows diagnostics as a compiler does.</summary>
     public void Read(IReadOnlyList<Diagnostic> diagnostics)

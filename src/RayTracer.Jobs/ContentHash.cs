@@ -1,14 +1,11 @@
 using System.Collections;
 using System.Globalization;
-using System.Numerics;
 using System.Reflection;
-using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using System.Text;
 using RayTracer.Description;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Shapes;
 
 namespace RayTracer.Jobs;
 
@@ -107,7 +104,9 @@ public class ContentHash : IDisposable
                 AddNamed(named);
                 break;
             case IEnumerable things:
-                AddAll(things);
+                object?[] all = [.. things.Cast<object?>()];
+                Text($"list {all.Length}");
+                Array.ForEach(all, Add);
                 break;
             default:
                 AddRecord(value);
@@ -122,33 +121,6 @@ public class ContentHash : IDisposable
         {
             Text((string)entry.Key);
             Add(entry.Value);
-        }
-    }
-
-    private void AddAll(IEnumerable things)
-    {
-        switch (things)
-        {
-            case IEnumerable<float> numbers:
-                Numbers<float>([.. numbers]);
-                break;
-            case IEnumerable<int> numbers:
-                Numbers<int>([.. numbers]);
-                break;
-            case IEnumerable<Vector2> vectors:
-                Numbers<Vector2>([.. vectors]);
-                break;
-            case IEnumerable<Vector3> vectors:
-                Numbers<Vector3>([.. vectors]);
-                break;
-            case IEnumerable<TriangleIndices> triangles:
-                Numbers<TriangleIndices>([.. triangles]);
-                break;
-            default:
-                object?[] all = [.. things.Cast<object?>()];
-                Text($"list {all.Length}");
-                Array.ForEach(all, Add);
-                break;
         }
     }
 
@@ -181,9 +153,14 @@ public class ContentHash : IDisposable
             }
 
             Text(parameter.Key);
-            if (parameter.Kind == ParameterKind.File && value is string { Length: > 0 } file)
+            if (parameter.IsFile && value is string { Length: > 0 } file)
             {
                 AddFile(Path.GetFullPath(Path.Combine(_folder, file)));
+            }
+            else if (value is not null && ParameterForm.Of(parameter).Content(value) is (var count, var bytes))
+            {
+                Text($"numbers {count}");
+                _hash.AppendData(bytes);
             }
             else
             {
@@ -202,13 +179,6 @@ public class ContentHash : IDisposable
             using FileStream stream = File.OpenRead(file);
             Text(Convert.ToHexStringLower(SHA256.HashData(stream)));
         }
-    }
-
-    private void Numbers<T>(T[] values)
-        where T : unmanaged
-    {
-        Text($"numbers {values.Length}");
-        _hash.AppendData(MemoryMarshal.AsBytes(values.AsSpan()));
     }
 
     // With its length before it, so that no two sequences of texts are the same bytes.

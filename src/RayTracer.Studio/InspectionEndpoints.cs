@@ -1,5 +1,6 @@
 using RayTracer.Jobs;
 using RayTracer.Session;
+using RayTracer.Study;
 
 namespace RayTracer.Studio;
 

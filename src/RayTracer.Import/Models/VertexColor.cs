@@ -1,4 +1,4 @@
-using RayTracer.Imaging;
+using RayTracer.Numerics;
 
 namespace RayTracer.Import;
 

@@ -20,6 +20,8 @@ internal sealed class NamedThings<T>(string noun, DiagnosticBag bag, JsonNode? d
     private readonly Dictionary<string, T?> _things = new(StringComparer.Ordinal);
     private readonly List<string> _open = [];
 
+    public string Noun => noun;
+
     public IEnumerable<string> Names => _definitions.Keys;
 
     public bool Defines(string name) => _definitions.ContainsKey(name);

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
@@ -35,12 +34,6 @@ internal sealed class NumberReader(DiagnosticBag bag)
 
         return !IsInRange(parameter.Key, node, value, parameter) ? null : isInt ? (int)value : (object)(long)value;
     }
-
-    public object? Vector2(RecordParameter parameter, JsonNode node) =>
-        Elements(parameter.Key, node, 2, parameter) is { } v ? new Vector2(v[0], v[1]) : null;
-
-    public object? Vector3(RecordParameter parameter, JsonNode node) =>
-        Elements(parameter.Key, node, 3, parameter) is { } v ? new Vector3(v[0], v[1], v[2]) : null;
 
     /// <summary>Reads three whole numbers.</summary>
     public TriangleIndices? Triangle(string key, JsonNode node)
@@ -107,7 +100,8 @@ internal sealed class NumberReader(DiagnosticBag bag)
         return color;
     }
 
-    private float[]? Elements(string key, JsonNode node, int count, params ReadOnlySpan<RecordParameter> bounds)
+    /// <summary>Reads so many numbers in brackets.</summary>
+    public float[]? Elements(string key, JsonNode node, int count, params ReadOnlySpan<RecordParameter> bounds)
     {
         if (node.Kind != JsonKind.Array)
         {

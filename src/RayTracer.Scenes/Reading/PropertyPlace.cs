@@ -87,7 +87,7 @@ internal sealed class PropertyPlace
     }
 
     // Of what the file leaves out, only a record has parts: the defaults. All else must be there before something in it can change.
-    private string? Missing() => Node is not null || Parameter is { Kind: ParameterKind.Record } or { HasNames: true } ? null
+    private string? Missing() => Node is not null || Parameter is { IsRecord: true } or { HasNames: true } ? null
         : $"the scene does not set {Here}: nothing in it can change unless all of it is set";
 
     private string? Enter(PathStep step) => Node?.Kind switch

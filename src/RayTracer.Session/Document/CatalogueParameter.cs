@@ -1,4 +1,3 @@
-using System.Text.Json;
 using RayTracer.Description;
 using RayTracer.Scenes;
 using Json = System.Text.Json.Nodes.JsonNode;
@@ -7,7 +6,7 @@ namespace RayTracer.Session;
 
 /// <summary>A parameter of a record of scene files.</summary>
 /// <param name="Key">Its key.</param>
-/// <param name="Kind">What may be written, as <see cref="ParameterKind"/> in camelCase.</param>
+/// <param name="Kind">The name of its <see cref="ParameterForm"/>.</param>
 /// <param name="Summary">What it means.</param>
 /// <param name="Unit">Its unit; empty where there is none.</param>
 /// <param name="Minimum">The smallest allowed number; null where there is no bound.</param>
@@ -26,8 +25,8 @@ public sealed record CatalogueParameter(
 {
     /// <summary>Describes a parameter.</summary>
     public static CatalogueParameter Of(RecordParameter p) => new(
-        p.Key, JsonNamingPolicy.CamelCase.ConvertName(p.Kind.ToString()), p.Summary, p.Unit, Finite(p.Minimum), Finite(p.Maximum), p.MinimumIsExclusive, p.Required,
-        p.Choices, JsonValues.Of(p.Default), p.Range, p.Family?.Noun, p.RecordType is null ? null : RecordType.Of(p.RecordType).Name, p.IsNumber);
+        p.Key, ParameterForm.Of(p).Name, p.Summary, p.Unit, Finite(p.Minimum), Finite(p.Maximum), p.MinimumIsExclusive, p.Required,
+        p.Choices, JsonValues.Of(p, p.Default), p.Range, p.Family?.Noun, p.RecordType is null ? null : RecordType.Of(p.RecordType).Name, p.IsNumber);
 
     private static double? Finite(double bound) => double.IsFinite(bound) ? bound : null;
 }

@@ -67,7 +67,7 @@ public sealed record Outline(
         {
             string type = shape.Type?.Name ?? "shape";
             counts[type] = counts.GetValueOrDefault(type) + 1;
-            bool isNamed = list.Parameter!.Kind == ParameterKind.NamedShapes;
+            bool isNamed = list.Parameter!.HasNames;
             string name = isNamed ? shape.Key : shape.Node?.Find("name") is { Kind: JsonKind.String, Text.Length: > 0 } given ? given.Text : $"{type} {counts[type]}";
             nodes.Add(Shape(root, shape, name, type));
         }
@@ -127,8 +127,7 @@ public sealed record Outline(
     private static Rgb? ColorOf(SceneValue value) => value.Node switch
     {
         { Kind: JsonKind.String } name => CssColors.Find(name.Text) ?? CssColors.FromHex(name.Text),
-        { Kind: JsonKind.Array, Items.Count: 3 } node when node.Items.All(i => i.Kind == JsonKind.Number) =>
-            new(SceneValue.ToFloat(node.Items[0]), SceneValue.ToFloat(node.Items[1]), SceneValue.ToFloat(node.Items[2])),
+        { Kind: JsonKind.Array, Items: [{ Number: { } r }, { Number: { } g }, { Number: { } b }] } => new(r, g, b),
         _ => null,
     };
 }

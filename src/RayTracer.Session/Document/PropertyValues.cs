@@ -28,7 +28,7 @@ public sealed record PropertyValues(string Pointer, string? Type, string? Family
         Dictionary<string, Json?> effective = new(StringComparer.Ordinal);
         foreach (RecordParameter parameter in place?.Type?.Parameters ?? [])
         {
-            effective[parameter.Key] = node?.Find(parameter.Key) is { } written ? JsonValues.Of(written) : JsonValues.Of(parameter.Default);
+            effective[parameter.Key] = node?.Find(parameter.Key) is { } written ? JsonValues.Of(written) : JsonValues.Of(parameter, parameter.Default);
         }
 
         return new(pointer, place?.Type?.Name, place?.Family?.Noun, node is null ? null : JsonValues.Of(node), effective, node?.Start ?? -1, node?.End ?? -1);

@@ -85,5 +85,5 @@ public sealed class CameraHand(SceneDocument document, PictureView view)
     }
 
     private static JsonText Set(JsonText text, string pointer, object before, object after) =>
-        before.Equals(after) ? text : text.Set(pointer, JsonValues.Of(after));
+        before.Equals(after) ? text : text.Set(pointer, JsonValues.Of(SceneValue.At(text.Root, pointer)!.Parameter!, after));
 }

@@ -25,7 +25,7 @@ public static class Plugins
             CheckVersion(assembly);
             Type[] types = [.. assembly.GetExportedTypes().Where(t => t is { IsClass: true, IsAbstract: false } && t.GetConstructor([]) is not null)];
             (TypeFamily Family, RecordType Type)[] records =
-                [.. types.SelectMany(t => SceneTypes.Families.Where(f => f.Holds(t)).Select(f => (f, Described(t))))];
+                [.. types.SelectMany(t => SceneTypes.Families.Where(f => f.Holds(t)).Select(f => (f, RecordType.Of(t))))];
             (object Registry, Type Type)[] things = [.. types.Select(t => (Registry: RegistryOf(t)!, t)).Where(t => t.Registry is not null)];
             if (records.Length + things.Length == 0)
             {
@@ -56,18 +56,6 @@ public static class Plugins
         if (Array.Find(assembly.GetReferencedAssemblies(), r => r.Name == core.Name) is { } used && used.Version != core.Version)
         {
             throw new PluginException($"{assembly.GetName().Name} was made for version {used.Version} of {core.Name}, but this is {core.Version}: build it again");
-        }
-    }
-
-    private static RecordType Described(Type type)
-    {
-        try
-        {
-            return RecordType.Of(type);
-        }
-        catch (NotSupportedException e)
-        {
-            throw new PluginException($"{type.FullName}: {e.Message.TrimEnd('.')}", e);
         }
     }
 
