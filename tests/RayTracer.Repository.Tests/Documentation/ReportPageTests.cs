@@ -22,7 +22,8 @@ public sealed partial class ReportPageTests
     [Fact]
     public void Every_link_leads_to_a_file()
     {
-        string[] links = [.. Link().Matches(Text).Select(m => m.Groups[1].Value)];
+        // LinksTests sees to anchors.
+        string[] links = [.. Link().Matches(Text).Select(m => m.Groups[1].Value.Split('#')[0]).Where(l => l.Length > 0)];
         Assert.True(links.Length > 10, $"only {links.Length} links were found");
         Assert.All(links, l => Assert.True(File.Exists(ProjectFolder.PathOf("docs", l)), l));
     }
