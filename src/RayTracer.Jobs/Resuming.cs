@@ -8,7 +8,7 @@ internal static class Resuming
 {
     /// <summary>The complaint about a scene that a film is not of.</summary>
     public static JobException OtherScene(string path) =>
-        new(JobFault.File, $"the film is not of '{path}': the scene, a file that it names, its settings or the program are others than they were");
+        new(JobFault.File, $"the film is not of '{path}': the scene, a file that it names, its settings, a plug-in or the program are others than they were");
 
     /// <summary>The header of a film that samples are added to.</summary>
     /// <param name="film">The film.</param>
