@@ -7,7 +7,7 @@ using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>What stands in a scene, by what the schema says about it.</summary>
+/// <summary>The values of a scene, read as the schema describes them.</summary>
 internal static class ParameterValues
 {
     /// <summary>A number; null where it is none.</summary>
@@ -57,7 +57,7 @@ internal static class ParameterValues
         return result;
     }
 
-    /// <summary>What a new record of a list holds.</summary>
+    /// <summary>Returns a new record for a list.</summary>
     public static JsonObject Fresh(CatalogueType type)
     {
         JsonObject result = [];

@@ -24,7 +24,14 @@ public sealed class Registry<T>(string kind, Func<T, IEnumerable<string>> names,
     /// <exception cref="ArgumentException">One of its names is taken.</exception>
     public void Add(T thing) => ImmutableInterlocked.Update(ref _all, With, thing);
 
-    void IRegistry.Check(IEnumerable<object> things) => things.Cast<T>().Aggregate(_all, With);
+    void IRegistry.Check(IEnumerable<object> things)
+    {
+        ImmutableList<T> all = _all;
+        foreach (T thing in things.Cast<T>())
+        {
+            all = With(all, thing);
+        }
+    }
 
     void IRegistry.Add(object thing) => Add((T)thing);
 
