@@ -33,10 +33,7 @@ internal static class ComposeVerb
         VerboseOption verbose = new(command);
         command.SetAction(result =>
         {
-            ImageWriteOptions writing = output.Writing(result) with
-            {
-                Metadata = [new("Software", CommandLine.Version), new("Command", CommandLine.Text(result))],
-            };
+            ImageWriteOptions writing = output.Writing(result) with { Metadata = PictureTexts.Of(CommandLine.Text(result)) };
             output.WarnOfUnused(result, output.Files(result), streams);
             return Compose(result.GetValue(image)!, output.Files(result), result.GetValue(lights) ?? [], (float)(others.Value(result) ?? 1), writing, verbose.Times(result, streams), streams);
         });

@@ -115,7 +115,7 @@ internal sealed class SweepVerb
         }
 
         stages.End("pictures");
-        IReadOnlyList<string> written = sheet is null ? [] : JobFiles.Write(outputs, sheet.Picture, writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = Texts(path, result) }, streams);
+        IReadOnlyList<string> written = sheet is null ? [] : JobFiles.Write(outputs, sheet.Picture, writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = PictureTexts.Of(CommandLine.Text(result), path) }, streams);
         stages.EndWrite();
         Report(result, axes, films, written, streams);
         return signals.Status != 0 ? signals.Status : failed != ExitStatus.Fine ? failed : written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
@@ -144,13 +144,6 @@ internal sealed class SweepVerb
             Render = scene.Render with { Width = width, Height = Math.Max(1, (int)Math.Round((double)scene.Render.Height * width / scene.Render.Width)) },
         };
     }
-
-    private static KeyValuePair<string, string>[] Texts(string path, ParseResult result) =>
-    [
-        new("Software", CommandLine.Version),
-        new("Command", CommandLine.Text(result)),
-        new("Scene", Path.GetFileName(path)),
-    ];
 
     private void Report(ParseResult result, SweepAxes axes, List<(SweepCell Cell, string Hash)> films, IReadOnlyList<string> written, Streams streams)
     {

@@ -1,6 +1,6 @@
 namespace RayTracer.Session;
 
-/// <summary>What is being done beside the user's work: each job on a thread of its own.</summary>
+/// <summary>The jobs beside the user's work, each on a separate thread.</summary>
 /// <param name="notices">Told how each job ended.</param>
 public sealed class JobList(NoticeBoard notices) : IDisposable
 {
@@ -120,3 +120,9 @@ public sealed class JobList(NoticeBoard notices) : IDisposable
         public void Report(double value) => list.Report(id, value);
     }
 }
+
+/// <summary>Something that takes its time, and can be cancelled.</summary>
+/// <param name="Id">Its number.</param>
+/// <param name="Text">What is done, in a few words.</param>
+/// <param name="Fraction">How far it is, 0 to 1.</param>
+public sealed record Job(int Id, string Text, double Fraction);

@@ -24,3 +24,9 @@ public sealed class NoticeBoard
         Changed?.Invoke(this, EventArgs.Empty);
     }
 }
+
+/// <summary>Something to tell the user once.</summary>
+/// <param name="Id">Grows with each notice.</param>
+/// <param name="Kind">"info" or "error".</param>
+/// <param name="Text">A sentence, without a final stop.</param>
+public sealed record Notice(int Id, string Kind, string Text);

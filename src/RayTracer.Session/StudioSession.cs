@@ -45,10 +45,10 @@ public sealed class StudioSession : IDisposable
     /// <summary>Counts the changes of all that the user sees but the picture.</summary>
     public ChangeCounter Changes { get; } = new();
 
-    /// <summary>What there is to tell the user.</summary>
+    /// <summary>The messages for the user.</summary>
     public NoticeBoard Notices { get; } = new();
 
-    /// <summary>What is being done beside the user's work.</summary>
+    /// <summary>The jobs beside the user's work.</summary>
     public JobList Jobs { get; }
 
     /// <summary>The scene's text.</summary>
@@ -57,7 +57,7 @@ public sealed class StudioSession : IDisposable
     /// <summary>Changes its things.</summary>
     public SceneEdits Edits { get; }
 
-    /// <summary>What is selected.</summary>
+    /// <summary>The selection.</summary>
     public Selection Selection => _document.Selection;
 
     /// <summary>Opens and saves.</summary>
@@ -118,7 +118,7 @@ public sealed class StudioSession : IDisposable
     }
 }
 
-/// <summary>What a session has only where it is asked for: a tab's own part, say.</summary>
+/// <summary>A part of a session that exists only where it is asked for, such as a tab's.</summary>
 /// <typeparam name="T">The part.</typeparam>
 public interface ISessionPart<T>
 {

@@ -1,6 +1,6 @@
 namespace RayTracer.Studio;
 
-/// <summary>What a page says about itself: that it goes, and what went wrong in it.</summary>
+/// <summary>The requests in which a page reports that it closes, and what went wrong in it.</summary>
 internal static class LifeEndpoints
 {
     private const int LongestLog = 4000;

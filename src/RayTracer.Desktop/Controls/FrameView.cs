@@ -24,7 +24,7 @@ internal sealed class FrameView : Control
         set => SetValue(FrameProperty, value);
     }
 
-    /// <summary>What it draws.</summary>
+    /// <summary>The bitmap that it draws.</summary>
     internal WriteableBitmap? Bitmap => _image as WriteableBitmap;
 
     /// <inheritdoc/>

@@ -2,7 +2,7 @@ using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>What each command does in this window. Which commands there are, the session tells.</summary>
+/// <summary>The action of each command in this window. The session has the list of commands.</summary>
 internal sealed class CommandTable
 {
     private const double Sqrt2 = 1.41421356;
@@ -128,3 +128,8 @@ internal sealed class CommandTable
 
     private static void Render(MainViewModel main, RenderMode mode) => main.Hand.Do(s => s.View.Change(v => v with { Mode = mode }));
 }
+
+/// <summary>A menu: commands that belong together.</summary>
+/// <param name="Name">What it is called.</param>
+/// <param name="Commands">The commands.</param>
+internal sealed record CommandGroup(string Name, IReadOnlyList<CommandViewModel> Commands);

@@ -10,7 +10,7 @@ internal sealed class FileCommands(Hand hand, IWindowServices window, Action<Dia
 {
     private static readonly string[] CanBeOpened = ["json", "zip", "xml", "obj", "ply", "stl", "gltf", "glb", "off", "3ds"];
 
-    /// <summary>What the document is called, and where it is; told by the window.</summary>
+    /// <summary>The document's status; set by the window.</summary>
     public DocumentStatus? Document { get; set; }
 
     /// <summary>Ends when all that was typed is with the session.</summary>

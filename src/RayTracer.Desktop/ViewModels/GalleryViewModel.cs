@@ -1,3 +1,5 @@
+using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -28,4 +30,29 @@ internal sealed class GalleryViewModel(Hand hand, Action<string> open)
             }
         }
     }
+}
+
+/// <summary>Shipped scenes that belong together.</summary>
+/// <param name="Title">What they are.</param>
+/// <param name="Items">The scenes.</param>
+internal sealed record GalleryGroupViewModel(string Title, IReadOnlyList<GalleryItemViewModel> Items);
+
+/// <summary>A shipped scene.</summary>
+internal sealed class GalleryItemViewModel(GalleryItem item, Action open) : Observable
+{
+    public string Id => item.Id;
+
+    public string Name => item.Name;
+
+    /// <summary>The description.</summary>
+    public string Summary => item.Summary;
+
+    /// <summary>The text for screen readers.</summary>
+    public string Label => SessionTexts.Of("gallery.open", item.Name);
+
+    /// <summary>Its small picture as a PNG file; null until it is made.</summary>
+    public byte[]? Picture { get; set => SetProperty(ref field, value); }
+
+    /// <summary>Opens it.</summary>
+    public ICommand Open { get; } = new RelayCommand(open);
 }

@@ -11,7 +11,7 @@ internal sealed class Hand(StudioSession session, MessagesViewModel messages)
 {
     private Task _last = Task.CompletedTask;
 
-    /// <summary>What could not be done, and what else there is to tell.</summary>
+    /// <summary>The messages for the user.</summary>
     public MessagesViewModel Messages => messages;
 
     /// <summary>Ends when all is done that was asked for so far.</summary>

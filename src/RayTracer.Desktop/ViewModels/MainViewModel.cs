@@ -1,3 +1,6 @@
+using System.Globalization;
+using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -8,10 +11,8 @@ internal sealed class MainViewModel : Observable, IDisposable
     private static readonly TimeSpan ShortestPause = TimeSpan.FromMilliseconds(100);
     private readonly StudioSession _session;
     private readonly CancellationTokenSource _stop = new();
-    private DialogViewModel? _dialog;
     private DocumentStatus? _document;
     private DocumentShown? _shown;
-    private RecoveryViewModel? _recovery;
     private int _noticeId;
 
     /// <summary>The window of a session.</summary>
@@ -42,13 +43,13 @@ internal sealed class MainViewModel : Observable, IDisposable
     /// <summary>Carries the user's wishes to the session.</summary>
     public Hand Hand { get; }
 
-    /// <summary>What the editors of parameters need.</summary>
+    /// <summary>The rest of the window, as editors of parameters use it.</summary>
     public PanelContext Context { get; }
 
     /// <summary>Everything that a menu, a button or a key can do.</summary>
     public CommandTable Commands { get; }
 
-    /// <summary>Which panes and tabs are shown.</summary>
+    /// <summary>The panes and tabs that are shown.</summary>
     public Layout Layout { get; } = new();
 
     /// <summary>Short messages.</summary>
@@ -66,7 +67,7 @@ internal sealed class MainViewModel : Observable, IDisposable
     /// <summary>The shipped scenes.</summary>
     public GalleryViewModel Gallery { get; }
 
-    /// <summary>What was opened lately.</summary>
+    /// <summary>The files that were opened last.</summary>
     public FilesViewModel Recent { get; }
 
     /// <summary>The properties.</summary>
@@ -78,7 +79,7 @@ internal sealed class MainViewModel : Observable, IDisposable
     /// <summary>The picture.</summary>
     public ViewportViewModel Viewport { get; }
 
-    /// <summary>How far it is.</summary>
+    /// <summary>The progress of the rendering.</summary>
     public StatusViewModel Status { get; }
 
     /// <summary>Light paths of a pixel.</summary>
@@ -93,42 +94,38 @@ internal sealed class MainViewModel : Observable, IDisposable
     /// <summary>The question over the window; null where there is none.</summary>
     public DialogViewModel? Dialog
     {
-        get => _dialog;
+        get;
         private set
         {
-            if (Set(ref _dialog, value))
+            if (SetProperty(ref field, value))
             {
-                Tell(nameof(IsAsking));
+                OnPropertyChanged(nameof(IsAsking));
             }
         }
     }
 
-    /// <summary>Whether there is a question.</summary>
-    public bool IsAsking => _dialog is not null;
+    public bool IsAsking => Dialog is not null;
 
     /// <summary>Work of an earlier session that was not saved; null where there is none.</summary>
     public RecoveryViewModel? Recovery
     {
-        get => _recovery;
+        get;
         private set
         {
-            if (Set(ref _recovery, value))
+            if (SetProperty(ref field, value))
             {
-                Tell(nameof(HasRecovery));
+                OnPropertyChanged(nameof(HasRecovery));
             }
         }
     }
 
-    /// <summary>Whether there is such work.</summary>
-    public bool HasRecovery => _recovery is not null;
+    public bool HasRecovery => Recovery is not null;
 
     /// <summary>The window's title.</summary>
     public string Title => $"{(_document?.IsDirty == true ? "• " : "")}{_document?.Name ?? SessionTexts.Of("untitled")} – {SessionTexts.Of("product")}";
 
-    /// <summary>What the document is called.</summary>
     public string DocumentName => _document?.Name ?? SessionTexts.Of("untitled");
 
-    /// <summary>Whether there are changes that are not saved.</summary>
     public bool IsDirty => _document?.IsDirty == true;
 
     /// <summary>Follows the session, until the window is disposed of.</summary>
@@ -139,8 +136,7 @@ internal sealed class MainViewModel : Observable, IDisposable
             await Task.Run(() => TypeCatalogue.Instance, _stop.Token);
             Things.Load();
             Gallery.Show(_session.Gallery.Groups);
-            Tell(nameof(Things));
-            Tell(nameof(Gallery));
+            Report(nameof(Things), nameof(Gallery));
             await Task.WhenAll(FollowState(), Viewport.FollowFrames(_session.View, _stop.Token), Convergence.Follow(_stop.Token), Gallery.LoadPictures(_stop.Token));
         }
         catch (OperationCanceledException)
@@ -207,9 +203,7 @@ internal sealed class MainViewModel : Observable, IDisposable
 
         ShowNews(state);
         Commands.Show(state);
-        Tell(nameof(Title));
-        Tell(nameof(DocumentName));
-        Tell(nameof(IsDirty));
+        Report(nameof(Title), nameof(DocumentName), nameof(IsDirty));
     }
 
     private void ShowNews(SessionState state)
@@ -251,4 +245,18 @@ internal sealed class MainViewModel : Observable, IDisposable
         Layout.OpenDock("paths");
         Paths.Inspect((int)pixel.X, (int)pixel.Y);
     }
+}
+
+/// <summary>Work of an earlier session that was not saved.</summary>
+internal sealed class RecoveryViewModel(RecoveryEntry entry, Action open, Action discard)
+{
+    public string Id => entry.Id;
+
+    public string Text => SessionTexts.Of("recovery.text", entry.Name, entry.Time.ToLocalTime().ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture));
+
+    /// <summary>Opens it.</summary>
+    public ICommand Open { get; } = new RelayCommand(open);
+
+    /// <summary>Throws it away.</summary>
+    public ICommand Discard { get; } = new RelayCommand(discard);
 }

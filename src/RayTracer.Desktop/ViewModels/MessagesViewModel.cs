@@ -1,4 +1,6 @@
 using System.Collections.ObjectModel;
+using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 
 namespace RayTracer.Desktop.ViewModels;
 
@@ -39,4 +41,15 @@ internal sealed class MessagesViewModel
         await Task.Delay(InfoStaysFor);
         All.Remove(message);
     }
+}
+
+/// <summary>A short message that can be dismissed.</summary>
+internal sealed class MessageViewModel(string kind, string text, Action<MessageViewModel> dismiss)
+{
+    public string Text => text;
+
+    public bool IsError => kind == "error";
+
+    /// <summary>Takes it away.</summary>
+    public ICommand Dismiss => new RelayCommand(() => dismiss(this));
 }

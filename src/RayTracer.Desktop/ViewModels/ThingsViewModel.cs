@@ -1,3 +1,5 @@
+using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -8,7 +10,7 @@ namespace RayTracer.Desktop.ViewModels;
 /// <param name="showTab">Shows a tab of the properties.</param>
 internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<string> showTab)
 {
-    /// <summary>What can be added.</summary>
+    /// <summary>The things that can be added.</summary>
     public IReadOnlyList<AddGroup> Families { get; private set; } = [];
 
     /// <summary>The selected thing, if it is one that can be copied, renamed and deleted.</summary>
@@ -21,7 +23,7 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
         CatalogueType[] types = [.. PanelContext.Catalogue.Types.Values.SelectMany(t => t)];
         Families = [.. families.Select(f => new AddGroup(
             SessionTexts.Of($"families.{f}"),
-            [.. types.Where(t => t.AddedAs.Contains(f)).OrderBy(t => t.AddedAs.Count).Select(t => new AddItem(Figures.Spaced(t.Name), t.Summary, new ActionCommand(() => Add(f, t))))]))];
+            [.. types.Where(t => t.AddedAs.Contains(f)).OrderBy(t => t.AddedAs.Count).Select(t => new AddItem(Figures.Spaced(t.Name), t.Summary, new RelayCommand(() => Add(f, t))))]))];
     }
 
     /// <summary>Adds a thing; one that cannot be without a file asks for it first.</summary>
@@ -65,3 +67,14 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
         });
     }
 }
+
+/// <summary>Things of one family that can be added.</summary>
+/// <param name="Name">The family.</param>
+/// <param name="Items">The things.</param>
+internal sealed record AddGroup(string Name, IReadOnlyList<AddItem> Items);
+
+/// <summary>A thing that can be added.</summary>
+/// <param name="Name">What it is called.</param>
+/// <param name="Tip">What it is.</param>
+/// <param name="Add">Adds it.</param>
+internal sealed record AddItem(string Name, string Tip, ICommand Add);

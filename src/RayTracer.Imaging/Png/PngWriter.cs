@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.IO.Compression;
 using System.Text;
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;

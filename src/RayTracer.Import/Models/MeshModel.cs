@@ -1,5 +1,4 @@
 using RayTracer.Description;
-using RayTracer.Imaging;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;

@@ -1,3 +1,4 @@
+using System.Globalization;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Numerics;
@@ -7,39 +8,34 @@ using RayTracer.Textures;
 namespace RayTracer.Session;
 
 /// <summary>Balances the lights of a rendered picture that has a layer for each, as <c>raytracer compose</c> does.</summary>
-/// <param name="document">What is rendered; files are meant from its folder.</param>
+/// <param name="document">The document that is rendered; files are meant from its folder.</param>
 /// <param name="view">The picture, and how light is brought onto the screen.</param>
-/// <param name="jobs">Where the work goes on.</param>
+/// <param name="jobs">The list of what is being done.</param>
 public sealed class LightBalance(SceneDocument document, PictureView view, JobList jobs)
 {
     private const float MostFactor = 1e6f;
+    private readonly ViewJobs _jobs = new(document, view, jobs);
     private LightMix? _mix;
+    private string _path = "";
 
-    /// <summary>Renders what the view shows anew, into an OpenEXR file with a layer for each light, as a job.</summary>
+    /// <summary>Renders what the view shows into an OpenEXR file with a layer for each light, as a job.</summary>
     /// <param name="path">The file; relative to the document's folder.</param>
     /// <param name="overwrite">Whether a file that is there already may be replaced.</param>
     /// <returns>The job's number.</returns>
-    /// <exception cref="SessionException">The scene's lights cannot be told apart, or there is such a file.</exception>
+    /// <exception cref="SessionException">The scene's lights cannot be separated, or there is such a file.</exception>
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>
     public int Render(string path, bool overwrite)
     {
-        string full = Whole(path);
+        string full = _jobs.Whole(path);
         if (!ImageFormat.Has(full, ImageFeatures.Layers))
         {
             throw new SessionException($"Layers of light are written to {ImageFormat.Endings(ImageFeatures.Layers)} files.");
         }
 
-        Check(full, overwrite);
-        (Scene scene, ViewSettings settings) = (view.RequireShown().Scene, view.Settings);
-        Film film = FilmBudget.Create(scene.Render.Width, scene.Render.Height);
-        LightLayerFilm layers = Layers(film, scene);
-        RenderJob job = ViewJob.Of(document.Place, document.Read.Description, settings, Tone.Plain, full) with { Layers = [LightLayer.Lights] };
-        return jobs.Start($"lights: {Path.GetFileName(full)}", (progress, cancellation) =>
-        {
-            BackgroundRenders.Render(scene, new() { Threads = settings.Threads, Crop = settings.Region, Layers = layers }, progress, cancellation, film);
-            ImageFile.Write(full, film, new() { Metadata = PictureTexts.Of(job, film.ComputeHash(), $"{scene.Render.SamplesPerPixel}", null), ExrLayers = AovFiles.Layers(layers) });
-            return $"wrote {full}";
-        });
+        RenderJob job = _jobs.Shown(full) with { Layers = [LightLayer.Lights], Writing = new() };
+        ViewJobs.Check(job, overwrite);
+        CheckLights(view.RequireShown().Scene);
+        return _jobs.Render($"lights: {Path.GetFileName(full)}", job, $"wrote {full}");
     }
 
     /// <summary>Opens a picture.</summary>
@@ -49,8 +45,9 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
     {
         try
         {
-            LightMix mix = LightMix.Open(File.ReadAllBytes(Whole(path)));
-            _mix = mix;
+            string full = _jobs.Whole(path);
+            LightMix mix = LightMix.Open(File.ReadAllBytes(full));
+            (_mix, _path) = (mix, full);
             return mix.Lights;
         }
         catch (PictureException e)
@@ -74,35 +71,36 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>
     public int Save(string path, IReadOnlyDictionary<string, float[]> factors, bool overwrite)
     {
-        string full = Whole(path);
-        Check(full, overwrite);
+        string full = _jobs.Whole(path);
+        RenderJob job = _jobs.Saved(full);
+        ViewJobs.Check(job, overwrite);
         Picture picture = Compose(factors);
-        Tone tone = view.Tone;
-        return jobs.Start($"writing {Path.GetFileName(full)}", (_, _) =>
+        ImageWriteOptions writing = job.Writing with { Metadata = PictureTexts.Of(Command(factors, full)) };
+        return _jobs.Start($"writing {Path.GetFileName(full)}", watch =>
         {
-            ImageFile.Write(full, picture, new() { Exposure = tone.Exposure, ToneMap = tone.ToneMap, Metadata = [new("Software", ProgramName.Text)] });
+            JobFiles.Write([full], picture, writing, watch);
+            watch.RequireWritten();
             return $"wrote {full}";
         });
     }
 
-    private static LightLayerFilm Layers(Film film, Scene scene)
+    // The command that would do the same.
+    private string Command(IReadOnlyDictionary<string, float[]> factors, string output) => Shell.Command(
+    [
+        "compose", _path,
+        .. factors.SelectMany(f => new[] { "--light", string.Create(CultureInfo.InvariantCulture, $"{f.Key}={f.Value[0]},{f.Value[1]},{f.Value[2]}") }),
+        "-o", output,
+    ]);
+
+    private static void CheckLights(Scene scene)
     {
         try
         {
-            return new(film, scene, [LightLayer.Lights]);
+            LightLayerFilm.NamesOf(scene, [LightLayer.Lights]);
         }
         catch (ArgumentException e)
         {
             throw new SessionException(e.Message.Split(" (Parameter '")[0], e);
-        }
-    }
-
-    private static void Check(string full, bool overwrite)
-    {
-        ImageFile.Check(full);
-        if (!overwrite && File.Exists(full))
-        {
-            throw new SessionException($"The file '{full}' exists already.", SessionFault.Conflict);
         }
     }
 
@@ -113,8 +111,4 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
             ? mix.Compose(light => factors.TryGetValue(light, out float[]? f) ? new(f[0], f[1], f[2]) : Rgb.White)
             : throw new SessionException("Lights are multiplied by three numbers from 0 to 1000000.");
     }
-
-    private string Whole(string path) => string.IsNullOrWhiteSpace(path) || path.Contains('\0', StringComparison.Ordinal)
-        ? throw new SessionException("A file needs a name.")
-        : Path.GetFullPath(path, Path.GetFullPath(document.Place.Folder is "" ? "." : document.Place.Folder));
 }

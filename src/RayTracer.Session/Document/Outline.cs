@@ -8,7 +8,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
-/// <summary>What a scene consists of, as a tree to choose from.</summary>
+/// <summary>The things of a scene, as a tree to choose from.</summary>
 /// <param name="Revision">The revision of the text that it is of.</param>
 /// <param name="Camera">The camera.</param>
 /// <param name="Render">Size, samples and depths.</param>
@@ -128,6 +128,35 @@ public sealed record Outline(
     {
         { Kind: JsonKind.String } name => CssColors.Find(name.Text) ?? CssColors.FromHex(name.Text),
         { Kind: JsonKind.Array, Items: [{ Number: { } r }, { Number: { } g }, { Number: { } b }] } => new(r, g, b),
+        _ => null,
+    };
+}
+
+/// <summary>A thing in the outline of a scene.</summary>
+/// <param name="Pointer">Where it stands.</param>
+/// <param name="Name">What it is called.</param>
+/// <param name="Type">Its type in scene files.</param>
+/// <param name="Summary">A few words about it.</param>
+/// <param name="IsLight">Whether it shines.</param>
+/// <param name="Color">Its main colour as #rrggbb (sRGB); null where it has none.</param>
+/// <param name="Children">What it consists of.</param>
+public sealed record OutlineNode(string Pointer, string Name, string Type, string Summary, bool IsLight, string? Color, IReadOnlyList<OutlineNode> Children);
+
+/// <summary>The places where a scene's text refers to a material, texture or object by its name.</summary>
+internal static class SceneReferences
+{
+    /// <summary>All references to a definition.</summary>
+    public static IEnumerable<SceneValue> To(JsonNode root, TypeFamily family, string name) => All(root).Where(v => v.Family == family && v.Reference == name);
+
+    /// <summary>All references.</summary>
+    public static IEnumerable<SceneValue> All(JsonNode root) => SceneValue.Scene(root).WithInner().Where(v => v.Reference is not null);
+
+    /// <summary>The family of what is defined at a pointer, such as <c>/materials/glass</c>; null where it is no definition.</summary>
+    public static TypeFamily? DefinedAt(string pointer) => JsonPointer.Parse(pointer) switch
+    {
+        ["materials", _] => SceneTypes.Materials,
+        ["textures", _] => SceneTypes.Textures,
+        ["objects", _] => SceneTypes.Shapes,
         _ => null,
     };
 }

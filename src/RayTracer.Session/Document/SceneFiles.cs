@@ -39,7 +39,7 @@ public sealed class SceneFiles
     /// <summary>Raised after a document was opened: with what a film or image says about its rendering, and the film that is gone on with; null for other files.</summary>
     internal event Action<RenderJob?, FilmStart?>? Opened;
 
-    /// <summary>Whether a file can be opened, by its name.</summary>
+    /// <summary>Returns whether a file can be opened, by its name.</summary>
     public static bool CanOpen(string name) => IsScene(name) || IsImage(name);
 
     private static bool IsScene(string name) =>
@@ -155,7 +155,7 @@ public sealed class SceneFiles
         }
     }
 
-    /// <summary>What a dialog shows of a folder.</summary>
+    /// <summary>The contents of a folder, for a dialog.</summary>
     /// <param name="path">The folder; null for the user's own.</param>
     /// <param name="isNamed">Whether pictures and models are looked for, which a scene may name, instead of what can be opened.</param>
     /// <exception cref="DocumentException">It cannot be listed.</exception>

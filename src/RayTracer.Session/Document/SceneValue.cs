@@ -64,7 +64,7 @@ public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter?
     /// <summary>This and all that stands within it, outer things first.</summary>
     public IEnumerable<SceneValue> WithInner() => Children().SelectMany(c => c.WithInner()).Prepend(this);
 
-    /// <summary>What is referred to, where this is a reference to something that is defined; itself otherwise.</summary>
+    /// <summary>The definition, where this is a reference to one; itself otherwise.</summary>
     /// <param name="root">The whole text.</param>
     public SceneValue Resolved(JsonNode root)
     {

@@ -76,7 +76,7 @@ public static class CameraMotion
         return (right, right.Cross(forward), forward);
     }
 
-    /// <summary>How much of a plane across the view the picture shows from its lower to its upper edge.</summary>
+    /// <summary>The height of the part of a plane across the view that the picture shows.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="distance">How far away the plane is.</param>
     /// <param name="aspect">Width of the picture over its height.</param>

@@ -21,7 +21,7 @@ public sealed class FrameBoard
     /// <summary>Counts frames, and changes of how they are seen.</summary>
     public ChangeCounter Changes { get; } = new();
 
-    /// <summary>Whether somebody looks, or did a moment ago.</summary>
+    /// <summary>Returns whether somebody is looking, or was a moment ago.</summary>
     public bool IsWatched => Changes.Waiting > 0 || Stopwatch.GetElapsedTime(Volatile.Read(ref _lastWatched)) < Attention;
 
     /// <summary>Puts a frame up.</summary>
@@ -117,5 +117,47 @@ public sealed class FrameBoard
         public LinearPicture Picture => picture;
 
         public int Users { get; set; } = 1;
+    }
+}
+
+/// <summary>The properties of a frame.</summary>
+/// <param name="PictureWidth">Width of the whole picture; a preview has fewer pixels.</param>
+/// <param name="PictureHeight">Height of the whole picture.</param>
+/// <param name="Samples">Samples in each pixel; 0 in a preview.</param>
+/// <param name="IsPreview">Whether there is less in it than a sample of each pixel.</param>
+/// <param name="IsLast">Whether nothing more will be added to it.</param>
+/// <param name="IsLight">Whether it shows light, so that exposure and tone map apply; maps have their colours already.</param>
+public sealed record FrameInfo(int PictureWidth, int PictureHeight, int Samples, bool IsPreview, bool IsLast, bool IsLight);
+
+/// <summary>A frame for as long as it is looked at: its memory is used again after it was disposed of.</summary>
+public sealed class FrameLease : IDisposable
+{
+    private readonly Action _giveBack;
+    private bool _isOver;
+
+    internal FrameLease(long version, FrameInfo info, LinearPicture picture, Action giveBack)
+    {
+        Version = version;
+        Info = info;
+        Picture = picture;
+        _giveBack = giveBack;
+    }
+
+    /// <summary>Grows with each frame, and each change of how it is seen.</summary>
+    public long Version { get; }
+
+    /// <summary>The properties of the frame.</summary>
+    public FrameInfo Info { get; }
+
+    /// <summary>The frame.</summary>
+    public LinearPicture Picture { get; }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        if (!Interlocked.Exchange(ref _isOver, true))
+        {
+            _giveBack();
+        }
     }
 }

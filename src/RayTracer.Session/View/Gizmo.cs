@@ -5,7 +5,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Session;
 
-/// <summary>What the handles around a thing do.</summary>
+/// <summary>The actions of the handles around a thing.</summary>
 public enum GizmoKind
 {
     /// <summary>Move it.</summary>

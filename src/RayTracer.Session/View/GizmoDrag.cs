@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Session;
 
-/// <summary>What moving the pointer from one point of the picture to another, with a handle held, changes in the world.</summary>
+/// <summary>The change in the world that a drag of a handle makes.</summary>
 /// <param name="camera">How the camera projects.</param>
 /// <param name="center">The middle of the thing.</param>
 internal sealed class GizmoDrag(CameraFrame camera, Vector3 center)

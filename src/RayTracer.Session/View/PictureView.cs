@@ -36,19 +36,19 @@ public sealed class PictureView : IDisposable
         Follow();
     }
 
-    /// <summary>What is known about the picture has changed; the picture itself tells its changes by <see cref="Frames"/>.</summary>
+    /// <summary>Raised when what is known about the picture has changed; <see cref="Frames"/> reports changes of the picture itself.</summary>
     public event Action? Changed;
 
     /// <summary>Raised when the document's scene is not what a film is of, with a sentence that says so.</summary>
     public event Action<string>? Refused;
 
-    /// <summary>Where the picture is to be seen.</summary>
+    /// <summary>The newest frame of the picture.</summary>
     public FrameBoard Frames { get; } = new();
 
     /// <summary>Makes it.</summary>
     public RenderLoop Loop { get; }
 
-    /// <summary>What is shown; null where there is nothing.</summary>
+    /// <summary>The scene that is shown; null where there is none.</summary>
     public ShownScene? Shown
     {
         get
@@ -63,7 +63,7 @@ public sealed class PictureView : IDisposable
     /// <summary>The camera that the document had when it was opened; null where there is nothing to be seen.</summary>
     public CameraDescription? Home { get; private set; }
 
-    /// <summary>What the user wants.</summary>
+    /// <summary>The user's settings.</summary>
     public ViewSettings Settings
     {
         get
@@ -75,7 +75,7 @@ public sealed class PictureView : IDisposable
         }
     }
 
-    /// <summary>How light is brought onto the screen. A change takes no rendering.</summary>
+    /// <summary>The exposure and tone map of the screen. A change needs no rendering.</summary>
     /// <exception cref="SessionException">The exposure is out of range.</exception>
     public Tone Tone
     {
@@ -104,7 +104,7 @@ public sealed class PictureView : IDisposable
         }
     }
 
-    /// <summary>What is shown.</summary>
+    /// <summary>The map that is shown.</summary>
     /// <exception cref="SessionException">There is nothing.</exception>
     public ShownScene RequireShown() => Shown ?? throw new SessionException("There is no scene to look at.", SessionFault.Missing);
 
@@ -158,7 +158,7 @@ public sealed class PictureView : IDisposable
         }
     }
 
-    /// <summary>What decides what a sample of the picture comes to, as a hash.</summary>
+    /// <summary>The hash of everything that decides the value of a sample.</summary>
     internal static string ContentOf(GoodScene good, RenderOrder order, string folder) => ContentHash.Of(Ordered(good, order), ScenePath(folder), order.Region);
 
     private static bool IsOf(FilmHeader header, GoodScene good, RenderOrder order, string folder) =>

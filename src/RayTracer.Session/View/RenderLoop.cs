@@ -39,7 +39,7 @@ public sealed class RenderLoop : IDisposable
     /// <summary>Raised when a picture cannot be rendered, with a sentence that says why.</summary>
     public event Action<string>? Failed;
 
-    /// <summary>How far the newest picture is.</summary>
+    /// <summary>The progress of the newest picture.</summary>
     public RenderStatus Status => Volatile.Read(ref _status);
 
     /// <summary>Renders something from now on, instead of all before.</summary>
@@ -75,10 +75,10 @@ public sealed class RenderLoop : IDisposable
         return done.Task;
     }
 
-    /// <summary>What some pixels of the film have and others lack, to be asked for within a look; null where all have the same samples.</summary>
+    /// <summary>The samples that some pixels of the film have and others lack, to be read within <see cref="Look{T}"/>; null where all have the same samples.</summary>
     internal Slice? Rest => _work.Rest;
 
-    /// <summary>How the error of the picture has shrunk.</summary>
+    /// <summary>The error of the picture against its samples.</summary>
     public Task<Convergence> Convergence() => Look((film, order, samples) => _work.Log.Errors(film, order.Area, samples));
 
     /// <inheritdoc/>

@@ -7,7 +7,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Session;
 
-/// <summary>What the view shows.</summary>
+/// <summary>The scene that the view shows.</summary>
 /// <param name="Good">The document's content that it comes from.</param>
 /// <param name="Scene">The scene as it is rendered: with the camera as it is moved at the moment, and the samples that the user wants.</param>
 /// <param name="Camera">That camera.</param>
@@ -31,7 +31,7 @@ public sealed record ShownScene(GoodScene Good, Scene Scene, CameraDescription C
     /// <summary>The middle of all that has an end, and half the diagonal of the box around it; the origin and 1 where there is nothing.</summary>
     public (Vector3 Middle, float Size) Extent => _extent.Value;
 
-    /// <summary>Where in the text a record stands; null where it is not from the text.</summary>
+    /// <summary>The pointer to a record in the text; null where it is not from the text.</summary>
     public string? PointerOf(object? record)
     {
         if (record is null)

@@ -55,3 +55,8 @@ public static class Wireframe
 
     private static Bounds MeshBounds(MeshData mesh) => mesh.Indices.Aggregate(Bounds.Empty, (all, i) => all.Union(new(mesh.Positions[i], mesh.Positions[i])));
 }
+
+/// <summary>A thing as lines.</summary>
+/// <param name="Pointer">The thing in the text; null where it is not from the text.</param>
+/// <param name="Lines">Lines of points, in the world.</param>
+public sealed record WireShape(string? Pointer, IReadOnlyList<IReadOnlyList<Vector3>> Lines);

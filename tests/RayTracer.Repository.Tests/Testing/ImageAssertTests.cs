@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using RayTracer.Cli.Tests;
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Textures;

@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Session;
 
@@ -26,7 +27,7 @@ public sealed class PictureSaverTests
         if (!name.EndsWith(".pfm", StringComparison.Ordinal))
         {
             Dictionary<string, string> texts = new(ImageFile.ReadText(path));
-            Assert.Equal(["Command", "FilmHash", "Samples", "Scene", "Settings", "Software"], texts.Keys.Order());
+            Assert.Equal(["Command", "FilmHash", "SampleRange", "Samples", "Scene", "Settings", "Software"], texts.Keys.Order());
             Assert.Equal((film.ComputeHash(), "4"), (texts["FilmHash"], texts["Samples"]));
         }
     }
@@ -57,8 +58,10 @@ public sealed class PictureSaverTests
         PictureRequest plain = PictureRequest.Of(null, []);
         Assert.Equal(SessionFault.Conflict, (await Assert.ThrowsAsync<SessionException>(() => test.Session.Pictures.Save(path, plain, overwrite: false))).Fault);
         Assert.Equal("mine", await File.ReadAllTextAsync(path));
-        await Assert.ThrowsAsync<ImageWriteException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "a.gif"), plain, false));
+        await Assert.ThrowsAsync<JobException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "a.gif"), plain, false));
         await Assert.ThrowsAsync<ImageWriteException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "no", "a.png"), plain, false));
+        JobException films = await Assert.ThrowsAsync<JobException>(() => test.Session.Pictures.Save("a.rtfilm", PictureRequest.Of(null, ["depth"]), false));
+        Assert.Equal("--aov and --denoise write images, but only films are written: give -o FILE.png or another image too", films.Message);
         Assert.Throws<SessionException>(() => PictureRequest.Of(12, []));
         Assert.Throws<SessionException>(() => PictureRequest.Of(8, ["beauty"]));
     }

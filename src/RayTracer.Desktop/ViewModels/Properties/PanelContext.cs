@@ -3,17 +3,16 @@ using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>What the editors of parameters need of the rest.</summary>
+/// <summary>The rest of the window, as editors of parameters use it.</summary>
 /// <param name="hand">Carries changes to the session.</param>
 /// <param name="window">Asks for files.</param>
 internal sealed class PanelContext(Hand hand, IWindowServices window)
 {
     private readonly Dictionary<string, Latest<Setting>> _settings = new(StringComparer.Ordinal);
 
-    /// <summary>What scenes can be made of.</summary>
     public static TypeCatalogue Catalogue => TypeCatalogue.Instance;
 
-    /// <summary>What the scene consists of; null before it could be read.</summary>
+    /// <summary>The outline of the scene; null before it could be read.</summary>
     public Outline? Outline { get; set; }
 
     /// <summary>The folder of the scene's file; null where it has none.</summary>

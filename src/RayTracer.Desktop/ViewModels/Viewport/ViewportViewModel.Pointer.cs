@@ -31,17 +31,17 @@ internal sealed partial class ViewportViewModel
         (_start, _last, _isMoved, _isClick, _drag, _release) = (at, at, false, button == PointerButton.Main, null, null);
         if (button == PointerButton.Main && keys.HasFlag(HeldKeys.Space))
         {
-            _drag = to => Stage = _stage.ShiftedBy(to.X - _last.X, to.Y - _last.Y);
+            _drag = to => Stage = Stage.ShiftedBy(to.X - _last.X, to.Y - _last.Y);
         }
-        else if (button == PointerButton.Main && keys == HeldKeys.None && Gizmo.Take(at, _stage.ToPicture(at)))
+        else if (button == PointerButton.Main && keys == HeldKeys.None && Gizmo.Take(at, Stage.ToPicture(at)))
         {
             _isClick = false;
-            _drag = to => Gizmo.Drag(_stage.ToPicture(to));
+            _drag = to => Gizmo.Drag(Stage.ToPicture(to));
             _release = Gizmo.Drop;
         }
         else if (button == PointerButton.Main && keys == HeldKeys.None && Tool == Tool.Region)
         {
-            DrawRegion(_stage.ToPicture(at));
+            DrawRegion(Stage.ToPicture(at));
         }
         else
         {
@@ -68,7 +68,7 @@ internal sealed partial class ViewportViewModel
         _drag = null;
         _release?.Invoke();
         _release = null;
-        if (isClick && _stage.PixelAt(at) is { } pixel)
+        if (isClick && Stage.PixelAt(at) is { } pixel)
         {
             Click(pixel);
         }
@@ -83,7 +83,7 @@ internal sealed partial class ViewportViewModel
         if (keys.HasFlag(HeldKeys.Mod))
         {
             // Two steps double it.
-            Stage = _stage.ZoomedBy(steps >= 0 ? 1 + (0.41421356 * steps) : 1 / (1 - (0.41421356 * steps)), at);
+            Stage = Stage.ZoomedBy(steps >= 0 ? 1 + (0.41421356 * steps) : 1 / (1 - (0.41421356 * steps)), at);
         }
         else
         {
@@ -145,19 +145,19 @@ internal sealed partial class ViewportViewModel
         _isClick = false;
         _drag = to =>
         {
-            (_regionStart, _regionEnd) = (start, _stage.ToPicture(to));
-            Tell(nameof(Region));
+            (_regionStart, _regionEnd) = (start, Stage.ToPicture(to));
+            OnPropertyChanged(nameof(Region));
         };
         _release = () =>
         {
-            if (_regionStart is not null && _stage.Between(start, _regionEnd) is { } region)
+            if (_regionStart is not null && Stage.Between(start, _regionEnd) is { } region)
             {
                 Tool = Tool.Select;
                 _hand.Do(s => s.View.Change(v => v with { Region = region }));
             }
 
             _regionStart = null;
-            Tell(nameof(Region));
+            OnPropertyChanged(nameof(Region));
         };
     }
 
@@ -189,4 +189,62 @@ internal sealed partial class ViewportViewModel
             });
         }
     }
+}
+
+/// <summary>The keys that change what a pointer or a wheel does.</summary>
+[Flags]
+internal enum HeldKeys
+{
+    /// <summary>None.</summary>
+    None = 0,
+
+    /// <summary>Shift.</summary>
+    Shift = 1,
+
+    /// <summary>Ctrl, or Command on a Mac.</summary>
+    Mod = 2,
+
+    /// <summary>Alt.</summary>
+    Alt = 4,
+
+    /// <summary>The space bar.</summary>
+    Space = 8,
+}
+
+/// <summary>The button of a pointer.</summary>
+internal enum PointerButton
+{
+    /// <summary>The left one, a finger, a pen's tip.</summary>
+    Main,
+
+    /// <summary>The wheel.</summary>
+    Middle,
+
+    /// <summary>The right one.</summary>
+    Second,
+}
+
+/// <summary>The tools of the pointer in the picture.</summary>
+internal enum Tool
+{
+    /// <summary>Orbits, and selects.</summary>
+    Select,
+
+    /// <summary>Moves the selected shape by its handles.</summary>
+    Move,
+
+    /// <summary>Turns it.</summary>
+    Rotate,
+
+    /// <summary>Changes its size.</summary>
+    Scale,
+
+    /// <summary>Focuses on what is clicked.</summary>
+    Focus,
+
+    /// <summary>Looks into the pixel that is clicked.</summary>
+    Inspect,
+
+    /// <summary>Draws the part of the picture that is rendered.</summary>
+    Region,
 }
