@@ -309,7 +309,7 @@ public sealed class PictureView : IDisposable
             _start = isSame ? start : null;
             if (!isSame)
             {
-                Refused?.Invoke($"The film is not of {place.Name}: the scene, a file that it refers to, its settings or the program have changed. Rendering starts from scratch.");
+                Refused?.Invoke($"The film is not of {place.Name}: the scene, a file that it refers to, its settings, a plug-in or the program have changed. Rendering starts from scratch.");
             }
         }
 

@@ -1,9 +1,7 @@
-using RayTracer.Jobs;
+namespace RayTracer.Jobs.Tests;
 
-namespace RayTracer.Cli.Tests;
-
-/// <summary>Where the scene of a picture is found again.</summary>
-public sealed class PictureOriginTests : IDisposable
+/// <summary>The scene of a picture is found again.</summary>
+public sealed class JobOriginTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
