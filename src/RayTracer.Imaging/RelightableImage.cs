@@ -1,6 +1,7 @@
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -26,10 +27,7 @@ public sealed class RelightableImage
     /// <exception cref="PictureException">It is no OpenEXR file that is read, or has no layers of lights.</exception>
     public static RelightableImage Open(byte[] file)
     {
-        if (!file.AsSpan().StartsWith(ExrReader.Signature))
-        {
-            throw new PictureException("it is not an OpenEXR file, and only those have layers of lights");
-        }
+        Require(file.AsSpan().StartsWith(ExrReader.Signature), "it is not an OpenEXR file, and only those have layers of lights");
 
         HashSet<string> channels = [.. ExrReader.ChannelNames(file)];
         string[] lights = [.. channels

@@ -58,7 +58,7 @@ internal static class MitsubaMedia
 
         if (medium.Type != "homogeneous")
         {
-            medium.Log.Unknown(medium.TypePlace, $"media of type {Quotation.Of(medium.Type)} are not supported", medium.Type, ["homogeneous"]);
+            medium.UnknownType("media", "homogeneous");
             return new();
         }
 

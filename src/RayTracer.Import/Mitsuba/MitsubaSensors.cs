@@ -34,7 +34,7 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
         };
         if (camera is null)
         {
-            reading.Log.Unknown(sensor.TypePlace, $"sensors of type {Quotation.Of(sensor.Type)} are not supported", sensor.Type, ["perspective", "thinlens", "orthographic"]);
+            sensor.UnknownType("sensors", "perspective", "thinlens", "orthographic");
             return scene;
         }
 

@@ -277,3 +277,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         return (TBuilt)built;
     }
 }
+
+/// <summary>Undoes a change of what a <see cref="SceneBuilder"/> takes for granted, at the end of a <c>using</c>.</summary>
+internal readonly struct MaterialScope(Action undo) : IDisposable
+{
+    public void Dispose() => undo();
+}
