@@ -47,10 +47,7 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
                 parts.Add(new MeshDescription { Name = name, Data = data, Material = material.Description });
             }
 
-            if (primitive.Has("targets"))
-            {
-                document.Notes.Add("morph targets are ignored: meshes are shown as they were modelled");
-            }
+            document.Notes.AddIf(primitive.Has("targets"), "morph targets are ignored: meshes are shown as they were modelled");
         }
 
         return parts.Count > 1 ? new GroupDescription { Name = name, Shapes = parts } : parts.FirstOrDefault();
