@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Text;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -280,14 +281,6 @@ internal static class JpegReader
             Require(kind <= 1 && table < 4 && symbols <= 256 && data.Length >= length, "one of its Huffman tables is damaged");
             state.Huffman[(4 * kind) + table] = new JpegHuffmanTable(counts, data[(1 + JpegHuffmanTable.LongestCode)..length]);
             data = data[length..];
-        }
-    }
-
-    private static void Require(bool condition, string otherwise)
-    {
-        if (!condition)
-        {
-            throw new PictureException(otherwise);
         }
     }
 }

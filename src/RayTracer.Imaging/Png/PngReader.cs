@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.IO.Compression;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -36,10 +37,7 @@ internal static class PngReader
     {
         var chunks = new PngChunks(file);
         chunks.Next();
-        if (chunks.Type != "IHDR")
-        {
-            throw new PictureException($"its first chunk is {chunks.Type} instead of IHDR");
-        }
+        Require(chunks.Type == "IHDR", $"its first chunk is {chunks.Type} instead of IHDR");
 
         PngHeader header = PngHeader.Parse(chunks.Data);
         using var compressed = new MemoryStream();
@@ -194,13 +192,5 @@ internal static class PngReader
 
         zlib.ReadByte(); // reaches the checksum at the end, which is verified there
         return picture!;
-    }
-
-    private static void Require(bool condition, string otherwise)
-    {
-        if (!condition)
-        {
-            throw new PictureException(otherwise);
-        }
     }
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -78,10 +79,7 @@ internal static class HdrReader
     // The lines up to an empty one.
     private static List<string> Header(ref ReadOnlySpan<byte> rest)
     {
-        if (!rest.StartsWith(Signature))
-        {
-            throw new PictureException("it does not begin as a Radiance picture does");
-        }
+        Require(rest.StartsWith(Signature), "it does not begin as a Radiance picture does");
 
         List<string> lines = [];
         int before = rest.Length;
@@ -235,10 +233,7 @@ internal static class HdrReader
     private static string Line(ref ReadOnlySpan<byte> rest)
     {
         int end = rest[..Math.Min(rest.Length, LongestLine)].IndexOf((byte)'\n');
-        if (end < 0)
-        {
-            throw new PictureException("its header is cut off, or has a line without end");
-        }
+        Require(end >= 0, "its header is cut off, or has a line without end");
 
         string line = Encoding.Latin1.GetString(rest[..end]).TrimEnd('\r');
         rest = rest[(end + 1)..];

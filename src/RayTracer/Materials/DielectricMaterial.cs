@@ -141,7 +141,7 @@ internal sealed class DielectricMaterial(
         FloatW index = dispersion?.Index(surface.Wavelength) ?? refractiveIndex;
         if (nesting is not null)
         {
-            index /= surface.Around;
+            index /= surface.ExteriorIndex;
         }
 
         eta = surface.Inside.Select(index, 1f / index);

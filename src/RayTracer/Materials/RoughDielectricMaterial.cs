@@ -152,7 +152,7 @@ internal sealed class RoughDielectricMaterial(
         if (nesting is not null)
         {
             // Between two of the same index there is no half vector: they are taken to differ a little.
-            index /= surface.Around;
+            index /= surface.ExteriorIndex;
             index = (FloatW.Abs(index - 1f) < LeastDifference).Select(1f + LeastDifference, index);
         }
 

@@ -41,7 +41,7 @@ public sealed class Scene
         Wavelengths = Array.Exists(Groups, g => g.Traits.Disperses) ? new() : null;
         Media = new(_interiors);
         (HasMedia, HasNesting, WeakensShadows, IsLiteral) = Shown();
-        CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;
+        CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = LightList.Create(World);
         LightSelection = SelectLights();
     }
@@ -67,7 +67,7 @@ public sealed class Scene
         _interiors = other._interiors;
         Media = other.Media;
         (HasMedia, HasNesting, WeakensShadows, IsLiteral) = Shown();
-        CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;
+        CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = other.Lights;
         LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
     }

@@ -16,7 +16,7 @@ internal abstract class ConicalShape : Shape
     {
         (Bottom, Top, Radius, TopRadius, HasCaps) = (bottom, top, radius, topRadius, caps);
         Vector3 axis = top - bottom;
-        Frame = LocalFrame.Around((0.5f * bottom) + (0.5f * top), axis);
+        Frame = LocalFrame.FromAxis((0.5f * bottom) + (0.5f * top), axis);
         Height = axis.Norm();
         _slant = new Vector3(Height, radius - topRadius, 0).Norm();
     }

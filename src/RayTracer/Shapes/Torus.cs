@@ -91,7 +91,7 @@ internal sealed class Torus(Material material, string name, Vector3 center, Vect
     }
 
     /// <summary>The space of <see cref="TorusKernel"/>.</summary>
-    internal LocalFrame Frame { get; } = LocalFrame.Around(center, axis);
+    internal LocalFrame Frame { get; } = LocalFrame.FromAxis(center, axis);
 
     /// <inheritdoc/>
     public override IEnumerable<Vector3[]> Wires(Vector3 middle, float reach)
