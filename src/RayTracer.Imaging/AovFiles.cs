@@ -53,7 +53,7 @@ public static class AovFiles
     }
 
     /// <summary>The layers of light of an OpenEXR file, as 32-bit floats: <c>direct.R</c>, <c>light.key.R</c>.</summary>
-    public static IReadOnlyList<ExrLayerChannel> Layers(LightLayerFilm film)
+    public static IReadOnlyList<ExrLayerChannel> Layers(LightPathAovFilm film)
     {
         List<ExrLayerChannel> layers = [];
         for (int i = 0; i < film.Names.Count; i++)

@@ -10,7 +10,7 @@ namespace RayTracer.Imaging;
 /// grey, YCbCr, RGB, CMYK and YCCK. Colours are taken to be sRGB: ICC profiles are ignored, and so is the orientation that Exif
 /// may hold, as glTF 2.0 (section 3.8.3) demands.
 /// </summary>
-public static class JpegReader
+internal static class JpegReader
 {
     // Encoders make some ten or twenty; very many, over a large picture of few bytes, would take hours.
     private const int MostScans = 500;

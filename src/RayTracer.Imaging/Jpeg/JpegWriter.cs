@@ -7,7 +7,7 @@ namespace RayTracer.Imaging;
 /// Writes JPEG files (ITU-T T.81, baseline, with the best Huffman codes for each image; ITU-T T.871, JFIF): sRGB-encoded, the same bytes on
 /// every machine.
 /// </summary>
-public static class JpegWriter
+internal static class JpegWriter
 {
     /// <summary>The quality that is written where none is asked for.</summary>
     public const int StandardQuality = 90;

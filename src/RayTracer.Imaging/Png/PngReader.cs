@@ -9,7 +9,7 @@ namespace RayTracer.Imaging;
 /// Reads PNG files (W3C PNG specification, third edition): every colour type, bit depth and interlacing. Transparency is
 /// ignored (the colour under it is what counts) unless it is asked for, and so are gAMA, cHRM and iCCP: colours are taken to be sRGB.
 /// </summary>
-public static class PngReader
+internal static class PngReader
 {
     /// <summary>The eight bytes that a PNG file begins with.</summary>
     public static ReadOnlySpan<byte> Signature => [0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A];

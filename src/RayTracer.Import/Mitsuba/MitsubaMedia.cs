@@ -37,7 +37,7 @@ internal static class MitsubaMedia
     }
 
     /// <summary>Takes the medium of a camera as known: the medium around the camera follows from the shapes around it.</summary>
-    public static void Around(MitsubaObject sensor)
+    public static void WarnOfSensorMedium(MitsubaObject sensor)
     {
         if (sensor.Only("medium") is { } medium)
         {

@@ -50,7 +50,7 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
 
         FilmRead film = MitsubaFilms.Read(sensor.Only("film"), render);
         camera = Shifted(sensor, camera, film.Window);
-        MitsubaMedia.Around(sensor);
+        MitsubaMedia.WarnOfSensorMedium(sensor);
         sensor.Finish();
         return scene with { Camera = reading.At(sensor.Place, camera), Render = reading.At(sensor.Place, film.Render) };
     }

@@ -177,7 +177,7 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         EnvironmentLight? environment = scene.Environment?.Build(this);
         if (environment is not null)
         {
-            environment.Label = new(LightLabel.Plain(scene.Environment!.LightGroup), "environment");
+            environment.Label = new(LightGroupLabel.Plain(scene.Environment!.LightGroup), "environment");
         }
 
         return environment;

@@ -6,7 +6,7 @@ using static RayTracer.Import.ModelCheck;
 namespace RayTracer.Import;
 
 /// <summary>Reads glTF 2.0 files, .gltf and .glb (Khronos Group 2021).</summary>
-public static class GltfReader
+internal static class GltfReader
 {
     // What a value of JSON takes at least, with its node and text.
     private const long BytesPerValue = 120;

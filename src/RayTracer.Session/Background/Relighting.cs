@@ -11,11 +11,11 @@ namespace RayTracer.Session;
 /// <param name="document">The document that is rendered; files are meant from its folder.</param>
 /// <param name="view">The picture, and how light is brought onto the screen.</param>
 /// <param name="jobs">The list of what is being done.</param>
-public sealed class LightBalance(SceneDocument document, PictureView view, JobList jobs)
+public sealed class Relighting(SceneDocument document, PictureView view, JobList jobs)
 {
     private const float MostFactor = 1e6f;
     private readonly ViewJobs _jobs = new(document, view, jobs);
-    private LightMix? _mix;
+    private RelightableImage? _mix;
     private string _path = "";
 
     /// <summary>Renders what the view shows into an OpenEXR file with a layer for each light, as a job.</summary>
@@ -32,7 +32,7 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
             throw new SessionException($"Layers of light are written to {ImageFormat.Endings(ImageFeatures.Layers)} files.");
         }
 
-        RenderJob job = _jobs.Shown(full) with { Layers = [LightLayer.Lights], Writing = new() };
+        RenderJob job = _jobs.Shown(full) with { Layers = [LightPathAov.Lights], Writing = new() };
         ViewJobs.Check(job, overwrite);
         CheckLights(view.RequireShown().Scene);
         return _jobs.Render($"lights: {Path.GetFileName(full)}", job, $"wrote {full}");
@@ -46,7 +46,7 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
         try
         {
             string full = _jobs.Whole(path);
-            LightMix mix = LightMix.Open(File.ReadAllBytes(full));
+            RelightableImage mix = RelightableImage.Open(File.ReadAllBytes(full));
             (_mix, _path) = (mix, full);
             return mix.Lights;
         }
@@ -96,7 +96,7 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
     {
         try
         {
-            LightLayerFilm.NamesOf(scene, [LightLayer.Lights]);
+            LightPathAovFilm.NamesOf(scene, [LightPathAov.Lights]);
         }
         catch (ArgumentException e)
         {
@@ -106,7 +106,7 @@ public sealed class LightBalance(SceneDocument document, PictureView view, JobLi
 
     private Picture Compose(IReadOnlyDictionary<string, float[]> factors)
     {
-        LightMix mix = _mix ?? throw new SessionException("No picture with layers of lights is open.", SessionFault.Missing);
+        RelightableImage mix = _mix ?? throw new SessionException("No picture with layers of lights is open.", SessionFault.Missing);
         return factors.Values.All(f => f.Length == 3 && f.All(x => x is >= 0 and <= MostFactor))
             ? mix.Compose(light => factors.TryGetValue(light, out float[]? f) ? new(f[0], f[1], f[2]) : Rgb.White)
             : throw new SessionException("Lights are multiplied by three numbers from 0 to 1000000.");

@@ -12,7 +12,7 @@ namespace RayTracer.Session;
 /// <param name="Scene">The scene as it is rendered: with the camera as it is moved at the moment, and the samples that the user wants.</param>
 /// <param name="Camera">That camera.</param>
 /// <param name="Picture">The picture's number.</param>
-public sealed record ShownScene(GoodScene Good, Scene Scene, CameraDescription Camera, long Picture)
+public sealed record ViewportScene(GoodScene Good, Scene Scene, CameraDescription Camera, long Picture)
 {
     private readonly Dictionary<object, string?> _pointers = new(ReferenceEqualityComparer.Instance);
     private readonly Lazy<(Vector3, float)> _extent = new(() =>

@@ -5,16 +5,16 @@ namespace RayTracer.Session;
 /// <summary>Moves the camera of a document: seen at once, and written to the text at the end of the gesture, as one step to undo.</summary>
 /// <param name="document">The document.</param>
 /// <param name="view">Shows it.</param>
-public sealed class CameraHand(SceneDocument document, PictureView view)
+public sealed class CameraController(SceneDocument document, PictureView view)
 {
     /// <summary>Moves the camera.</summary>
     /// <exception cref="SessionException">There is nothing to be seen, or it cannot be seen from there.</exception>
     /// <exception cref="DocumentException">The text is no JSON at the moment.</exception>
     public void Move(CameraMove move)
     {
-        ShownScene shown = view.RequireShown();
+        ViewportScene shown = view.RequireShown();
         CameraDescription camera = Moved(shown, move);
-        if (!view.Take(camera))
+        if (!view.TrySetCamera(camera))
         {
             throw new SessionException("The camera cannot be there.");
         }
@@ -33,7 +33,7 @@ public sealed class CameraHand(SceneDocument document, PictureView view)
     /// <exception cref="DocumentException">The text is no JSON at the moment.</exception>
     public float Focus(float x, float y)
     {
-        ShownScene shown = view.RequireShown();
+        ViewportScene shown = view.RequireShown();
         if (shown.Camera.Projection.LensComplaint is not null)
         {
             throw new SessionException("This camera has no lens: everything is sharp.");
@@ -41,12 +41,12 @@ public sealed class CameraHand(SceneDocument document, PictureView view)
 
         float distance = Picking.DepthAt(shown, x, y) ?? throw new SessionException("There is nothing to focus on: the ray meets nothing.", SessionFault.Missing);
         CameraDescription camera = shown.Camera with { Lens = shown.Camera.Lens with { FocusDistance = distance } };
-        view.Take(camera);
+        view.TrySetCamera(camera);
         Write(camera, "focus", null);
         return distance;
     }
 
-    private CameraDescription Moved(ShownScene shown, CameraMove move)
+    private CameraDescription Moved(ViewportScene shown, CameraMove move)
     {
         CameraDescription camera = shown.Camera;
         return move.Kind switch
@@ -55,8 +55,8 @@ public sealed class CameraHand(SceneDocument document, PictureView view)
             CameraMoveKind.Pan => CameraMotion.Pan(camera, move.Dx, move.Dy, shown.Aspect),
             CameraMoveKind.Zoom => CameraMotion.Zoom(camera, move.Dy),
             CameraMoveKind.Dolly => CameraMotion.Dolly(camera, move.Dy),
-            CameraMoveKind.Fly => CameraMotion.Fly(camera, move.Dx, move.Dy, move.Dz),
-            CameraMoveKind.Look => CameraMotion.Look(camera, move.Dx, move.Dy),
+            CameraMoveKind.Translate => CameraMotion.Translate(camera, move.Dx, move.Dy, move.Dz),
+            CameraMoveKind.Rotate => CameraMotion.Rotate(camera, move.Dx, move.Dy),
             CameraMoveKind.Home => view.Home ?? camera,
             _ => camera with
             {

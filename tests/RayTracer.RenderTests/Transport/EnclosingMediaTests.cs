@@ -3,7 +3,7 @@ using System.Globalization;
 namespace RayTracer.RenderTests.Transport;
 
 /// <summary>Cameras inside of media, and media inside of all that lets light in, against Beer's law.</summary>
-public class SurroundingsTests
+public class EnclosingMediaTests
 {
     [Theory]
     [InlineData("a ball", """{ "type": "sphere", "center": [0, 0.5, 0], "radius": 2, "material": { "type": "invisible", "interior": FOG } }""", "0, 0, 0", 2.5)]
@@ -90,7 +90,7 @@ public class SurroundingsTests
     [Theory]
     [InlineData(255)]
     [InlineData(256)]
-    public void As_many_insides_as_have_numbers_are_told_apart(int count)
+    public void As_many_insides_as_have_numbers_are_distinguished(int count)
     {
         // The camera stands in the last one.
         string balls = string.Join(",\n", Enumerable.Range(1, count).Select(i => string.Create(

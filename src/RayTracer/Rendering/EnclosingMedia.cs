@@ -5,7 +5,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>Finds what a point is in, by following rays from it outwards: shapes that more rays leave than enter are around it.</summary>
-internal sealed unsafe class Surroundings
+internal sealed unsafe class EnclosingMedia
 {
     private const int Directions = 14;
     private const int MostHits = 1000;
@@ -22,7 +22,7 @@ internal sealed unsafe class Surroundings
     private readonly int[] _met;
     private readonly float[] _distance;
 
-    private Surroundings(Scene scene)
+    private EnclosingMedia(Scene scene)
     {
         _scene = scene;
         _hits = new(scene.World.RoomForHits(16));
@@ -33,7 +33,7 @@ internal sealed unsafe class Surroundings
 
     /// <summary>The media that a scene's camera stands in, where it is when the shutter opens.</summary>
     /// <param name="scene">A scene whose interiors have numbers.</param>
-    public static uint Of(Scene scene) => new Surroundings(scene).Find();
+    public static uint Of(Scene scene) => new EnclosingMedia(scene).Find();
 
     private uint Find()
     {

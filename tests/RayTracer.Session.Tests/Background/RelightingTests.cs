@@ -6,13 +6,13 @@ using RayTracer.Textures;
 namespace RayTracer.Session.Tests;
 
 /// <summary>The lights of a picture are rendered and balanced as the command renders and composes them.</summary>
-public sealed class LightBalanceTests
+public sealed class RelightingTests
 {
     [Fact]
     public async Task A_balanced_picture_is_the_one_that_its_command_names()
     {
         using TestSession test = new();
-        ShownScene shown = await test.OpenShipped("report/scene1.json", 24, 4);
+        ViewportScene shown = await test.OpenShipped("report/scene1.json", 24, 4);
         string layers = Path.Combine(test.Folder, "lights.exr");
         await Done(test, () => test.Session.Lights.Render(layers, overwrite: false));
         Dictionary<string, string> texts = new(ImageFile.ReadText(layers));
@@ -21,7 +21,7 @@ public sealed class LightBalanceTests
         string light = test.Session.Lights.Open(layers)[0];
         string balanced = Path.Combine(test.Folder, "balanced.pfm");
         await Done(test, () => test.Session.Lights.Save(balanced, new Dictionary<string, float[]> { [light] = [2, 0.5f, 0] }, overwrite: false));
-        LightMix mix = LightMix.Open(await File.ReadAllBytesAsync(layers));
+        RelightableImage mix = RelightableImage.Open(await File.ReadAllBytesAsync(layers));
         Picture expected = mix.Compose(name => name == light ? new(2, 0.5f, 0) : new(1, 1, 1));
         Assert.Equal(Rows(expected), Rows(ImageFile.Read(balanced)));
 

@@ -10,9 +10,9 @@ namespace RayTracer.Rendering;
 /// Layers of light beside a film: what of its picture comes from which source, or in which way. Sums are exact, as the film's are, and in its units. Of
 /// every sample, the layers add up to what the film takes, to the last unit: what rounding leaves goes to the layer that has most.
 /// </summary>
-public sealed class LightLayerFilm
+public sealed class LightPathAovFilm
 {
-    /// <summary>The most layers of <see cref="LightLayer.Lights"/>.</summary>
+    /// <summary>The most layers of <see cref="LightPathAov.Lights"/>.</summary>
     public const int MostLights = 64;
 
     // Of all layers that a scene has, where each is among those that are kept; −1 for others.
@@ -25,7 +25,7 @@ public sealed class LightLayerFilm
     /// <param name="scene">The scene, rendered by an integrator with <see cref="IntegratorTraits.Layers"/>.</param>
     /// <param name="kinds">Which; memory is taken for no others.</param>
     /// <exception cref="ArgumentException">The integrator has no light to split, or there are more than <see cref="MostLights"/> names of lights.</exception>
-    public LightLayerFilm(Film film, Scene scene, IEnumerable<LightLayer> kinds)
+    public LightPathAovFilm(Film film, Scene scene, IEnumerable<LightPathAov> kinds)
     {
         _film = film;
         Groups = new(scene);
@@ -34,44 +34,44 @@ public sealed class LightLayerFilm
     }
 
     /// <summary>The names of the layers that a scene's film would have.</summary>
-    /// <inheritdoc cref="LightLayerFilm(Film, Scene, IEnumerable{LightLayer})"/>
-    public static IReadOnlyList<string> NamesOf(Scene scene, IEnumerable<LightLayer> kinds) => Places(scene, new(scene), kinds).Names;
+    /// <inheritdoc cref="LightPathAovFilm(Film, Scene, IEnumerable{LightPathAov})"/>
+    public static IReadOnlyList<string> NamesOf(Scene scene, IEnumerable<LightPathAov> kinds) => Places(scene, new(scene), kinds).Names;
 
-    /// <summary>What the names of layers of <see cref="LightLayer.Lights"/> begin with.</summary>
+    /// <summary>What the names of layers of <see cref="LightPathAov.Lights"/> begin with.</summary>
     public const string LightPrefix = "light.";
 
     /// <summary>The names of the layers.</summary>
     public IReadOnlyList<string> Names { get; }
 
     /// <summary>Number of the first layer of a light among all that a scene has.</summary>
-    internal const int FirstLight = (int)LightLayer.Lights;
+    internal const int FirstLight = (int)LightPathAov.Lights;
 
     /// <summary>The scene's groups of lights.</summary>
     internal LightGroups Groups { get; }
 
     /// <summary>Memory in bytes of layers of a size.</summary>
-    public static long Bytes(IReadOnlyCollection<LightLayer> kinds, Scene scene)
+    public static long Bytes(IReadOnlyCollection<LightPathAov> kinds, Scene scene)
     {
-        int count = kinds.Distinct().Sum(k => k == LightLayer.Lights ? new LightGroups(scene).Names.Count : 1);
+        int count = kinds.Distinct().Sum(k => k == LightPathAov.Lights ? new LightGroups(scene).Names.Count : 1);
         return 3L * 16 * count * scene.Render.Width * scene.Render.Height;
     }
 
     /// <summary>The name of the layer of a light, or of a group of lights, as the scene calls it: names of layers have no letters but ASCII's, digits, - and _.</summary>
-    public static string NameOf(string light) => LightPrefix + LightLabel.Plain(light);
+    public static string NameOf(string light) => LightPrefix + LightGroupLabel.Plain(light);
 
     /// <summary>A layer as an image.</summary>
     /// <param name="layer">Its place among <see cref="Names"/>.</param>
     public IImageRows Image(int layer) => new Rows(this, _sums[layer]);
 
-    private static (int[] Places, IReadOnlyList<string> Names) Places(Scene scene, LightGroups groups, IEnumerable<LightLayer> kinds)
+    private static (int[] Places, IReadOnlyList<string> Names) Places(Scene scene, LightGroups groups, IEnumerable<LightPathAov> kinds)
     {
         if (!scene.Render.Integrator.Has(IntegratorTraits.Layers))
         {
             throw new ArgumentException($"The integrator {scene.Render.Integrator} has no light that can be split.", nameof(scene));
         }
 
-        HashSet<LightLayer> wanted = [.. kinds];
-        if (wanted.Contains(LightLayer.Lights) && groups.Names.Count > MostLights)
+        HashSet<LightPathAov> wanted = [.. kinds];
+        if (wanted.Contains(LightPathAov.Lights) && groups.Names.Count > MostLights)
         {
             throw new ArgumentException($"The scene has {groups.Names.Count} names of lights, but there can be at most {MostLights} layers of them.", nameof(scene));
         }
@@ -80,11 +80,11 @@ public sealed class LightLayerFilm
         int[] places = new int[FirstLight + groups.Names.Count];
         for (int i = 0; i < places.Length; i++)
         {
-            bool isKept = wanted.Contains(i < FirstLight ? (LightLayer)i : LightLayer.Lights);
+            bool isKept = wanted.Contains(i < FirstLight ? (LightPathAov)i : LightPathAov.Lights);
             places[i] = isKept ? names.Count : -1;
             if (isKept)
             {
-                names.Add(i < FirstLight ? ((LightLayer)i).ToString().ToLowerInvariant() : $"{LightPrefix}{groups.Names[i - FirstLight]}");
+                names.Add(i < FirstLight ? ((LightPathAov)i).ToString().ToLowerInvariant() : $"{LightPrefix}{groups.Names[i - FirstLight]}");
             }
         }
 
@@ -110,7 +110,7 @@ public sealed class LightLayerFilm
     /// <summary>A sum of a layer, in the film's units.</summary>
     internal Int128 Sum(int layer, int x, int y, int channel) => _sums[layer][(3L * (((long)y * _film.Width) + x)) + channel];
 
-    private sealed class Rows(LightLayerFilm layers, Int128[] sums) : IImageRows
+    private sealed class Rows(LightPathAovFilm layers, Int128[] sums) : IImageRows
     {
         public int Width => layers._film.Width;
 

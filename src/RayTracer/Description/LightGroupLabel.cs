@@ -6,7 +6,7 @@ namespace RayTracer.Description;
 /// <summary>The label of a source in the layers of light: that of the records around it, inner ones before outer ones.</summary>
 /// <param name="Group">The light group; null where none is said.</param>
 /// <param name="Name">The name; null where there is none.</param>
-internal sealed record LightLabel(string? Group, string? Name)
+internal sealed record LightGroupLabel(string? Group, string? Name)
 {
     /// <summary>Names longer than this are cut off: OpenEXR's names have 255 bytes.</summary>
     private const int LongestName = 200;
@@ -17,14 +17,14 @@ internal sealed record LightLabel(string? Group, string? Name)
     /// <summary>The label inside of a record.</summary>
     /// <param name="description">The record.</param>
     /// <param name="outer">The label around it.</param>
-    public static LightLabel? Of(ShapeDescription description, LightLabel? outer)
+    public static LightGroupLabel? Of(ShapeDescription description, LightGroupLabel? outer)
     {
         (string? group, string? name) = (Plain(description.LightGroup), Plain(description.Name));
         return Within(group is null && name is null ? null : new(group, name), outer);
     }
 
     /// <summary>A label that stands within another one.</summary>
-    public static LightLabel? Within(LightLabel? inner, LightLabel? outer) =>
+    public static LightGroupLabel? Within(LightGroupLabel? inner, LightGroupLabel? outer) =>
         inner is null || outer is null ? inner ?? outer : new(inner.Group ?? outer.Group, inner.Name ?? outer.Name);
 
     /// <summary>

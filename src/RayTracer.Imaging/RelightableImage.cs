@@ -8,12 +8,12 @@ namespace RayTracer.Imaging;
 /// <summary>
 /// A picture whose lights are layers of their own, so that each can be made brighter, darker or coloured after rendering.
 /// </summary>
-public sealed class LightMix
+public sealed class RelightableImage
 {
     private const string Channels = "RGB";
     private readonly byte[] _file;
 
-    private LightMix(byte[] file, IReadOnlyList<string> lights)
+    private RelightableImage(byte[] file, IReadOnlyList<string> lights)
     {
         _file = file;
         Lights = lights;
@@ -25,14 +25,14 @@ public sealed class LightMix
     /// <summary>Opens a file.</summary>
     /// <param name="file">The whole OpenEXR file.</param>
     /// <exception cref="PictureException">It is no OpenEXR file that is read, or has no layers of lights.</exception>
-    public static LightMix Open(byte[] file)
+    public static RelightableImage Open(byte[] file)
     {
         Require(file.AsSpan().StartsWith(ExrReader.Signature), "it is not an OpenEXR file, and only those have layers of lights");
 
         HashSet<string> channels = [.. ExrReader.ChannelNames(file)];
         string[] lights = [.. channels
-            .Where(c => c.StartsWith(LightLayerFilm.LightPrefix, StringComparison.Ordinal) && c.EndsWith(".R", StringComparison.Ordinal))
-            .Select(c => c[LightLayerFilm.LightPrefix.Length..^2])
+            .Where(c => c.StartsWith(LightPathAovFilm.LightPrefix, StringComparison.Ordinal) && c.EndsWith(".R", StringComparison.Ordinal))
+            .Select(c => c[LightPathAovFilm.LightPrefix.Length..^2])
             .Where(light => light.Length > 0 && Channels.All(c => channels.Contains(Channel(light, c))))
             .Order(StringComparer.Ordinal)];
         return lights.Length > 0 ? new(file, lights) : throw new PictureException("it has no layers of lights");
@@ -80,5 +80,5 @@ public sealed class LightMix
         return difference == 0 ? 0 : difference / all;
     }
 
-    private static string Channel(string light, char channel) => $"{LightLayerFilm.LightPrefix}{light}.{channel}";
+    private static string Channel(string light, char channel) => $"{LightPathAovFilm.LightPrefix}{light}.{channel}";
 }

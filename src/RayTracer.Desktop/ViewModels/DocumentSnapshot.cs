@@ -8,10 +8,10 @@ namespace RayTracer.Desktop.ViewModels;
 /// <param name="Selection">The selected thing; null where there is none.</param>
 /// <param name="Outline">What the scene consists of; null before a text could be read.</param>
 /// <param name="Values">What stands at the places that panels show, by their pointers.</param>
-internal sealed record DocumentShown(int Revision, string Text, string? Selection, Outline? Outline, IReadOnlyDictionary<string, PropertyValues> Values)
+internal sealed record DocumentSnapshot(int Revision, string Text, string? Selection, Outline? Outline, IReadOnlyDictionary<string, PropertyValues> Values)
 {
     /// <summary>That of a session.</summary>
-    public static DocumentShown Of(StudioSession session)
+    public static DocumentSnapshot Of(StudioSession session)
     {
         (int revision, string text) = session.Document.Current;
         string? selection = session.Selection.Pointer;

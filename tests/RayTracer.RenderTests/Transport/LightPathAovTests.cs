@@ -6,7 +6,7 @@ namespace RayTracer.RenderTests.Transport;
 
 /// <summary>The expectations of layers of light: what a picture shows that has nothing else.</summary>
 [Trait("Category", "Thorough")]
-public class LightLayerTests
+public class LightPathAovTests
 {
     private static readonly int s_seeds = TestSettings.Scale(8, 48);
 
@@ -56,7 +56,7 @@ public class LightLayerTests
             long own = firstSeed + seed + (TestSettings.Seed * 1_000_000L);
             Scene scene = SceneLoader.Build(SceneReader.ReadText(json, "test.json"), ".", d => d with { Render = d.Render with { Seed = (uint)own } }).Scene!;
             Film film = new(16, 12);
-            LightLayerFilm layers = new(film, scene, Enum.GetValues<LightLayer>());
+            LightPathAovFilm layers = new(film, scene, Enum.GetValues<LightPathAov>());
             new RTracer(scene, new() { Layers = layers }).Render(film);
             images.Add(name is null ? film : layers.Image(layers.Names.ToList().IndexOf(name)));
         }

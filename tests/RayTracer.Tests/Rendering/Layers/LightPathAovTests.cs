@@ -3,7 +3,7 @@ using RayTracer.Rendering;
 namespace RayTracer.Tests.Rendering;
 
 /// <summary>Layers of light: that they add up to the picture, and that each has what its name says.</summary>
-public sealed class LightLayerTests
+public sealed class LightPathAovTests
 {
     // Every kind of source, and surfaces and media of every kind.
     private const string Everything = """
@@ -36,7 +36,7 @@ public sealed class LightLayerTests
         }
         """;
 
-    private static readonly LightLayer[] s_all = Enum.GetValues<LightLayer>();
+    private static readonly LightPathAov[] s_all = Enum.GetValues<LightPathAov>();
     private static readonly string[] s_lights =
         ["light.unnamed", "light.tube", "light.strip", "light.left_bulb", "light.chandelier", "light.key", "light.fill", "light.background"];
 
@@ -48,7 +48,7 @@ public sealed class LightLayerTests
     public void Layers_add_up_to_the_picture_to_the_last_unit_and_change_nothing_of_it(string integrator)
     {
         Scene scene = Of(integrator);
-        (Film film, LightLayerFilm layers) = Render(scene);
+        (Film film, LightPathAovFilm layers) = Render(scene);
         AssertAddUp(film, layers);
         Assert.Equal(new RTracer(scene).Render().Film.ComputeHash(), film.ComputeHash());
         string[] lights = integrator == "report" ? [.. s_lights, "light.ambient"] : s_lights;
@@ -66,7 +66,7 @@ public sealed class LightLayerTests
         string more = string.Concat(Enumerable.Range(0, 20).Select(i => $$"""
             , { "type": "sphere", "name": "star {{i % 4}}", "center": [{{i - 10}}, 2.5, -1], "radius": 0.05, "material": { "type": "luminaire", "multiplier": 9 } }
             """));
-        (Film film, LightLayerFilm layers) = Render(Of(integrator, more: more, environment: "environment", light: """{ "type": "constant", "radiance": [0.3, 0.2, 0.4] }"""));
+        (Film film, LightPathAovFilm layers) = Render(Of(integrator, more: more, environment: "environment", light: """{ "type": "constant", "radiance": [0.3, 0.2, 0.4] }"""));
         AssertAddUp(film, layers);
         Assert.Equal(["light.star_0", "light.star_1", "light.star_2", "light.star_3", "light.environment"], layers.Names.Where(n => n.Contains("star", StringComparison.Ordinal) || n == "light.environment"));
     }
@@ -75,15 +75,15 @@ public sealed class LightLayerTests
     public void Layers_are_the_same_however_they_are_computed()
     {
         Scene scene = Of("path");
-        (Film film, LightLayerFilm layers) = Render(scene);
+        (Film film, LightPathAovFilm layers) = Render(scene);
         foreach (RenderOptions options in new RenderOptions[] { new() { Threads = 3, TileSize = 5, StreamSize = 7 }, new() { Threads = 1, TileSize = 64, StreamSize = 5000 } })
         {
-            (Film _, LightLayerFilm other) = Render(scene, options: options);
+            (Film _, LightPathAovFilm other) = Render(scene, options: options);
             Assert.All(Enumerable.Range(0, layers.Names.Count), i => Assert.Equal(layers.Content(i), other.Content(i)));
         }
 
         // Ranges of samples, as a denoiser renders them; and layers that are asked for alone.
-        LightLayerFilm parts = new(film, scene, [LightLayer.Lights, LightLayer.Specular]);
+        LightPathAovFilm parts = new(film, scene, [LightPathAov.Lights, LightPathAov.Specular]);
         foreach (SampleRange range in new SampleRange[] { new(0, 5), new(5, 16) })
         {
             new RTracer(scene, new() { Samples = range, Layers = parts }).Render(new Film(24, 16));
@@ -99,14 +99,14 @@ public sealed class LightLayerTests
     [InlineData("volPath")]
     public void A_lamp_twice_as_bright_is_its_layer_twice(string integrator)
     {
-        (Film film, LightLayerFilm before) = Render(Of(integrator, filter: "box"));
-        (Film brighter, LightLayerFilm after) = Render(Of(integrator, factor: 40, filter: "box"));
+        (Film film, LightPathAovFilm before) = Render(Of(integrator, filter: "box"));
+        (Film brighter, LightPathAovFilm after) = Render(Of(integrator, factor: 40, filter: "box"));
         int lamp = before.Names.ToList().IndexOf("light.unnamed");
         ForEachChannel(film, (x, y, channel) =>
         {
             // Each sample is rounded where layers are balanced: to floats as large as it, beside the units of the film.
             double slack = 16 + ((double)brighter.Sum(x, y, channel) * 1e-6);
-            for (int i = LightLayerFilm.FirstLight; i < before.Names.Count; i++)
+            for (int i = LightPathAovFilm.FirstLight; i < before.Names.Count; i++)
             {
                 Int128 expected = before.Sum(i, x, y, channel) * (i == lamp ? 2 : 1);
                 Assert.InRange((double)(after.Sum(i, x, y, channel) - expected), -slack, slack);
@@ -138,7 +138,7 @@ public sealed class LightLayerTests
               "shapes": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1.5, "material": { {{material}} } } {{light}} ]
             }
             """);
-        (Film film, LightLayerFilm layers) = Render(scene);
+        (Film film, LightPathAovFilm layers) = Render(scene);
         Assert.NotEqual(0, film.Sum(4, 4, 1));
         string[] expected = [.. byOrder.Split(' '), byLobe];
         Assert.Equal(expected.Distinct().Order(), layers.Names.Where((name, i) => !name.StartsWith("light.", StringComparison.Ordinal) && Total(film, layers, i) != 0).Order());
@@ -157,7 +157,7 @@ public sealed class LightLayerTests
                 { "type": "plane", "point": [0, 3, 0], "normal": [0, -1, 1], "size": [2, 2], "material": { "type": "conductor" } } ]
             }
             """);
-        (Film film, LightLayerFilm layers) = Render(scene);
+        (Film film, LightPathAovFilm layers) = Render(scene);
         Assert.Equal(["indirect", "specular", "light.background"], layers.Names.Where((_, i) => Total(film, layers, i) != 0));
         Assert.Equal(1, film.Mean(2, 2).G, 1e-6);
     }
@@ -170,9 +170,9 @@ public sealed class LightLayerTests
             """));
         Scene scene = Of("path", more: more);
         Film film = new(24, 16);
-        Assert.Contains("88 names", Assert.Throws<ArgumentException>(() => new LightLayerFilm(film, scene, s_all)).Message, StringComparison.Ordinal);
-        Assert.Equal(2, new LightLayerFilm(film, scene, [LightLayer.Direct, LightLayer.Diffuse]).Names.Count);
-        Assert.Throws<ArgumentException>(() => new LightLayerFilm(film, Of("normals"), s_all));
+        Assert.Contains("88 names", Assert.Throws<ArgumentException>(() => new LightPathAovFilm(film, scene, s_all)).Message, StringComparison.Ordinal);
+        Assert.Equal(2, new LightPathAovFilm(film, scene, [LightPathAov.Direct, LightPathAov.Diffuse]).Names.Count);
+        Assert.Throws<ArgumentException>(() => new LightPathAovFilm(film, Of("normals"), s_all));
     }
 
     private static Scene Of(string integrator, string more = "", string environment = "background", string light = "[0.3, 0.4, 0.5]", int factor = 20, string filter = "mitchell") => TestScenes.Build(Everything
@@ -183,15 +183,15 @@ public sealed class LightLayerTests
         .Replace("LIGHT", light, StringComparison.Ordinal)
         .Replace("FACTOR", $"{factor}", StringComparison.Ordinal));
 
-    private static (Film Film, LightLayerFilm Layers) Render(Scene scene, RenderOptions? options = null)
+    private static (Film Film, LightPathAovFilm Layers) Render(Scene scene, RenderOptions? options = null)
     {
         Film film = new(scene.Render.Width, scene.Render.Height);
-        LightLayerFilm layers = new(film, scene, s_all);
+        LightPathAovFilm layers = new(film, scene, s_all);
         new RTracer(scene, (options ?? new()) with { Layers = layers }).Render(film);
         return (film, layers);
     }
 
-    private static void AssertAddUp(Film film, LightLayerFilm layers)
+    private static void AssertAddUp(Film film, LightPathAovFilm layers)
     {
         Int128 all = 0;
         ForEachChannel(film, (x, y, channel) =>
@@ -200,14 +200,14 @@ public sealed class LightLayerTests
             Int128 picture = film.Sum(x, y, channel);
             Int128 emission = Sum(0, 0);
             all += picture;
-            Assert.Equal(picture, emission + Sum((int)LightLayer.Direct, (int)LightLayer.Indirect));
-            Assert.Equal(picture, emission + Sum((int)LightLayer.Diffuse, (int)LightLayer.Volume));
-            Assert.Equal(picture, Sum(LightLayerFilm.FirstLight, layers.Names.Count - 1));
+            Assert.Equal(picture, emission + Sum((int)LightPathAov.Direct, (int)LightPathAov.Indirect));
+            Assert.Equal(picture, emission + Sum((int)LightPathAov.Diffuse, (int)LightPathAov.Volume));
+            Assert.Equal(picture, Sum(LightPathAovFilm.FirstLight, layers.Names.Count - 1));
         });
         Assert.NotEqual(0, all);
     }
 
-    private static double Total(Film film, LightLayerFilm layers, int layer)
+    private static double Total(Film film, LightPathAovFilm layers, int layer)
     {
         double total = 0;
         ForEachChannel(film, (x, y, channel) => total += double.Abs((double)layers.Sum(layer, x, y, channel)));

@@ -5,7 +5,7 @@ namespace RayTracer.Rendering;
 /// <see cref="Emission"/> + <see cref="Direct"/> + <see cref="Indirect"/>, and also <see cref="Emission"/> + <see cref="Diffuse"/> +
 /// <see cref="Specular"/> + <see cref="Volume"/>, and also the sum of <see cref="Lights"/>.
 /// </summary>
-public enum LightLayer
+public enum LightPathAov
 {
     /// <summary>Light that comes from a source without any vertex: what shines, and what is behind everything.</summary>
     Emission,

@@ -6,7 +6,7 @@ using RayTracer.Rendering;
 namespace RayTracer.Rendering;
 
 /// <summary>Finds the light that a ray has met by chance, and with what density its direction would have been sampled.</summary>
-internal sealed unsafe class LightMap
+internal sealed unsafe class EmitterLookup
 {
     private const uint Nothing = uint.MaxValue;
     private readonly LightSelection? _selection;
@@ -14,7 +14,7 @@ internal sealed unsafe class LightMap
     private readonly Dictionary<ShadingGroup, int> _groups;
     private readonly Dictionary<(uint Instance, int Key), int> _numbers = [];
 
-    public LightMap(Scene scene)
+    public EmitterLookup(Scene scene)
     {
         _lights = [.. scene.SampledLights];
         for (int i = 0; i < _lights.Length; i++)

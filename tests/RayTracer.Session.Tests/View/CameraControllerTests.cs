@@ -2,7 +2,7 @@ using RayTracer.Session;
 
 namespace RayTracer.Session.Tests;
 
-public sealed class CameraHandTests
+public sealed class CameraControllerTests
 {
     private const string Scene = """
         {
@@ -34,7 +34,7 @@ public sealed class CameraHandTests
         Assert.Contains("a comment that stays", test.Session.Document.Text, StringComparison.Ordinal);
         Assert.Contains("\"lookAt\": [0, 0.5, 0]", test.Session.Document.Text, StringComparison.Ordinal);
 
-        // The text now says what is seen already: nothing is rendered anew.
+        // The text now says what is seen already: nothing is rendered again.
         await test.Until(() => test.Session.View.Shown!.Good.Revision == test.Session.Document.Revision ? test.Session.View.Shown : null);
         Assert.Equal(picture, test.Session.View.Shown!.Picture);
         test.Session.Document.Undo();
@@ -46,8 +46,8 @@ public sealed class CameraHandTests
     public async Task Home_is_where_the_camera_was_when_the_document_was_opened()
     {
         using TestSession test = new();
-        ShownScene shown = await test.Open(Scene);
-        test.Session.Camera.Move(new(CameraMoveKind.Fly, 0.3f, 0.1f, 0.2f, "a", End: true));
+        ViewportScene shown = await test.Open(Scene);
+        test.Session.Camera.Move(new(CameraMoveKind.Translate, 0.3f, 0.1f, 0.2f, "a", End: true));
         await test.Session.Document.WhenBuilt();
         test.Session.Camera.Move(new(CameraMoveKind.Home, Gesture: "b", End: true));
         Assert.Equal(shown.Camera.Position, test.Session.Document.Read.Description!.Camera.Position);
@@ -70,7 +70,7 @@ public sealed class CameraHandTests
     public async Task A_camera_that_cannot_be_is_refused_and_the_last_one_stays()
     {
         using TestSession test = new();
-        ShownScene shown = await test.Open(Scene);
+        ViewportScene shown = await test.Open(Scene);
         Assert.Throws<SessionException>(() => test.Session.Camera.Move(new(CameraMoveKind.Set, End: true) { LookAt = shown.Camera.Position }));
         Assert.Equal(shown.Camera, test.Session.View.Shown!.Camera);
     }
@@ -79,7 +79,7 @@ public sealed class CameraHandTests
     public async Task Edits_that_change_no_thing_leave_the_picture_alone_and_others_do_not()
     {
         using TestSession test = new();
-        ShownScene shown = await test.Open(Scene);
+        ViewportScene shown = await test.Open(Scene);
         await Edit(test, t => t.With(new TextEdit(0, 0, "// another comment\n")));
         Assert.Equal(shown.Picture, test.Session.View.Shown!.Picture);
         await Edit(test, t => t.Set("/shapes/0/radius", 0.6));
@@ -90,7 +90,7 @@ public sealed class CameraHandTests
     public async Task A_text_that_is_no_scene_leaves_the_last_picture()
     {
         using TestSession test = new();
-        ShownScene shown = await test.Open(Scene);
+        ViewportScene shown = await test.Open(Scene);
         test.Session.Document.TryReplace(test.Session.Document.Revision, 0, 1, "", null);
         await test.Session.Document.WhenBuilt();
         Assert.Equal(shown.Picture, test.Session.View.Shown!.Picture);

@@ -6,8 +6,8 @@ namespace RayTracer.Desktop.ViewModels;
 /// Carries the user's wishes to the session, one after another, on threads of the pool: the window's thread waits for none of them.
 /// </summary>
 /// <param name="session">The session.</param>
-/// <param name="messages">Told what could not be done.</param>
-internal sealed class Hand(StudioSession session, MessagesViewModel messages)
+/// <param name="messages">Shows what could not be done.</param>
+internal sealed class SessionDispatcher(StudioSession session, MessagesViewModel messages)
 {
     private Task _last = Task.CompletedTask;
 
@@ -17,7 +17,7 @@ internal sealed class Hand(StudioSession session, MessagesViewModel messages)
     /// <summary>Ends when all is done that was asked for so far.</summary>
     public Task Idle => _last;
 
-    /// <summary>Has the session do something, and tells the user where it cannot.</summary>
+    /// <summary>Has the session do something; what it cannot do is reported to the user.</summary>
     public void Do(Action<StudioSession> work) => _ = Attempt(() => Ask(session =>
     {
         work(session);
@@ -40,7 +40,7 @@ internal sealed class Hand(StudioSession session, MessagesViewModel messages)
     /// <summary>Asks the session for what takes its time; nothing else waits for it.</summary>
     public Task<T> Aside<T>(Func<StudioSession, Task<T>> question) => Task.Run(() => question(session));
 
-    /// <summary>Does something, and tells the user what goes wrong; returns whether nothing did.</summary>
+    /// <summary>Does something, and reports errors to the user; returns whether there were none.</summary>
     public async Task<bool> Attempt(Func<Task> work)
     {
         try

@@ -11,7 +11,7 @@ namespace RayTracer.Rendering;
 /// Splits the light of the paths of a tile into layers, by what is added to each path and where it comes from; when the path ends, each
 /// layer's sum goes to its film.
 /// </summary>
-internal sealed unsafe class LightShares : PathObserver
+internal sealed unsafe class LightContributions : PathObserver
 {
     // Of a path: its vertices so far, the matt share of its first vertex (channel by channel), whether that is in a medium, and then the
     // layers' sums.
@@ -19,8 +19,8 @@ internal sealed unsafe class LightShares : PathObserver
     private const int Matt = 1;
     private const int InMedium = 4;
     private const int Sums = 5;
-    private readonly LightLayerFilm _film;
-    private readonly LightMap _lights;
+    private readonly LightPathAovFilm _film;
+    private readonly EmitterLookup _lights;
     private readonly int _width;
     private readonly int _sky;
     private readonly int _ambient;
@@ -38,14 +38,14 @@ internal sealed unsafe class LightShares : PathObserver
     private RgbW _weight;
     private RgbW _matt;
 
-    public LightShares(Scene scene, LightLayerFilm film)
+    public LightContributions(Scene scene, LightPathAovFilm film)
     {
         _film = film;
         _lights = new(scene);
-        _layerOfLight = [.. Enumerable.Range(-1, _lights.Count + 1).Select(light => LightLayerFilm.FirstLight + film.Groups.Of(light))];
-        _sky = LightLayerFilm.FirstLight + film.Groups.Sky;
-        _ambient = LightLayerFilm.FirstLight + film.Groups.Ambient;
-        Layers = LightLayerFilm.FirstLight + film.Groups.Names.Count;
+        _layerOfLight = [.. Enumerable.Range(-1, _lights.Count + 1).Select(light => LightPathAovFilm.FirstLight + film.Groups.Of(light))];
+        _sky = LightPathAovFilm.FirstLight + film.Groups.Sky;
+        _ambient = LightPathAovFilm.FirstLight + film.Groups.Ambient;
+        Layers = LightPathAovFilm.FirstLight + film.Groups.Names.Count;
         _width = Sums + (3 * Layers);
         _pictureWidth = scene.Render.Width;
     }
@@ -103,7 +103,7 @@ internal sealed unsafe class LightShares : PathObserver
         {
             int lane = BitOperations.TrailingZeroCount(rest);
             Rgb part = Lane(light, lane);
-            if (!part.IsBlack && _sky >= LightLayerFilm.FirstLight)
+            if (!part.IsBlack && _sky >= LightPathAovFilm.FirstLight)
             {
                 AddArrived(path[lane], _sky, part);
             }
@@ -120,7 +120,7 @@ internal sealed unsafe class LightShares : PathObserver
             float* numbers = Of(_path[lane]);
             Rgb part = Lane(light, lane);
             Rgb matt = numbers[Vertices] == 0 ? Rgb.White : FirstMatt(numbers);
-            Add(numbers, _ambient, LightLayer.Indirect, part, matt, numbers[InMedium] > 0);
+            Add(numbers, _ambient, LightPathAov.Indirect, part, matt, numbers[InMedium] > 0);
         }
     }
 
@@ -153,7 +153,7 @@ internal sealed unsafe class LightShares : PathObserver
             Share share = new(
                 _path[lane],
                 _layerOfLight[light + 1],
-                isFirst ? LightLayer.Direct : LightLayer.Indirect,
+                isFirst ? LightPathAov.Direct : LightPathAov.Indirect,
                 Lane(all, lane),
                 isFirst ? Lane(_matt, lane) : FirstMatt(numbers));
             if (isWaiting)
@@ -175,7 +175,7 @@ internal sealed unsafe class LightShares : PathObserver
             int lane = BitOperations.TrailingZeroCount(rest);
             float* numbers = Of(_path[lane]);
             bool isFirst = numbers[Vertices] == 0;
-            LightLayer kind = isFirst ? LightLayer.Direct : LightLayer.Indirect;
+            LightPathAov kind = isFirst ? LightPathAov.Direct : LightPathAov.Indirect;
             Add(numbers, _layerOfLight[light + 1], kind, Lane(radiance, lane), FirstMatt(numbers), isFirst || numbers[InMedium] > 0);
         }
     }
@@ -287,28 +287,28 @@ internal sealed unsafe class LightShares : PathObserver
     private void AddArrived(uint path, int layer, Rgb light)
     {
         float* numbers = Of(path);
-        LightLayer kind = numbers[Vertices] switch { 0 => LightLayer.Emission, 1 => LightLayer.Direct, _ => LightLayer.Indirect };
+        LightPathAov kind = numbers[Vertices] switch { 0 => LightPathAov.Emission, 1 => LightPathAov.Direct, _ => LightPathAov.Indirect };
         Add(numbers, layer, kind, light, FirstMatt(numbers), numbers[InMedium] > 0);
     }
 
-    private static void Add(float* numbers, int layer, LightLayer kind, Rgb light, Rgb matt, bool inMedium)
+    private static void Add(float* numbers, int layer, LightPathAov kind, Rgb light, Rgb matt, bool inMedium)
     {
         float* sums = numbers + Sums;
         Add(sums, layer, light);
         Add(sums, (int)kind, light);
-        if (kind == LightLayer.Emission)
+        if (kind == LightPathAov.Emission)
         {
             return;
         }
 
         if (inMedium)
         {
-            Add(sums, (int)LightLayer.Volume, light);
+            Add(sums, (int)LightPathAov.Volume, light);
             return;
         }
 
-        Add(sums, (int)LightLayer.Diffuse, light * matt);
-        Add(sums, (int)LightLayer.Specular, light * (Rgb.White + (matt * -1)));
+        Add(sums, (int)LightPathAov.Diffuse, light * matt);
+        Add(sums, (int)LightPathAov.Specular, light * (Rgb.White + (matt * -1)));
     }
 
     private static void Add(float* sums, int layer, Rgb light)
@@ -328,15 +328,15 @@ internal sealed unsafe class LightShares : PathObserver
             units[i] = ToUnits(sums[(3 * i) + channel] * scale);
         }
 
-        if ((units[(int)LightLayer.Direct] | units[(int)LightLayer.Indirect]) == 0)
+        if ((units[(int)LightPathAov.Direct] | units[(int)LightPathAov.Indirect]) == 0)
         {
-            units[(int)LightLayer.Emission] = total;
+            units[(int)LightPathAov.Emission] = total;
         }
 
-        long scattered = total - units[(int)LightLayer.Emission];
-        Balance(units, (int)LightLayer.Direct, (int)LightLayer.Indirect, scattered);
-        Balance(units, (int)LightLayer.Diffuse, (int)LightLayer.Volume, scattered);
-        Balance(units, LightLayerFilm.FirstLight, Layers - 1, total);
+        long scattered = total - units[(int)LightPathAov.Emission];
+        Balance(units, (int)LightPathAov.Direct, (int)LightPathAov.Indirect, scattered);
+        Balance(units, (int)LightPathAov.Diffuse, (int)LightPathAov.Volume, scattered);
+        Balance(units, LightPathAovFilm.FirstLight, Layers - 1, total);
         for (int i = 0; i < Layers; i++)
         {
             _film.Add(i, pixel, channel, units[i]);
@@ -370,5 +370,5 @@ internal sealed unsafe class LightShares : PathObserver
     /// <param name="Kind">Direct or indirect.</param>
     /// <param name="Light">The light.</param>
     /// <param name="Matt">The matt share of the vertex nearest to the camera.</param>
-    private readonly record struct Share(uint Path, int Layer, LightLayer Kind, Rgb Light, Rgb Matt);
+    private readonly record struct Share(uint Path, int Layer, LightPathAov Kind, Rgb Light, Rgb Matt);
 }
