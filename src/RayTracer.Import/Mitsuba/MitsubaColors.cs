@@ -18,7 +18,7 @@ internal static class MitsubaColors
     /// <param name="thing">What has the property.</param>
     /// <param name="name">The property.</param>
     /// <param name="standard">What holds where it is not given, or wrong.</param>
-    /// <param name="isLight">Whether it is of light, and not of what reflects it.</param>
+    /// <param name="isLight">True where it is of light, and not of what reflects it.</param>
     /// <param name="maximum">The most that a channel may be.</param>
     public static Rgb Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false, float maximum = float.PositiveInfinity)
     {

@@ -15,7 +15,7 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
 
     /// <summary>A mesh for a node to show; null where it has no triangles.</summary>
     /// <param name="mesh">Which mesh: an index that has been checked.</param>
-    /// <param name="isShared">Whether other nodes show it too.</param>
+    /// <param name="isShared">True where other nodes show it too.</param>
     public ShapeDescription? Place(int mesh, bool isShared)
     {
         if (!_described.TryGetValue(mesh, out ShapeDescription? shape))
