@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Numerics;
+using System.Text.Json.Nodes;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -66,7 +67,7 @@ internal static class BenchVerb
 
         if (json)
         {
-            WriteJson(all, streams);
+            JsonText.Write(streams, Json(all));
         }
 
         stages.EndAll();
@@ -89,24 +90,19 @@ internal static class BenchVerb
         return best!;
     }
 
-    private static void WriteJson(IEnumerable<Measurement> measurements, Streams streams) => JsonText.Write(streams, json =>
+    private static JsonObject Json(IEnumerable<Measurement> measurements) => new()
     {
-        json.WriteNumber("lanes", Vector<float>.Count);
-        json.WriteStartArray("runs");
-        foreach (Measurement m in measurements)
+        ["lanes"] = Vector<float>.Count,
+        ["runs"] = JsonText.List(measurements.Select(m => new JsonObject
         {
-            json.WriteStartObject();
-            json.WriteString("scene", m.Path);
-            json.WriteNumber("width", m.Scene.Render.Width);
-            json.WriteNumber("height", m.Scene.Render.Height);
-            json.WriteNumber("samplesPerPixel", m.Scene.Render.SamplesPerPixel);
-            json.WriteNumber("threads", m.Threads);
-            json.WriteNumber("renderSeconds", m.Seconds);
-            json.WriteNumber("rays", m.Rays);
-            json.WriteNumber("raysPerSecond", m.RaysPerSecond);
-            json.WriteEndObject();
-        }
-
-        json.WriteEndArray();
-    });
+            ["scene"] = m.Path,
+            ["width"] = m.Scene.Render.Width,
+            ["height"] = m.Scene.Render.Height,
+            ["samplesPerPixel"] = m.Scene.Render.SamplesPerPixel,
+            ["threads"] = m.Threads,
+            ["renderSeconds"] = m.Seconds,
+            ["rays"] = m.Rays,
+            ["raysPerSecond"] = m.RaysPerSecond,
+        })),
+    };
 }

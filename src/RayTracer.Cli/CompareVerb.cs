@@ -1,5 +1,5 @@
 using System.CommandLine;
-using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Textures;
@@ -63,7 +63,7 @@ internal static class CompareVerb
         bool isDifferent = tolerance is { } limit && !(comparison.Rmse <= limit && comparison.NotFinite == 0);
         if (json)
         {
-            WriteJson(comparison, flip, isDifferent, streams);
+            JsonText.Write(streams, Json(comparison, flip, isDifferent));
         }
         else
         {
@@ -96,20 +96,20 @@ internal static class CompareVerb
         }
     }
 
-    private static void WriteJson(ImageComparison comparison, FlipError flip, bool isDifferent, Streams streams) => JsonText.Write(streams, json =>
+    private static JsonObject Json(ImageComparison comparison, FlipError flip, bool isDifferent) => new()
     {
-        JsonText.Number(json, "rmse", comparison.Rmse);
-        JsonText.Number(json, "relativeMse", comparison.RelativeMse);
-        JsonText.Number(json, "psnr", comparison.Psnr);
-        JsonText.Number(json, "ssim", comparison.Ssim);
-        JsonText.Number(json, "flip", flip.Mean);
-        JsonText.Number(json, "largestDifference", comparison.LargestDifference);
-        json.WriteNumber("largestX", comparison.LargestX);
-        json.WriteNumber("largestY", comparison.LargestY);
-        json.WriteNumber("largestChannel", comparison.LargestChannel);
-        json.WriteNumber("notFinite", comparison.NotFinite);
-        json.WriteBoolean("differs", isDifferent);
-    });
+        ["rmse"] = JsonText.Number(comparison.Rmse),
+        ["relativeMse"] = JsonText.Number(comparison.RelativeMse),
+        ["psnr"] = JsonText.Number(comparison.Psnr),
+        ["ssim"] = JsonText.Number(comparison.Ssim),
+        ["flip"] = JsonText.Number(flip.Mean),
+        ["largestDifference"] = JsonText.Number(comparison.LargestDifference),
+        ["largestX"] = comparison.LargestX,
+        ["largestY"] = comparison.LargestY,
+        ["largestChannel"] = comparison.LargestChannel,
+        ["notFinite"] = comparison.NotFinite,
+        ["differs"] = isDifferent,
+    };
 
     /// <summary>The files to write; null for none.</summary>
     /// <param name="Difference">The absolute difference.</param>

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Text.Json.Nodes;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
@@ -80,7 +81,7 @@ internal sealed class MergeVerb
         IReadOnlyList<string> written = JobFiles.Write(outputs, film, header, _writing.Writing(result) with { Metadata = PictureTexts.Of(header, hash) }, streams);
         if (result.GetValue(_json))
         {
-            WriteJson(header, samples, hash, written, streams);
+            JsonText.Write(streams, Json(header, samples, hash, written));
         }
         else if (!result.GetValue(_quiet))
         {
@@ -95,20 +96,14 @@ internal sealed class MergeVerb
         return written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
 
-    private static void WriteJson(FilmHeader header, int samples, string hash, IReadOnlyList<string> written, Streams streams) => JsonText.Write(streams, json =>
+    private static JsonObject Json(FilmHeader header, int samples, string hash, IReadOnlyList<string> written) => new()
     {
-        json.WriteNumber("width", header.Width);
-        json.WriteNumber("height", header.Height);
-        json.WriteNumber("samplesPerPixel", samples);
-        json.WriteString("samples", header.SamplesText);
-        json.WriteBoolean("complete", header.IsComplete);
-        json.WriteString("filmHash", hash);
-        json.WriteStartArray("outputs");
-        foreach (string path in written)
-        {
-            json.WriteStringValue(path);
-        }
-
-        json.WriteEndArray();
-    });
+        ["width"] = header.Width,
+        ["height"] = header.Height,
+        ["samplesPerPixel"] = samples,
+        ["samples"] = header.SamplesText,
+        ["complete"] = header.IsComplete,
+        ["filmHash"] = hash,
+        ["outputs"] = JsonText.List(written),
+    };
 }

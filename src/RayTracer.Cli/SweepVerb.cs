@@ -1,11 +1,12 @@
 using System.CommandLine;
-using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Textures;
+using JsonNode = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Cli;
 
@@ -149,7 +150,7 @@ internal sealed class SweepVerb
     {
         if (result.GetValue(_json))
         {
-            JsonText.Write(streams, json => WriteJson(json, axes, films, written));
+            JsonText.Write(streams, Json(axes, films, written));
         }
         else if (!result.GetValue(_quiet))
         {
@@ -160,30 +161,13 @@ internal sealed class SweepVerb
         }
     }
 
-    private static void WriteJson(Utf8JsonWriter json, SweepAxes axes, List<(SweepCell Cell, string Hash)> films, IReadOnlyList<string> written)
+    private static JsonObject Json(SweepAxes axes, List<(SweepCell Cell, string Hash)> films, IReadOnlyList<string> written) => new()
     {
-        json.WriteStartArray("films");
-        foreach ((SweepCell cell, string hash) in films)
+        ["films"] = JsonText.List(films.Select(f => new JsonObject
         {
-            json.WriteStartObject();
-            json.WriteStartObject("settings");
-            foreach (SceneSetting setting in axes.Changes(cell))
-            {
-                json.WriteString(setting.Path, setting.Value);
-            }
-
-            json.WriteEndObject();
-            json.WriteString("filmHash", hash);
-            json.WriteEndObject();
-        }
-
-        json.WriteEndArray();
-        json.WriteStartArray("outputs");
-        foreach (string file in written)
-        {
-            json.WriteStringValue(file);
-        }
-
-        json.WriteEndArray();
-    }
+            ["settings"] = new JsonObject(axes.Changes(f.Cell).Select(s => KeyValuePair.Create(s.Path, (JsonNode?)s.Value))),
+            ["filmHash"] = f.Hash,
+        })),
+        ["outputs"] = JsonText.List(written),
+    };
 }

@@ -66,12 +66,7 @@ internal static class VerifyVerb
         bool same = hash == claim.Hash;
         if (json)
         {
-            JsonText.Write(streams, writer =>
-            {
-                writer.WriteBoolean("same", same);
-                writer.WriteString("filmHash", claim.Hash);
-                writer.WriteString("renderedHash", hash);
-            });
+            JsonText.Write(streams, new() { ["same"] = same, ["filmHash"] = claim.Hash, ["renderedHash"] = hash });
         }
         else
         {
