@@ -19,17 +19,22 @@ internal static class BenchVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes.Folder}, and the Cornell box.", Arity = ArgumentArity.ZeroOrMore };
-        JobOptionSet samples = new([JobOptions.Find("--spp")!]);
+        Argument<string[]> scenes = new("SCENE")
+        {
+            Description = $"Scene files; without any, those of {ReportScenes.Folder}, and the Cornell box.",
+            Arity = ArgumentArity.ZeroOrMore,
+        };
         ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "How often each scene is rendered; the best counts. 3 without it.", 1, 1000);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(scenes);
-        command.Options.Add(samples.Symbols.Single());
-        command.Options.Add(repeat.Symbol);
-        command.Options.Add(json);
-        SettingOption settings = new(command);
+        command.AddOptions(repeat, json);
+        JobOptionSet settings = new(command, [JobOptions.Find("--spp")!, JobOptions.Set]);
         VerboseOption verbose = new(command);
-        command.SetAction(result => Run(result.GetValue(scenes)!, [.. settings.Values(result), .. samples.Given(result).Settings], (int)(repeat.Value(result) ?? 3), result.GetValue(json), verbose.Times(result, streams), streams));
+        command.SetAction(result =>
+        {
+            int rounds = (int)(repeat.Value(result) ?? 3);
+            return Run(result.GetValue(scenes)!, settings.Given(result).Settings, rounds, result.GetValue(json), verbose.Times(result, streams), streams);
+        });
     }
 
     private static int Run(string[] scenes, IReadOnlyList<SceneSetting> settings, int repeat, bool json, StageTimes stages, Streams streams)
@@ -43,17 +48,12 @@ internal static class BenchVerb
 
         foreach (string path in paths)
         {
-            Scene? scene = SceneFile.Load(path, streams, s =>
-            {
-                stages.EndLoad();
-                return s;
-            }, settings);
-            if (scene is null)
+            SceneLoadResult loaded = SceneFile.Load(path, stages, settings: settings);
+            streams.Read(loaded.Diagnostics);
+            if (loaded.Scene is not { } scene)
             {
                 return SceneFile.FailureStatus(path);
             }
-
-            stages.EndBuild();
 
             Measurement one = Best(path, scene, 1, repeat);
             Measurement many = Best(path, scene, Environment.ProcessorCount, repeat);
@@ -61,7 +61,8 @@ internal static class BenchVerb
             all.AddRange(one, many);
             if (!json)
             {
-                streams.Output.WriteLine($"{path,-32}{one.RaysPerSecond / 1e6,12:F1}{many.RaysPerSecond / 1e6,12:F1}{many.RaysPerSecond / one.RaysPerSecond,8:F2}");
+                double ratio = many.RaysPerSecond / one.RaysPerSecond;
+                streams.Output.WriteLine($"{path,-32}{one.RaysPerSecond / 1e6,12:F1}{many.RaysPerSecond / 1e6,12:F1}{ratio,8:F2}");
             }
         }
 

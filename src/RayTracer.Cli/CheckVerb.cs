@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.Text.Json.Nodes;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
@@ -12,10 +13,10 @@ internal static class CheckVerb
         Argument<string[]> scenes = new("SCENE") { Description = "Scene files.", Arity = ArgumentArity.OneOrMore };
         ParsedOption<CheckFormat?> format = OptionValues.Choice<CheckFormat>("--format", "Output format: one line per problem (at most 20 per file), or everything as one JSON object or SARIF 2.1.0. Default: text.");
         command.Arguments.Add(scenes);
-        command.Options.Add(format.Symbol);
-        SettingOption settings = new(command);
+        command.Options.Add(format);
+        JobOptionSet settings = new(command, [JobOptions.Set]);
         VerboseOption verbose = new(command);
-        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Values(result), format.Value(result) ?? CheckFormat.Text, verbose.Times(result, streams), streams));
+        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Given(result).Settings, format.Value(result) ?? CheckFormat.Text, verbose.Times(result, streams), streams));
     }
 
     private static int Run(string[] paths, IReadOnlyList<SceneSetting> settings, CheckFormat format, StageTimes stages, Streams streams)

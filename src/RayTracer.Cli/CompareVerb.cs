@@ -19,12 +19,7 @@ internal static class CompareVerb
         ParsedOption<double?> tolerance = OptionValues.Number("--tolerance", "The largest root mean squared difference (linear light) that still counts as equal. Default: 0.", 0, double.MaxValue);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(images);
-        command.Options.Add(output);
-        command.Options.Add(map);
-        command.Options.Add(sheet);
-        command.Options.Add(density.Symbol);
-        command.Options.Add(tolerance.Symbol);
-        command.Options.Add(json);
+        command.AddOptions(output, map, sheet, density, tolerance, json);
         VerboseOption verbose = new(command);
         command.SetAction(result => Compare(
             result.GetValue(images)!,

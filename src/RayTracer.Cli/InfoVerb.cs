@@ -25,9 +25,8 @@ internal static class InfoVerb
         Option<bool> hash = new("--hash") { Description = "For a film: reads all of it and prints its hash, or what is damaged." };
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(file);
-        command.Options.Add(hash);
-        command.Options.Add(json);
-        SettingOption settings = new(command);
+        command.AddOptions(hash, json);
+        JobOptionSet settings = new(command, [JobOptions.Set]);
         VerboseOption verbose = new(command);
         command.SetAction(result =>
         {
@@ -35,9 +34,9 @@ internal static class InfoVerb
             ImageFormat? format = ImageFile.FormatOf(path);
             bool isFilm = format is FilmFormat || FilmFile.IsNamed(path);
             bool isImage = !isFilm && (format ?? ImageFormat.OfName(path)) is not null;
-            if ((isFilm || isImage) && settings.Values(result) is [var setting, ..])
+            if ((isFilm || isImage) && settings.Given(result).Settings is [var setting, ..])
             {
-                throw new CommandException(ExitStatus.Usage, $"{SettingOption.Name} {setting.Text}: films and images have no settings");
+                throw new CommandException(ExitStatus.Usage, $"--set {setting.Text}: films and images have no settings");
             }
 
             if (result.GetValue(hash) && !isFilm && !FilmExr.Is(path))
@@ -59,7 +58,7 @@ internal static class InfoVerb
             }
             else
             {
-                status = Show(path, settings.Values(result), result.GetValue(json), stages, streams);
+                status = Show(path, settings.Given(result).Settings, result.GetValue(json), stages, streams);
             }
 
             stages.EndAll();
@@ -76,7 +75,7 @@ internal static class InfoVerb
             pictures[file] = sizeof(float) * picture.Pixels.LongLength;
             return picture;
         }, settings: settings);
-        SceneFile.Show(result, streams);
+        streams.Read(result.Diagnostics);
         if (result.Scene is not { } scene)
         {
             return SceneFile.FailureStatus(path);

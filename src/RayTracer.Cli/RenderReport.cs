@@ -27,6 +27,7 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
         else if (!display.Quiet)
         {
             WriteSummary(streams.Output);
+            streams.Wrote(result.Files);
         }
 
         if (result.Plan?.Error > job.Noise)
@@ -80,10 +81,6 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
         }
 
         output.WriteLine($"film {result.Hash}");
-        foreach (string path in result.Files)
-        {
-            output.WriteLine($"wrote {path}");
-        }
     }
 
     private JsonObject Json()

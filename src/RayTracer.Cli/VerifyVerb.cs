@@ -19,10 +19,7 @@ internal static class VerifyVerb
         ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads. Default: one per core.", 1, 1024);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(file);
-        foreach (Option option in new Option[] { scene, threads.Symbol, json })
-        {
-            command.Options.Add(option);
-        }
+        command.AddOptions(scene, threads, json);
 
         VerboseOption verbose = new(command);
 
