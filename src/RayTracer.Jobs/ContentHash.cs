@@ -92,7 +92,7 @@ public class ContentHash : IDisposable
                 Text(text);
                 break;
             case NamedValue { Name: var name }:
-                Text(char.ToUpperInvariant(name[0]) + name[1..]);
+                Text(char.ToUpperInvariant(name[0]) + name[1..] + OfOrigin(value.GetType()));
                 break;
             case IFormattable number and not Enum:
                 Text(number.ToString(null, CultureInfo.InvariantCulture));
@@ -113,6 +113,9 @@ public class ContentHash : IDisposable
                 break;
         }
     }
+
+    // Plug-ins of another version may do something else by the same names.
+    private static string OfOrigin(Type type) => Plugins.OriginOf(type) is { } origin ? $" of {origin}" : "";
 
     private void AddNamed(IDictionary named)
     {
@@ -143,7 +146,7 @@ public class ContentHash : IDisposable
         }
 
         RecordType type = RecordType.Of(record.GetType());
-        Text(type.Origin is { } origin ? $"record {type.Name} of {origin}" : $"record {type.Name}");
+        Text($"record {type.Name}{OfOrigin(record.GetType())}");
         foreach (RecordParameter parameter in type.Parameters)
         {
             object? value = parameter.Get(record);

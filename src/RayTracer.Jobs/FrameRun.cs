@@ -179,7 +179,7 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
 
         try
         {
-            files.Add(LightLayerFilm.NamesOf(built, one.Layers));
+            files.Add(LightPathAovFilm.NamesOf(built, one.Layers));
             return files.All.All(o => IsThere(o, scene, one));
         }
         catch (ArgumentException)

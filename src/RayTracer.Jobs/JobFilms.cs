@@ -28,7 +28,7 @@ internal sealed class JobFilms
     public Film Film { get; }
 
     /// <summary>The layers of light; null where none are wanted.</summary>
-    public LightLayerFilm? Light { get; }
+    public LightPathAovFilm? Light { get; }
 
     /// <summary>The auxiliary images.</summary>
     public AovFilm Auxiliary { get; }
@@ -39,14 +39,14 @@ internal sealed class JobFilms
     private static Film FilmOf(RenderJob job, Scene scene, bool hasPasses)
     {
         (int width, int height) = (scene.Render.Width, scene.Render.Height);
-        long bytes = FilmMemory.Bytes(width, height) + AovFilm.Bytes(job.Aovs, width, height) + LightLayerFilm.Bytes(job.Layers, scene)
+        long bytes = FilmMemory.Bytes(width, height) + AovFilm.Bytes(job.Aovs, width, height) + LightPathAovFilm.Bytes(job.Layers, scene)
             + (job.Denoise ? Denoising.Bytes(width, height) : hasPasses ? FilmMemory.Bytes(width, height) : 0);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         return bytes <= available && (long)width * height <= Film.MaxPixels ? new(width, height) : throw new JobException(
             JobFault.File, $"a film of {width}×{height} pixels takes {FilmMemory.Text(bytes)} of memory, more than is available ({FilmMemory.Text(available)})");
     }
 
-    private static LightLayerFilm LightOf(RenderJob job, Scene scene, Film film)
+    private static LightPathAovFilm LightOf(RenderJob job, Scene scene, Film film)
     {
         try
         {

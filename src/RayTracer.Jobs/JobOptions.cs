@@ -44,7 +44,7 @@ public sealed record JobOption(string Name, string? Form, string Description, Fu
 /// <summary>All options of jobs, in one table.</summary>
 public static class JobOptions
 {
-    private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightLayer>()];
+    private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightPathAov>()];
     private static readonly string[] s_aovNames = [.. s_aovs.Select(a => a is AuxiliaryImage image ? image.Name : $"{a}".ToLowerInvariant())];
 
     /// <summary>A value of the scene.</summary>
@@ -183,7 +183,7 @@ public static class JobOptions
     {
         object[] kinds = [.. list.Split(',').Select(word => Array.IndexOf(s_aovNames, word) is >= 0 and int i ? s_aovs[i]
             : throw new FormatException($"unknown image {Quotation.Of(word)}{Spelling.DidYouMean(word, s_aovNames)}, expected some of {string.Join(", ", s_aovNames)}"))];
-        return job with { Aovs = [.. kinds.OfType<AuxiliaryImage>()], Layers = [.. kinds.OfType<LightLayer>()] };
+        return job with { Aovs = [.. kinds.OfType<AuxiliaryImage>()], Layers = [.. kinds.OfType<LightPathAov>()] };
     }
 
     private static string? AovText(RenderJob job) =>

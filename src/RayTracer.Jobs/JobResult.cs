@@ -42,7 +42,7 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     public AovFilm? Auxiliary { get; init; }
 
     /// <summary>The layers of light; null where there are none.</summary>
-    public LightLayerFilm? Light { get; init; }
+    public LightPathAovFilm? Light { get; init; }
 
     /// <summary>The halves that a denoised picture is made of; null where none is wanted.</summary>
     internal Denoising? Denoising { get; init; }

@@ -61,7 +61,7 @@ internal sealed record LoadedJob(
 
     /// <summary>The complaint about a scene that a film is not of.</summary>
     public static JobException OtherScene(string path) =>
-        new(JobFault.File, $"the film is not of '{path}': the scene, a file that it names, its settings or the program are others than they were");
+        new(JobFault.File, $"the film is not of '{path}': the scene, a file that it names, its settings, a plug-in or the program are others than they were");
 
     private JobException OtherFilm(FilmHeader header)
     {

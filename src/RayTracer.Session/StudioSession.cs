@@ -37,9 +37,9 @@ public sealed class StudioSession : IDisposable
         Recovery.Changed += Changes.Advance;
         View.Changed += Changes.Advance;
         Snapshots.Changed += Changes.Advance;
-        View.Refused += message => Notices.Tell("error", message.TrimEnd('.'));
+        View.Refused += message => Notices.Post("error", message.TrimEnd('.'));
         Files.Opened += Begin;
-        View.Loop.Failed += message => Notices.Tell("error", message.TrimEnd('.'));
+        View.Loop.Failed += message => Notices.Post("error", message.TrimEnd('.'));
     }
 
     /// <summary>Counts the changes of all that the user sees but the picture.</summary>
@@ -73,7 +73,7 @@ public sealed class StudioSession : IDisposable
     public PictureView View { get; }
 
     /// <summary>Moves the camera.</summary>
-    public CameraHand Camera { get; }
+    public CameraController Camera { get; }
 
     /// <summary>Earlier pictures.</summary>
     public SnapshotList Snapshots { get; }
@@ -88,7 +88,7 @@ public sealed class StudioSession : IDisposable
     public BackgroundRenders Background { get; }
 
     /// <summary>Balances the lights of rendered pictures.</summary>
-    public LightBalance Lights { get; }
+    public Relighting Lights { get; }
 
     /// <summary>The folder of the scenes that come with the program; null where there is none.</summary>
     public string? Scenes { get; }

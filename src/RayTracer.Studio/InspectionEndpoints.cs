@@ -14,7 +14,7 @@ internal static class InspectionEndpoints
         api.MapGet("/paths", (int x, int y, int? first, int? count) => session.Part<PathInspector>().Inspect(x, y, first ?? 0, count ?? 16));
         api.MapGet("/wireframe", () =>
         {
-            ShownScene shown = session.View.RequireShown();
+            ViewportScene shown = session.View.RequireShown();
             return new WireframeView(Wireframe.Of(shown), CameraFrame.Of(shown));
         });
         api.MapGet("/convergence", () => session.View.Loop.Convergence());

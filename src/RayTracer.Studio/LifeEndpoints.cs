@@ -8,8 +8,8 @@ internal static class LifeEndpoints
     /// <summary>Adds the requests.</summary>
     /// <param name="api">Where to.</param>
     /// <param name="guard">Knows the secret.</param>
-    /// <param name="windows">Told of windows that go.</param>
-    /// <param name="errors">Where errors of the page are told.</param>
+    /// <param name="windows">Follows the windows that close.</param>
+    /// <param name="errors">Takes the errors of the page.</param>
     public static void MapLife(this RouteGroupBuilder api, LocalGuard guard, WindowWatch windows, TextWriter errors)
     {
         api.MapPost("/bye", async (HttpContext context) =>

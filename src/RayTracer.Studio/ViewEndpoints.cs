@@ -18,13 +18,13 @@ internal static class ViewEndpoints
             Tone before = session.View.Tone;
             session.View.Tone = new(tone.Exposure ?? before.Exposure, tone.ToneMap ?? before.ToneMap);
         });
-        view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, anew: request.Action == "restart"));
-        view.MapPost("/snapshot", () => session.Snapshots.Take());
+        view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, restart: request.Action == "restart"));
+        view.MapPost("/snapshot", () => session.Snapshots.Capture());
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
         view.MapGet("/mask", (string pointer) => Picking.Mask(session.View.RequireShown(), pointer));
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {
-            ShownScene shown = session.View.RequireShown();
+            ViewportScene shown = session.View.RequireShown();
             return Gizmo.Of(shown, request.Pointer).Handles(CameraFrame.Of(shown), request.Kind, request.Length);
         });
         view.MapPost("/drag", (HandleDrag way) => session.Handles.Drag(way));

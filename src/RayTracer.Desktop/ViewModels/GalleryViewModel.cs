@@ -5,7 +5,7 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The scenes that come with the program.</summary>
-internal sealed class GalleryViewModel(Hand hand, Action<string> open)
+internal sealed class GalleryViewModel(SessionDispatcher dispatcher, Action<string> open)
 {
     private CancellationTokenSource? _loading;
 
@@ -24,7 +24,7 @@ internal sealed class GalleryViewModel(Hand hand, Action<string> open)
         foreach (GalleryItemViewModel item in Groups.SelectMany(g => g.Items).Where(i => i.Picture is null))
         {
             CancellationToken token = _loading.Token;
-            if (!await hand.Attempt(async () => item.Picture = await hand.Aside(s => s.Gallery.Thumbnail(item.Id, token))) && token.IsCancellationRequested)
+            if (!await dispatcher.Attempt(async () => item.Picture = await dispatcher.Aside(s => s.Gallery.Thumbnail(item.Id, token))) && token.IsCancellationRequested)
             {
                 return;
             }

@@ -12,7 +12,7 @@ internal sealed class MainViewModel : Observable, IDisposable
     private readonly StudioSession _session;
     private readonly CancellationTokenSource _stop = new();
     private DocumentStatus? _document;
-    private DocumentShown? _shown;
+    private DocumentSnapshot? _shown;
     private int _noticeId;
 
     /// <summary>The window of a session.</summary>
@@ -21,27 +21,27 @@ internal sealed class MainViewModel : Observable, IDisposable
     public MainViewModel(StudioSession session, IWindowServices window)
     {
         _session = session;
-        Hand = new(session, Messages);
-        Context = new(Hand, window) { ShowSource = ShowSource };
-        Files = new(Hand, window, Ask) { Flush = () => Hand.Idle };
-        Properties = new(Context, new(Hand, Context));
-        Things = new(Hand, Context, ShowTab);
+        Dispatcher = new(session, Messages);
+        Context = new(Dispatcher, window) { ShowSource = ShowSource };
+        Files = new(Dispatcher, window, Ask) { Flush = () => Dispatcher.Idle };
+        Properties = new(Context, new(Dispatcher, Context));
+        Things = new(Dispatcher, Context, ShowTab);
         Properties.Environment.Add = type => Things.Add("environment", type);
         Outliner = new(Choose);
-        Gallery = new(Hand, id => _ = Files.OpenGallery(id));
+        Gallery = new(Dispatcher, id => _ = Files.OpenGallery(id));
         Recent = new(() => _ = Files.Open(), path => _ = Files.OpenFile(path));
-        Source = new(Hand);
-        Viewport = new(Hand) { Inspect = Inspect, Selected = () => Properties.Open("object") };
-        Status = new(Hand);
-        Paths = new(Hand);
-        Convergence = new(Hand);
-        Times = new(Hand);
+        Source = new(Dispatcher);
+        Viewport = new(Dispatcher) { Inspect = Inspect, Selected = () => Properties.Open("object") };
+        Status = new(Dispatcher);
+        Paths = new(Dispatcher);
+        Convergence = new(Dispatcher);
+        Times = new(Dispatcher);
         Commands = new(this);
         Layout.PropertyChanged += (_, _) => Convergence.IsOpen = Layout.ShowsConvergence;
     }
 
     /// <summary>Carries the user's wishes to the session.</summary>
-    public Hand Hand { get; }
+    public SessionDispatcher Dispatcher { get; }
 
     /// <summary>The rest of the window, as editors of parameters use it.</summary>
     public PanelContext Context { get; }
@@ -168,7 +168,7 @@ internal sealed class MainViewModel : Observable, IDisposable
         while (await _session.Changes.WaitBeyond(version, _stop.Token))
         {
             // Read by a thread of the pool: what is locked for a moment holds nobody up.
-            (SessionState state, DocumentShown? shown, IReadOnlyList<string> recent) = await Task.Run(Read, _stop.Token);
+            (SessionState state, DocumentSnapshot? shown, IReadOnlyList<string> recent) = await Task.Run(Read, _stop.Token);
             version = state.Version;
             Show(state, shown, recent);
             await Task.Delay(ShortestPause, _stop.Token);
@@ -177,14 +177,14 @@ internal sealed class MainViewModel : Observable, IDisposable
         _stop.Token.ThrowIfCancellationRequested();
     }
 
-    private (SessionState State, DocumentShown? Shown, IReadOnlyList<string> Recent) Read()
+    private (SessionState State, DocumentSnapshot? Shown, IReadOnlyList<string> Recent) Read()
     {
         SessionState state = SessionState.Of(_session);
         bool isNew = _shown is null || state.Document.Revision != _shown.Revision || state.Selection != _shown.Selection;
-        return (state, isNew ? DocumentShown.Of(_session) : null, isNew ? _session.Files.Recent : []);
+        return (state, isNew ? DocumentSnapshot.Of(_session) : null, isNew ? _session.Files.Recent : []);
     }
 
-    private void Show(SessionState state, DocumentShown? shown, IReadOnlyList<string> recent)
+    private void Show(SessionState state, DocumentSnapshot? shown, IReadOnlyList<string> recent)
     {
         (_document, Files.Document, Context.Folder) = (state.Document, state.Document, Path.GetDirectoryName(state.Document.Path));
         Status.Show(state);
@@ -217,13 +217,13 @@ internal sealed class MainViewModel : Observable, IDisposable
         string? kept = state.Recovery is [var newest, ..] ? newest.Id : null;
         if (kept != Recovery?.Id)
         {
-            Recovery = state.Recovery is [var first, ..] ? new(first, () => _ = Files.OpenRecovered(first.Id), () => Hand.Do(s => s.Recovery.Discard(first.Id))) : null;
+            Recovery = state.Recovery is [var first, ..] ? new(first, () => _ = Files.OpenRecovered(first.Id), () => Dispatcher.Do(s => s.Recovery.Discard(first.Id))) : null;
         }
     }
 
     private void Choose(OutlineRow row)
     {
-        Hand.Do(s => s.Selection.Select(row.Tab is null ? row.Pointer : null));
+        Dispatcher.Do(s => s.Selection.Select(row.Tab is null ? row.Pointer : null));
         Properties.Open(row.Tab ?? "object");
     }
 

@@ -15,7 +15,7 @@ internal sealed class MessagesViewModel
 
     /// <summary>Shows one; the same text only once.</summary>
     /// <param name="kind">"info", which goes by itself, or "error".</param>
-    /// <param name="text">What there is to tell.</param>
+    /// <param name="text">The message.</param>
     public void Say(string kind, string text)
     {
         if (All.FirstOrDefault(m => m.Text == text) is { } same)

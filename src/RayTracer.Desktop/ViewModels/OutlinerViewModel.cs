@@ -6,7 +6,7 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The tree of all things.</summary>
-/// <param name="choose">Told the line that was chosen.</param>
+/// <param name="choose">Takes the line that was chosen.</param>
 internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 {
     private static readonly Dictionary<string, string> Tabs = new(StringComparer.Ordinal)
@@ -82,7 +82,7 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
     }
 
     /// <summary>Shows a document.</summary>
-    public void Show(DocumentShown shown)
+    public void Show(DocumentSnapshot shown)
     {
         (_outline, _selection) = (shown.Outline ?? _outline, shown.Selection);
         Build();
@@ -107,7 +107,7 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
             AddGroup(rows, kind, Filtered(nodes));
         }
 
-        // Lines that are as they were stay, so that whoever shows them does not begin anew.
+        // Lines that are as they were stay, so that the view does not start from scratch.
         if (!rows.SequenceEqual(Rows, RowComparer.Instance))
         {
             Rows = rows;

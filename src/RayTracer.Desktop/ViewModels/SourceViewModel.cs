@@ -3,14 +3,14 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The scene file's text, and what is wrong with it.</summary>
-internal sealed class SourceViewModel(Hand hand) : Observable
+internal sealed class SourceViewModel(SessionDispatcher dispatcher) : Observable
 {
     private readonly Gesture _typing = new();
     private string _text = "";
     private string _base = "";
     private int _revision = -1;
     private bool _isSending;
-    private DocumentShown? _unseen;
+    private DocumentSnapshot? _unseen;
 
     /// <summary>The text. What is typed goes to the session at once.</summary>
     public string Text
@@ -56,9 +56,9 @@ internal sealed class SourceViewModel(Hand hand) : Observable
     private Latest<string> Sending => field ??= new(Send);
 
     /// <summary>Shows a document's text.</summary>
-    public void Show(DocumentShown shown)
+    public void Show(DocumentSnapshot shown)
     {
-        // While something is on its way, nobody can tell whether the session has it already.
+        // While something is on its way, it is unknown whether the session has it already.
         if (_isSending)
         {
             _unseen = shown;
@@ -102,16 +102,16 @@ internal sealed class SourceViewModel(Hand hand) : Observable
 
         (int revision, string sent, string gesture) = (_revision, _text, _typing.Burst());
         _isSending = true;
-        await hand.Attempt(async () =>
+        await dispatcher.Attempt(async () =>
         {
-            if (await hand.Ask(s => s.Document.TryReplace(revision, change.From, change.To, change.Insert, gesture)))
+            if (await dispatcher.Ask(s => s.Document.TryReplace(revision, change.From, change.To, change.Insert, gesture)))
             {
                 (_base, _revision) = (sent, revision + 1);
             }
             else
             {
                 // Somebody else was quicker.
-                _unseen = await hand.Ask(DocumentShown.Of);
+                _unseen = await dispatcher.Ask(DocumentSnapshot.Of);
             }
         });
         _isSending = false;

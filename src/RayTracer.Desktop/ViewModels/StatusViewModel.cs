@@ -5,7 +5,7 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The progress of the rendering and of the jobs beside it.</summary>
-internal sealed class StatusViewModel(Hand hand) : Observable
+internal sealed class StatusViewModel(SessionDispatcher dispatcher) : Observable
 {
     private RenderStatus _render = new();
     private int _threads;
@@ -53,7 +53,7 @@ internal sealed class StatusViewModel(Hand hand) : Observable
         (_render, _threads) = (state.Render, state.Settings.Threads);
         if (!state.Jobs.SequenceEqual(_jobs.Select(j => j.Job)))
         {
-            _jobs = [.. state.Jobs.Select(j => new JobViewModel(j, () => hand.Do(s => s.Jobs.Cancel(j.Id))))];
+            _jobs = [.. state.Jobs.Select(j => new JobViewModel(j, () => dispatcher.Do(s => s.Jobs.Cancel(j.Id))))];
         }
 
         OnPropertyChanged("");

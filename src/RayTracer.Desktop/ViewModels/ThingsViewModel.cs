@@ -5,10 +5,10 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>Adds, copies, renames and deletes things of the scene.</summary>
-/// <param name="hand">Carries it to the session.</param>
+/// <param name="dispatcher">Carries it to the session.</param>
 /// <param name="context">Asks for files.</param>
 /// <param name="showTab">Shows a tab of the properties.</param>
-internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<string> showTab)
+internal sealed class ThingsViewModel(SessionDispatcher dispatcher, PanelContext context, Action<string> showTab)
 {
     /// <summary>The things that can be added.</summary>
     public IReadOnlyList<AddGroup> Families { get; private set; } = [];
@@ -40,10 +40,10 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
     }
 
     /// <summary>Makes a copy of the selected thing.</summary>
-    public void Duplicate() => With(pointer => hand.Do(s => s.Selection.Select(s.Edits.Duplicate(pointer).Pointer)));
+    public void Duplicate() => With(pointer => dispatcher.Do(s => s.Selection.Select(s.Edits.Duplicate(pointer).Pointer)));
 
     /// <summary>Deletes the selected thing.</summary>
-    public void Delete() => With(pointer => hand.Do(s => s.Edits.Delete(pointer)));
+    public void Delete() => With(pointer => dispatcher.Do(s => s.Edits.Delete(pointer)));
 
     /// <summary>Does something with the selected thing, if there is one.</summary>
     public void With(Action<string> work)
@@ -55,12 +55,12 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
     }
 
     /// <summary>Gives a thing another name.</summary>
-    public void Rename(string pointer, string name) => hand.Do(s => s.Edits.Rename(pointer, name));
+    public void Rename(string pointer, string name) => dispatcher.Do(s => s.Edits.Rename(pointer, name));
 
     private void Put(string family, CatalogueType type, string? file)
     {
         showTab(family == "environment" ? "world" : "object");
-        hand.Do(s =>
+        dispatcher.Do(s =>
         {
             string pointer = s.Edits.Add(family, type.Name, file: file).Pointer;
             s.Selection.Select(SceneThings.IsThing(pointer) ? pointer : null);

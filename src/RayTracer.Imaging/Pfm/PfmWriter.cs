@@ -6,7 +6,7 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>Writes portable float maps (Debevec's PFM): 32-bit floats, rows from bottom to top.</summary>
-public static class PfmWriter
+internal static class PfmWriter
 {
     /// <summary>Writes an image as it is, bit for bit; its rows are read from the last to the first.</summary>
     /// <param name="output">Where to.</param>

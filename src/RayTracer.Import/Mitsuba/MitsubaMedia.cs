@@ -37,7 +37,7 @@ internal static class MitsubaMedia
     }
 
     /// <summary>Takes the medium of a camera as known: the medium around the camera follows from the shapes around it.</summary>
-    public static void Around(MitsubaObject sensor)
+    public static void WarnOfSensorMedium(MitsubaObject sensor)
     {
         if (sensor.Only("medium") is { } medium)
         {
@@ -58,7 +58,7 @@ internal static class MitsubaMedia
 
         if (medium.Type != "homogeneous")
         {
-            medium.Log.Unknown(medium.TypePlace, $"media of type {Quotation.Of(medium.Type)} are not supported", medium.Type, ["homogeneous"]);
+            medium.UnknownType("media", "homogeneous");
             return new();
         }
 

@@ -21,3 +21,35 @@ internal static class ModelBytes
         return content;
     }
 }
+
+/// <summary>
+/// How much a model may make the importer allocate: ten times its files and a fixed amount. Counts in a file are not
+/// trusted, and a few bytes can ask for gigabytes.
+/// </summary>
+internal sealed class ModelMemory
+{
+    /// <summary>The memory that every model may use, in bytes, however small its files are.</summary>
+    public const long Always = 192L << 20;
+
+    /// <summary>The multiple of the size of its files that a model may use beyond that.</summary>
+    public const int TimesFiles = 8;
+
+    private long _files;
+    private long _used;
+
+    /// <summary>Counts a file of the model.</summary>
+    public void AddFile(long bytes) => _files += bytes;
+
+    /// <summary>Asks for memory before it is allocated.</summary>
+    /// <returns>Whether it is granted.</returns>
+    public bool TryUse(long bytes)
+    {
+        if (bytes > Always + (TimesFiles * _files) - _used)
+        {
+            return false;
+        }
+
+        _used += bytes;
+        return true;
+    }
+}

@@ -29,7 +29,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
             throw new SessionException("Parts are written to .rtfilm files.");
         }
 
-        ShownScene shown = view.RequireShown();
+        ViewportScene shown = view.RequireShown();
         int total = shown.Scene.Render.SamplesPerPixel;
         if (number < 1 || number > count || count > total)
         {

@@ -170,7 +170,7 @@ public sealed class Gallery : IDisposable
         return words.Length == 0 ? name : char.ToUpperInvariant(words[0]) + words[1..];
     }
 
-    // What the comment at the head says, before it tells what to look at or to try.
+    // What the comment at the head says, before it says what to look at or to try.
     private static string Summary(string path)
     {
         StringBuilder summary = new();

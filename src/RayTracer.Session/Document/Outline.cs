@@ -96,7 +96,7 @@ public sealed record Outline(
         return new(definition.Pointer, definition.Key, type, summary, type == "luminaire", MainColor(root, thing), []);
     }
 
-    // What a thing mainly looks like; null for glass, pictures, and what cannot be told.
+    // What a thing mainly looks like; null for glass, pictures, and what has no known colour.
     private static string? MainColor(JsonNode root, SceneValue thing, int nesting = 0)
     {
         if (nesting > 16 || thing.Node is null)

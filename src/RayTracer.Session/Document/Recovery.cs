@@ -125,7 +125,7 @@ public sealed class Recovery : IDisposable
 
     /// <summary>Reads a text that was kept.</summary>
     /// <exception cref="DocumentException">There is no such text.</exception>
-    internal RecoveredText Take(string id)
+    internal RecoveredText Claim(string id)
     {
         using (Hold(id))
         {

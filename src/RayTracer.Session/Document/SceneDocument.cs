@@ -145,7 +145,7 @@ public sealed class SceneDocument : IDisposable
                 throw new DocumentException($"the text has {_text.Length} characters, but from {from} to {to} was to be replaced");
             }
 
-            if (!Take(string.Concat(_text.AsSpan(0, from), Normal(insert), _text.AsSpan(to)), "typing", gesture))
+            if (!TryAccept(string.Concat(_text.AsSpan(0, from), Normal(insert), _text.AsSpan(to)), "typing", gesture))
             {
                 return true;
             }
@@ -165,7 +165,7 @@ public sealed class SceneDocument : IDisposable
     {
         lock (_lock)
         {
-            if (!Take(change(JsonText.Of(_read.Value)).Text, label, gesture))
+            if (!TryAccept(change(JsonText.Of(_read.Value)).Text, label, gesture))
             {
                 return _revision;
             }
@@ -209,7 +209,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>Tells that the text of a point in the history is now in a file.</summary>
+    /// <summary>Records that the text of a point in the history is now in a file.</summary>
     internal void MarkSaved(int point, DocumentPlace place)
     {
         lock (_lock)
@@ -246,7 +246,7 @@ public sealed class SceneDocument : IDisposable
     }
 
     // Whether anything has changed.
-    private bool Take(string after, string label, string? gesture)
+    private bool TryAccept(string after, string label, string? gesture)
     {
         if (after == _text)
         {

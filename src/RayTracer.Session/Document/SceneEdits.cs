@@ -6,7 +6,7 @@ namespace RayTracer.Session;
 /// <summary>The edits of a scene's things: each is one edit of its text, and one step to undo (edits of one gesture are one step together).</summary>
 /// <param name="document">The document.</param>
 /// <param name="selection">What is selected: it follows things that are renamed.</param>
-/// <param name="notices">Told what else an edit has changed.</param>
+/// <param name="notices">Shows what else an edit has changed.</param>
 public sealed class SceneEdits(SceneDocument document, Selection selection, NoticeBoard notices)
 {
     /// <summary>Writes a value.</summary>
@@ -70,7 +70,7 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
 
         if (notes.Count > 0)
         {
-            notices.Tell("info", string.Join("; ", notes));
+            notices.Post("info", string.Join("; ", notes));
         }
 
         return (revision, notes);

@@ -89,7 +89,7 @@ public sealed class SceneFiles
     public void OpenRecovered(string id, bool discard = false)
     {
         Guard(discard);
-        RecoveredText text = _recovery.Take(id);
+        RecoveredText text = _recovery.Claim(id);
         lock (_lock)
         {
             // What was known of the file is gone: a save over it must be asked for.

@@ -61,7 +61,7 @@ public sealed class UndoHistory
         return _done;
     }
 
-    /// <summary>Tells that the text of a point in the history has been saved.</summary>
+    /// <summary>Records that the text of a point in the history has been saved.</summary>
     /// <param name="point">The point, as <see cref="Seal"/> gave it, if it is still in the history.</param>
     public void MarkSaved(int point) => _saved = point;
 

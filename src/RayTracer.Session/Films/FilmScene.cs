@@ -15,7 +15,7 @@ internal sealed record FilmScene(string File, string? Text)
     /// <param name="place">Where the document is at home.</param>
     /// <param name="film">The film's whole path.</param>
     /// <exception cref="SessionException">The text does not have the camera yet.</exception>
-    public static FilmScene Of(ShownScene shown, CameraDescription camera, DocumentPlace place, string film)
+    public static FilmScene Of(ViewportScene shown, CameraDescription camera, DocumentPlace place, string film)
     {
         if (!DescriptionEquality.Same(camera, shown.Description.Camera))
         {

@@ -71,7 +71,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         return job with { Aovs = request.Layers, Writing = job.Writing with { BitDepth = request.BitDepth } };
     }
 
-    private Task<TakenFilm> Take(bool isFilm) => view.Loop.Look((film, order, samples) => isFilm && samples == order.First && view.Loop.Rest is null
+    private Task<TakenFilm> Take(bool isFilm) => view.Loop.ReadFilm((film, order, samples) => isFilm && samples == order.First && view.Loop.Rest is null
         ? throw new SessionException("The film holds no samples yet.", SessionFault.Missing)
         : TakenFilm.Of(film, order, samples, view.Loop.Rest));
 
@@ -87,7 +87,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     // What it was rendered from when it was begun, it is rendered from now.
     private FilmScene SceneOf(RenderOrder order, string path)
     {
-        ShownScene shown = view.RequireShown();
+        ViewportScene shown = view.RequireShown();
         return shown.Picture != order.Picture ? throw FilmScene.Changing()
             : order.Start?.Header is { } begun ? new(begun.Scene, null)
             : FilmScene.Of(shown, order.Camera, document.Place, path);

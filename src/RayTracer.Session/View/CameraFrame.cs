@@ -22,7 +22,7 @@ public sealed record CameraFrame(Vector3 Position, Vector3 Right, Vector3 Up, Ve
 
     /// <summary>That of a scene. What moves the camera besides is left out; parallel rays come from an eye far behind.</summary>
     /// <exception cref="SessionException">Straight lines are not straight in the picture.</exception>
-    public static CameraFrame Of(ShownScene shown)
+    public static CameraFrame Of(ViewportScene shown)
     {
         Projection kind = shown.Camera.Projection;
         if (!kind.IsStraight)

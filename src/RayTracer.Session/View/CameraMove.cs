@@ -40,10 +40,10 @@ public enum CameraMoveKind
     Dolly,
 
     /// <summary>Sideways, up and forward, with the point looked at.</summary>
-    Fly,
+    Translate,
 
     /// <summary>Turned where it stands.</summary>
-    Look,
+    Rotate,
 
     /// <summary>Put somewhere.</summary>
     Set,

@@ -29,7 +29,7 @@ public sealed class DenoisedPicture
     /// <summary>Renders halves with more samples, and denoises them.</summary>
     /// <param name="order">What is wanted.</param>
     /// <param name="samples">Samples in each pixel of the film.</param>
-    /// <param name="cancellation">Ends the work; the halves begin anew then.</param>
+    /// <param name="cancellation">Ends the work; the halves start from scratch then.</param>
     public void Step(RenderOrder order, int samples, CancellationToken cancellation)
     {
         int next = Next(order, samples);

@@ -180,7 +180,7 @@ internal sealed class FilmWork(FrameBoard frames)
         _preview.CopyFrom(film);
         if (frames.IsWatched)
         {
-            Hang(order, isPreview: true, picture => picture.CopyFrom(_preview));
+            Publish(order, isPreview: true, picture => picture.CopyFrom(_preview));
         }
 
         _isStale |= !frames.IsWatched;
@@ -246,14 +246,14 @@ internal sealed class FilmWork(FrameBoard frames)
         {
             if (_maps.Picture(order, Film!) is { } map)
             {
-                Hang(order, isPreview: false, picture => picture.CopyFrom(map));
+                Publish(order, isPreview: false, picture => picture.CopyFrom(map));
             }
 
             return;
         }
 
         IImageRows? denoised = order.Map == ViewMap.Denoised ? _denoised.Of(order) : null;
-        Hang(order, _plan.Samples == 0, picture =>
+        Publish(order, _plan.Samples == 0, picture =>
         {
             PicturePainter.Paint(Film!, _preview, picture);
             if (denoised is not null)
@@ -266,7 +266,7 @@ internal sealed class FilmWork(FrameBoard frames)
     // A paused picture is not rendered a second time behind the user's back.
     private bool NeedsDenoising(RenderOrder order) => order.Picture == Order?.Picture && order.Mode != RenderMode.Paused && _denoised.Needs(order, _plan.Samples);
 
-    private void Hang(RenderOrder order, bool isPreview, Action<LinearPicture> draw)
+    private void Publish(RenderOrder order, bool isPreview, Action<LinearPicture> draw)
     {
         (int width, int height) = (order.Scene.Render.Width, order.Scene.Render.Height);
         FrameInfo info = new(width, height, _plan.Samples, isPreview, _plan.IsDone && !NeedsDenoising(order), order.Map.IsLight);

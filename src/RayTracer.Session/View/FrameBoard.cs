@@ -12,7 +12,7 @@ public sealed class FrameBoard
     private static readonly TimeSpan Attention = TimeSpan.FromSeconds(1);
     private readonly Lock _lock = new();
     private readonly Stack<LinearPicture> _free = new();
-    private Hanging? _newest;
+    private SharedFrame? _newest;
     private long _lastWatched = -Stopwatch.Frequency * 3600;
 
     /// <summary>Raised when somebody begins to wait for a frame.</summary>
@@ -38,7 +38,7 @@ public sealed class FrameBoard
         draw(picture);
         lock (_lock)
         {
-            Hanging? before = _newest;
+            SharedFrame? before = _newest;
             _newest = new(info, picture);
             Release(before);
         }
@@ -74,12 +74,12 @@ public sealed class FrameBoard
             }
 
             frame.Users++;
-            return new(Changes.Version, frame.Info, frame.Picture, () => GiveBack(frame));
+            return new(Changes.Version, frame.Info, frame.Picture, () => Return(frame));
         }
     }
 
     /// <summary>The newest frame is seen in another way.</summary>
-    public void SeeAnew()
+    public void Refresh()
     {
         lock (_lock)
         {
@@ -92,7 +92,7 @@ public sealed class FrameBoard
         Changes.Advance();
     }
 
-    private void GiveBack(Hanging frame)
+    private void Return(SharedFrame frame)
     {
         lock (_lock)
         {
@@ -100,7 +100,7 @@ public sealed class FrameBoard
         }
     }
 
-    private void Release(Hanging? frame)
+    private void Release(SharedFrame? frame)
     {
         const int enough = 3;
         if (frame is not null && --frame.Users == 0 && _free.Count < enough)
@@ -110,7 +110,7 @@ public sealed class FrameBoard
     }
 
     // The board itself is a user.
-    private sealed class Hanging(FrameInfo info, LinearPicture picture)
+    private sealed class SharedFrame(FrameInfo info, LinearPicture picture)
     {
         public FrameInfo Info => info;
 
@@ -132,15 +132,15 @@ public sealed record FrameInfo(int PictureWidth, int PictureHeight, int Samples,
 /// <summary>A frame for as long as it is looked at: its memory is used again after it was disposed of.</summary>
 public sealed class FrameLease : IDisposable
 {
-    private readonly Action _giveBack;
+    private readonly Action _release;
     private bool _isOver;
 
-    internal FrameLease(long version, FrameInfo info, LinearPicture picture, Action giveBack)
+    internal FrameLease(long version, FrameInfo info, LinearPicture picture, Action release)
     {
         Version = version;
         Info = info;
         Picture = picture;
-        _giveBack = giveBack;
+        _release = release;
     }
 
     /// <summary>Grows with each frame, and each change of how it is seen.</summary>
@@ -157,7 +157,7 @@ public sealed class FrameLease : IDisposable
     {
         if (!Interlocked.Exchange(ref _isOver, true))
         {
-            _giveBack();
+            _release();
         }
     }
 }

@@ -35,7 +35,7 @@ public sealed class HandleDrags(SceneEdits edits, PictureView view)
 
     private (string, GizmoDrag, Vector2) Begin(HandleDrag way)
     {
-        ShownScene shown = view.RequireShown();
+        ViewportScene shown = view.RequireShown();
         return (way.Gesture, new(CameraFrame.Of(shown), Gizmo.Of(shown, way.Pointer).Center), way.From);
     }
 }

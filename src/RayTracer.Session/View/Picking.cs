@@ -13,19 +13,19 @@ public static class Picking
     /// <param name="shown">The scene.</param>
     /// <param name="x">The pixel's column.</param>
     /// <param name="y">The pixel's row.</param>
-    public static PickResult At(ShownScene shown, float x, float y) =>
+    public static PickResult At(ViewportScene shown, float x, float y) =>
         Hit(shown, x, y) is { } hit
             ? new(shown.PointerOf(hit.Name), hit.Distance, hit.Position, hit.Normal, shown.MaterialOf(hit.Name))
             : new(null, null, null, null, null);
 
     /// <summary>The depth, along the viewing direction, of the surface in the middle of a pixel; null where there is none.</summary>
-    public static float? DepthAt(ShownScene shown, float x, float y) =>
+    public static float? DepthAt(ViewportScene shown, float x, float y) =>
         Hit(shown, x, y) is { } hit ? shown.Scene.Camera.Depth(MathF.Floor(x) + 0.5f, MathF.Floor(y) + 0.5f, hit.Distance) : null;
 
     /// <summary>The pixels in which a thing, or one within it, is what is seen first.</summary>
     /// <param name="shown">The scene.</param>
     /// <param name="pointer">The thing.</param>
-    public static PixelMask Mask(ShownScene shown, string pointer)
+    public static PixelMask Mask(ViewportScene shown, string pointer)
     {
         RenderDescription render = shown.Scene.Render;
         int step = 1;
@@ -48,7 +48,7 @@ public static class Picking
     public static bool IsWithin(string? inner, string outer) =>
         inner is not null && inner.StartsWith(outer, StringComparison.Ordinal) && (inner.Length == outer.Length || inner[outer.Length] == '/');
 
-    private static SurfaceHit? Hit(ShownScene shown, float x, float y)
+    private static SurfaceHit? Hit(ViewportScene shown, float x, float y)
     {
         RenderDescription render = shown.Scene.Render;
         if (!(x >= 0 && x < render.Width && y >= 0 && y < render.Height))
@@ -59,7 +59,7 @@ public static class Picking
         return new SurfaceProbe(shown.Scene).Describe(MathF.Floor(x) + 0.5f, MathF.Floor(y) + 0.5f);
     }
 
-    private static List<int> Runs(ShownScene shown, SurfaceName[] names, string pointer)
+    private static List<int> Runs(ViewportScene shown, SurfaceName[] names, string pointer)
     {
         List<int> runs = [];
         SurfaceName last = SurfaceName.None;

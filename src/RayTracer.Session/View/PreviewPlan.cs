@@ -14,7 +14,7 @@ public sealed class PreviewPlan
     private double _secondsPerPixel;
     private int _scale;
 
-    /// <summary>Begins anew, with the first one.</summary>
+    /// <summary>Starts again, with the first one.</summary>
     /// <param name="pixels">Number of pixels of the whole picture.</param>
     public void Begin(long pixels)
     {

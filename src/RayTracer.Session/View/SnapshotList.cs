@@ -30,10 +30,10 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
 
     /// <summary>Keeps the picture as it is, with its exposure and tone map.</summary>
     /// <exception cref="SessionException">There is no picture yet.</exception>
-    public async Task<Snapshot> Take()
+    public async Task<Snapshot> Capture()
     {
         LinearPicture picture = new();
-        int samples = await view.Loop.Look((film, _, count) =>
+        int samples = await view.Loop.ReadFilm((film, _, count) =>
         {
             picture.CopyFrom(film);
             return count;

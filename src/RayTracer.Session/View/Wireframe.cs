@@ -15,7 +15,7 @@ public static class Wireframe
     private const float EndlessScale = 1.5f;
 
     /// <summary>Draws a scene.</summary>
-    public static IReadOnlyList<WireShape> Of(ShownScene shown)
+    public static IReadOnlyList<WireShape> Of(ViewportScene shown)
     {
         (Vector3 middle, float size) = shown.Extent;
         List<WireShape> shapes = [];

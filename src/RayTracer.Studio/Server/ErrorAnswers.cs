@@ -6,7 +6,7 @@ using RayTracer.Session;
 namespace RayTracer.Studio;
 
 /// <summary>Turns what goes wrong into an answer with a sentence for the user.</summary>
-/// <param name="errors">Where what must not happen is told.</param>
+/// <param name="errors">Takes the internal errors.</param>
 internal sealed class ErrorAnswers(TextWriter errors)
 {
     /// <summary>Passes a request on.</summary>

@@ -15,7 +15,7 @@ public sealed class PictureSaverTests
     public async Task A_picture_is_written_as_the_command_writes_it(string name, int bitDepth)
     {
         using TestSession test = new();
-        ShownScene shown = await test.OpenShipped("report/scene1.json", 40, 4);
+        ViewportScene shown = await test.OpenShipped("report/scene1.json", 40, 4);
         await test.Done();
         test.Session.View.Tone = new(0.5f, ToneMap.Reinhard);
         string path = Path.Combine(test.Folder, name);
@@ -83,10 +83,10 @@ public sealed class PictureSaverTests
         using TestSession test = new();
         await test.OpenShipped("report/scene1.json", 20, 4);
         await test.Done();
-        Snapshot snapshot = await test.Session.Snapshots.Take();
+        Snapshot snapshot = await test.Session.Snapshots.Capture();
         byte[] before = test.Session.Snapshots.Png(snapshot.Id);
         test.Session.View.Tone = new(3, ToneMap.Clamp);
-        await test.Session.Snapshots.Take();
+        await test.Session.Snapshots.Capture();
         Assert.Equal(before, test.Session.Snapshots.Png(snapshot.Id));
         Assert.Equal(2, test.Session.Snapshots.All.Count);
         Assert.Throws<SessionException>(() => test.Session.Snapshots.Png(99));

@@ -4,8 +4,8 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The error against the number of samples, both axes logarithmic, beside the theory's slope.</summary>
-/// <param name="hand">Asks the session.</param>
-internal sealed class ConvergenceViewModel(Hand hand) : Observable
+/// <param name="dispatcher">Asks the session.</param>
+internal sealed class ConvergenceViewModel(SessionDispatcher dispatcher) : Observable
 {
     private const double Left = 60;
     private const double Bottom = 26;
@@ -53,7 +53,7 @@ internal sealed class ConvergenceViewModel(Hand hand) : Observable
     {
         try
         {
-            Convergence convergence = await hand.Aside(s => s.View.Loop.Convergence());
+            Convergence convergence = await dispatcher.Aside(s => s.View.Loop.Convergence());
             (_points, _slope) = ([.. convergence.Points.Where(p => p.Error > 0)], convergence.Slope);
         }
         catch (SessionException)

@@ -5,7 +5,7 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The light paths of one pixel: which samples there are, and the vertices of one as a table.</summary>
-internal sealed class PathsViewModel(Hand hand) : Observable
+internal sealed class PathsViewModel(SessionDispatcher dispatcher) : Observable
 {
     private const int PerPage = 16;
     private InspectedPixel? _pixel;
@@ -53,7 +53,7 @@ internal sealed class PathsViewModel(Hand hand) : Observable
     }
 
     /// <summary>The hits of the chosen sample's path.</summary>
-    public IReadOnlyList<VertexRow> Vertices => [.. (_chosen?.Path.Vertices ?? []).Select((v, i) => new VertexRow(i, v, pointer => hand.Do(s => s.Selection.Select(pointer))))];
+    public IReadOnlyList<VertexRow> Vertices => [.. (_chosen?.Path.Vertices ?? []).Select((v, i) => new VertexRow(i, v, pointer => dispatcher.Do(s => s.Selection.Select(pointer))))];
 
     /// <summary>The radiance of the chosen sample.</summary>
     public string Total => _chosen?.Radiance ?? "";
@@ -86,9 +86,9 @@ internal sealed class PathsViewModel(Hand hand) : Observable
         Report(nameof(X), nameof(Y));
     }
 
-    private Task Ask((int X, int Y, int First) pixel) => hand.Attempt(async () =>
+    private Task Ask((int X, int Y, int First) pixel) => dispatcher.Attempt(async () =>
     {
-        _pixel = await hand.Aside(s => s.Part<PathInspector>().Inspect(pixel.X, pixel.Y, pixel.First, PerPage));
+        _pixel = await dispatcher.Aside(s => s.Part<PathInspector>().Inspect(pixel.X, pixel.Y, pixel.First, PerPage));
         _first = pixel.First;
         Samples = [.. _pixel.Samples.Select(s => new SampleRow(s))];
         _chosen = Samples.Count > 0 ? Samples[0] : null;

@@ -5,7 +5,7 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The report's times beside this machine's, which are measured when they are asked for.</summary>
-internal sealed class TimesViewModel(Hand hand) : Observable
+internal sealed class TimesViewModel(SessionDispatcher dispatcher) : Observable
 {
     private bool _isRunning;
 
@@ -25,7 +25,7 @@ internal sealed class TimesViewModel(Hand hand) : Observable
     {
         _isRunning = true;
         OnPropertyChanged("");
-        await hand.Attempt(async () => Rows = [.. (await hand.Aside(s => s.Part<ReportTimes>().Measure())).Select(t => new TimeRow(t))]);
+        await dispatcher.Attempt(async () => Rows = [.. (await dispatcher.Aside(s => s.Part<ReportTimes>().Measure())).Select(t => new TimeRow(t))]);
         _isRunning = false;
         OnPropertyChanged("");
     }

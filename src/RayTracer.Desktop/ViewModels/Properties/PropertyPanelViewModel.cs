@@ -45,7 +45,7 @@ internal sealed class PropertyPanelViewModel : Observable
     public void Open(string tab) => Tab = Array.IndexOf(TabNames, tab);
 
     /// <summary>Shows a document.</summary>
-    public void Show(DocumentShown shown)
+    public void Show(DocumentSnapshot shown)
     {
         _context.Outline = shown.Outline ?? _context.Outline;
         ShowThing(shown);
@@ -66,7 +66,7 @@ internal sealed class PropertyPanelViewModel : Observable
         }
     }
 
-    private void ShowThing(DocumentShown shown)
+    private void ShowThing(DocumentSnapshot shown)
     {
         bool isShown = shown.Selection is { } pointer && pointer is not ("" or "/camera" or "/render") && shown.Values.ContainsKey(pointer);
         ThingViewModel? thing = !isShown ? null : Thing?.Pointer == shown.Selection ? Thing : new(_context, shown.Selection!, "name");
@@ -79,7 +79,7 @@ internal sealed class PropertyPanelViewModel : Observable
         OnPropertyChanged(nameof(IsNothing));
     }
 
-    private static void ShowAt(DocumentShown shown, ThingViewModel thing)
+    private static void ShowAt(DocumentSnapshot shown, ThingViewModel thing)
     {
         if (shown.Values.TryGetValue(thing.Pointer, out PropertyValues? values))
         {

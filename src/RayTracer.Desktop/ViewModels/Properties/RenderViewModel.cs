@@ -6,7 +6,7 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The settings of the rendering, with presets.</summary>
-internal sealed class RenderViewModel(Hand hand, PanelContext context) : Observable
+internal sealed class RenderViewModel(SessionDispatcher dispatcher, PanelContext context) : Observable
 {
     private static readonly (int Width, int Height)[] Sizes = [(300, 300), (400, 300), (600, 600), (800, 600), (1024, 768), (1280, 720), (1920, 1080), (3840, 2160)];
     private SessionState? _state;
@@ -24,7 +24,7 @@ internal sealed class RenderViewModel(Hand hand, PanelContext context) : Observa
             if (!IsReporting && value is not null && value != Quality)
             {
                 int? samples = Enum.TryParse(value.Value, ignoreCase: true, out RenderQuality quality) ? (int)quality : null;
-                hand.Do(s => s.View.Change(v => v with { Samples = samples }));
+                dispatcher.Do(s => s.View.Change(v => v with { Samples = samples }));
             }
         }
     }
@@ -59,7 +59,7 @@ internal sealed class RenderViewModel(Hand hand, PanelContext context) : Observa
             if (Figures.Parse(value) is { } number && _state is not null && (int)number != _state.Settings.Threads)
             {
                 int threads = Math.Clamp((int)number, 1, Environment.ProcessorCount);
-                hand.Do(s => s.View.Change(v => v with { Threads = threads }));
+                dispatcher.Do(s => s.View.Change(v => v with { Threads = threads }));
             }
 
             OnPropertyChanged();

@@ -4,8 +4,8 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>Handles around the selected shape, that move, turn and scale it.</summary>
-/// <param name="hand">Carries changes to the session.</param>
-internal sealed class GizmoViewModel(Hand hand) : Observable
+/// <param name="dispatcher">Carries changes to the session.</param>
+internal sealed class GizmoViewModel(SessionDispatcher dispatcher) : Observable
 {
     private const double Reach = 10;
     private const double HandleLength = 72;
@@ -23,7 +23,7 @@ internal sealed class GizmoViewModel(Hand hand) : Observable
     /// <param name="stage">Where the picture lies.</param>
     public async Task Follow(string? pointer, GizmoKind? kind, Stage stage)
     {
-        _target = kind is { } k && pointer is not null && SceneThings.IsSeen(pointer) ? await hand.Ask(s => Find(s, pointer, k)) : null;
+        _target = kind is { } k && pointer is not null && SceneThings.IsSeen(pointer) ? await dispatcher.Ask(s => Find(s, pointer, k)) : null;
         Place(stage);
     }
 
@@ -35,7 +35,7 @@ internal sealed class GizmoViewModel(Hand hand) : Observable
     }
 
     /// <summary>Takes the handle under a point of the screen; false where there is none.</summary>
-    public bool Take(Spot screen, Spot picture)
+    public bool Grab(Spot screen, Spot picture)
     {
         HandleViewModel? near = Handles.Where(h => h.DistanceTo(screen) < Reach).OrderBy(h => h.Axis is null ? 0 : h.DistanceTo(screen)).FirstOrDefault();
         _drag = near is null ? null : (near.Axis, picture, Gesture.New());
@@ -48,7 +48,7 @@ internal sealed class GizmoViewModel(Hand hand) : Observable
         if (_drag is { } drag && _target is { } target)
         {
             HandleDrag way = new(target.Pointer, target.Kind, drag.Axis, drag.From.AsVector(), picture.AsVector(), drag.Gesture);
-            hand.Do(s => s.Handles.Drag(way));
+            dispatcher.Do(s => s.Handles.Drag(way));
         }
     }
 

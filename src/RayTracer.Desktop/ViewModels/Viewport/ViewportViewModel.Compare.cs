@@ -89,9 +89,9 @@ internal sealed partial class ViewportViewModel
     public string MarkText => Inspected is { } pixel ? SessionTexts.Of("viewport.inspected", (int)pixel.X, (int)pixel.Y) : "";
 
     /// <summary>Keeps the picture, and compares later ones with it.</summary>
-    public void Keep() => _ = _hand.Attempt(async () =>
+    public void Keep() => _ = _dispatcher.Attempt(async () =>
     {
-        Snapshot kept = await _hand.Aside(s => s.Snapshots.Take());
+        Snapshot kept = await _dispatcher.Aside(s => s.Snapshots.Capture());
         Choice choice = new(kept.Id.ToString(CultureInfo.InvariantCulture), kept.Label);
         if (!Comparisons.Contains(choice))
         {
@@ -117,21 +117,21 @@ internal sealed partial class ViewportViewModel
         Report(nameof(Comparisons), nameof(HasComparisons));
     }
 
-    private async Task LoadKept(Choice choice) => await _hand.Attempt(async () =>
-        Kept = choice.Value.Length == 0 ? null : await _hand.Ask(s => s.Snapshots.Png(int.Parse(choice.Value, CultureInfo.InvariantCulture))));
+    private async Task LoadKept(Choice choice) => await _dispatcher.Attempt(async () =>
+        Kept = choice.Value.Length == 0 ? null : await _dispatcher.Ask(s => s.Snapshots.Png(int.Parse(choice.Value, CultureInfo.InvariantCulture))));
 
-    // The outline is found anew where another thing is selected, or it may look otherwise.
+    // The outline is found again where another thing is selected, or it may look otherwise.
     private async Task FollowSelection(SessionState state)
     {
         string? pointer = state.Selection is { } p && SceneThings.IsSeen(p) ? p : null;
-        (long picture, int revision) = await _hand.Ask(s => (s.View.Shown?.Picture ?? 0, state.Document.BuiltRevision));
+        (long picture, int revision) = await _dispatcher.Ask(s => (s.View.Shown?.Picture ?? 0, state.Document.BuiltRevision));
         if (_outlined == (pointer, picture, revision))
         {
             return;
         }
 
         _outlined = (pointer, picture, revision);
-        PixelFrame? outline = pointer is null ? null : await _hand.Aside(s => Task.FromResult(s.View.Shown is { } shown ? SelectionOutline.Of(Picking.Mask(shown, pointer)) : null));
+        PixelFrame? outline = pointer is null ? null : await _dispatcher.Aside(s => Task.FromResult(s.View.Shown is { } shown ? SelectionOutline.Of(Picking.Mask(shown, pointer)) : null));
         if (_outlined == (pointer, picture, revision))
         {
             Outline = outline;

@@ -7,7 +7,7 @@ internal sealed partial class ViewportViewModel
 {
     private const double ClickDistance = 4;
     private const double KeyStep = 0.04;
-    private const double FlyStep = 0.03;
+    private const double TranslateStep = 0.03;
     private const double WheelStep = 0.1;
     private Action<Spot>? _drag;
     private Action? _release;
@@ -16,10 +16,10 @@ internal sealed partial class ViewportViewModel
     private bool _isMoved;
     private bool _isClick;
 
-    /// <summary>Told the pixel that is to be looked into.</summary>
+    /// <summary>Takes the pixel to inspect.</summary>
     public Action<Spot> Inspect { get; set; } = _ => { };
 
-    /// <summary>Told that a thing was selected in the picture.</summary>
+    /// <summary>Called when a thing was selected in the picture.</summary>
     public Action Selected { get; set; } = () => { };
 
     /// <summary>A button is pressed.</summary>
@@ -33,7 +33,7 @@ internal sealed partial class ViewportViewModel
         {
             _drag = to => Stage = Stage.ShiftedBy(to.X - _last.X, to.Y - _last.Y);
         }
-        else if (button == PointerButton.Main && keys == HeldKeys.None && Gizmo.Take(at, Stage.ToPicture(at)))
+        else if (button == PointerButton.Main && keys == HeldKeys.None && Gizmo.Grab(at, Stage.ToPicture(at)))
         {
             _isClick = false;
             _drag = to => Gizmo.Drag(Stage.ToPicture(to));
@@ -45,7 +45,7 @@ internal sealed partial class ViewportViewModel
         }
         else
         {
-            DragCamera(button == PointerButton.Second ? CameraMoveKind.Look
+            DragCamera(button == PointerButton.Second ? CameraMoveKind.Rotate
                 : button == PointerButton.Middle || keys.HasFlag(HeldKeys.Shift) ? CameraMoveKind.Pan : CameraMoveKind.Orbit);
         }
     }
@@ -110,12 +110,12 @@ internal sealed partial class ViewportViewModel
             "ArrowDown" => (around, 0, KeyStep, 0),
             "+" or "=" => (CameraMoveKind.Dolly, 0, -KeyStep, 0),
             "-" => (CameraMoveKind.Dolly, 0, KeyStep, 0),
-            "w" => (CameraMoveKind.Fly, 0, 0, FlyStep),
-            "s" => (CameraMoveKind.Fly, 0, 0, -FlyStep),
-            "a" => (CameraMoveKind.Fly, -FlyStep, 0, 0),
-            "d" => (CameraMoveKind.Fly, FlyStep, 0, 0),
-            "e" => (CameraMoveKind.Fly, 0, -FlyStep, 0),
-            "q" => (CameraMoveKind.Fly, 0, FlyStep, 0),
+            "w" => (CameraMoveKind.Translate, 0, 0, TranslateStep),
+            "s" => (CameraMoveKind.Translate, 0, 0, -TranslateStep),
+            "a" => (CameraMoveKind.Translate, -TranslateStep, 0, 0),
+            "d" => (CameraMoveKind.Translate, TranslateStep, 0, 0),
+            "e" => (CameraMoveKind.Translate, 0, -TranslateStep, 0),
+            "q" => (CameraMoveKind.Translate, 0, TranslateStep, 0),
             _ => null,
         };
         if (move is { } m)
@@ -153,7 +153,7 @@ internal sealed partial class ViewportViewModel
             if (_regionStart is not null && Stage.Between(start, _regionEnd) is { } region)
             {
                 Tool = Tool.Select;
-                _hand.Do(s => s.View.Change(v => v with { Region = region }));
+                _dispatcher.Do(s => s.View.Change(v => v with { Region = region }));
             }
 
             _regionStart = null;
@@ -166,7 +166,7 @@ internal sealed partial class ViewportViewModel
         (float x, float y) = ((float)pixel.X, (float)pixel.Y);
         if (Tool == Tool.Focus)
         {
-            _hand.Do(s => s.Camera.Focus(x, y));
+            _dispatcher.Do(s => s.Camera.Focus(x, y));
         }
         else if (Tool == Tool.Inspect)
         {
@@ -174,9 +174,9 @@ internal sealed partial class ViewportViewModel
         }
         else
         {
-            _ = _hand.Attempt(async () =>
+            _ = _dispatcher.Attempt(async () =>
             {
-                string? pointer = await _hand.Ask(s =>
+                string? pointer = await _dispatcher.Ask(s =>
                 {
                     string? found = Picking.At(s.View.RequireShown(), x, y).Pointer;
                     s.Selection.Select(found);

@@ -10,7 +10,7 @@ namespace RayTracer.Desktop.ViewModels;
 internal sealed partial class ViewportViewModel : Observable
 {
     private static readonly double[] Percents = [12.5, 25, 50, 100, 200, 400, 800, 1600];
-    private readonly Hand _hand;
+    private readonly SessionDispatcher _dispatcher;
     private readonly Latest<Tone> _toning;
     private readonly byte[][] _buffers = [[], []];
     private SessionState? _state;
@@ -18,12 +18,12 @@ internal sealed partial class ViewportViewModel : Observable
     private IReadOnlyList<Choice> _zooms = [];
 
     /// <summary>The picture of a session.</summary>
-    public ViewportViewModel(Hand hand)
+    public ViewportViewModel(SessionDispatcher dispatcher)
     {
-        _hand = hand;
-        Camera = new(hand);
-        Gizmo = new(hand);
-        _toning = new(tone => hand.Attempt(() => hand.Ask(s => s.View.Tone = tone)));
+        _dispatcher = dispatcher;
+        Camera = new(dispatcher);
+        Gizmo = new(dispatcher);
+        _toning = new(tone => dispatcher.Attempt(() => dispatcher.Ask(s => s.View.Tone = tone)));
         Comparisons = [NoComparison];
         _compared = NoComparison;
     }
@@ -118,7 +118,7 @@ internal sealed partial class ViewportViewModel : Observable
             if (!IsReporting && value is not null && value != Map)
             {
                 ViewMap map = ViewMap.Named(value.Value);
-                _hand.Do(s => s.View.Change(v => v with { Map = map }));
+                _dispatcher.Do(s => s.View.Change(v => v with { Map = map }));
             }
         }
     }
@@ -132,7 +132,7 @@ internal sealed partial class ViewportViewModel : Observable
             string[] known = [.. Percents.Select(Percent)];
             Choice[] zooms = [.. known.Contains(now) ? [] : new[] { new Choice(now, $"{now} %") }, .. known.Select(p => new Choice(p, $"{p} %"))];
 
-            // A list that is the same one stays, so that whoever shows it does not begin anew.
+            // A list that is the same one stays, so that the view does not start from scratch.
             return _zooms = zooms.SequenceEqual(_zooms) ? _zooms : zooms;
         }
     }
@@ -154,7 +154,7 @@ internal sealed partial class ViewportViewModel : Observable
     public bool HasRegion => _state?.Settings.Region is not null;
 
     /// <summary>Renders the whole picture again.</summary>
-    public ICommand ClearRegion => field ??= new RelayCommand(() => _hand.Do(s => s.View.Change(v => v with { Region = null })));
+    public ICommand ClearRegion => field ??= new RelayCommand(() => _dispatcher.Do(s => s.View.Change(v => v with { Region = null })));
 
     /// <summary>Returns whether the text has an error, and the last good picture is shown.</summary>
     public bool IsLastGood => _state is { Document.IsGood: false } && Frame is not null;
@@ -188,7 +188,7 @@ internal sealed partial class ViewportViewModel : Observable
         for (int i = 0; await view.Frames.Wait(version, stop); i = 1 - i)
         {
             int buffer = i;
-            (PixelFrame Frame, FrameInfo Info, long Version)? taken = await Task.Run(() => Take(view, buffer), stop);
+            (PixelFrame Frame, FrameInfo Info, long Version)? taken = await Task.Run(() => CopyFrame(view, buffer), stop);
             if (taken is { } newest)
             {
                 version = newest.Version;
@@ -200,7 +200,7 @@ internal sealed partial class ViewportViewModel : Observable
     }
 
     // The window shows one buffer while the other one is filled.
-    private (PixelFrame Frame, FrameInfo Info, long Version)? Take(PictureView view, int buffer)
+    private (PixelFrame Frame, FrameInfo Info, long Version)? CopyFrame(PictureView view, int buffer)
     {
         using FrameLease? lease = view.Frames.Borrow();
         if (lease is null)
