@@ -282,17 +282,8 @@ public sealed class PictureView : IDisposable
             _pictures++;
         }
 
-        RenderOrder order = new()
-        {
-            Scene = shown.Scene,
-            Camera = shown.Camera,
-            Picture = _pictures,
-            Region = _settings.Region,
-            Threads = _settings.Threads,
-            Map = _settings.Map,
-            Mode = _settings.Mode,
-        };
-        order = WithStart(order, good);
+        ViewSettings s = _settings;
+        RenderOrder order = WithStart(new(shown.Scene, shown.Camera, _pictures, s.Region, s.Threads, s.Map, s.Mode), good);
         _shown = shown with { Picture = order.Picture };
         Loop.Show(order);
         return true;
