@@ -31,7 +31,8 @@ internal sealed class CommandTable
     public IReadOnlyList<CommandViewModel> Panes => field ??= Of("showScene", "showDock", "showPanel", "theme");
 
     /// <summary>Those that choose what the pointer does.</summary>
-    public IReadOnlyList<CommandViewModel> Tools => field ??= Of("toolSelect", "toolMove", "toolRotate", "toolScale", "toolFocus", "toolInspect", "toolRegion");
+    public IReadOnlyList<CommandViewModel> Tools =>
+        field ??= Of("toolSelect", "toolMove", "toolRotate", "toolScale", "toolFocus", "toolInspect", "toolRegion");
 
     /// <summary>Those of the picture's size.</summary>
     public IReadOnlyList<CommandViewModel> ZoomBar => field ??= Of("fit", "actualSize", "zoomIn", "zoomOut", "snapshot");

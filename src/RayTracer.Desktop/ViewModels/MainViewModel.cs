@@ -74,7 +74,8 @@ internal sealed class MainViewModel(StudioSession session, IWindowServices windo
     public RecoveryViewModel? Recovery { get; private set => SetProperty(ref field, value); }
 
     /// <summary>The window's title.</summary>
-    public string Title => $"{(_document?.IsDirty == true ? "• " : "")}{_document?.Name ?? SessionTexts.Of("untitled")} – {SessionTexts.Of("product")}";
+    public string Title =>
+        $"{(_document?.IsDirty == true ? "• " : "")}{_document?.Name ?? SessionTexts.Of("untitled")} – {SessionTexts.Of("product")}";
 
     public string DocumentName => _document?.Name ?? SessionTexts.Of("untitled");
 
@@ -105,7 +106,8 @@ internal sealed class MainViewModel(StudioSession session, IWindowServices windo
     }
 
     /// <summary>Asks for the selected thing's new name.</summary>
-    public void AskForName() => Things.With(pointer => Ask(new RenameViewModel(Properties.Thing?.Title ?? "", name => Things.Rename(pointer, name))));
+    public void AskForName() =>
+        Things.With(pointer => Ask(new RenameViewModel(Properties.Thing?.Title ?? "", name => Things.Rename(pointer, name))));
 
     /// <summary>Ends following. The session lives on.</summary>
     public void Dispose()
@@ -204,7 +206,8 @@ internal sealed class RecoveryViewModel(RecoveryEntry entry, Action open, Action
 {
     public string Id => entry.Id;
 
-    public string Text => SessionTexts.Of("recovery.text", entry.Name, entry.Time.ToLocalTime().ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture));
+    public string Text =>
+        SessionTexts.Of("recovery.text", entry.Name, entry.Time.ToLocalTime().ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture));
 
     /// <summary>Opens it.</summary>
     public ICommand Open { get; } = new RelayCommand(open);

@@ -6,7 +6,9 @@ using Microsoft.AspNetCore.StaticFiles;
 
 namespace RayTracer.Studio;
 
-/// <summary>The pages, which are within the program. They are found by their exact names only: there is no path that could lead elsewhere.</summary>
+/// <summary>
+/// The pages, which are within the program. They are found by their exact names only: there is no path that could lead elsewhere.
+/// </summary>
 internal sealed partial class EmbeddedAssets
 {
     private const string Prefix = "wwwroot/";

@@ -96,7 +96,8 @@ internal sealed class ConvergenceViewModel(SessionDispatcher dispatcher, Func<bo
         OnPropertyChanged("");
     }
 
-    private static double Part(double value, double low, double high) => high > low ? (Log(value) - Log(low)) / (Log(high) - Log(low)) : 0.5;
+    private static double Part(double value, double low, double high) =>
+        high > low ? (Log(value) - Log(low)) / (Log(high) - Log(low)) : 0.5;
 
     private static double Log(double value) => LaneMath.Log((float)value);
 }

@@ -6,7 +6,8 @@ namespace RayTracer.Desktop.ViewModels;
 /// <param name="context">The rest of the window, as editors use it.</param>
 /// <param name="render">The user's settings of the picture.</param>
 /// <param name="addEnvironment">Adds an environment that needs a file.</param>
-internal sealed class PropertyPanelViewModel(PanelContext context, RenderViewModel render, Action<CatalogueType> addEnvironment) : Observable
+internal sealed class PropertyPanelViewModel(PanelContext context, RenderViewModel render, Action<CatalogueType> addEnvironment)
+    : Observable
 {
     private static readonly string[] WorldKinds = ["color", "texture", "number", "choice", "boolean"];
     private static readonly string[] TabNames = ["object", "camera", "render", "world"];

@@ -83,7 +83,8 @@ internal sealed partial class ViewportViewModel
     }
 
     /// <summary>The place of the inspected pixel.</summary>
-    public Box Mark => Inspected is { } pixel && Tool == Tool.Inspect ? Stage.ToScreen(new Rendering.Tile((int)pixel.X, (int)pixel.Y, 1, 1)) : Box.None;
+    public Box Mark =>
+        Inspected is { } pixel && Tool == Tool.Inspect ? Stage.ToScreen(new Rendering.Tile((int)pixel.X, (int)pixel.Y, 1, 1)) : Box.None;
 
     /// <summary>The text beside it.</summary>
     public string MarkText => Inspected is { } pixel ? SessionTexts.Of("viewport.inspected", (int)pixel.X, (int)pixel.Y) : "";

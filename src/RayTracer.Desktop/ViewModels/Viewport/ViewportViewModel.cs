@@ -204,7 +204,8 @@ internal sealed partial class ViewportViewModel(SessionDispatcher dispatcher) : 
         return (new(width, height, _buffers[buffer]), lease.Info, lease.Version);
     }
 
-    private static string Percent(double percent) => (Math.Abs(percent - 12.5) < 0.01 ? percent : Math.Round(percent)).ToString(CultureInfo.InvariantCulture);
+    private static string Percent(double percent) =>
+        (Math.Abs(percent - 12.5) < 0.01 ? percent : Math.Round(percent)).ToString(CultureInfo.InvariantCulture);
 
     private void ZoomTo(double scale) => Stage = Stage.ZoomedBy(scale / Stage.Scale);
 
