@@ -37,7 +37,7 @@ public sealed record FilmHeader
     /// <summary>The values that replace what the scene's file says, each written <c>path=value</c>.</summary>
     public IReadOnlyList<string> Settings { get; init; } = [];
 
-    /// <summary>What a file of the first format holds in place of settings: words of a command line; null in any other.</summary>
+    /// <summary>The words of a command line that a file of the first format holds in place of settings; null in any other.</summary>
     public IReadOnlyList<string>? Words { get; init; }
 
     /// <summary>The program that wrote it.</summary>

@@ -18,7 +18,7 @@ internal static class MitsubaColors
     /// <param name="thing">What has the property.</param>
     /// <param name="name">The property.</param>
     /// <param name="standard">What holds where it is not given, or wrong.</param>
-    /// <param name="isLight">Whether it is of light, and not of what reflects it.</param>
+    /// <param name="isLight">True where it is of light, and not of what reflects it.</param>
     /// <param name="maximum">The most that a channel may be.</param>
     public static Rgb Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false, float maximum = float.PositiveInfinity)
     {
@@ -67,8 +67,7 @@ internal static class MitsubaColors
             case "spectrum":
                 return Spectrum(property, isLight, thing);
             default:
-                log.Error(property.Place, $"expected a colour (<rgb>, <spectrum> or <float>) for {Quotation.Of(property.Attribute("name") ?? "")}, but found <{property.Name}>");
-                return null;
+                return log.Fail<Rgb?>(property.Place, $"expected a colour (<rgb>, <spectrum> or <float>) for {Quotation.Of(property.Attribute("name") ?? "")}, but found <{property.Name}>");
         }
     }
 
@@ -114,8 +113,7 @@ internal static class MitsubaColors
                 return new((number >> 16) / 255f, ((number >> 8) & 255) / 255f, (number & 255) / 255f);
             }
 
-            log.Error(property.PlaceOf("value"), $"{Quotation.Of(hex)} is not a colour: expected # and six hexadecimal digits");
-            return null;
+            return log.Fail<Rgb?>(property.PlaceOf("value"), $"{Quotation.Of(hex)} is not a colour: expected # and six hexadecimal digits");
         }
 
         return MitsubaNumbers.Floats(property, "value", log, 1, 3) is not { } v ? null
@@ -141,8 +139,7 @@ internal static class MitsubaColors
         string[][] pairs = [.. words.Select(w => w.Split(':'))];
         if (pairs.Length == 0 || pairs.Any(p => p.Length != 2))
         {
-            log.Error(property.PlaceOf("value"), "expected one number, or wavelengths in nm with their numbers, as in 400:0.1, 700:0.5");
-            return null;
+            return log.Fail<Rgb?>(property.PlaceOf("value"), "expected one number, or wavelengths in nm with their numbers, as in 400:0.1, 700:0.5");
         }
 
         return Sampled([.. pairs.Select(p => p[0])], [.. pairs.Select(p => p[1])], property.PlaceOf("value"), log) is { } sampled ? Color(sampled, isLight) : null;
@@ -153,8 +150,7 @@ internal static class MitsubaColors
     {
         if (wavelengths.Length != values.Length || wavelengths.Length is 0 or > MostSamples)
         {
-            log.Error(place, $"expected as many wavelengths as numbers, at most {MostSamples}, but found {wavelengths.Length} and {values.Length}");
-            return null;
+            return log.Fail<Spectrum>(place, $"expected as many wavelengths as numbers, at most {MostSamples}, but found {wavelengths.Length} and {values.Length}");
         }
 
         float?[] at = [.. wavelengths.Select(w => MitsubaNumbers.Float(w, place, log))];
@@ -164,13 +160,8 @@ internal static class MitsubaColors
             return null;
         }
 
-        if (at.Zip(at.Skip(1)).Any(p => !(p.First < p.Second)))
-        {
-            log.Error(place, "the wavelengths of a spectrum must rise");
-            return null;
-        }
-
-        return new([.. at.Select(v => v!.Value)], [.. numbers.Select(v => v!.Value)]);
+        return at.Zip(at.Skip(1)).Any(p => !(p.First < p.Second)) ? log.Fail<Spectrum>(place, "the wavelengths of a spectrum must rise")
+            : new([.. at.Select(v => v!.Value)], [.. numbers.Select(v => v!.Value)]);
     }
 
     private static Spectrum? Sampled(MitsubaObject plugin)
@@ -206,23 +197,20 @@ internal static class SpectrumFile
             string? complaint = FileSearch.Complaint(path) ?? (new FileInfo(path).Length > LargestBytes ? "it is too large for a spectrum" : null);
             if (complaint is not null)
             {
-                thing.Log.Error(place, $"cannot read {Quotation.Of(name)}: {complaint}");
-                return null;
+                return thing.Log.Fail<Spectrum>(place, $"cannot read {Quotation.Of(name)}: {complaint}");
             }
 
             string[][] lines = [.. File.ReadLines(path).Select(l => MitsubaNumbers.Words(l.Split('#')[0])).Where(w => w.Length > 0)];
             if (Array.FindIndex(lines, w => w.Length != 2) is var bad and >= 0)
             {
-                thing.Log.Error(place, $"{Quotation.Of(name)} is not a spectrum: expected a wavelength and a number per line, but found {Quotation.Of(string.Join(' ', lines[bad]))}");
-                return null;
+                return thing.Log.Fail<Spectrum>(place, $"{Quotation.Of(name)} is not a spectrum: expected a wavelength and a number per line, but found {Quotation.Of(string.Join(' ', lines[bad]))}");
             }
 
             return MitsubaColors.Sampled([.. lines.Select(w => w[0])], [.. lines.Select(w => w[1])], place, thing.Log);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            thing.Log.Error(place, $"cannot read {Quotation.Of(name)}: {e.Message.TrimEnd('.')}");
-            return null;
+            return thing.Log.Fail<Spectrum>(place, $"cannot read {Quotation.Of(name)}: {e.Message.TrimEnd('.')}");
         }
     }
 }

@@ -26,7 +26,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <param name="thing">What has it.</param>
     /// <param name="name">Its name there.</param>
     /// <param name="standard">What it is where it is not given.</param>
-    /// <param name="isLight">Whether it is of light, and not of what reflects it.</param>
+    /// <param name="isLight">True where it is of light, and not of what reflects it.</param>
     public TextureDescription Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false) =>
         thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, standard, isLight, isLight ? float.PositiveInfinity : 1));
 

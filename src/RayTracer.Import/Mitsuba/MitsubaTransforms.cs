@@ -58,8 +58,7 @@ internal static class MitsubaTransforms
 
         if (!(axis.Norm() > 0) || !axis.Unit().IsFinite())
         {
-            log.Error(step.Place, "a rotation needs an axis: x, y or z must be given, and not be 0");
-            return null;
+            return log.Fail<Transform?>(step.Place, "a rotation needs an axis: x, y or z must be given, and not be 0");
         }
 
         if (float.Abs(axis.Norm() - 1) > 1e-3f)
@@ -85,16 +84,14 @@ internal static class MitsubaTransforms
         Vector3 forward = (Vector(target) - eye).Unit();
         if (!forward.IsFinite())
         {
-            log.Error(step.Place, "origin and target of a lookat must be different points");
-            return null;
+            return log.Fail<Transform?>(step.Place, "origin and target of a lookat must be different points");
         }
 
         Vector3 upward = Vector(up) == Vector3.Zero ? AnyPerpendicular(forward) : Vector(up);
         Vector3 left = upward.Cross(forward).Unit();
         if (!left.IsFinite())
         {
-            log.Error(step.PlaceOf("up"), "the up direction of a lookat must not point from origin to target");
-            return null;
+            return log.Fail<Transform?>(step.PlaceOf("up"), "the up direction of a lookat must not point from origin to target");
         }
 
         Vector3 top = forward.Cross(left);
@@ -116,8 +113,7 @@ internal static class MitsubaTransforms
 
         if (!m.AsSpan(12).SequenceEqual([0, 0, 0, 1]))
         {
-            log.Error(step.PlaceOf("value"), "the last row of a matrix must be 0 0 0 1");
-            return null;
+            return log.Fail<Transform?>(step.PlaceOf("value"), "the last row of a matrix must be 0 0 0 1");
         }
 
         return new Transform(new(m[0], m[1], m[2], m[3]), new(m[4], m[5], m[6], m[7]), new(m[8], m[9], m[10], m[11]));
