@@ -55,53 +55,41 @@ internal static class MitsubaColors
     }
 
     /// <summary>The colour of an element; null, after an error, where it is none.</summary>
-    public static Rgb? Read(MitsubaElement property, bool isLight, MitsubaObject thing)
+    public static Rgb? Read(MitsubaElement property, bool isLight, MitsubaObject thing) => property.Name switch
     {
-        MitsubaLog log = thing.Log;
-        switch (property.Name)
-        {
-            case "rgb":
-                return Rgb(property, log);
-            case "float" or "integer":
-                return MitsubaNumbers.Float(property, "value", log) is { } grey ? new(grey, grey, grey) : null;
-            case "spectrum":
-                return Spectrum(property, isLight, thing);
-            default:
-                return log.Fail<Rgb?>(property.Place, $"expected a colour (<rgb>, <spectrum> or <float>) for {Quotation.Of(property.Attribute("name") ?? "")}, but found <{property.Name}>");
-        }
-    }
+        "rgb" => Rgb(property, thing.Log),
+        "float" or "integer" => MitsubaNumbers.Float(property, "value", thing.Log) is { } grey ? new(grey, grey, grey) : null,
+        "spectrum" => Spectrum(property, isLight, thing),
+        _ => thing.Log.Fail<Rgb?>(
+            property.Place,
+            $"expected a colour (<rgb>, <spectrum> or <float>) for {Quotation.Of(property.Attribute("name") ?? "")}, but found <{property.Name}>"),
+    };
 
     /// <summary>The colour of a spectrum that is a separate object.</summary>
     public static Rgb Plugin(MitsubaObject plugin, Rgb standard, bool isLight)
     {
-        Rgb color = standard;
-        switch (plugin.Type)
+        Rgb? color = plugin.Type switch
         {
-            case "uniform":
-                float value = plugin.Float("value", 1);
-                color = isLight ? s_equalEnergy * value : new(value, value, value);
-                break;
-            case "d65":
-                float scale = plugin.Float("scale", 1);
-                color = Read(plugin, "color", Numerics.Rgb.White) * scale;
-                break;
-            case "rgb" or "srgb":
-                color = Read(plugin, plugin.Type == "rgb" ? "value" : "color", standard);
-                break;
-            case "blackbody":
-                color = Color(Scenes.Spectrum.BlackBody(plugin.Float("temperature", 5000, 1), plugin.Float("wavelength_min", CieTables.First), plugin.Float("wavelength_max", CieTables.Last)), isLight);
-                break;
-            case "regular" or "irregular":
-                color = Sampled(plugin) is { } sampled ? Color(sampled, isLight) : standard;
-                break;
-            default:
-                plugin.UnknownType("spectra", "uniform", "d65", "rgb", "srgb", "regular", "irregular", "blackbody");
-                return standard;
+            "uniform" => (isLight ? s_equalEnergy : Numerics.Rgb.White) * plugin.Float("value", 1),
+            "d65" => Read(plugin, "color", Numerics.Rgb.White) * plugin.Float("scale", 1),
+            "rgb" => Read(plugin, "value", standard),
+            "srgb" => Read(plugin, "color", standard),
+            "blackbody" => Color(BlackBody(plugin), isLight),
+            "regular" or "irregular" => Sampled(plugin) is { } sampled ? Color(sampled, isLight) : standard,
+            _ => null,
+        };
+        if (color is null)
+        {
+            plugin.UnknownType("spectra", "uniform", "d65", "rgb", "srgb", "regular", "irregular", "blackbody");
+            return standard;
         }
 
         plugin.Finish();
-        return color;
+        return color.Value;
     }
+
+    private static Spectrum BlackBody(MitsubaObject plugin) => Scenes.Spectrum.BlackBody(
+        plugin.Float("temperature", 5000, 1), plugin.Float("wavelength_min", CieTables.First), plugin.Float("wavelength_max", CieTables.Last));
 
     private static Rgb? Rgb(MitsubaElement property, MitsubaLog log)
     {

@@ -25,6 +25,13 @@ internal sealed class MitsubaLog
         return default;
     }
 
+    /// <summary>As the other one, and returns nothing in place of what could not be read.</summary>
+    public T? Unknown<T>(SourcePlace place, string message, string word, params string[] known)
+    {
+        Unknown(place, message, word, known);
+        return default;
+    }
+
     /// <summary>Takes a warning: the picture is right, but something is not as it says there.</summary>
     public void Warn(SourcePlace place, string message) => Add(place.At(Severity.Warning, message));
 

@@ -58,20 +58,18 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <summary>The same colour everywhere.</summary>
     public static TextureDescription Solid(Rgb color) => new SolidTextureDescription { Color = color };
 
-    private TextureDescription Make(MitsubaObject texture)
+    private TextureDescription Make(MitsubaObject texture) => texture.Type switch
     {
-        switch (texture.Type)
-        {
-            case "bitmap":
-                return Bitmap(texture);
-            case "checkerboard":
-                return Checkerboard(texture);
-            case "mesh_attribute":
-                return Attribute(texture);
-            default:
-                texture.UnknownType("textures", "bitmap", "checkerboard", "mesh_attribute");
-                return Solid(new(0.5f, 0.5f, 0.5f));
-        }
+        "bitmap" => Bitmap(texture),
+        "checkerboard" => Checkerboard(texture),
+        "mesh_attribute" => Attribute(texture),
+        _ => Unknown(texture),
+    };
+
+    private static TextureDescription Unknown(MitsubaObject texture)
+    {
+        texture.UnknownType("textures", "bitmap", "checkerboard", "mesh_attribute");
+        return Solid(new(0.5f, 0.5f, 0.5f));
     }
 
     private TextureDescription Bitmap(MitsubaObject texture)

@@ -29,25 +29,15 @@ internal static class MitsubaTransforms
         return all;
     }
 
-    private static Transform? Step(MitsubaElement step, MitsubaLog log)
+    private static Transform? Step(MitsubaElement step, MitsubaLog log) => step.Name switch
     {
-        switch (step.Name)
-        {
-            case "translate":
-                return MitsubaNumbers.Vector(step, 0, log) is { } by ? Transform.Translation(by) : null;
-            case "scale":
-                return MitsubaNumbers.Vector(step, 1, log) is { } factors ? Transform.Scaling(factors) : null;
-            case "rotate":
-                return Rotation(step, log);
-            case "lookat":
-                return LookAt(step, log);
-            case "matrix":
-                return Matrix(step, log);
-            default:
-                log.Unknown(step.Place, $"<{step.Name}> is not a transform step", step.Name, ["translate", "scale", "rotate", "lookat", "matrix"]);
-                return null;
-        }
-    }
+        "translate" => MitsubaNumbers.Vector(step, 0, log) is { } by ? Transform.Translation(by) : null,
+        "scale" => MitsubaNumbers.Vector(step, 1, log) is { } factors ? Transform.Scaling(factors) : null,
+        "rotate" => Rotation(step, log),
+        "lookat" => LookAt(step, log),
+        "matrix" => Matrix(step, log),
+        _ => log.Unknown<Transform?>(step.Place, $"<{step.Name}> is not a transform step", step.Name, "translate", "scale", "rotate", "lookat", "matrix"),
+    };
 
     private static Transform? Rotation(MitsubaElement step, MitsubaLog log)
     {
