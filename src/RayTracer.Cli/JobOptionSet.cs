@@ -18,13 +18,13 @@ internal sealed class JobOptionSet
     public JobOptionSet(Command command, IEnumerable<JobOption> options)
         : this(options) => Array.ForEach(_options, o => command.Options.Add(o.Symbol));
 
-    /// <summary>What a command is given.</summary>
+    /// <summary>The options as those of a command.</summary>
     public IEnumerable<Option> Symbols => _options.Select(o => o.Symbol);
 
-    /// <summary>What a command is given for one of them.</summary>
+    /// <summary>Returns one of them as that of a command.</summary>
     public Option Symbol(JobOption option) => _options.First(o => o.Option == option).Symbol;
 
-    /// <summary>Whether an option was given.</summary>
+    /// <summary>Returns whether an option was given.</summary>
     public bool Has(ParseResult result, string name) => Values(result, _options.First(o => o.Option.Name == name).Symbol).Any();
 
     /// <summary>A job with the values that were given; options go before settings.</summary>

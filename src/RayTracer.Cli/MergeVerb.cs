@@ -49,7 +49,7 @@ internal sealed class MergeVerb
             streams.Warn(missing);
         }
 
-        JobFiles.CheckUnfinished(outputs, replacement: merge.Header);
+        UnfinishedFilms.Check(outputs, replacement: merge.Header);
         stages.End("headers");
         Film film = merge.Add();
         stages.EndLoad();

@@ -6,7 +6,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
 
-/// <summary>What <c>render</c> prints when it is done.</summary>
+/// <summary>The report that <c>render</c> prints when it is done.</summary>
 /// <param name="job">What was asked for.</param>
 /// <param name="result">What it came to.</param>
 /// <param name="display">What is reported.</param>

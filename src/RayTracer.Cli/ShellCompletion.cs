@@ -72,7 +72,7 @@ internal static class ShellCompletion
 
     private static IEnumerable<string> First(IReadOnlyList<VerbHelp> verbs) => verbs.Select(v => v.Name).Where(n => !n.Contains(' ', StringComparison.Ordinal));
 
-    // Verbs that have verbs of their own.
+    // Verbs with verbs below them.
     private static IEnumerable<string> Above(IReadOnlyList<VerbHelp> verbs) => verbs.Where(v => v.HasVerbs).Select(v => v.Name);
 
     private static string Zsh(IReadOnlyList<VerbHelp> verbs)

@@ -5,7 +5,7 @@ using System.Reflection;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer studio [SCENE]</c>: starts the Studio, a program of its own, and ends with it.</summary>
+/// <summary><c>raytracer studio [SCENE]</c>: starts the Studio, a separate program, and ends with it.</summary>
 internal static class StudioVerb
 {
     private const string Program = "RayTracer.Studio";

@@ -20,9 +20,9 @@ internal sealed class VerboseOption
         });
     }
 
-    /// <summary>Whether it was given.</summary>
+    /// <summary>Returns whether it was given.</summary>
     public bool Value(ParseResult result) => result.GetValue(_option);
 
-    /// <summary>The times to tell, if it was given, from now on.</summary>
+    /// <summary>The times to report, if it was given, from now on.</summary>
     public StageTimes Times(ParseResult result, Streams streams) => new(Value(result) ? streams : null);
 }

@@ -127,7 +127,7 @@ internal static class VerifyVerb
         RenderJob At(RenderJob job) => scene is null ? job : job with { Scene = scene };
     }
 
-    /// <summary>What a file says of itself.</summary>
+    /// <summary>The claim of a file about its making.</summary>
     /// <param name="File">The file.</param>
     /// <param name="Job">How it was rendered.</param>
     /// <param name="Samples">The samples that it holds; null for those that the job decides on.</param>

@@ -70,7 +70,7 @@ internal sealed class WritingOptions
     /// <summary>The options that were given, as words of a command line.</summary>
     public IEnumerable<string> Words(ParseResult result) => _options.Words(result);
 
-    /// <summary>How pictures are written.</summary>
+    /// <summary>Returns the details of writing pictures.</summary>
     /// <param name="result">What was given.</param>
     /// <param name="files">The files to write; null for those of -o.</param>
     /// <exception cref="CommandException">The film shall go into an OpenEXR image, but there is none.</exception>

@@ -23,13 +23,13 @@ public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
     // What may be replaced: what was there before, and what was written since.
     private (string Content, SampleRange Wanted)? _known = There(path);
 
-    /// <summary>Whether the latest could not be written.</summary>
+    /// <summary>True if the latest could not be written.</summary>
     public bool HasFailed { get; private set; }
 
-    /// <summary>How many were written.</summary>
+    /// <summary>The number of those that were written.</summary>
     public int Count { get; private set; }
 
-    /// <summary>How long that took in all, failures included.</summary>
+    /// <summary>The time that took in all, failures included.</summary>
     public TimeSpan Spent { get; private set; }
 
     /// <summary>Writes one if it is time for it.</summary>

@@ -16,14 +16,14 @@ public sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader pictu
     private readonly string _content = $"{picture.Content}{Mark}{goal}";
     private (Film Film, FilmHeader Header)? _latest;
 
-    /// <summary>Whether a film holds samples that decide, and none of a picture.</summary>
+    /// <summary>Returns whether a film holds samples that decide, and none of a picture.</summary>
     public static bool Is(FilmHeader header) => header.Content.Contains(Mark, StringComparison.Ordinal);
 
     /// <summary>The complaint about a film that holds none of a picture.</summary>
     public static JobException NoPicture(string path) =>
         new(JobFault.File, $"'{path}' holds no samples of the picture yet: it is being decided how many there shall be (--noise); \"raytracer resume {path}\" continues");
 
-    /// <summary>What has been decided before.</summary>
+    /// <summary>Returns what has been decided before.</summary>
     /// <exception cref="JobException">The film is of another picture or another decision.</exception>
     public DecidingState Begun(HeldFilm film, RenderJob job, Description.SceneDescription scene)
     {

@@ -18,7 +18,7 @@ public sealed class FilmMerge
         Header = Together(parts);
     }
 
-    /// <summary>What the films are together.</summary>
+    /// <summary>The header of the films together.</summary>
     public FilmHeader Header { get; }
 
     /// <summary>The samples that none of them has, in words; null where there are none.</summary>

@@ -12,7 +12,7 @@ public sealed record FrameRange(int First, int Last, int Step)
 {
     private const int Largest = 9_999_999;
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of frames.</summary>
     public int Count => ((Last - First) / Step) + 1;
 
     /// <summary>The frames in their order.</summary>

@@ -10,21 +10,21 @@ namespace RayTracer.Jobs;
 /// <summary>The names of files of frames.</summary>
 public static class FrameFiles
 {
-    /// <summary>Whether a job is of more than one picture.</summary>
+    /// <summary>Returns whether a job is of more than one picture.</summary>
     public static bool AreSeveral(RenderJob job) => job.Frames is { } frames && (frames.Count > 1 || job.Outputs.Any(o => IsNumbered(o) || IsAnimated(o, frames)));
 
-    /// <summary>Whether a job writes an animated PNG, among others.</summary>
+    /// <summary>Returns whether a job writes an animated PNG, among others.</summary>
     public static bool MakeAnimation(RenderJob job) => job.Frames is not null && job.Outputs.Any(o => IsAnimated(o, job.Frames));
 
-    /// <summary>Whether a name has a place for a frame's number.</summary>
+    /// <summary>Returns whether a name has a place for a frame's number.</summary>
     public static bool IsNumbered(string path) => path.Contains('#', StringComparison.Ordinal);
 
-    /// <summary>Whether a file takes all frames as an animated PNG.</summary>
+    /// <summary>Returns whether a file takes all frames as an animated PNG.</summary>
     public static bool IsAnimated(string path, FrameRange? frames) => AnimatedPng.IsNamed(path)
         || (frames is { Count: > 1 } && path.EndsWith(".png", StringComparison.OrdinalIgnoreCase) && !IsNumbered(path));
 }
 
-/// <summary>What became of a frame.</summary>
+/// <summary>The outcome of a frame.</summary>
 /// <param name="Number">Its number.</param>
 /// <param name="Which">Which of how many it is, in words.</param>
 /// <param name="Result">What its rendering came to; null where it was there already.</param>

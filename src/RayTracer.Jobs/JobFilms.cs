@@ -3,7 +3,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Jobs;
 
-/// <summary>What a job renders into: the film, auxiliary images, layers of light, and the halves that a denoised picture is made of.</summary>
+/// <summary>The films that a job renders into: the picture's, auxiliary images, layers of light, and the halves that a denoised picture is made of.</summary>
 internal sealed class JobFilms
 {
     /// <summary>Prepares them.</summary>

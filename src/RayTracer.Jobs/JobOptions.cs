@@ -7,7 +7,7 @@ using W = RayTracer.Jobs.OptionWords;
 
 namespace RayTracer.Jobs;
 
-/// <summary>Which files keep the value of an option.</summary>
+/// <summary>The files that keep the value of an option.</summary>
 public enum JobOptionUse
 {
     /// <summary>None: it changes no picture.</summary>
@@ -28,13 +28,13 @@ public enum JobOptionUse
 /// <param name="Text">The value in a job; null where it is as without the option.</param>
 public sealed record JobOption(string Name, string? Form, string Description, Func<RenderJob, string, RenderJob> Put, Func<RenderJob, string?> Text)
 {
-    /// <summary>Which files keep it.</summary>
+    /// <summary>The files that keep it.</summary>
     public JobOptionUse Use { get; init; }
 
     /// <summary>The setting of the scene that it is short for; null for none.</summary>
     public string? Setting { get; init; }
 
-    /// <summary>Whether it may be given several times.</summary>
+    /// <summary>True if it may be given several times.</summary>
     public bool IsRepeated { get; init; }
 
     /// <summary>The feature of the formats that it is for; null for all.</summary>
@@ -83,7 +83,7 @@ public static class JobOptions
         { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Chroma },
     ];
 
-    /// <summary>Whether images carry the film; of verbs that have it.</summary>
+    /// <summary>The option that images carry the film; of verbs that have it.</summary>
     public static JobOption ExrFilm { get; } = new("--exr-film", null, "OpenEXR: the image carries the film itself, which resume adds samples to, as to .rtfilm.",
         (j, _) => Written(j, o => o with { ExrFilm = true }), j => Flag(j.Writing.ExrFilm))
     { Use = JobOptionUse.Pictures };

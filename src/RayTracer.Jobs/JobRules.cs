@@ -2,7 +2,7 @@ using RayTracer.Imaging;
 
 namespace RayTracer.Jobs;
 
-/// <summary>What does not go together in a job, for all faces.</summary>
+/// <summary>The rules of what does not go together in a job, for all faces.</summary>
 public static class JobRules
 {
     // Each row: two things that are not to be true at once, and the sentence. A thing is an option, or one of Facts; "a|b" is any of them, "!a" its absence. The first row that applies is
@@ -48,7 +48,7 @@ public static class JobRules
         ("--exr-film", "no .exr", "--exr-film is for OpenEXR images, but none is written: give -o FILE.exr"),
     ];
 
-    /// <summary>Which of a job's values do not go together, and what to do about it; null where all is well.</summary>
+    /// <summary>Returns a sentence on values of a job that do not go together, and what to do about it; null where all is well.</summary>
     /// <param name="job">The job.</param>
     /// <param name="more">Options of the face that are none of the job's, <c>--preview</c> and <c>--json</c>.</param>
     public static string? Complaint(RenderJob job, params string[] more)

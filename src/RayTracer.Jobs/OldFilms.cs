@@ -46,7 +46,7 @@ public static class OldFilms
         return scene is null ? throw new JobException($"'{file}' does not say which scene it shows") : job with { Scene = scene };
     }
 
-    /// <summary>What a film of the first format would say of itself now, if it is of the same picture; any other film as it is.</summary>
+    /// <summary>Returns what a film of the first format would say of itself now, if it is of the same picture; any other film as it is.</summary>
     /// <param name="header">What its file says.</param>
     /// <param name="scene">The picture's scene.</param>
     /// <param name="path">The scene's file.</param>

@@ -33,7 +33,7 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
     {
         if (_job.IsOfSequence)
         {
-            JobFiles.CheckUnfinished(_job.Outputs, replacement: _header with { Samples = [loaded.Samples] });
+            UnfinishedFilms.Check(_job.Outputs, replacement: _header with { Samples = [loaded.Samples] });
         }
 
         RenderStatistics statistics = Passes();

@@ -51,7 +51,7 @@ public sealed class PictureFiles
 
         if (!_job.IsOfSequence)
         {
-            JobFiles.CheckUnfinished(_job.Outputs.Concat(checkpoint), (_job.Resumed ?? _job.Decision)?.Path);
+            UnfinishedFilms.Check(_job.Outputs.Concat(checkpoint), (_job.Resumed ?? _job.Decision)?.Path);
         }
     }
 
@@ -71,7 +71,7 @@ public sealed class PictureFiles
         }
     }
 
-    /// <summary>How the picture is written: with its texts, and with the layers that there are.</summary>
+    /// <summary>Returns the details of writing the picture: its texts, and the layers that there are.</summary>
     /// <param name="result">The outcome of the job.</param>
     /// <param name="denoised">The denoised picture; null where there is none.</param>
     public ImageWriteOptions Options(JobResult result, Picture? denoised = null) => _job.Writing with

@@ -4,7 +4,7 @@ using RayTracer.Imaging;
 
 namespace RayTracer.Jobs;
 
-/// <summary>What images say of themselves: pairs of a key and a text.</summary>
+/// <summary>The texts that images hold: pairs of a key and a text.</summary>
 public static class PictureTexts
 {
     /// <summary>The key of the settings, a list in JSON.</summary>

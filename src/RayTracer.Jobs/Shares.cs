@@ -31,7 +31,7 @@ internal static class Shares
             : throw new JobException(JobFault.Request, $"--part {part.Number}/{part.Count}: {total} samples make at most {total} parts");
     }
 
-    /// <summary>How a job's part of the picture is computed.</summary>
+    /// <summary>Returns how a job's part of the picture is computed.</summary>
     /// <exception cref="JobException">The picture has no such pixels or samples.</exception>
     internal static RenderOptions Options(RenderJob job, RenderDescription render)
     {

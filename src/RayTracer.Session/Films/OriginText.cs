@@ -11,7 +11,7 @@ internal static class OriginText
 {
     private const string Render = "render.";
 
-    /// <summary>Whether the text is another one than the file's.</summary>
+    /// <summary>Returns whether the text is another one than the file's.</summary>
     public static bool IsChanged(RenderJob origin) => NeedsWriting(origin) || Settings(origin).Any();
 
     /// <summary>The text.</summary>

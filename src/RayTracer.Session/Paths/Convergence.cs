@@ -2,7 +2,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Session;
 
-/// <summary>How the error of a picture has shrunk with its samples.</summary>
+/// <summary>The error of a picture against the number of its samples.</summary>
 /// <param name="Points">The error after 1, 2, 4 … samples.</param>
 /// <param name="Slope">By what power of the number of samples it shrinks, fitted to the points; the theory of independent samples says −0.5. Null below two points.</param>
 public sealed record Convergence(IReadOnlyList<ConvergencePoint> Points, double? Slope)
