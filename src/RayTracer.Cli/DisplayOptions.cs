@@ -31,7 +31,8 @@ internal sealed class DisplayOptions
     }
 
     /// <summary>The reports that were asked for.</summary>
-    public Display Of(ParseResult result) => new(result.GetValue(_preview), result.GetValue(_quiet), _verbose.Value(result), result.GetValue(_json));
+    public Display Of(ParseResult result) =>
+        new(result.GetValue(_preview), result.GetValue(_quiet), _verbose.Value(result), result.GetValue(_json));
 
     /// <summary>The times to report, if they were asked for, from now on.</summary>
     public StageTimes Times(ParseResult result, Streams streams) => _verbose.Times(result, streams);

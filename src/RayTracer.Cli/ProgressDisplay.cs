@@ -43,7 +43,8 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
     }
 
     /// <summary>Begins to show progress: as a bar on a terminal, else in lines.</summary>
-    public static ProgressDisplay Start(Streams streams) => Start(streams.HasTerminal ? new ProgressBar(streams.Error) : new ProgressLines(streams.Error));
+    public static ProgressDisplay Start(Streams streams) =>
+        Start(streams.HasTerminal ? new ProgressBar(streams.Error) : new ProgressLines(streams.Error));
 
     /// <summary>Begins to show progress in another way.</summary>
     public static ProgressDisplay Start(ProgressDisplay display)

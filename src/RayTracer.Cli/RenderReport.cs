@@ -76,7 +76,8 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
 
         if (result.Header is { IsComplete: false } header && !_statistics.Cancelled)
         {
-            string film = (job.Checkpoint ?? result.Files.FirstOrDefault(FilmFile.IsNamed)) is { } file ? $": \"raytracer resume {file}\" continues it" : "";
+            string film = (job.Checkpoint ?? result.Files.FirstOrDefault(FilmFile.IsNamed)) is { } file
+                ? $": \"raytracer resume {file}\" continues it" : "";
             output.WriteLine($"time ran out at {header.Samples.Sum(r => r.Count)} of {header.Wanted.Count} samples{film}");
         }
 

@@ -9,8 +9,10 @@ using RayTracer.Scenes;
 namespace RayTracer.Cli;
 
 /// <summary>
-/// Two scripts for Slurm: an array of tasks, each of which renders a part and gives the file its name only when it is whole, and a job after them that
-/// renders parts again that are missing, and then merges. What a task does may be done twice at once: the last rename wins, and both have the same bits.
+/// Two scripts for Slurm: an array of tasks, each of which renders a part and gives the file its name only when it is whole, and a job
+/// after them that
+/// renders parts again that are missing, and then merges. What a task does may be done twice at once: the last rename wins, and both have
+/// the same bits.
 /// </summary>
 internal sealed record SlurmJob
 {
@@ -101,7 +103,8 @@ internal sealed record SlurmJob
             process.WaitForExit();
             if (process.ExitCode != 0)
             {
-                throw new CommandException(ExitStatus.InputOutput, $"the jobs could not be submitted: {errors.Result.ReplaceLineEndings(" ").Trim()}");
+                throw new CommandException(
+                    ExitStatus.InputOutput, $"the jobs could not be submitted: {errors.Result.ReplaceLineEndings(" ").Trim()}");
             }
 
             if (!quiet)
@@ -113,7 +116,8 @@ internal sealed record SlurmJob
         }
         catch (Win32Exception)
         {
-            throw new CommandException(ExitStatus.InputOutput, $"bash is not installed here: run \"bash {Path.Combine(Folder, Merge)}\" where Slurm is");
+            throw new CommandException(
+                ExitStatus.InputOutput, $"bash is not installed here: run \"bash {Path.Combine(Folder, Merge)}\" where Slurm is");
         }
     }
 
@@ -132,10 +136,13 @@ internal sealed record SlurmJob
         Write(Merge, MergeScript(name));
     }
 
-    private void Write(string file, string text) => AtomicFile.Write(Path.Combine(Folder, file), stream => stream.Write(Encoding.UTF8.GetBytes(text.ReplaceLineEndings("\n"))));
+    private void Write(string file, string text) =>
+        AtomicFile.Write(Path.Combine(Folder, file), stream => stream.Write(Encoding.UTF8.GetBytes(text.ReplaceLineEndings("\n"))));
 
-    // $done is there once a task has done its work. Each run has another name for what becomes $done: a node that was taken for dead may still be rendering. What is begun
-    // may be of either: its bits are those of the part's first samples, whatever run wrote it. Five minutes, so that many tasks do not keep a file system busy.
+    // $done is there once a task has done its work. Each run has another name for what becomes $done: a node that was taken for dead may
+    // still be rendering. What is begun
+    // may be of either: its bits are those of the part's first samples, whatever run wrote it. Five minutes, so that many tasks do not keep
+    // a file system busy.
     private string ArrayScript(string name)
     {
         string work = HasFrames
@@ -233,6 +240,7 @@ internal sealed record SlurmJob
     private static string ProgramHere()
     {
         string process = Environment.ProcessPath ?? "raytracer";
-        return Path.GetFileNameWithoutExtension(process) == "dotnet" ? $"{Quote(process)} {Quote(Path.Combine(AppContext.BaseDirectory, "raytracer.dll"))}" : Quote(process);
+        return Path.GetFileNameWithoutExtension(process) == "dotnet"
+            ? $"{Quote(process)} {Quote(Path.Combine(AppContext.BaseDirectory, "raytracer.dll"))}" : Quote(process);
     }
 }

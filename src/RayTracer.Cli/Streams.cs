@@ -7,7 +7,8 @@ namespace RayTracer.Cli;
 /// <summary>The streams of a command.</summary>
 /// <param name="Output">Results.</param>
 /// <param name="Error">Errors, warnings and progress.</param>
-/// <param name="HasTerminal">Whether <paramref name="Error"/> is a terminal (<see cref="IsTerminal"/>), which can show a progress bar.</param>
+/// <param name="HasTerminal">Whether <paramref name="Error"/> is a terminal (<see cref="IsTerminal"/>), which can show a progress
+/// bar.</param>
 internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerminal = false) : IJobWatch
 {
     /// <summary>Returns whether a stream is a terminal on which the cursor can be moved: one that calls itself dumb cannot.</summary>

@@ -3,7 +3,9 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
 
-/// <summary>The values that <c>raytracer sweep</c> goes through: of the settings, those with several values, with commas between them.</summary>
+/// <summary>
+/// The values that <c>raytracer sweep</c> goes through: of the settings, those with several values, with commas between them.
+/// </summary>
 internal sealed class SweepAxes
 {
     private const int Most = 3;
@@ -56,7 +58,8 @@ internal sealed class SweepAxes
     public IEnumerable<SweepCell> Samples => Cells.Where(c => new[] { c.Column, c.Row, c.Block }.Count(i => i > 0) <= 1);
 
     /// <summary>Returns the settings of one place of the grid, apart from those that are the same in all.</summary>
-    public IEnumerable<SceneSetting> Changes(SweepCell cell) => _axes.Zip([cell.Column, cell.Row, cell.Block], (axis, i) => SceneSetting.Parse($"{axis.Name}={axis.Values[i]}"));
+    public IEnumerable<SceneSetting> Changes(SweepCell cell) =>
+        _axes.Zip([cell.Column, cell.Row, cell.Block], (axis, i) => SceneSetting.Parse($"{axis.Name}={axis.Values[i]}"));
 
     /// <summary>All that is set in one place of the grid.</summary>
     public IReadOnlyList<SceneSetting> Settings(SweepCell cell) => [.. _fixed, .. Changes(cell)];

@@ -27,7 +27,8 @@ internal sealed record VerbHelp(string Name, string Summary, string Synopsis, IR
         synopsis(command),
         [.. command.Arguments.Select(a => (a.Name, a.Description ?? ""))],
         [.. command.Subcommands.Select(c => c.Name), .. command.Arguments.SelectMany(a => OptionHelp.WordsOf(a.Name))],
-        [.. command.Options.Where(o => o is not HelpOption).Select(o => new OptionHelp([o.Name, .. o.Aliases], o.ValueType == typeof(bool) ? null : o.HelpName ?? "VALUE", o.Description ?? "", o.ValueType.IsArray))])
+        [.. command.Options.Where(o => o is not HelpOption).Select(o => new OptionHelp(
+            [o.Name, .. o.Aliases], o.ValueType == typeof(bool) ? null : o.HelpName ?? "VALUE", o.Description ?? "", o.ValueType.IsArray))])
     {
         HasVerbs = command.Subcommands.Count > 0,
     };

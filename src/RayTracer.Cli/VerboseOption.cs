@@ -13,7 +13,8 @@ internal sealed class VerboseOption
         command.Options.Add(_option);
         command.Validators.Add(result =>
         {
-            if (result.GetValue(_option) && command.Options.OfType<Option<bool>>().FirstOrDefault(o => o.Name == "--quiet") is { } quiet && result.GetValue(quiet))
+            if (result.GetValue(_option) && command.Options.OfType<Option<bool>>().FirstOrDefault(o => o.Name == "--quiet") is { } quiet
+                && result.GetValue(quiet))
             {
                 result.AddError("--quiet and --verbose cannot go together");
             }

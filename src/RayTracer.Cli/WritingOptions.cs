@@ -55,7 +55,8 @@ internal sealed class WritingOptions
     /// <param name="files">The files to write.</param>
     /// <param name="streams">Takes the warnings.</param>
     /// <param name="isSeen">Whether exposure and tone map are seen elsewhere too.</param>
-    public void WarnOfUnused(ParseResult result, IReadOnlyList<string> files, Streams streams, bool isSeen = false) => _options.WarnOfUnused(result, files, streams, isSeen);
+    public void WarnOfUnused(ParseResult result, IReadOnlyList<string> files, Streams streams, bool isSeen = false) =>
+        _options.WarnOfUnused(result, files, streams, isSeen);
 
     /// <summary>Warns of an option that was given, but is for formats with a feature, of which there is no file.</summary>
     public static void WarnOfUnused(ParseResult result, Option option, ImageFeatures feature, IReadOnlyList<string> files, Streams streams)

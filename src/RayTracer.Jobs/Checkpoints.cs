@@ -6,7 +6,8 @@ using RayTracer.Textures;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// Writes the film to a file now and then. The old file stays until the new one is whole; the interval stretches so that writing takes less than a
+/// Writes the film to a file now and then. The old file stays until the new one is whole; the interval stretches so that writing takes less
+/// than a
 /// hundredth of the time, but for the first, whose cost is unknown. A film of other samples that comes there meanwhile is not replaced.
 /// </summary>
 /// <param name="path">The file.</param>

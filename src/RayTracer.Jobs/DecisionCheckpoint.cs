@@ -4,8 +4,10 @@ using RayTracer.Rendering;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// Keeps the samples that decide how many the picture shall have (<c>--noise</c>) in the file of <c>--checkpoint</c>, until there are samples of the picture itself. The file is a film of
-/// its own kind, known by its content: a <see cref="DecidingState"/>, whose target is the header's total. It wants more samples than that, so that it never counts as whole.
+/// Keeps the samples that decide how many the picture shall have (<c>--noise</c>) in the file of <c>--checkpoint</c>, until there are
+/// samples of the picture itself. The file is a film of
+/// its own kind, known by its content: a <see cref="DecidingState"/>, whose target is the header's total. It wants more samples than that,
+/// so that it never counts as whole.
 /// </summary>
 /// <param name="checkpoints">Writes them.</param>
 /// <param name="picture">What a film file would say of the picture.</param>
@@ -28,7 +30,8 @@ public sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader pictu
     public DecidingState Begun(HeldFilm film, RenderJob job, Description.SceneDescription scene)
     {
         FilmHeader header = OldFilms.Current(film.Header, scene, job.Scene, picture.Crop);
-        return header is { Samples: [var held], Total: var target } && header.Content == _content ? new(film.Film, held.End, target) : throw LoadedJob.OtherScene(job.Scene);
+        return header is { Samples: [var held], Total: var target } && header.Content == _content ? new(film.Film, held.End, target)
+            : throw LoadedJob.OtherScene(job.Scene);
     }
 
     /// <summary>Writes how far it has come, if it is time for it.</summary>

@@ -11,7 +11,8 @@ public sealed record HeldFilm(FilmHeader Header, Film Film, string Path)
 {
     /// <summary>Reads one.</summary>
     /// <exception cref="Textures.PictureException">It cannot be read.</exception>
-    public static HeldFilm Read(string path) => CarriedFilm.Read(path) is var (header, film) ? new(header, film, path) : throw new InvalidOperationException();
+    public static HeldFilm Read(string path) =>
+        CarriedFilm.Read(path) is var (header, film) ? new(header, film, path) : throw new InvalidOperationException();
 }
 
 /// <summary>Films in files whose rendering is not finished.</summary>
@@ -20,7 +21,8 @@ public static class UnfinishedFilms
     /// <summary>Keeps films of unfinished renderings from being written over.</summary>
     /// <param name="paths">The files to write.</param>
     /// <param name="own">A film that may be replaced, for it is resumed; null for none.</param>
-    /// <param name="replacement">What is going to be written; null where that is not known yet. Films all of whose samples are in it may be replaced.</param>
+    /// <param name="replacement">What is going to be written; null where that is not known yet. Films all of whose samples are in it may be
+    /// replaced.</param>
     /// <exception cref="JobException">There is one; the message says what to do with it.</exception>
     public static void Check(IEnumerable<string> paths, string? own = null, FilmHeader? replacement = null)
     {
@@ -28,7 +30,8 @@ public static class UnfinishedFilms
         {
             if (CarriedFilm.Unfinished(path) is { } unfinished && !IsWithin(unfinished, replacement))
             {
-                string how = unfinished.Samples is [var held] && held.First == unfinished.Wanted.First ? $"\"raytracer resume {path}\" continues" : "merge the missing samples in";
+                string how = unfinished.Samples is [var held] && held.First == unfinished.Wanted.First
+                    ? $"\"raytracer resume {path}\" continues" : "merge the missing samples in";
                 throw new JobException(JobFault.File, $"'{path}' holds samples {unfinished.SamplesText} of an unfinished rendering: {how}; delete it to begin from scratch");
             }
         }

@@ -27,7 +27,8 @@ public static class JobFiles
     /// <exception cref="JobException">It has not.</exception>
     public static void CheckSize(IReadOnlyList<string> paths, ImageWriteOptions options, int width, int height)
     {
-        if ((long)width * height > FilmExr.MaxPixels && paths.FirstOrDefault(p => !FilmFile.IsNamed(p) && options.TakesFilm(p)) is { } image)
+        if ((long)width * height > FilmExr.MaxPixels
+            && paths.FirstOrDefault(p => !FilmFile.IsNamed(p) && options.TakesFilm(p)) is { } image)
         {
             throw new JobException(JobFault.Request, $"{image}: {FilmExr.TooLarge}, and the picture has {width}×{height}");
         }
@@ -81,7 +82,9 @@ public static class JobFiles
         }
     }
 
-    /// <summary>Writes a film to the files that carry it, and its picture to the others; reports why those fail that cannot be written.</summary>
+    /// <summary>
+    /// Writes a film to the files that carry it, and its picture to the others; reports why those fail that cannot be written.
+    /// </summary>
     /// <param name="paths">The files.</param>
     /// <param name="film">The film.</param>
     /// <param name="header">What a file says of the film; null where none carries it.</param>

@@ -77,5 +77,6 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>Rays a second.</summary>
     public double RaysPerSecond => Seconds > 0 ? Statistics.Rays / Seconds : 0;
 
-    private static bool IsFromFirst(string range) => range.StartsWith("0..", StringComparison.Ordinal) && !range.Contains(',', StringComparison.Ordinal);
+    private static bool IsFromFirst(string range) =>
+        range.StartsWith("0..", StringComparison.Ordinal) && !range.Contains(',', StringComparison.Ordinal);
 }

@@ -54,8 +54,10 @@ internal sealed record LoadedJob(
             throw OtherFilm(old);
         }
 
-        bool isBegin = old.Samples is [] || (old.Samples is [var held] && held.First == header.Wanted.First && held.End <= header.Wanted.End);
-        return isBegin ? header with { Samples = old.Samples, Settings = header.Wanted == old.Wanted ? old.Settings : header.Settings } : throw new JobException(
+        bool isBegin = old.Samples is []
+            || (old.Samples is [var held] && held.First == header.Wanted.First && held.End <= header.Wanted.End);
+        return isBegin ? header with { Samples = old.Samples, Settings = header.Wanted == old.Wanted ? old.Settings : header.Settings }
+            : throw new JobException(
             JobFault.File, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of the requested {FilmHeader.Text(header.Wanted)}");
     }
 

@@ -95,14 +95,16 @@ public sealed class PictureFiles
         ImageWriteOptions writing = Options(result, denoised);
         List<string> written = [.. JobFiles.Write(_job.Outputs, result.Film, result.Header, writing, watch)];
         void Write(IEnumerable<string> paths, IImageRows image, ImageWriteOptions options, params KeyValuePair<string, string>[] texts) =>
-            written.AddRange(JobFiles.Write(paths, image, options with { ExrLayers = [], Metadata = [.. options.Metadata, .. texts] }, watch));
+            written.AddRange(
+                JobFiles.Write(paths, image, options with { ExrLayers = [], Metadata = [.. options.Metadata, .. texts] }, watch));
         foreach ((string path, AuxiliaryImage kind) in result.Auxiliary is null ? [] : _images)
         {
             (IImageRows image, string range) = AovFiles.Rows(path, result.Auxiliary!, kind);
             Write([path], image, writing with { Exposure = 0, ToneMap = ToneMap.Clamp }, new("Aov", kind.Name), new("Range", range));
         }
 
-        _layers.ForEach(l => Write([l.Path], result.Light!.Image(l.Layer), writing, new KeyValuePair<string, string>("Layer", result.Light.Names[l.Layer])));
+        _layers.ForEach(l => Write(
+            [l.Path], result.Light!.Image(l.Layer), writing, new KeyValuePair<string, string>("Layer", result.Light.Names[l.Layer])));
         if (denoised is not null)
         {
             Write(_denoised, denoised, writing, new KeyValuePair<string, string>("Denoised", "yes"));

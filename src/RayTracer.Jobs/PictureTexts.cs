@@ -55,7 +55,8 @@ public static class PictureTexts
         if (result.Plan is { } plan && job.Noise is { } wanted)
         {
             string outcome = result.IsNoisy(job) ? NotReached : "reached";
-            texts.Add(new(NoiseKey, string.Create(CultureInfo.InvariantCulture, $"{100 * plan.Error:G3} % of {100 * wanted:G3} %: {outcome}")));
+            texts.Add(
+                new(NoiseKey, string.Create(CultureInfo.InvariantCulture, $"{100 * plan.Error:G3} % of {100 * wanted:G3} %: {outcome}")));
         }
 
         if (job.IsOfSequence && result.Description is { } scene)

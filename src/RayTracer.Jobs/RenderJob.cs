@@ -5,7 +5,9 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Jobs;
 
-/// <summary>A scene with settings, and the files to render it into. <see cref="JobOptions"/> has the words for each of its values.</summary>
+/// <summary>
+/// A scene with settings, and the files to render it into. <see cref="JobOptions"/> has the words for each of its values.
+/// </summary>
 public sealed record RenderJob
 {
     /// <summary>The path of the number of samples among the settings.</summary>
@@ -80,7 +82,9 @@ public sealed record RenderJob
     /// <summary>The film that samples are added to; null for a new one.</summary>
     public HeldFilm? Resumed { get; init; }
 
-    /// <summary>The film of what has been decided on the number of samples (<see cref="DecisionCheckpoint"/>); null to begin from scratch.</summary>
+    /// <summary>
+    /// The film of what has been decided on the number of samples (<see cref="DecisionCheckpoint"/>); null to begin from scratch.
+    /// </summary>
     public HeldFilm? Decision { get; init; }
 
     /// <summary>True if a film is given samples for some time, and counts as whole with as many as there will be.</summary>
@@ -96,7 +100,8 @@ public sealed record RenderJob
     public int? Frame => Frames is { Count: 1 } frames ? frames.First : null;
 
     /// <summary>The number of samples that was given; null for the scene's.</summary>
-    public int? GivenSamples => Settings.LastOrDefault(s => s.Path == SamplesPath) is { } setting && int.TryParse(setting.Value, out int samples) ? samples : null;
+    public int? GivenSamples =>
+        Settings.LastOrDefault(s => s.Path == SamplesPath) is { } setting && int.TryParse(setting.Value, out int samples) ? samples : null;
 
     /// <summary>True if the film must hold whole ranges of samples whenever the rendering stops.</summary>
     public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
@@ -108,7 +113,8 @@ public sealed record RenderJob
     public IReadOnlyList<string> PictureSettings => [.. FilmSettings, .. JobOptions.Kept(this, JobOptionUse.Pictures)];
 
     /// <summary>The command that renders it, as it is typed.</summary>
-    public string Command => Shell.Command(["render", Argument(Scene), .. JobOptions.Words(this), .. Outputs.SelectMany(o => new[] { "-o", Argument(o) })]);
+    public string Command =>
+        Shell.Command(["render", Argument(Scene), .. JobOptions.Words(this), .. Outputs.SelectMany(o => new[] { "-o", Argument(o) })]);
 
     /// <summary>The job with more settings, which replace those of the same path.</summary>
     /// <param name="settings">Texts such as <c>render.seed=3</c> or <c>crop=0,0,8,8</c>.</param>
@@ -140,10 +146,12 @@ public sealed record RenderJob
         : SceneLoader.LoadText(Text, Path.GetFileName(Scene), Path.GetDirectoryName(Scene)!, change, Frame, readPicture, Settings);
 
     /// <summary>The description of the scene, without building it; null where it has errors.</summary>
-    public SceneDescription? Describe() => Text is null ? SceneLoader.Describe(Scene, null, Settings, Frame) : SceneLoader.DescribeText(Text, Path.GetFileName(Scene), Settings, Frame);
+    public SceneDescription? Describe() => Text is null ? SceneLoader.Describe(Scene, null, Settings, Frame)
+        : SceneLoader.DescribeText(Text, Path.GetFileName(Scene), Settings, Frame);
 
     /// <summary>The command that follows one sample's path again.</summary>
-    public string ReplayCommand(BadSample bad) => (new RenderJob { Scene = Scene, Settings = Settings, Frames = Frames, Pixel = (bad.X, bad.Y), Sample = bad.Sample }).Command;
+    public string ReplayCommand(BadSample bad) =>
+        (new RenderJob { Scene = Scene, Settings = Settings, Frames = Frames, Pixel = (bad.X, bad.Y), Sample = bad.Sample }).Command;
 
     // A name that looks like an option.
     private static string Argument(string word) => word is ['-', ..] ? $"./{word}" : word;

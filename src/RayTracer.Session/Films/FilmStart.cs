@@ -27,7 +27,8 @@ public sealed class FilmStart(FilmHeader header, Film film)
             (FilmHeader header, Film film) = CarriedFilm.Read(path);
             bool isWhole = header.Samples is [] || (header.Samples is [var held] && held.First == header.Wanted.First);
             return isWhole ? new(header with { Scene = Path.GetFullPath(JobOrigin.ScenePath(header.Scene, path)) }, film)
-                : throw new DocumentException($"samples are missing within {Path.GetFileName(path)}, which has {header.SamplesText}: render them and merge");
+                : throw new DocumentException(
+                    $"samples are missing within {Path.GetFileName(path)}, which has {header.SamplesText}: render them and merge");
         }
         catch (PictureException e)
         {

@@ -20,7 +20,9 @@ internal sealed class ComplexityStudy(ComplexityPlan plan)
     /// <summary>Methods that were left out from some number of triangles on, because they would have taken too long.</summary>
     public Dictionary<Method, int> LeftOut { get; } = [];
 
-    /// <summary>Rays that two methods did not find the same triangle for: those through an edge, which each of two tests may give to either side.</summary>
+    /// <summary>
+    /// Rays that two methods did not find the same triangle for: those through an edge, which each of two tests may give to either side.
+    /// </summary>
     public int Disagreements { get; private set; }
 
     /// <summary>Measures.</summary>
