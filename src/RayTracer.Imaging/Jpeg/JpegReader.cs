@@ -25,7 +25,7 @@ internal static class JpegReader
 
     /// <summary>Reads a picture.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="raw">Whether the values are data, to be divided by 255, rather than sRGB-encoded colours.</param>
+    /// <param name="raw">True where the values are data, to be divided by 255, rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB from 0 to 1, or the raw values from 0 to 1; grey has three equal channels.</returns>
     /// <exception cref="PictureException">
     /// The file is no JPEG, is damaged, of a kind that is not read, or beyond <see cref="PictureLimits"/>.

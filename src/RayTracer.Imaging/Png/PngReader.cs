@@ -16,7 +16,7 @@ internal static class PngReader
 
     /// <summary>Reads a picture.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="raw">Whether the values are data, to be divided by the largest code, rather than sRGB-encoded colours.</param>
+    /// <param name="raw">True where the values are data, to be divided by the largest code, rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB from 0 to 1, or the raw values from 0 to 1; grey has three equal channels.</returns>
     /// <exception cref="PictureException">The file is no PNG, is damaged, or is beyond <see cref="PictureLimits"/>.</exception>
     public static Picture Read(ReadOnlySpan<byte> file, bool raw = false) => Read(file, raw, ofAlpha: false);

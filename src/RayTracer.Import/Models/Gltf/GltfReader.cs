@@ -1,6 +1,7 @@
 using System.Collections.Frozen;
 using RayTracer.Description;
 using RayTracer.Scenes;
+using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
 
@@ -17,10 +18,7 @@ internal static class GltfReader
     public static ImportedModel Read(string path)
     {
         using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
-        if (stream.Length > Array.MaxLength)
-        {
-            throw new ModelException("the file is larger than 2 GiB");
-        }
+        Require(stream.Length <= Array.MaxLength, "the file is larger than 2 GiB");
 
         byte[] bytes = new byte[stream.Length];
         stream.ReadExactly(bytes);
