@@ -13,7 +13,9 @@ public abstract class LightSource(int instance, int primitive)
     /// <summary>The instance in which the light stands; 0 for the world itself.</summary>
     public int Instance => instance;
 
-    /// <summary>The light's number among the scene's primitives, which casts no shadow of this light; −1 where there is none such.</summary>
+    /// <summary>
+    /// The light's number among the scene's primitives, which casts no shadow of this light; −1 where there is none such.
+    /// </summary>
     public int Primitive => primitive;
 
     /// <summary>The light's number among the shapes of the world itself; −1 where it is none of them.</summary>

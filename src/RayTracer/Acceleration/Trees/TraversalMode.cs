@@ -1,6 +1,6 @@
 namespace RayTracer.Acceleration;
 
-/// <summary>How a stream of rays goes through a tree. All ways find the same hits, to the bit.</summary>
+/// <summary>The way in which a stream of rays goes through a tree. All ways find the same hits, to the bit.</summary>
 internal enum TraversalMode
 {
     /// <summary>By what the rays look like: blocks as they come where neighbours point the same way, else sorted.</summary>

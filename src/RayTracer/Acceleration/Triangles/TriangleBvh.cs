@@ -34,7 +34,7 @@ internal sealed unsafe class TriangleBvh
     /// <summary>Upper corner of the box of all triangles; infinite and negative where there are none.</summary>
     public Vector3 Upper => _tree.Bounds.Upper.AsVector3();
 
-    /// <summary>What the tree looks like, memory of the triangles included.</summary>
+    /// <summary>The size and shape of the tree, memory of the triangles included.</summary>
     public BvhStatistics Statistics => _tree.Statistics with { MemoryBytes = _tree.MemoryBytes + _triangles.Bytes };
 
     /// <summary>Builds a tree, which keeps its own copy of the triangles.</summary>
@@ -83,7 +83,7 @@ internal sealed unsafe class TriangleBvh
         return primitive >= 0;
     }
 
-    /// <summary>Whether a ray hits anything.</summary>
+    /// <summary>Returns whether a ray hits anything.</summary>
     /// <param name="origin">Where it starts.</param>
     /// <param name="direction">Its direction, of any length.</param>
     /// <param name="distance">The limit, in multiples of the direction.</param>

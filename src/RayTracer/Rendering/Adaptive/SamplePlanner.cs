@@ -21,13 +21,19 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
     private const int EvenLead = 2;
     private readonly PixelRenderer _renderer = new(scene, options);
 
-    /// <summary>Says whether time is so short that what was found so far must do, asked before deciding samples are doubled; null where there is time enough.</summary>
+    /// <summary>
+    /// Says whether time is so short that what was found so far must do, asked before deciding samples are doubled; null where there is
+    /// time enough.
+    /// </summary>
     public Func<bool>? IsShortOfTime { get; init; }
 
     /// <summary>The state to continue from; null to start from scratch. Not for adaptive pictures.</summary>
     public DecidingState? Begun { get; init; }
 
-    /// <summary>Told now and then, by the thread that decides, how far that has come; may be null. Not for adaptive pictures. What is told has no part in the decision.</summary>
+    /// <summary>
+    /// Told now and then, by the thread that decides, how far that has come; may be null. Not for adaptive pictures. What is told has no
+    /// part in the decision.
+    /// </summary>
     public Action<DecidingState>? Keep { get; init; }
 
     /// <summary>Decides.</summary>

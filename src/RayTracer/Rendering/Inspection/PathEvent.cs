@@ -1,6 +1,6 @@
 namespace RayTracer.Rendering;
 
-/// <summary>What becomes of a path where it meets something.</summary>
+/// <summary>The events at the vertices of a path.</summary>
 public enum PathEvent
 {
     /// <summary>It goes on in a direction chosen from many, about which light sources are asked too.</summary>
@@ -12,7 +12,9 @@ public enum PathEvent
     /// <summary>The surface lets nothing go on.</summary>
     Absorbed,
 
-    /// <summary>It is given up: it has been as deep as the scene allows, carries nothing any more, or would go through the surface.</summary>
+    /// <summary>
+    /// It is given up: it has been as deep as the scene allows, carries nothing any more, or would go through the surface.
+    /// </summary>
     Ended,
 
     /// <summary>It meets nothing.</summary>

@@ -4,7 +4,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Rendering;
 
-/// <summary>How much there is in a scene, and what memory it takes.</summary>
+/// <summary>The numbers of things in a scene, and the memory that they take.</summary>
 public sealed class SceneStatistics
 {
     private readonly World _world;
@@ -32,7 +32,9 @@ public sealed class SceneStatistics
     /// <summary>Memory of the shapes other than meshes, and of the trees over them.</summary>
     public long ShapeBytes => _world.Spaces.Sum(s => s.Batches.Sum(b => b.MemoryBytes) + s.Primitives.TreeBytes);
 
-    /// <summary>Memory of the meshes: corners, indices and what corners carry, and the copy of the triangles in the trees' leaves.</summary>
+    /// <summary>
+    /// Memory of the meshes: corners, indices and what corners carry, and the copy of the triangles in the trees' leaves.
+    /// </summary>
     public long TriangleBytes => _world.Spaces.Sum(s => s.Mesh?.MemoryBytes ?? 0) + Trees.Where(t => t.Holds != HoldsInstances).Sum(t => t.LeafBytes);
 
     /// <summary>Memory of the nodes of all trees.</summary>

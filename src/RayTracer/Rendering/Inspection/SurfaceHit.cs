@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayTracer.Rendering;
 
-/// <summary>Where a ray meets a surface.</summary>
+/// <summary>The point at which a ray meets a surface.</summary>
 /// <param name="Name">Which surface.</param>
 /// <param name="Distance">How far from the ray's start.</param>
 /// <param name="Position">Where, in the world.</param>

@@ -1,6 +1,6 @@
 namespace RayTracer.Rendering;
 
-/// <summary>Which surface a ray meets.</summary>
+/// <summary>The name of a surface that a ray meets.</summary>
 /// <param name="Primitive">The primitive's number; −1 for none.</param>
 /// <param name="Instance">The instance that shows it; 0 for the world itself.</param>
 public readonly record struct SurfaceName(int Primitive, int Instance)

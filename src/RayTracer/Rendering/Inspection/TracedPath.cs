@@ -8,6 +8,6 @@ namespace RayTracer.Rendering;
 /// <param name="Vertices">What it meets, in order.</param>
 public sealed record TracedPath(int Sample, Rgb Radiance, IReadOnlyList<PathVertex> Vertices)
 {
-    /// <summary>What the pixel filter multiplies the radiance by: 1, unless it has negative lobes.</summary>
+    /// <summary>The weight that the pixel filter gives the radiance: 1, unless it has negative lobes.</summary>
     public float Weight { get; init; } = 1;
 }
