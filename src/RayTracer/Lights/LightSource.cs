@@ -45,3 +45,9 @@ public abstract class LightSource(int instance, int primitive)
     /// <param name="radiance">Radiance from the chosen point over the pdf per solid angle.</param>
     public abstract void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance);
 }
+
+/// <summary>A light as known from afar.</summary>
+/// <param name="Box">A box around it while the shutter is open; infinite where it shines from infinitely far away.</param>
+/// <param name="Strength">Its mean radiant intensity over all directions; or the irradiance that one infinitely far away brings. In
+/// luminance.</param>
+public readonly record struct LightExtent(Bounds Box, float Strength);

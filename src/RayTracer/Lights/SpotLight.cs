@@ -138,3 +138,13 @@ internal sealed class SpotLight : PunctualLight
         return FloatW.Max(FloatW.Min((angle - _end) * _slope, 1f), 0f);
     }
 }
+
+/// <summary>The ways in which the intensity of a spot light falls between its beam and its edge.</summary>
+public enum SpotFalloff
+{
+    /// <summary>In proportion to the angle.</summary>
+    Linear,
+
+    /// <summary>As the square of a number that falls in proportion to the angle's cosine (glTF's KHR_lights_punctual).</summary>
+    Smooth,
+}
