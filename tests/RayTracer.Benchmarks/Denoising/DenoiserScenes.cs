@@ -3,6 +3,7 @@ using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
+using RayTracer.Testing;
 
 namespace RayTracer.Benchmarks.Denoising;
 
