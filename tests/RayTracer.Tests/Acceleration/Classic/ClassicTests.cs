@@ -5,7 +5,10 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Tests.Acceleration;
 
-/// <summary>The classic structures find what the plain loop finds, to the bit: they test triangles alike, and may only leave out what is not hit.</summary>
+/// <summary>
+/// The classic structures find what the plain loop finds, to the bit: they test triangles alike, and may only leave out what is not hit.
+/// Covers `KdTree`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class ClassicTests
 {
