@@ -10,7 +10,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer compose IMAGE --light NAME=FACTOR -o FILE</c>: balances the lights of a picture anew.</summary>
+/// <summary><c>raytracer compose IMAGE --light NAME=FACTOR -o FILE</c>: rebalances the lights of a picture.</summary>
 internal static class ComposeVerb
 {
     private const int MostNames = 20;
@@ -25,18 +25,12 @@ internal static class ComposeVerb
         ParsedOption<double?> others = OptionValues.Number("--others", "The factor for all lights that are not named. Default: 1.", 0, 1e6);
         WritingOptions output = new(command, $"The image file: {ImageFormat.Endings()}. Repeatable.");
         command.Arguments.Add(image);
-        foreach (Option option in new Option[] { lights, others.Symbol }.Concat(output.Looks))
-        {
-            command.Options.Add(option);
-        }
+        command.AddOptions([lights, others, .. output.Looks]);
 
         VerboseOption verbose = new(command);
         command.SetAction(result =>
         {
-            ImageWriteOptions writing = output.Writing(result) with
-            {
-                Metadata = [new("Software", CommandLine.Version), new("Command", CommandLine.Text(result))],
-            };
+            ImageWriteOptions writing = output.Writing(result) with { Metadata = PictureTexts.Of(CommandLine.Text(result)) };
             output.WarnOfUnused(result, output.Files(result), streams);
             return Compose(result.GetValue(image)!, output.Files(result), result.GetValue(lights) ?? [], (float)(others.Value(result) ?? 1), writing, verbose.Times(result, streams), streams);
         });
@@ -52,7 +46,7 @@ internal static class ComposeVerb
 
         Picture? composed = OfFile<Picture?>(path, file =>
         {
-            LightMix mix = LightMix.Open(file);
+            RelightableImage mix = RelightableImage.Open(file);
             stages.EndLoad();
             Dictionary<string, Rgb> byLight = ByLight(factors, mix.Lights, path);
             if (outputs.Count == 0 && words.Length == 0)
@@ -120,7 +114,7 @@ internal static class ComposeVerb
         Dictionary<string, Rgb> byLight = [];
         foreach ((string word, string light, Rgb factor) in factors)
         {
-            string name = lights.Contains(light) ? light : LightLayerFilm.NameOf(light)[LightLayerFilm.LightPrefix.Length..];
+            string name = lights.Contains(light) ? light : LightPathAovFilm.NameOf(light)[LightPathAovFilm.LightPrefix.Length..];
             if (!lights.Contains(name))
             {
                 throw new CommandException(ExitStatus.Usage, $"--light {word}: '{path}' has no light {Quotation.Of(light)}{Spelling.DidYouMean(light, lights)}, but {Names(lights)}");

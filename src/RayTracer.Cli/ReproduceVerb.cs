@@ -1,9 +1,6 @@
 using System.CommandLine;
-using RayTracer.Cli.Complexity;
-using RayTracer.Cli.Reproduce;
 using RayTracer.Description;
-using RayTracer.Jobs;
-using RayTracer.Scenes;
+using RayTracer.Study;
 
 namespace RayTracer.Cli;
 
@@ -15,25 +12,47 @@ internal static class ReproduceVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string> what = new($"{Report}|{Complexity}") { Description = $"What to reproduce: {Report}, the figures and tables of its section 6.3, or {Complexity}, time per ray against the number of triangles." };
+        Argument<string> what = new($"{Report}|{Complexity}")
+        {
+            Description = $"What to reproduce: {Report}, the figures and tables of its section 6.3, or {Complexity}, time per ray against the number of triangles.",
+        };
         Option<string?> output = new("-o", "--output") { Description = "The folder for pictures, charts and pages; created if it is missing.", HelpName = "FOLDER" };
         Option<bool> quick = new("--quick") { Description = "Smaller pictures, fewer samples and triangles: takes seconds." };
         command.Arguments.Add(what);
-        command.Options.Add(output);
-        command.Options.Add(quick);
+        command.AddOptions(output, quick);
         command.SetAction(result =>
         {
             string word = result.GetValue(what)!;
             if (word is not Report and not Complexity)
             {
-                throw new CommandException(ExitStatus.Usage, $"unknown word {Quotation.Of(word)}{Spelling.DidYouMean(word, [Report, Complexity])}: expected {Report} or {Complexity}");
+                string hint = $"{Quotation.Of(word)}{Spelling.DidYouMean(word, [Report, Complexity])}";
+                throw new CommandException(ExitStatus.Usage, $"unknown word {hint}: expected {Report} or {Complexity}");
             }
 
             string folder = result.GetValue(output) ?? throw new CommandException(ExitStatus.Usage, "where to? Give -o FOLDER");
-            bool isQuick = result.GetValue(quick);
-            return word == Complexity
-                ? new ComplexityRun(isQuick ? ComplexityPlan.Quick : ComplexityPlan.Full, folder, streams).Run()
-                : new Reproduction(isQuick ? ReproductionPlan.Quick : ReproductionPlan.Full, folder, Shell.Command(result.Tokens.Select(t => t.Value)), streams).Run();
+            return Run(word == Report, result.GetValue(quick), folder, streams);
         });
+    }
+
+    private static int Run(bool isReport, bool isQuick, string folder, Streams streams)
+    {
+        using StopSignals signals = new(streams);
+        try
+        {
+            if (isReport)
+            {
+                new Reproduction(isQuick ? ReproductionPlan.Quick : ReproductionPlan.Full, folder, streams.Output, streams).Run(signals.Token);
+            }
+            else
+            {
+                new ComplexityRun(isQuick ? ComplexityPlan.Quick : ComplexityPlan.Full, folder, streams.Output).Run(signals.Token);
+            }
+        }
+        catch (OperationCanceledException)
+        {
+            streams.Warn($"stopped: the pages were not written{(isReport ? $", but finished pictures are in {folder}" : "")}");
+        }
+
+        return signals.Status;
     }
 }

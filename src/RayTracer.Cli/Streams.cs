@@ -1,4 +1,5 @@
 using RayTracer.Jobs;
+using RayTracer.Rendering;
 using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
@@ -14,11 +15,17 @@ internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerm
     /// <param name="term">The variable TERM.</param>
     public static bool IsTerminal(bool isRedirected, string? term) => !isRedirected && term != "dumb";
 
+    /// <summary>Writes a line for each file that was written.</summary>
+    public void Wrote(IEnumerable<string> files) => files.ToList().ForEach(f => Output.WriteLine($"wrote {f}"));
+
     /// <summary>Writes one line that says what went wrong.</summary>
     public void Fail(string message) => Error.WriteLine($"raytracer: error: {message}");
 
     /// <summary>Writes one line about something doubtful.</summary>
     public void Warn(string message) => Error.WriteLine($"raytracer: warning: {message}");
+
+    /// <inheritdoc/>
+    public IProgress<RenderProgress>? Begin() => HasTerminal ? ProgressDisplay.Start(this) : null;
 
     /// <summary>Shows diagnostics as a compiler does.</summary>
     public void Read(IReadOnlyList<Diagnostic> diagnostics)

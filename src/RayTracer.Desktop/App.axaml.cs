@@ -14,7 +14,7 @@ internal sealed class App : Application
     /// <summary>The session that the window shows; made before the window is.</summary>
     public static StudioSession? Session { get; set; }
 
-    /// <summary>Whether there is a window.</summary>
+    /// <summary>Returns whether a window exists.</summary>
     public static bool IsOpen { get; private set; }
 
     /// <inheritdoc/>

@@ -53,7 +53,7 @@ public static class AovFiles
     }
 
     /// <summary>The layers of light of an OpenEXR file, as 32-bit floats: <c>direct.R</c>, <c>light.key.R</c>.</summary>
-    public static IReadOnlyList<ExrLayerChannel> Layers(LightLayerFilm film)
+    public static IReadOnlyList<ExrLayerChannel> Layers(LightPathAovFilm film)
     {
         List<ExrLayerChannel> layers = [];
         for (int i = 0; i < film.Names.Count; i++)
@@ -75,5 +75,31 @@ public static class AovFiles
         }
 
         return layers;
+    }
+}
+
+/// <summary>An auxiliary image as numbers in three channels, in a separate PFM file: one number three times, or two and a zero.</summary>
+/// <param name="film">The images.</param>
+/// <param name="image">Which of them.</param>
+public sealed class AovRows(AovFilm film, AuxiliaryImage image) : IImageRows
+{
+    private readonly double[] _values = new double[film.Width * image.Letters.Length];
+
+    /// <inheritdoc/>
+    public int Width => film.Width;
+
+    /// <inheritdoc/>
+    public int Height => film.Height;
+
+    /// <inheritdoc/>
+    public void ReadRow(int y, Span<float> rgb)
+    {
+        int channels = image.Letters.Length;
+        film.ReadRow(image, y, _values);
+        for (int i = 0; i < 3 * Width; i++)
+        {
+            int channel = i % 3;
+            rgb[i] = channels == 1 ? (float)_values[i / 3] : channel < channels ? (float)_values[(i / 3 * channels) + channel] : 0;
+        }
     }
 }

@@ -1,3 +1,4 @@
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 

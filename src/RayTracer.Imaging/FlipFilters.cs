@@ -1,3 +1,5 @@
+using RayTracer.Numerics;
+
 namespace RayTracer.Imaging;
 
 /// <summary>

@@ -1,5 +1,6 @@
 using RayTracer.Description;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -17,7 +18,7 @@ public static class ImageFile
 
     /// <summary>Reads a picture file that is in memory; its format is recognized by its first bytes.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="raw">Whether a PNG's or JPEG's values are data (0 to 1) rather than sRGB-encoded colours.</param>
+    /// <param name="raw">True where a PNG's or JPEG's values are data (0 to 1) rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB.</returns>
     /// <exception cref="PictureException">
     /// The file is of no known format, damaged or too large; the message is a clause to follow the file's name and a colon.
@@ -187,10 +188,7 @@ public static class ImageFile
             return all.ToArray();
         }
 
-        if (stream.Length > Array.MaxLength && atMost is null)
-        {
-            throw new PictureException($"it has {stream.Length} bytes, more than 2 GiB");
-        }
+        Require(stream.Length <= Array.MaxLength || atMost is not null, $"it has {stream.Length} bytes, more than 2 GiB");
 
         var content = new byte[Math.Min(stream.Length, atMost ?? Array.MaxLength)];
         stream.ReadExactly(content);
@@ -203,4 +201,23 @@ public static class ImageFile
         UnauthorizedAccessException => "it is a folder, or access to it is denied",
         _ => e.Message.ReplaceLineEndings(" ").TrimEnd('.'),
     };
+}
+
+/// <summary>A file that cannot be written; the message says in one sentence what is wrong, for the user.</summary>
+public sealed class ImageWriteException : Exception
+{
+    /// <summary>Says what is wrong.</summary>
+    public ImageWriteException(string message) : base(message)
+    {
+    }
+
+    /// <summary>Says what is wrong, and what caused it.</summary>
+    public ImageWriteException(string message, Exception innerException) : base(message, innerException)
+    {
+    }
+
+    /// <summary>An unnamed fault.</summary>
+    public ImageWriteException()
+    {
+    }
 }

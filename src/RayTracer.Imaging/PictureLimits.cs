@@ -1,3 +1,4 @@
+using System.Diagnostics.CodeAnalysis;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
@@ -17,14 +18,21 @@ public static class PictureLimits
     /// <summary>Deflate makes at most 258 bytes of 2 bits (RFC 1951): the reason why so few bytes cannot be so large a picture.</summary>
     internal const long MaxDeflateRatio = 1032;
 
+    /// <summary>Refuses a file in which something does not hold. What is refused for every pixel should not make a text for it: it throws by itself.</summary>
+    /// <exception cref="PictureException">The condition is false.</exception>
+    internal static void Require([DoesNotReturnIf(false)] bool condition, string otherwise)
+    {
+        if (!condition)
+        {
+            throw new PictureException(otherwise);
+        }
+    }
+
     /// <summary>Checks a claimed size.</summary>
     /// <exception cref="PictureException">The size is zero, negative or beyond the limits.</exception>
     internal static void CheckSize(long width, long height)
     {
-        if (width < 1 || height < 1)
-        {
-            throw new PictureException($"the file claims a size of {width}×{height} pixels, and both must be at least 1");
-        }
+        Require(width >= 1 && height >= 1, $"the file claims a size of {width}×{height} pixels, and both must be at least 1");
 
         if (width > MaxSide || height > MaxSide || width * height > MaxPixels)
         {
@@ -35,7 +43,7 @@ public static class PictureLimits
     /// <summary>Makes the picture.</summary>
     /// <param name="width">Width in pixels.</param>
     /// <param name="height">Height in pixels.</param>
-    /// <param name="filled">Whether every pixel will be set, so that it need not be black before.</param>
+    /// <param name="filled">True where every pixel will be set, so that it need not be black before.</param>
     /// <exception cref="PictureException">There is not enough memory.</exception>
     internal static Picture Allocate(int width, int height, bool filled = false)
     {

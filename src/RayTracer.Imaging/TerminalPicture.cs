@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;

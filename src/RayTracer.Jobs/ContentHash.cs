@@ -1,14 +1,11 @@
 using System.Collections;
 using System.Globalization;
-using System.Numerics;
 using System.Reflection;
-using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using System.Text;
 using RayTracer.Description;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Shapes;
 
 namespace RayTracer.Jobs;
 
@@ -61,7 +58,7 @@ public class ContentHash : IDisposable
         return Convert.ToHexStringLower(_hash.GetHashAndReset());
     }
 
-    /// <summary>Whether a value counts: one that is as it is without being given has no effect.</summary>
+    /// <summary>Returns true for a value that counts: one that is as it is without being given has no effect.</summary>
     private protected virtual bool Counts(RecordParameter parameter, object? value) => value switch
     {
         null => false,
@@ -95,7 +92,7 @@ public class ContentHash : IDisposable
                 Text(text);
                 break;
             case NamedValue { Name: var name }:
-                Text(char.ToUpperInvariant(name[0]) + name[1..]);
+                Text(char.ToUpperInvariant(name[0]) + name[1..] + OfOrigin(value.GetType()));
                 break;
             case IFormattable number and not Enum:
                 Text(number.ToString(null, CultureInfo.InvariantCulture));
@@ -107,13 +104,18 @@ public class ContentHash : IDisposable
                 AddNamed(named);
                 break;
             case IEnumerable things:
-                AddAll(things);
+                object?[] all = [.. things.Cast<object?>()];
+                Text($"list {all.Length}");
+                Array.ForEach(all, Add);
                 break;
             default:
                 AddRecord(value);
                 break;
         }
     }
+
+    // Plug-ins of another version may do something else by the same names.
+    private static string OfOrigin(Type type) => Plugins.OriginOf(type) is { } origin ? $" of {origin}" : "";
 
     private void AddNamed(IDictionary named)
     {
@@ -122,33 +124,6 @@ public class ContentHash : IDisposable
         {
             Text((string)entry.Key);
             Add(entry.Value);
-        }
-    }
-
-    private void AddAll(IEnumerable things)
-    {
-        switch (things)
-        {
-            case IEnumerable<float> numbers:
-                Numbers<float>([.. numbers]);
-                break;
-            case IEnumerable<int> numbers:
-                Numbers<int>([.. numbers]);
-                break;
-            case IEnumerable<Vector2> vectors:
-                Numbers<Vector2>([.. vectors]);
-                break;
-            case IEnumerable<Vector3> vectors:
-                Numbers<Vector3>([.. vectors]);
-                break;
-            case IEnumerable<TriangleIndices> triangles:
-                Numbers<TriangleIndices>([.. triangles]);
-                break;
-            default:
-                object?[] all = [.. things.Cast<object?>()];
-                Text($"list {all.Length}");
-                Array.ForEach(all, Add);
-                break;
         }
     }
 
@@ -171,7 +146,7 @@ public class ContentHash : IDisposable
         }
 
         RecordType type = RecordType.Of(record.GetType());
-        Text(type.Origin is { } origin ? $"record {type.Name} of {origin}" : $"record {type.Name}");
+        Text($"record {type.Name}{OfOrigin(record.GetType())}");
         foreach (RecordParameter parameter in type.Parameters)
         {
             object? value = parameter.Get(record);
@@ -181,9 +156,14 @@ public class ContentHash : IDisposable
             }
 
             Text(parameter.Key);
-            if (parameter.Kind == ParameterKind.File && value is string { Length: > 0 } file)
+            if (parameter.IsFile && value is string { Length: > 0 } file)
             {
                 AddFile(Path.GetFullPath(Path.Combine(_folder, file)));
+            }
+            else if (value is not null && ParameterForm.Of(parameter).Content(value) is (var count, var bytes))
+            {
+                Text($"numbers {count}");
+                _hash.AppendData(bytes);
             }
             else
             {
@@ -202,13 +182,6 @@ public class ContentHash : IDisposable
             using FileStream stream = File.OpenRead(file);
             Text(Convert.ToHexStringLower(SHA256.HashData(stream)));
         }
-    }
-
-    private void Numbers<T>(T[] values)
-        where T : unmanaged
-    {
-        Text($"numbers {values.Length}");
-        _hash.AppendData(MemoryMarshal.AsBytes(values.AsSpan()));
     }
 
     // With its length before it, so that no two sequences of texts are the same bytes.

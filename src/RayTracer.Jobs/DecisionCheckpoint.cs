@@ -28,7 +28,7 @@ public sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader pictu
     public DecidingState Begun(HeldFilm film, RenderJob job, Description.SceneDescription scene)
     {
         FilmHeader header = OldFilms.Current(film.Header, scene, job.Scene, picture.Crop);
-        return header is { Samples: [var held], Total: var target } && header.Content == _content ? new(film.Film, held.End, target) : throw Resuming.OtherScene(job.Scene);
+        return header is { Samples: [var held], Total: var target } && header.Content == _content ? new(film.Film, held.End, target) : throw LoadedJob.OtherScene(job.Scene);
     }
 
     /// <summary>Writes how far it has come, if it is time for it.</summary>

@@ -94,7 +94,7 @@ public sealed class FilmMerge
         {
             if (header.Content != first.Content || (header.Width, header.Height, header.Crop) != (first.Width, first.Height, first.Crop))
             {
-                throw new JobException($"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings or the program differ");
+                throw new JobException($"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings, a plug-in or the program differ");
             }
         }
 

@@ -165,12 +165,12 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
 
     private bool AreThere(RenderJob one, SceneDescription scene)
     {
-        BesideFiles beside = new(one);
-        return one.Outputs.Concat(beside.Files).All(o => IsThere(o, scene, one)) && (one.Layers.Count == 0 || LayersAreThere(one, scene, beside));
+        PictureFiles files = new(one);
+        return files.All.All(o => IsThere(o, scene, one)) && (one.Layers.Count == 0 || LayersAreThere(one, scene, files));
     }
 
     // Their names are those of the lights, which only the scene itself knows.
-    private bool LayersAreThere(RenderJob one, SceneDescription scene, BesideFiles beside)
+    private bool LayersAreThere(RenderJob one, SceneDescription scene, PictureFiles files)
     {
         if (one.Load(_ => scene, ReadPicture).Scene is not { } built)
         {
@@ -179,8 +179,8 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
 
         try
         {
-            beside.Add(LightLayerFilm.NamesOf(built, one.Layers));
-            return beside.Files.All(o => IsThere(o, scene, one));
+            files.Add(LightPathAovFilm.NamesOf(built, one.Layers));
+            return files.All.All(o => IsThere(o, scene, one));
         }
         catch (ArgumentException)
         {
@@ -205,7 +205,7 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
         }
 
         double rate = job.FramesPerSecond ?? render.FramesPerSecond / _frames.Step;
-        _animation ??= new([new("Software", ProgramName.Text), new("Command", job.Command)], 1 / rate);
+        _animation ??= new(PictureTexts.Of(job.Command), 1 / rate);
         try
         {
             _animation.Add(File.ReadAllBytes(FrameRange.Name(pattern, frame)));

@@ -1,5 +1,6 @@
 using RayTracer.Rendering;
 using RayTracer.Scenes;
+using RayTracer.Textures;
 
 namespace RayTracer.Jobs;
 
@@ -38,6 +39,9 @@ public interface IJobWatch
     void End(JobStage stage)
     {
     }
+
+    /// <summary>Returns an image that is about to be written, through which the writer is followed.</summary>
+    IImageRows Rows(IImageRows image) => image;
 
     /// <summary>Begins to show how far the rendering is, until that is disposed of; null where nothing is shown.</summary>
     IProgress<RenderProgress>? Begin() => null;

@@ -81,7 +81,7 @@ public static class JobFiles
     /// <summary>Writes an image to several files; reports why those fail that cannot be written.</summary>
     /// <returns>Those that were written.</returns>
     public static IReadOnlyList<string> Write(IEnumerable<string> paths, IImageRows image, ImageWriteOptions options, IJobWatch watch) =>
-        Each(paths, watch, path => ImageFile.Write(path, image, options));
+        Each(paths, watch, path => ImageFile.Write(path, watch.Rows(image), options));
 
     /// <summary>Writes a film to a film file, or to an OpenEXR image that carries it.</summary>
     /// <param name="path">The file.</param>
@@ -116,7 +116,7 @@ public static class JobFiles
         }
         else
         {
-            ImageFile.Write(path, film, options);
+            ImageFile.Write(path, watch.Rows(film), options);
         }
     });
 

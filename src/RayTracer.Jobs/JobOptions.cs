@@ -44,8 +44,17 @@ public sealed record JobOption(string Name, string? Form, string Description, Fu
 /// <summary>All options of jobs, in one table.</summary>
 public static class JobOptions
 {
-    private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightLayer>()];
+    private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightPathAov>()];
     private static readonly string[] s_aovNames = [.. s_aovs.Select(a => a is AuxiliaryImage image ? image.Name : $"{a}".ToLowerInvariant())];
+
+    /// <summary>A value of the scene.</summary>
+    public static JobOption Set { get; } = new(
+        "--set",
+        "PATH=VALUE",
+        "Puts a value in the place of the scene's, with the same checks: --set camera.fieldOfView=35, --set shapes[2].radius=1, "
+            + "--set materials.glass.color=red. May be given several times.",
+        (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse(w)] },
+        _ => null) { IsRepeated = true };
 
     /// <summary>Those that replace what the scene says.</summary>
     public static IReadOnlyList<JobOption> OfScenes { get; } =
@@ -53,8 +62,7 @@ public static class JobOptions
         Short("--width", "width"), Short("--height", "height"), Short("--spp", "samplesPerPixel"), Short("--seed", "seed"),
         Short("--sampler", "sampler"), Short("--integrator", "integrator"),
         Short("--max-depth", "maxDepth"), Short("--max-diffuse-depth", "maxDiffuseDepth"), Short("--max-specular-depth", "maxSpecularDepth"),
-        new("--set", "PATH=VALUE", "Puts a value in the place of the scene's, with the same checks: --set camera.fieldOfView=35, --set shapes[2].radius=1, "
-            + "--set materials.glass.color=red. May be given several times.", (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse(w)] }, _ => null) { IsRepeated = true },
+        Set,
     ];
 
     /// <summary>Those of how pictures look.</summary>
@@ -175,7 +183,7 @@ public static class JobOptions
     {
         object[] kinds = [.. list.Split(',').Select(word => Array.IndexOf(s_aovNames, word) is >= 0 and int i ? s_aovs[i]
             : throw new FormatException($"unknown image {Quotation.Of(word)}{Spelling.DidYouMean(word, s_aovNames)}, expected some of {string.Join(", ", s_aovNames)}"))];
-        return job with { Aovs = [.. kinds.OfType<AuxiliaryImage>()], Layers = [.. kinds.OfType<LightLayer>()] };
+        return job with { Aovs = [.. kinds.OfType<AuxiliaryImage>()], Layers = [.. kinds.OfType<LightPathAov>()] };
     }
 
     private static string? AovText(RenderJob job) =>

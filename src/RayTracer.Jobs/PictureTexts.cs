@@ -30,7 +30,7 @@ public static class PictureTexts
     /// <param name="hash">The film's hash.</param>
     /// <param name="samples">How many samples the pixels have.</param>
     /// <param name="range">Which ones, where all have the same; else null.</param>
-    public static IReadOnlyList<KeyValuePair<string, string>> Of(RenderJob job, string hash, string samples, string? range) =>
+    private static IReadOnlyList<KeyValuePair<string, string>> Of(RenderJob job, string hash, string samples, string? range) =>
     [
         new("Software", ProgramName.Text),
         new(CommandKey, job.Command),
@@ -47,13 +47,32 @@ public static class PictureTexts
     public static IReadOnlyList<KeyValuePair<string, string>> Of(FilmHeader header, string hash) =>
         Of(JobOrigin.Of(header).WithSamples(header.Total), hash, $"{header.Samples.Sum(r => r.Count)}", header.SamplesText);
 
-    /// <summary>What a frame says of its content.</summary>
-    internal static KeyValuePair<string, string>[] Content(string content) => [new(ContentKey, content)];
+    /// <summary>The texts of a picture that a job made.</summary>
+    public static IReadOnlyList<KeyValuePair<string, string>> Of(RenderJob job, JobResult result)
+    {
+        string unfinished = result.Statistics.Cancelled ? $", unfinished: {result.Statistics.Paths} paths" : "";
+        List<KeyValuePair<string, string>> texts = [.. Of(job, result.Hash, result.SamplesText + unfinished, result.RangeText)];
+        if (result.Plan is { } plan && job.Noise is { } wanted)
+        {
+            string outcome = result.IsNoisy(job) ? NotReached : "reached";
+            texts.Add(new(NoiseKey, string.Create(CultureInfo.InvariantCulture, $"{100 * plan.Error:G3} % of {100 * wanted:G3} %: {outcome}")));
+        }
 
-    /// <summary>What a picture says of its noise.</summary>
-    /// <param name="error">The estimated relative error.</param>
-    /// <param name="wanted">The wanted one.</param>
-    /// <param name="isReached">Whether it is good enough.</param>
-    internal static KeyValuePair<string, string>[] Noise(double error, double wanted, bool isReached) =>
-        [new(NoiseKey, string.Create(CultureInfo.InvariantCulture, $"{100 * error:G3} % of {100 * wanted:G3} %: {(isReached ? "reached" : NotReached)}"))];
+        if (job.IsOfSequence && result.Description is { } scene)
+        {
+            texts.Add(new(ContentKey, ContentHash.OfPicture(scene, job.Scene, job.Crop)));
+        }
+
+        return texts;
+    }
+
+    /// <summary>The texts of a picture that is not a rendering but was made by a command.</summary>
+    /// <param name="command">The command, as it is typed.</param>
+    /// <param name="scene">The scene's file; null for none.</param>
+    public static IReadOnlyList<KeyValuePair<string, string>> Of(string command, string? scene = null) =>
+    [
+        new("Software", ProgramName.Text),
+        new(CommandKey, command),
+        .. scene is null ? Array.Empty<KeyValuePair<string, string>>() : [new("Scene", Path.GetFileName(scene))],
+    ];
 }

@@ -42,7 +42,7 @@ public sealed record RenderJob
     public IReadOnlyList<AuxiliaryImage> Aovs { get; init; } = [];
 
     /// <summary>The layers of light to write.</summary>
-    public IReadOnlyList<LightLayer> Layers { get; init; } = [];
+    public IReadOnlyList<LightPathAov> Layers { get; init; } = [];
 
     /// <summary>Whether a denoised picture is written too.</summary>
     public bool Denoise { get; init; }

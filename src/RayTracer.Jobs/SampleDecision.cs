@@ -5,7 +5,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Jobs;
 
-/// <summary>How many samples there are, where that is decided by <c>--noise</c>, <c>--adaptive</c> or <c>--time</c>.</summary>
+/// <summary>The number of samples, where that is decided by <c>--noise</c>, <c>--adaptive</c> or <c>--time</c>.</summary>
 /// <param name="job">The whole job.</param>
 public sealed class SampleDecision(RenderJob job)
 {
@@ -18,11 +18,10 @@ public sealed class SampleDecision(RenderJob job)
     private int _mean;
     private int _most;
 
-    /// <summary>Whether they ask for anything.</summary>
-    public bool IsAny => job.Noise is not null || job.Adaptive;
+    private bool IsAny => job.Noise is not null || job.Adaptive;
 
-    /// <summary>What is decided, in words.</summary>
-    public string Goal => string.Create(CultureInfo.InvariantCulture, $"{job.Noise}-{_mean}");
+    // What is decided, in words.
+    private string Goal => string.Create(CultureInfo.InvariantCulture, $"{job.Noise}-{_mean}");
 
     /// <summary>Gives a scene as many samples as a pixel may come to.</summary>
     /// <exception cref="JobException">The sampler needs to know the number of samples beforehand.</exception>
@@ -37,31 +36,60 @@ public sealed class SampleDecision(RenderJob job)
         if (render.Sampler.DependsOnCount)
         {
             string option = job.Adaptive ? "--adaptive" : job.Noise is not null ? "--noise" : "--time";
-            throw new JobException(JobFault.Request, $"{option}: the pattern of the {render.Sampler.ToString().ToLowerInvariant()} sampler needs the number of samples in advance: "
-                + "use --sampler sobol or independent");
+            string sampler = render.Sampler.ToString().ToLowerInvariant();
+            throw new JobException(
+                JobFault.Request, $"{option}: the pattern of the {sampler} sampler needs the number of samples in advance: use --sampler sobol or independent");
         }
 
-        _mean = (job.Noise is null && job.Time is null) || job.GivenSamples is not null || job.Part is not null || job.Samples is not null ? render.SamplesPerPixel : Limit;
+        bool isGiven = (job.Noise is null && job.Time is null) || job.GivenSamples is not null || job.Part is not null || job.Samples is not null;
+        _mean = isGiven ? render.SamplesPerPixel : Limit;
         _most = job.Adaptive ? (int)Math.Min(MostSamples, (long)MostOverMean * _mean) : _mean;
         return scene with { Render = render with { SamplesPerPixel = _most } };
     }
 
-    /// <summary>Decides how many samples the pixels shall have; null where nothing was asked for.</summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="options">How to compute it.</param>
-    /// <param name="begun">What has been decided before; null to begin from scratch.</param>
-    /// <param name="keep">Takes how far it has come; may be null.</param>
-    /// <param name="progress">Takes how far the picture is.</param>
-    /// <param name="cancellation">Ends it.</param>
+    /// <summary>The samples that an earlier run decided on that went by the same words; null where there was none.</summary>
+    internal SampleRange? Earlier =>
+        job is { Noise: not null, Resumed.Header: var header } && OldFilms.Settings(header).SequenceEqual(job.FilmSettings) ? header.Wanted : null;
+
+    /// <summary>Returns the samples of pixels by a plan, where all shall have as many as the mean; null without one.</summary>
+    internal static SampleRange? RangeOf(SamplePlan? plan) => plan is null ? null : new(0, (int)double.Round(plan.MeanSamples));
+
+    /// <summary>Decides how many samples the pixels shall have; null where nothing was asked for, or it was decided before.</summary>
+    /// <param name="loaded">What to render.</param>
+    /// <param name="checkpoints">Keep what is decided by; may be null.</param>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
-    public SamplePlan? Plan(
-        Scene scene, RenderOptions options, DecidingState? begun, Action<DecidingState>? keep, IProgress<RenderProgress>? progress, CancellationToken cancellation)
+    internal SamplePlan? Plan(LoadedJob loaded, Checkpoints? checkpoints)
+    {
+        if (!IsAny || Earlier is not null)
+        {
+            return null;
+        }
+
+        if (job.Noise is null || job.Resumed is not null || checkpoints is null)
+        {
+            return Plan(loaded, null, null);
+        }
+
+        DecisionCheckpoint checkpoint = new(checkpoints, loaded.NewHeader(), Goal);
+        try
+        {
+            return Plan(loaded, job.Decision is { } decision ? checkpoint.Begun(decision, job, loaded.Description) : null, checkpoint.Keep);
+        }
+        catch (OperationCanceledException)
+        {
+            checkpoint.WriteLatest();
+            throw;
+        }
+    }
+
+    private SamplePlan Plan(LoadedJob loaded, DecidingState? begun, Action<DecidingState>? keep)
     {
         SampleGoal goal = new() { Error = job.Noise, IsAdaptive = job.Adaptive, MeanSamples = _mean, MostSamples = _most };
         long start = Stopwatch.GetTimestamp();
 
         // Twice the samples take twice the time: no more than half of it all then.
         bool IsShort() => Stopwatch.GetElapsedTime(start) > job.Time / ShareOfTime;
-        return IsAny ? new SamplePlanner(scene, options, goal) { IsShortOfTime = job.Time is null ? null : IsShort, Begun = begun, Keep = keep }.Plan(progress, cancellation) : null;
+        SamplePlanner planner = new(loaded.Scene, loaded.Options, goal) { IsShortOfTime = job.Time is null ? null : IsShort, Begun = begun, Keep = keep };
+        return planner.Plan(loaded.Progress, loaded.Cancellation);
     }
 }

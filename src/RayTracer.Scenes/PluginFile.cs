@@ -19,10 +19,15 @@ public static class PluginFile
         {
             _ = AssemblyName.GetAssemblyName(path);
             Plugins.Add(new Context(Path.GetFullPath(path)).Itself);
+            Array.ForEach([.. SceneTypes.All.SelectMany(t => t.Parameters)], p => ParameterForm.Of(p));
         }
         catch (PluginException e)
         {
             throw new PluginException($"{path}: {e.Message}", e);
+        }
+        catch (NotSupportedException e)
+        {
+            throw new PluginException($"{path}: {e.Message.TrimEnd('.')}", e);
         }
         catch (BadImageFormatException e)
         {

@@ -12,7 +12,7 @@ public sealed class ChangeCounter
     /// <summary>Number of changes so far.</summary>
     public long Version { get; private set; }
 
-    /// <summary>How many wait for a change.</summary>
+    /// <summary>The number of waiting callers.</summary>
     public int Waiting => Volatile.Read(ref _waiting);
 
     /// <summary>Counts a change, and wakes all that wait.</summary>

@@ -1,7 +1,7 @@
 namespace RayTracer.Session;
 
-/// <summary>What is being done beside the user's work: each job on a thread of its own.</summary>
-/// <param name="notices">Told how each job ended.</param>
+/// <summary>The jobs beside the user's work, each on a separate thread.</summary>
+/// <param name="notices">Shows how each job ended.</param>
 public sealed class JobList(NoticeBoard notices) : IDisposable
 {
     private readonly Lock _lock = new();
@@ -26,7 +26,7 @@ public sealed class JobList(NoticeBoard notices) : IDisposable
 
     /// <summary>Starts a job.</summary>
     /// <param name="text">What is done, in a few words.</param>
-    /// <param name="work">Does it; returns what to tell the user at the end. What it throws is told too.</param>
+    /// <param name="work">Does it; returns the message for the user at the end. What it throws is shown too.</param>
     /// <returns>The job's number.</returns>
     public int Start(string text, Func<IProgress<double>, CancellationToken, string> work)
     {
@@ -80,15 +80,15 @@ public sealed class JobList(NoticeBoard notices) : IDisposable
     {
         try
         {
-            notices.Tell("info", work(new Progress(this, id), stop.Token));
+            notices.Post("info", work(new Progress(this, id), stop.Token));
         }
         catch (OperationCanceledException)
         {
-            notices.Tell("info", $"{text}: cancelled");
+            notices.Post("info", $"{text}: cancelled");
         }
         catch (Exception e)
         {
-            notices.Tell("error", $"{text}: {e.Message.TrimEnd('.')}");
+            notices.Post("error", $"{text}: {e.Message.TrimEnd('.')}");
         }
         finally
         {
@@ -120,3 +120,9 @@ public sealed class JobList(NoticeBoard notices) : IDisposable
         public void Report(double value) => list.Report(id, value);
     }
 }
+
+/// <summary>Something that takes its time, and can be cancelled.</summary>
+/// <param name="Id">Its number.</param>
+/// <param name="Text">What is done, in a few words.</param>
+/// <param name="Fraction">How far it is, 0 to 1.</param>
+public sealed record Job(int Id, string Text, double Fraction);

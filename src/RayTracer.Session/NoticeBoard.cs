@@ -1,6 +1,6 @@
 namespace RayTracer.Session;
 
-/// <summary>The newest thing to tell the user.</summary>
+/// <summary>The newest message for the user.</summary>
 public sealed class NoticeBoard
 {
     private readonly Lock _lock = new();
@@ -11,10 +11,10 @@ public sealed class NoticeBoard
     /// <summary>The newest notice; null before there was one.</summary>
     public Notice? Newest { get; private set; }
 
-    /// <summary>Tells something.</summary>
+    /// <summary>Shows a message.</summary>
     /// <param name="kind">"info" or "error".</param>
     /// <param name="text">A sentence, without a final stop.</param>
-    public void Tell(string kind, string text)
+    public void Post(string kind, string text)
     {
         lock (_lock)
         {
@@ -24,3 +24,9 @@ public sealed class NoticeBoard
         Changed?.Invoke(this, EventArgs.Empty);
     }
 }
+
+/// <summary>A message that the user sees once.</summary>
+/// <param name="Id">Grows with each notice.</param>
+/// <param name="Kind">"info" or "error".</param>
+/// <param name="Text">A sentence, without a final stop.</param>
+public sealed record Notice(int Id, string Kind, string Text);

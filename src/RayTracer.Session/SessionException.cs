@@ -1,3 +1,7 @@
+using RayTracer.Imaging;
+using RayTracer.Jobs;
+using RayTracer.Textures;
+
 namespace RayTracer.Session;
 
 /// <summary>Something that the user asked for cannot be done; the message is a sentence for the user.</summary>
@@ -23,4 +27,32 @@ public sealed class SessionException : Exception
 
     /// <summary>Of what kind it is.</summary>
     public SessionFault Fault { get; }
+}
+
+/// <summary>The reason why something that was asked for is not done.</summary>
+public enum SessionFault
+{
+    /// <summary>The request makes no sense, or cannot be done; the message says why.</summary>
+    Refused,
+
+    /// <summary>There is no such thing.</summary>
+    Missing,
+
+    /// <summary>Something else has happened meanwhile, or would be lost.</summary>
+    Conflict,
+}
+
+/// <summary>The sentences for the user about errors.</summary>
+public static class Complaint
+{
+    /// <summary>One sentence; null where the program itself is at fault.</summary>
+    public static string? Of(Exception fault) => fault switch
+    {
+        DocumentException or JobException => Sentence(fault.Message),
+        SessionException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException => fault.Message,
+        OutOfMemoryException => "There is not enough memory.",
+        _ => null,
+    };
+
+    private static string Sentence(string clause) => clause.Length > 0 ? $"{char.ToUpperInvariant(clause[0])}{clause[1..].TrimEnd('.')}." : clause;
 }

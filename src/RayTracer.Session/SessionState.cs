@@ -1,7 +1,7 @@
 namespace RayTracer.Session;
 
 /// <summary>All that a user sees of a session but the picture, the text and the outline.</summary>
-/// <param name="Version">The number of changes that it has; what happens while it is read is told again by the next one.</param>
+/// <param name="Version">The number of changes that it has; what happens while it is read is reported again by the next one.</param>
 /// <param name="Document">The document.</param>
 /// <param name="Selection">The pointer of the selected thing; null where there is none.</param>
 /// <param name="Render">How far the picture is.</param>
@@ -9,7 +9,7 @@ namespace RayTracer.Session;
 /// <param name="Tone">How light is brought onto the screen.</param>
 /// <param name="Snapshots">Earlier pictures, the oldest first.</param>
 /// <param name="Recovery">Texts that were not saved.</param>
-/// <param name="Notice">The newest thing to tell; null before there was one.</param>
+/// <param name="Notice">The newest message; null before there was one.</param>
 /// <param name="Jobs">What is being done beside the user's work.</param>
 public sealed record SessionState(
     long Version, DocumentStatus Document, string? Selection, RenderStatus Render, ViewSettings Settings, Tone Tone, IReadOnlyList<Snapshot> Snapshots,
@@ -18,7 +18,7 @@ public sealed record SessionState(
     /// <summary>The state of a session.</summary>
     public static SessionState Of(StudioSession session)
     {
-        // The version first: what changes meanwhile is told again.
+        // The version first: what changes meanwhile is reported again.
         long version = session.Changes.Version;
         PictureView view = session.View;
         return new(

@@ -37,18 +37,18 @@ public sealed class StudioSession : IDisposable
         Recovery.Changed += Changes.Advance;
         View.Changed += Changes.Advance;
         Snapshots.Changed += Changes.Advance;
-        View.Refused += message => Notices.Tell("error", message.TrimEnd('.'));
+        View.Refused += message => Notices.Post("error", message.TrimEnd('.'));
         Files.Opened += Begin;
-        View.Loop.Failed += message => Notices.Tell("error", message.TrimEnd('.'));
+        View.Loop.Failed += message => Notices.Post("error", message.TrimEnd('.'));
     }
 
     /// <summary>Counts the changes of all that the user sees but the picture.</summary>
     public ChangeCounter Changes { get; } = new();
 
-    /// <summary>What there is to tell the user.</summary>
+    /// <summary>The messages for the user.</summary>
     public NoticeBoard Notices { get; } = new();
 
-    /// <summary>What is being done beside the user's work.</summary>
+    /// <summary>The jobs beside the user's work.</summary>
     public JobList Jobs { get; }
 
     /// <summary>The scene's text.</summary>
@@ -57,7 +57,7 @@ public sealed class StudioSession : IDisposable
     /// <summary>Changes its things.</summary>
     public SceneEdits Edits { get; }
 
-    /// <summary>What is selected.</summary>
+    /// <summary>The selection.</summary>
     public Selection Selection => _document.Selection;
 
     /// <summary>Opens and saves.</summary>
@@ -73,7 +73,7 @@ public sealed class StudioSession : IDisposable
     public PictureView View { get; }
 
     /// <summary>Moves the camera.</summary>
-    public CameraHand Camera { get; }
+    public CameraController Camera { get; }
 
     /// <summary>Earlier pictures.</summary>
     public SnapshotList Snapshots { get; }
@@ -88,7 +88,7 @@ public sealed class StudioSession : IDisposable
     public BackgroundRenders Background { get; }
 
     /// <summary>Balances the lights of rendered pictures.</summary>
-    public LightBalance Lights { get; }
+    public Relighting Lights { get; }
 
     /// <summary>The folder of the scenes that come with the program; null where there is none.</summary>
     public string? Scenes { get; }
@@ -118,7 +118,7 @@ public sealed class StudioSession : IDisposable
     }
 }
 
-/// <summary>What a session has only where it is asked for: a tab's own part, say.</summary>
+/// <summary>A part of a session that exists only where it is asked for, such as a tab's.</summary>
 /// <typeparam name="T">The part.</typeparam>
 public interface ISessionPart<T>
 {

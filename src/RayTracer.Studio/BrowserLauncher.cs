@@ -69,3 +69,13 @@ internal static class BrowserLauncher
         }
     }
 }
+
+/// <summary>The browser that opens the page.</summary>
+internal enum BrowserKind
+{
+    /// <summary>A window of its own, of Chromium, Chrome or Edge, where there is one; else the default browser.</summary>
+    App,
+
+    /// <summary>The default browser.</summary>
+    Default,
+}

@@ -5,7 +5,7 @@ using static RayTracer.Studio.DocumentRequests;
 
 namespace RayTracer.Studio;
 
-/// <summary>What a page does with the document: reading it and editing its text.</summary>
+/// <summary>The requests that read the document and edit its text.</summary>
 internal static class DocumentEndpoints
 {
     // The catalogue never changes.
@@ -33,20 +33,16 @@ internal static class DocumentEndpoints
         api.MapGet("/document", () =>
         {
             (int revision, string text) = document.Current;
-            return Answers.Json(new { revision, text });
+            return Results.Json(new { revision, text });
         });
         api.MapGet("/outline", () =>
         {
             (int revision, JsonNode root) = document.Readable;
-            return Answers.Json(Outline.Of(revision, root));
+            return Outline.Of(revision, root);
         });
         api.MapGet("/schema", () => Results.Bytes(Schema.Value, "application/json"));
-        api.MapGet("/value", (string? pointer) => Answers.Json(PropertyValues.At(document.Readable.Root, Needed(pointer, "pointer"))));
-        api.MapPost("/select", (At request) =>
-        {
-            session.Selection.Select(request.Pointer);
-            return Answers.Done(session);
-        });
+        api.MapGet("/value", (string? pointer) => PropertyValues.At(document.Readable.Root, Needed(pointer, "pointer")));
+        api.MapPost("/select", (At request) => session.Selection.Select(request.Pointer));
     }
 
     private static void MapText(RouteGroupBuilder api, StudioSession session)
@@ -56,20 +52,12 @@ internal static class DocumentEndpoints
         {
             bool isTaken = document.TryReplace(request.BaseRevision, request.From, request.To, Needed(request.Insert, "insert"), request.Gesture);
             (int revision, string text) = document.Current;
-            return isTaken ? Answers.Json(new { revision })
-                : Results.Json(new { error = "The text has changed in the meantime.", revision, text }, ApiJson.Options, statusCode: StatusCodes.Status409Conflict);
+            return isTaken ? Results.Json(new { revision })
+                : Results.Json(new { error = "The text has changed in the meantime.", revision, text }, statusCode: StatusCodes.Status409Conflict);
         });
-        api.MapPost("/document/set", (Set request) => Answers.Json(new { revision = Changed(session.Edits, request, Needed(request.Pointer, "pointer")) }));
-        api.MapPost("/document/undo", () =>
-        {
-            document.Undo();
-            return Answers.Done(session);
-        });
-        api.MapPost("/document/redo", () =>
-        {
-            document.Redo();
-            return Answers.Done(session);
-        });
+        api.MapPost("/document/set", (Set request) => Results.Json(new { revision = Changed(session.Edits, request, Needed(request.Pointer, "pointer")) }));
+        api.MapPost("/document/undo", () => document.Undo());
+        api.MapPost("/document/redo", () => document.Redo());
     }
 
     private static void MapThings(RouteGroupBuilder api, StudioSession session)
@@ -81,12 +69,12 @@ internal static class DocumentEndpoints
         api.MapPost("/document/delete", (Many request) =>
         {
             (int revision, IReadOnlyList<string> notes) = edits.Delete(Needed(request.Pointers, "pointers"));
-            return Answers.Json(new { revision, notes });
+            return Results.Json(new { revision, notes });
         });
         api.MapPost("/document/place", (Place request) =>
         {
             Placement change = new(request.Translate, request.Rotate, request.Scale, request.Center);
-            return Answers.Json(new { revision = edits.Place(Needed(request.Pointer, "pointer"), change, request.Gesture) });
+            return Results.Json(new { revision = edits.Place(Needed(request.Pointer, "pointer"), change, request.Gesture) });
         });
     }
 
@@ -107,5 +95,5 @@ internal static class DocumentEndpoints
             : edits.Set(pointer, System.Text.Json.Nodes.JsonNode.Parse(set.Value.GetRawText()), set.Gesture);
     }
 
-    private static IResult Pointed((int Revision, string Pointer) edit) => Answers.Json(new { revision = edit.Revision, pointer = edit.Pointer });
+    private static IResult Pointed((int Revision, string Pointer) edit) => Results.Json(new { revision = edit.Revision, pointer = edit.Pointer });
 }

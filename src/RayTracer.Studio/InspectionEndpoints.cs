@@ -1,5 +1,6 @@
 using RayTracer.Jobs;
 using RayTracer.Session;
+using RayTracer.Study;
 
 namespace RayTracer.Studio;
 
@@ -9,18 +10,18 @@ internal static class InspectionEndpoints
     /// <summary>Adds the requests.</summary>
     public static void MapInspection(this RouteGroupBuilder api, StudioSession session)
     {
-        api.MapGet("/pick", (float x, float y) => Answers.Json(Picking.At(session.View.RequireShown(), x, y)));
-        api.MapGet("/paths", async (int x, int y, int? first, int? count) => Answers.Json(await session.Part<PathInspector>().Inspect(x, y, first ?? 0, count ?? 16)));
+        api.MapGet("/pick", (float x, float y) => Picking.At(session.View.RequireShown(), x, y));
+        api.MapGet("/paths", (int x, int y, int? first, int? count) => session.Part<PathInspector>().Inspect(x, y, first ?? 0, count ?? 16));
         api.MapGet("/wireframe", () =>
         {
-            ShownScene shown = session.View.RequireShown();
-            return Answers.Json(new WireframeView(Wireframe.Of(shown), CameraFrame.Of(shown)));
+            ViewportScene shown = session.View.RequireShown();
+            return new WireframeView(Wireframe.Of(shown), CameraFrame.Of(shown));
         });
-        api.MapGet("/convergence", async () => Answers.Json(await session.View.Loop.Convergence()));
+        api.MapGet("/convergence", () => session.View.Loop.Convergence());
         api.MapGet("/times", async (HttpContext context) =>
         {
             ReportTime[] times = await session.Part<ReportTimes>().Measure().WaitAsync(context.RequestAborted);
-            return Answers.Json(new MeasuredTimes(ReportScene.Machine, ReportTimes.Threads, times));
+            return new MeasuredTimes(ReportScene.Machine, ReportTimes.Threads, times);
         });
     }
 }

@@ -1,6 +1,6 @@
 namespace RayTracer.Studio;
 
-/// <summary>What a page says about itself: that it goes, and what went wrong in it.</summary>
+/// <summary>The requests in which a page reports that it closes, and what went wrong in it.</summary>
 internal static class LifeEndpoints
 {
     private const int LongestLog = 4000;
@@ -8,8 +8,8 @@ internal static class LifeEndpoints
     /// <summary>Adds the requests.</summary>
     /// <param name="api">Where to.</param>
     /// <param name="guard">Knows the secret.</param>
-    /// <param name="windows">Told of windows that go.</param>
-    /// <param name="errors">Where errors of the page are told.</param>
+    /// <param name="windows">Follows the windows that close.</param>
+    /// <param name="errors">Takes the errors of the page.</param>
     public static void MapLife(this RouteGroupBuilder api, LocalGuard guard, WindowWatch windows, TextWriter errors)
     {
         api.MapPost("/bye", async (HttpContext context) =>

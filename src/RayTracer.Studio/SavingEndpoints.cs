@@ -1,20 +1,25 @@
+using System.Text.Json;
 using RayTracer.Imaging;
 using RayTracer.Session;
+using static RayTracer.Studio.DocumentEndpoints;
 
 namespace RayTracer.Studio;
 
-/// <summary>Writes pictures, and says how the command would.</summary>
+/// <summary>Writes pictures, parts, frames and layers of light as jobs, and says how the command would.</summary>
 internal static class SavingEndpoints
 {
     /// <summary>Adds the requests.</summary>
     public static void MapSaving(this RouteGroupBuilder api, StudioSession session)
     {
-        api.MapPost("/save/picture", async (SaveRequest request) =>
-        {
-            PictureRequest picture = PictureRequest.Of(request.BitDepth, request.Layers ?? []);
-            int job = await session.Pictures.Save(request.Path, picture, request.Overwrite);
-            return Answers.Json(new { job, revision = session.Document.Revision });
-        });
+        MapPictures(api, session);
+        MapBackground(api.MapGroup("/background"), session);
+        MapLights(api.MapGroup("/lights"), session);
+    }
+
+    private static void MapPictures(RouteGroupBuilder api, StudioSession session)
+    {
+        api.MapPost("/save/picture", async (SaveRequest r) =>
+            Started(session, await session.Pictures.Save(r.Path, PictureRequest.Of(r.BitDepth, r.Layers ?? []), r.Overwrite)));
         api.MapGet("/picture", async (string? format, int? bitDepth, string? layers, HttpContext context) =>
         {
             PictureRequest picture = PictureRequest.Of(bitDepth, layers?.Split(',', StringSplitOptions.RemoveEmptyEntries) ?? []);
@@ -23,9 +28,36 @@ internal static class SavingEndpoints
             string type = ImageFormat.OfName(extension)!.MediaType;
             return Results.Bytes(bytes, type, Path.ChangeExtension(session.Document.Place.Name, extension));
         });
-        api.MapGet("/picture/formats", () => Answers.Json(new { formats = PictureSaver.Formats }));
-        api.MapGet("/command", () => Answers.Json(new { text = session.Pictures.Command() }));
+        api.MapGet("/picture/formats", () => Results.Json(new { formats = PictureSaver.Formats }));
+        api.MapGet("/command", () => Results.Json(new { text = session.Pictures.Command() }));
     }
 
+    private static void MapBackground(RouteGroupBuilder group, StudioSession session)
+    {
+        BackgroundRenders renders = session.Background;
+        group.MapPost("/part", (PartRequest r) => Started(session, renders.Part(r.Number, r.Count, Needed(r.Path, "path"), r.Overwrite)));
+        group.MapPost("/frames", (FramesRequest r) => Started(session, renders.Frames(r.First, r.Last, Needed(r.Path, "path"), r.Overwrite)));
+        group.MapPost("/merge", (MergeRequest r) => Started(session, renders.Merge(Needed(r.Parts, "parts"), Needed(r.Path, "path"), r.Overwrite)));
+    }
+
+    private static void MapLights(RouteGroupBuilder group, StudioSession session)
+    {
+        group.MapPost("/render", (LightRequest r) => Started(session, session.Lights.Render(Needed(r.Path, "path"), r.Overwrite)));
+        group.MapPost("/open", (LightRequest r) => Results.Json(new { lights = session.Lights.Open(Needed(r.Path, "path")) }));
+        group.MapGet("/picture", (string? factors) =>
+            Results.Bytes(session.Lights.Png(JsonSerializer.Deserialize<Dictionary<string, float[]>>(Needed(factors, "factors")) ?? []), "image/png"));
+        group.MapPost("/save", (LightRequest r) => Started(session, session.Lights.Save(Needed(r.Path, "path"), r.Factors ?? [], r.Overwrite)));
+    }
+
+    private static IResult Started(StudioSession session, int job) => Results.Json(new { job, revision = session.Document.Revision });
+
     internal sealed record SaveRequest(string Path, int? BitDepth, string[]? Layers, bool Overwrite = false);
+
+    internal sealed record PartRequest(int Number, int Count, string? Path, bool Overwrite = false);
+
+    internal sealed record FramesRequest(int First, int Last, string? Path, bool Overwrite = false);
+
+    internal sealed record MergeRequest(string[]? Parts, string? Path, bool Overwrite = false);
+
+    internal sealed record LightRequest(string? Path, Dictionary<string, float[]>? Factors, bool Overwrite = false);
 }

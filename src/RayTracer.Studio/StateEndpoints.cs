@@ -16,19 +16,15 @@ internal static class StateEndpoints
             await poll.Wait(session.Changes.WaitBeyond, after ?? -1, context.RequestAborted);
             return State(session);
         });
-        api.MapPost("/job/cancel", (JobRequest request) =>
-        {
-            session.Jobs.Cancel(request.Id);
-            return Answers.Done(session);
-        });
+        api.MapPost("/job/cancel", (JobRequest request) => session.Jobs.Cancel(request.Id));
     }
 
-    private static IResult State(StudioSession session)
+    private static StudioState State(StudioSession session)
     {
         SessionState state = SessionState.Of(session);
-        return Answers.Json(new StudioState(
+        return new(
             state.Version, state.Document, state.Selection, RenderState.Of(state.Render, state.Settings), new(state.Tone.Exposure, state.Tone.ToneMap, ToneMaps),
-            state.Snapshots, state.Recovery, state.Notice, state.Jobs));
+            state.Snapshots, state.Recovery, state.Notice, state.Jobs);
     }
 
     internal sealed record JobRequest(int Id);
@@ -39,7 +35,7 @@ internal sealed record StudioState(
     long Version, DocumentStatus Document, string? Selection, RenderState Render, ToneState Tone, IReadOnlyList<Snapshot> Snapshots,
     IReadOnlyList<RecoveryEntry> Recovery, Notice? Message, IReadOnlyList<Job> Jobs);
 
-/// <summary>How light is brought onto the screen, and how it might be.</summary>
+/// <summary>The exposure and tone map of the screen, and the tone maps to choose from.</summary>
 internal sealed record ToneState(float Exposure, ToneMap ToneMap, IReadOnlyList<ToneMap> Choices);
 
 /// <summary>The progress of the picture, as reported to pages.</summary>

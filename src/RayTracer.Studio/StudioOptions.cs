@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace RayTracer.Studio;
 
-/// <summary>What the command line of the Studio asks for.</summary>
+/// <summary>The options of the Studio's command line.</summary>
 internal sealed record StudioOptions
 {
-    /// <summary>How the Studio is called.</summary>
+    /// <summary>The usage of the command line.</summary>
     public const string Usage = "usage: RayTracer.Studio [SCENE] [--plugin FILE] [--port N] [--no-browser] [--open app|browser]";
 
     /// <summary>The scene or model to open; null for the empty state.</summary>
@@ -14,7 +14,7 @@ internal sealed record StudioOptions
     /// <summary>The port to listen on; 0 for a free one.</summary>
     public int Port { get; init; }
 
-    /// <summary>What to open the page in; null for nothing.</summary>
+    /// <summary>The browser to open the page in; null for none.</summary>
     public BrowserKind? Browser { get; init; } = BrowserKind.App;
 
     /// <summary>Reads a command line.</summary>

@@ -4,43 +4,30 @@ using RayTracer.Session;
 
 namespace RayTracer.Studio;
 
-/// <summary>What the user does to the view: camera, exposure, rendering, snapshots.</summary>
+/// <summary>The requests that change the view: camera, exposure, rendering, snapshots.</summary>
 internal static class ViewEndpoints
 {
     /// <summary>Adds the requests.</summary>
     public static void MapView(this RouteGroupBuilder api, StudioSession session)
     {
         RouteGroupBuilder view = api.MapGroup("/view");
-        view.MapPost("/camera", (CameraMove move) =>
-        {
-            session.Camera.Move(move);
-            return Answers.Done(session);
-        });
-        view.MapPost("/focus", (PixelRequest at) => Answers.Json(new { distance = session.Camera.Focus(at.X, at.Y), revision = session.Document.Revision }));
+        view.MapPost("/camera", (CameraMove move) => session.Camera.Move(move));
+        view.MapPost("/focus", (PixelRequest at) => Results.Json(new { distance = session.Camera.Focus(at.X, at.Y), revision = session.Document.Revision }));
         view.MapPost("/tone", (ToneRequest tone) =>
         {
             Tone before = session.View.Tone;
             session.View.Tone = new(tone.Exposure ?? before.Exposure, tone.ToneMap ?? before.ToneMap);
-            return Answers.Done(session);
         });
-        view.MapPost("/render", (RenderRequest request) =>
-        {
-            session.View.Change(request.Apply, anew: request.Action == "restart");
-            return Answers.Done(session);
-        });
-        view.MapPost("/snapshot", async () => Answers.Json(await session.Snapshots.Take()));
+        view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, restart: request.Action == "restart"));
+        view.MapPost("/snapshot", () => session.Snapshots.Capture());
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
-        view.MapGet("/mask", (string pointer) => Answers.Json(Picking.Mask(session.View.RequireShown(), pointer)));
+        view.MapGet("/mask", (string pointer) => Picking.Mask(session.View.RequireShown(), pointer));
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {
-            ShownScene shown = session.View.RequireShown();
-            return Answers.Json(Gizmo.Of(shown, request.Pointer).Handles(CameraFrame.Of(shown), request.Kind, request.Length));
+            ViewportScene shown = session.View.RequireShown();
+            return Gizmo.Of(shown, request.Pointer).Handles(CameraFrame.Of(shown), request.Kind, request.Length);
         });
-        view.MapPost("/drag", (HandleDrag way) =>
-        {
-            session.Handles.Drag(way);
-            return Answers.Done(session);
-        });
+        view.MapPost("/drag", (HandleDrag way) => session.Handles.Drag(way));
     }
 
     internal sealed record PixelRequest(float X, float Y);
@@ -49,7 +36,7 @@ internal static class ViewEndpoints
 
     internal sealed record ToneRequest(float? Exposure, ToneMap? ToneMap);
 
-    /// <summary>What is to change; what is null stays.</summary>
+    /// <summary>The changes of the settings; what is null stays.</summary>
     internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, string? Map)
     {
         public ViewSettings Apply(ViewSettings settings) => settings with

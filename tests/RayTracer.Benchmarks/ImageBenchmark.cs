@@ -44,7 +44,7 @@ internal static class ImageBenchmark
         return (Environment.CpuUsage.TotalTime - before).TotalSeconds;
     }
 
-    // Bash tells the processor time of a process that has ended, which the runtime does not.
+    // Bash gives the processor time of a process that has ended, which the runtime does not.
     private static double PeerTime(string program, string path)
     {
         ProcessStartInfo start = new("bash", ["-c", "TIMEFORMAT='%U %S'; time \"$0\" \"$1\" > /dev/null", program, path]) { RedirectStandardError = true, UseShellExecute = false };

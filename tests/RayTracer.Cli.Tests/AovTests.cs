@@ -107,7 +107,7 @@ public sealed class AovTests : IDisposable
     }
 
     [Fact]
-    public void A_file_beside_that_cannot_be_written_is_told_of_before_the_work()
+    public void A_file_beside_that_cannot_be_written_is_reported_before_the_work()
     {
         Directory.CreateDirectory(_folder["a.depth.png"]);
         CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.png"], "--aov", "depth");

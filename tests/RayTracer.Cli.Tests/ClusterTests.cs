@@ -83,7 +83,7 @@ public sealed class ClusterTests : IDisposable
     [InlineData("slurm SCENE --tasks 2 -o out.exe", 2, "did you mean '.exr'?")]
     [InlineData("slurm SCENE --taks 2", 2, "usage: raytracer cluster slurm SCENE")]
     [InlineData("", 2, "which cluster?")]
-    public void Wrong_words_are_told(string words, int status, string message)
+    public void Wrong_words_are_reported(string words, int status, string message)
     {
         CliRun run = CliRun.Of(["cluster", .. words.Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(w => w == "SCENE" ? _scene : w.StartsWith("out", StringComparison.Ordinal) ? _folder[w] : w)]);
 

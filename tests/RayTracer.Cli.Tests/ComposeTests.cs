@@ -51,7 +51,7 @@ public sealed class ComposeTests : IDisposable
     }
 
     [Fact]
-    public void What_is_wrong_is_told_with_the_nearest_name()
+    public void What_is_wrong_is_reported_with_the_nearest_name()
     {
         CliRun.Of("render", _scene, "-o", _folder["a.exr"], "-o", _folder["a.png"], "--aov", "lights", "--quiet");
         CliRun.Of("render", _scene, "-o", _folder["plain.exr"], "--aov", "direct", "--quiet");

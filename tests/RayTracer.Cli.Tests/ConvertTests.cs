@@ -118,7 +118,7 @@ public class ConvertTests
     [InlineData("a.png", "b.jpg", "--bit-depth 16", "--bit-depth has no effect: it is for PNG files, and none is written")]
     [InlineData("a.png", "c.png", "--exr-type half", "--exr-type has no effect: it is for OpenEXR files, and none is written")]
     [InlineData("a.png", "c.png", "--quality 50", "--quality has no effect: it is for JPEG files, and none is written")]
-    public void Options_without_effect_are_told(string from, string to, string options, string message)
+    public void Options_without_effect_are_reported(string from, string to, string options, string message)
     {
         using TemporaryFolder folder = new();
         ImageFile.Write(folder[from], new Picture(4, 2));

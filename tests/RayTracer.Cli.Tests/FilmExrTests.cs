@@ -196,7 +196,7 @@ public sealed class FilmExrTests : IDisposable
         Assert.Contains("film.square.1, 32-bit unsigned integer, sampling 1 1", output, StringComparison.Ordinal);
         Assert.Equal(0, ProgramFactAttribute.Run("exrinfo", "-s", _image).ExitCode);
 
-        // What it writes anew still has the picture; tiles are not gone on with.
+        // What it rewrites still has the picture; tiles are not resumed.
         Assert.Equal(0, ProgramFactAttribute.Run("exrmaketiled", "-o", "-z", "piz", _image, _folder["b.exr"]).ExitCode);
         TestPictures.AssertSameBits(ImageFile.Read(_image), ImageFile.Read(_folder["b.exr"]));
         Assert.Equal(ExrReader.ReadChannel(File.ReadAllBytes(_image), "film.red.0"), ExrReader.ReadChannel(File.ReadAllBytes(_folder["b.exr"]), "film.red.0"));

@@ -47,7 +47,7 @@ public sealed class FramesTests : IDisposable
     [Theory]
     [InlineData("f-#.png")]
     [InlineData("f-#.rtfilm")]
-    public void Frames_of_other_samples_are_rendered_anew(string files)
+    public void Frames_of_other_samples_are_rendered_again(string files)
     {
         string[] command = ["render", _scene, "--frames", "0..1", "-o", _folder[files], "--json"];
         Assert.Equal([true, true], Rendered(CliRun.Of(command)));
@@ -61,7 +61,7 @@ public sealed class FramesTests : IDisposable
     [InlineData("f#.jpg")]
     [InlineData("f#.exr")]
     [InlineData("f#.rtfilm")]
-    public void Damaged_frames_are_rendered_anew(string files)
+    public void Damaged_frames_are_rendered_again(string files)
     {
         string[] command = ["render", _scene, "--spp", "1", "--frames", "0..1", "-o", _folder[files], "--json"];
         Assert.Equal([true, true], Rendered(CliRun.Of(command)));
@@ -82,7 +82,7 @@ public sealed class FramesTests : IDisposable
     }
 
     [Fact]
-    public void A_missing_layer_of_light_is_rendered_anew()
+    public void A_missing_layer_of_light_is_rendered_again()
     {
         string[] command = ["render", _scene, "--spp", "1", "--frames", "0..1", "-o", _folder["f#.png"], "--aov", "direct,lights", "--json"];
         Assert.Equal([true, true], Rendered(CliRun.Of(command)));
@@ -202,7 +202,7 @@ public sealed class FramesTests : IDisposable
     [InlineData("--frames 0..2 -o f.png --denoise", "--denoise writes images beside every frame, and only an animated PNG is written")]
     [InlineData("--frames 0..2 -o f.png --aov depth", "--aov writes images beside every frame, and only an animated PNG is written")]
     [InlineData("--frames 0..2 -o f.png -o g.apng --aov direct", "give -o frame-####.png too")]
-    public void Wrong_words_are_told(string words, string message)
+    public void Wrong_words_are_reported(string words, string message)
     {
         CliRun run = CliRun.Of(["render", _scene, .. words.Split(' ')]);
 

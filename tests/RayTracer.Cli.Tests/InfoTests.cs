@@ -3,7 +3,7 @@ using RayTracer.Imaging;
 
 namespace RayTracer.Cli.Tests;
 
-/// <summary>What <c>info</c> tells about films and images, and what verbs say that want scenes instead.</summary>
+/// <summary>The output of <c>info</c> about films and images, and what verbs say that want scenes instead.</summary>
 public sealed class InfoTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
@@ -18,7 +18,7 @@ public sealed class InfoTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Of_a_film_all_is_told_that_it_says()
+    public void Everything_in_a_film_is_reported()
     {
         string film = _folder["a.rtfilm"];
         string hash = Json("render", _scene, "-o", film, "--seed", "7", "--crop", "2,3,10,9", "--samples", "1..2", "--json", "--quiet").GetProperty("filmHash").GetString()!;
@@ -82,7 +82,7 @@ public sealed class InfoTests : IDisposable
     [InlineData("a.exr", "OpenEXR", "ZIP", "B G R depth/Z", "half", 16, true)]
     [InlineData("a.hdr", "Radiance HDR", "run lengths", "R G B", "mantissa, with a common exponent of 8 bits", 8, true)]
     [InlineData("a.pfm", "PFM", "none, little-endian", "R G B", "float", 32, false)]
-    public void Of_an_image_all_is_told_that_it_says(string name, string format, string compression, string channels, string type, int bits, bool hasTexts)
+    public void Everything_in_an_image_is_reported(string name, string format, string compression, string channels, string type, int bits, bool hasTexts)
     {
         string image = _folder[name];
         string[] options = name switch { "a.exr" => ["--aov", "depth"], "a.png" => ["--bit-depth", "16"], "a.jpg" => ["--chroma", "half"], _ => [] };
@@ -102,7 +102,7 @@ public sealed class InfoTests : IDisposable
     }
 
     [Fact]
-    public void Of_an_image_that_carries_its_film_both_are_told()
+    public void Of_an_image_that_carries_its_film_both_are_reported()
     {
         string hash = Text(Json("render", _scene, "-o", _folder["a.exr"], "--exr-film", "--json", "--quiet"), "filmHash");
         JsonElement json = Json("info", _folder["a.exr"], "--json", "--hash");

@@ -71,7 +71,7 @@ public sealed class LongRenderTests : IDisposable
     }
 
     [Fact]
-    public void What_follows_a_films_end_is_told()
+    public void What_follows_a_films_end_is_reported()
     {
         string film = _folder["a.rtfilm"];
         CliRun.Fine("render", _scene, "--spp", "4", "-o", film);

@@ -20,6 +20,16 @@ public class PluginTests
         }
         """;
 
+    // A scene of the program's own things, any of which may be replaced.
+    private const string Native = """
+        {
+          "camera": { "position": [0, 1, 5], "projection": "perspective" },
+          "render": { "width": 8, "height": 6, "samplesPerPixel": 2, "integrator": "path", "sampler": "independent" },
+          "background": "skyblue",
+          "shapes": [{ "type": "sphere", "center": [0, 1, 0], "material": { "type": "diffuse" } }]
+        }
+        """;
+
     private static readonly string s_plugin = Path.Combine(AppContext.BaseDirectory, "RayTracer.SamplePlugin.dll");
 
     [Fact]
@@ -89,13 +99,54 @@ public class PluginTests
         Assert.Contains("ball", text, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("\"velvet\"", "\"diffuse\"")]
+    [InlineData("\"integrator\": \"headlight\"", "\"integrator\": \"path\"")]
+    [InlineData("\"sampler\": \"dart\"", "\"sampler\": \"independent\"")]
+    [InlineData("\"projection\": \"fisheye\"", "\"projection\": \"perspective\"")]
+    public void A_film_is_resumed_with_the_same_version_of_a_plug_in_only(string thing, string native)
+    {
+        using TemporaryFolder folder = new();
+        string next = folder["next.dll"], film = folder["a.rtfilm"];
+        File.WriteAllBytes(next, WithVersion(File.ReadAllBytes(s_plugin), TableIndex.Assembly, null, 2));
+        string scene = Write(folder, Native.Replace(native, thing, StringComparison.Ordinal));
+
+        Assert.Equal((0, ""), Run("render", scene, "--plugin", s_plugin, "-o", film, "--spp", "2", "--quiet"));
+        Assert.Equal((0, ""), Run("resume", film, "--plugin", s_plugin, "--spp", "4", "--quiet"));
+        (int status, string text) = Run("resume", film, "--plugin", next, "--spp", "6", "--quiet");
+        Assert.Equal(4, status);
+        Assert.Contains("its settings, a plug-in or the program are others than they were", text, StringComparison.Ordinal);
+        Assert.Contains("unknown ", Run("resume", film, "--spp", "6", "--quiet").Text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_film_without_things_of_a_plug_in_is_resumed_whatever_its_version()
+    {
+        using TemporaryFolder folder = new();
+        string next = folder["next.dll"], film = folder["a.rtfilm"];
+        File.WriteAllBytes(next, WithVersion(File.ReadAllBytes(s_plugin), TableIndex.Assembly, null, 2));
+        Assert.Equal((0, ""), Run("render", Write(folder, Native), "--plugin", s_plugin, "-o", film, "--spp", "2", "--quiet"));
+        Assert.Equal((0, ""), Run("resume", film, "--plugin", next, "--spp", "4", "--quiet"));
+    }
+
+    [Fact]
+    public void A_sweep_shows_things_of_a_plug_in_side_by_side()
+    {
+        using TemporaryFolder folder = new();
+        string sheet = folder["sheet.ppm"];
+        (int status, string text) = Run("sweep", Write(folder, Native), "--set", "render.integrator=path,headlight", "--plugin", s_plugin, "-o", sheet, "--json");
+        Assert.Equal(0, status);
+        Assert.Contains("headlight", text, StringComparison.Ordinal);
+        Assert.StartsWith("P3", File.ReadAllText(sheet), StringComparison.Ordinal);
+    }
+
     [Fact]
     public void What_is_no_plug_in_is_refused_in_one_sentence()
     {
         using TemporaryFolder folder = new();
         string scene = Write(folder, Scene);
         string old = folder["old.dll"];
-        File.WriteAllBytes(old, ForOtherCore(File.ReadAllBytes(s_plugin)));
+        File.WriteAllBytes(old, WithVersion(File.ReadAllBytes(s_plugin), TableIndex.AssemblyRef, "RayTracer.Core", 9));
 
         Refused([scene], "this is no .NET assembly");
         Refused([folder["missing.dll"]], "cannot be loaded: ");
@@ -111,17 +162,18 @@ public class PluginTests
         }
     }
 
-    // The same assembly, but for the version of the core that it names.
-    private static byte[] ForOtherCore(byte[] assembly)
+    // The same assembly, but for the version that it has, or that it names of another one: all four parts are a number.
+    private static byte[] WithVersion(byte[] assembly, TableIndex table, string? reference, ushort number)
     {
         using PEReader file = new(new MemoryStream(assembly));
         MetadataReader metadata = file.GetMetadataReader();
-        AssemblyReferenceHandle core = metadata.AssemblyReferences.First(r => metadata.GetString(metadata.GetAssemblyReference(r).Name) == "RayTracer.Core");
-        int row = MetadataTokens.GetRowNumber(core) - 1;
-        int start = file.PEHeaders.MetadataStartOffset + metadata.GetTableMetadataOffset(TableIndex.AssemblyRef) + (row * metadata.GetTableRowSize(TableIndex.AssemblyRef));
+        int row = reference is null ? 0
+            : MetadataTokens.GetRowNumber(metadata.AssemblyReferences.First(r => metadata.GetString(metadata.GetAssemblyReference(r).Name) == reference)) - 1;
+        int start = file.PEHeaders.MetadataStartOffset + metadata.GetTableMetadataOffset(table) + (row * metadata.GetTableRowSize(table));
         for (int part = 0; part < 4; part++)
         {
-            BitConverter.TryWriteBytes(assembly.AsSpan(start + (2 * part)), (ushort)9);
+            // A row of Assembly begins with the kind of its hash (ECMA-335, II.22.2).
+            BitConverter.TryWriteBytes(assembly.AsSpan(start + (table == TableIndex.Assembly ? 4 : 0) + (2 * part)), number);
         }
 
         return assembly;

@@ -109,7 +109,7 @@ public sealed class UsageTests : IDisposable
     [InlineData("--chroma half", "--chroma has no effect: it is for JPEG files, and none is written")]
     [InlineData("--checkpoint-interval 5", "--checkpoint-interval has no effect: there are no checkpoints without --checkpoint FILE")]
     [InlineData("--frames 3 --fps 5", "--fps has no effect: it is for animated PNGs (-o FILE.png or FILE.apng), and none is written")]
-    public void Options_without_effect_are_told(string options, string message) =>
+    public void Options_without_effect_are_reported(string options, string message) =>
         Assert.Equal(new CliRun(0, "", $"raytracer: warning: {message}{Environment.NewLine}"), CliRun.Of(["render", _scene, "-o", _folder["a.exr"], "--quiet", .. options.Split(' ')]));
 
     [Fact]

@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace RayTracer.Cli.Tests;
 
-/// <summary>What <c>--verbose</c> tells, and lengths of time.</summary>
+/// <summary>The output of <c>--verbose</c>, and lengths of time.</summary>
 public sealed class VerboseTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
@@ -15,18 +15,18 @@ public sealed class VerboseTests : IDisposable
         string scene = _folder["scene.json"];
         File.WriteAllText(scene, CliRun.Scene);
         (string film, string image) = (_folder["a.rtfilm"], _folder["a.png"]);
-        Tells("load build render write memory", "render", scene, "-o", film, "-o", image);
-        Tells("load build render write memory", "resume", film, "--spp", "5");
-        Tells("headers load write memory", "merge", film, "-o", _folder["b.png"]);
-        Tells("file load build render memory", "verify", image);
-        Tells("load write memory", "convert", image, _folder["c.png"]);
-        Tells("load build write memory", "convert", scene, _folder["c.json"]);
-        Tells("load compare write memory", "compare", image, _folder["c.png"]);
-        Tells("load build memory", "check", scene);
-        Tells("load build memory", "info", scene);
-        Tells("load memory", "info", film);
-        Tells("load build render memory", "bench", scene, "--repeat", "1");
-        Tells("check load build render load build render pictures write memory", "sweep", scene, "-o", _folder["s.png"], "--spp", "1", "--set", "camera.fieldOfView=20,35");
+        StagesAre("load build render write memory", "render", scene, "-o", film, "-o", image);
+        StagesAre("load build render write memory", "resume", film, "--spp", "5");
+        StagesAre("headers load write memory", "merge", film, "-o", _folder["b.png"]);
+        StagesAre("file load build render memory", "verify", image);
+        StagesAre("load write memory", "convert", image, _folder["c.png"]);
+        StagesAre("load build write memory", "convert", scene, _folder["c.json"]);
+        StagesAre("load compare write memory", "compare", image, _folder["c.png"]);
+        StagesAre("load build memory", "check", scene);
+        StagesAre("load build memory", "info", scene);
+        StagesAre("load memory", "info", film);
+        StagesAre("load build render memory", "bench", scene, "--repeat", "1");
+        StagesAre("check load build render load build render pictures write memory", "sweep", scene, "-o", _folder["s.png"], "--spp", "1", "--set", "camera.fieldOfView=20,35");
     }
 
     [Fact]
@@ -40,10 +40,10 @@ public sealed class VerboseTests : IDisposable
         }
     }
 
-    private static void Tells(string stages, params string[] words)
+    private static void StagesAre(string stages, params string[] words)
     {
         CliRun run = CliRun.Of([.. words, "--verbose"]);
-        IEnumerable<string> told = Regex.Matches(run.Error, @"^([a-z]+) +[\d.]+ ([KMG]iB at most|s)\r?$", RegexOptions.Multiline, TimeSpan.FromSeconds(10)).Select(m => m.Groups[1].Value);
-        Assert.Equal(stages, string.Join(' ', told));
+        IEnumerable<string> written = Regex.Matches(run.Error, @"^([a-z]+) +[\d.]+ ([KMG]iB at most|s)\r?$", RegexOptions.Multiline, TimeSpan.FromSeconds(10)).Select(m => m.Groups[1].Value);
+        Assert.Equal(stages, string.Join(' ', written));
     }
 }

@@ -93,7 +93,7 @@ public sealed class BindingTests
             test.Layout();
         }
 
-        await test.Main.Hand.Idle;
+        await test.Main.Dispatcher.Idle;
         Assert.Equal(text, test.Session.Document.Text);
     });
 

@@ -68,7 +68,7 @@ public sealed class CommandTests
             ["restart"] = () => test.Until(() => view.Settings.Mode == RenderMode.Running),
             ["pause"] = () => test.Until(() => view.Settings.Mode is RenderMode.Paused or RenderMode.Running),
             ["stop"] = () => test.Until(() => view.Settings.Mode == RenderMode.Stopped),
-            ["home"] = () => test.Until(() => main.Hand.Idle.IsCompleted),
+            ["home"] = () => test.Until(() => main.Dispatcher.Idle.IsCompleted),
             ["fit"] = () => Holds(main.Viewport.Stage.Zoom is null),
             ["actualSize"] = () => Holds(Math.Abs(main.Viewport.Stage.Zoom!.Value - 1) < 1e-9),
             ["zoomIn"] = () => Holds(main.Viewport.Stage.Zoom > 1.4),
@@ -107,7 +107,7 @@ public sealed class CommandTests
         return new()
         {
             ["saveAs"] = () => test.Until(() => File.Exists(test["saved.json"]) && document.Place.Name == "saved.json"),
-            ["save"] = () => test.Until(() => main.Hand.Idle.IsCompleted && !document.IsDirty),
+            ["save"] = () => test.Until(() => main.Dispatcher.Idle.IsCompleted && !document.IsDirty),
             ["copyCommand"] = () => test.Until(() => test.Services.Clipboard is string text && text.StartsWith("raytracer render", StringComparison.Ordinal)),
             ["copyImage"] = () => test.Until(() => test.Services.Clipboard is byte[] { Length: > 100 }),
             ["export"] = async () =>
@@ -120,7 +120,7 @@ public sealed class CommandTests
                 await test.Until(() => main.Messages.All.Any(m => m.Text.Contains("picture.exr", StringComparison.Ordinal)) && File.Exists(test["picture.exr"]));
                 test.Services.Chosen = test["bundle.zip"];
             },
-            ["bundle"] = () => test.Until(() => main.Hand.Idle.IsCompleted && File.Exists(test["bundle.zip"])),
+            ["bundle"] = () => test.Until(() => main.Dispatcher.Idle.IsCompleted && File.Exists(test["bundle.zip"])),
             ["new"] = async () =>
             {
                 await test.Until(() => document.Place.Name == "new scene.json");

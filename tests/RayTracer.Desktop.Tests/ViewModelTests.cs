@@ -57,7 +57,7 @@ public sealed class ViewModelTests
     {
         using TestWindow test = await TestWindow.Open();
         using ManualResetEventSlim gate = new();
-        Task<bool> busy = test.Main.Hand.Ask(_ => gate.Wait(TimeSpan.FromMinutes(1)));
+        Task<bool> busy = test.Main.Dispatcher.Ask(_ => gate.Wait(TimeSpan.FromMinutes(1)));
 
         // While the session is busy, everything that the user can do comes back at once: else this would never get to the gate.
         string[] closing = ["open", "new"];

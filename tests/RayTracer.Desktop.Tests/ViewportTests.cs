@@ -122,7 +122,7 @@ public sealed class ViewportTests
         viewport.Move(new(at.X + 20, at.Y - 30));
         viewport.Move(new(at.X + 25, at.Y - 45));
         viewport.Release(new(at.X + 25, at.Y - 45));
-        await test.Until(() => test.Session.Document.Text != before && test.Main.Hand.Idle.IsCompleted);
+        await test.Until(() => test.Session.Document.Text != before && test.Main.Dispatcher.Idle.IsCompleted);
         Assert.Equal("place", test.Session.Document.Status.UndoLabel);
         test.Do("undo");
         await test.Until(() => test.Session.Document.Text == before, "one step takes it back");

@@ -1,12 +1,17 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
+using System.Text.Json.Nodes;
 using RayTracer.Cli.Tests;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
+using RayTracer.Materials;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Session;
+using RayTracer.Shapes;
 using RayTracer.Textures;
+using JsonNode = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Extensions.Tests;
 
@@ -31,14 +36,7 @@ public sealed class ExtensionTests : IDisposable
     }
 
     [ModuleInitializer]
-    internal static void Register()
-    {
-        AuxiliaryImage.Known.Add(new FacingImage());
-        ImageFormat.Known.Add(new PpmFormat());
-        Integrator.Known.Add(new HeadlightIntegrator());
-        SamplerKind.Known.Add(new LatticeKind());
-        Projection.Known.Add(new FisheyeProjection());
-    }
+    internal static void Register() => Plugins.Add(typeof(ExtensionTests).Assembly);
 
     public void Dispose() => _folder.Dispose();
 
@@ -153,6 +151,52 @@ public sealed class ExtensionTests : IDisposable
         Assert.StartsWith("There is another image format \"PPM\": RayTracer.Extensions.Tests.PpmFormat needs another name.", format.Message);
         Assert.Single(ImageFormat.Known.All, f => f.Name == "PPM");
     }
+
+    [Theory]
+    [InlineData("[0, 0, 0.5, 1]", "")]
+    [InlineData("[0, 2, 0, 1]", "a.json:1:109: error: \"turn\" must be from -1 to 1, but is 2")]
+    [InlineData("[0, 0, 1]", "a.json:1:105: error: expected 4 numbers for \"turn\", but found 3")]
+    [InlineData("\"up\"", "a.json:1:105: error: expected an array of 4 numbers for \"turn\", but found a string")]
+    public void A_parameter_of_a_kind_of_another_assembly_is_read_or_refused_at_its_place(string turn, string message)
+    {
+        SceneReadResult read = SceneReader.ReadText(TurnedScene(turn), "a.json");
+        Assert.Contains(message, string.Join('\n', read.Diagnostics.Select(d => d.ToString()).DefaultIfEmpty("")), StringComparison.Ordinal);
+        if (message.Length == 0)
+        {
+            Assert.Empty(read.Diagnostics);
+            Assert.Equal(new Quaternion(0, 0, 0.5f, 1), Turned(read).Turn);
+            Assert.Equal(Turned(read), Turned(SceneReader.ReadText(SceneWriter.Write(read.Description!), "b.json")));
+        }
+    }
+
+    [Fact]
+    public void A_kind_of_parameter_of_another_assembly_is_documented_shown_and_moved_by_tracks()
+    {
+        Assert.Contains("| `turn` | [x, y, z, w] |  | from -1 to 1 | `[0, 0, 0, 1]` |", SceneReference.Generate(), StringComparison.Ordinal);
+        Assert.Contains("[x, y, z, w]", SceneExplanation.Of("turned.turn"), StringComparison.Ordinal);
+        JsonNode schema = JsonNode.Parse(SceneSchema.Generate())!["$defs"]!["texture.turned"]!["properties"]!["turn"]!;
+        Assert.Equal(("array", 4, -1), ((string)schema["type"]!, (int)schema["maxItems"]!, (int)schema["items"]!["minimum"]!));
+        Assert.Contains(TypeCatalogue.Instance.Types["texture"].Single(t => t.Name == "turned").Parameters, p => p is { Key: "turn", Kind: "quaternion" });
+        SceneReadResult moved = SceneReader.ReadText(
+            TurnedScene("[0, 0, 0, 1]", """, "animation": [{ "property": "textures.t.turn", "keys": [{ "time": 0, "value": [0, 0, 0, 1] }, { "time": 1, "value": [0, 0, 0, 3] }] }]"""),
+            "a.json");
+        Assert.Contains("\"turn\" must be from -1 to 1, but is 3", string.Join('\n', moved.Diagnostics), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_value_of_a_kind_of_another_assembly_counts_in_the_hash_of_a_scene_and_is_in_range_from_code()
+    {
+        string Hash(string turn) => ContentHash.Of(SceneReader.ReadText(TurnedScene(turn), "a.json").Description!, _scene, null);
+        Assert.Equal(Hash("[0, 0, 0.5, 1]"), Hash("[0, 0, 5e-1, 1]"));
+        Assert.Equal(4, new[] { "[0, 0, 0.5, 1]", "[0, 0.5, 0, 1]", "[0, 0, 0, 1]", "[-0, 0, 0, 1]" }.Select(Hash).Distinct().Count());
+        SceneDescription scene = new() { Shapes = [new SphereDescription { Material = new DiffuseMaterialDescription { Color = new TurnedDescription { Turn = new(0, 0, 0, 2) } } }] };
+        Assert.Contains("\"turn\" must be from -1 to 1, but is 2", Assert.Throws<SceneException>(() => Scene.From(scene)).Message, StringComparison.Ordinal);
+    }
+
+    private static TurnedDescription Turned(SceneReadResult read) => (TurnedDescription)read.Description!.Textures["t"];
+
+    private static string TurnedScene(string turn, string more = "") =>
+        $$"""{ "shapes": [{ "type": "sphere", "center": [0, 0, 0] }], "textures": { "t": { "type": "turned", "turn": {{turn}} } }{{more}} }""";
 
     private string WriteScene(string projection, string sampler, int samples)
     {

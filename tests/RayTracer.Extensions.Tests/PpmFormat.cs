@@ -1,5 +1,6 @@
 using System.Text;
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Extensions.Tests;

@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging.Tests;

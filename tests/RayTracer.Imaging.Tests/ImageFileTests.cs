@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging.Tests;
@@ -13,7 +14,7 @@ public sealed class ImageFileTests : IDisposable
     [InlineData("a.png")]
     [InlineData("a.PFM")]
     [InlineData("a.exr")]
-    public void The_format_is_told_by_content_when_reading(string name)
+    public void The_format_is_recognized_by_content_when_reading(string name)
     {
         var picture = new Picture(3, 2, [0, 1, 0, 1, 0, 1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
         ImageFile.Write(_folder[name], picture);

@@ -5,7 +5,7 @@ namespace RayTracer.Session.Tests;
 /// <summary>A session whose folders are temporary, and waiting for what it does.</summary>
 internal sealed class TestSession : IDisposable
 {
-    // Only so that a fault is told instead of waited for: nothing is measured by it.
+    // Only so that a fault is reported instead of waited for: nothing is measured by it.
     private static readonly TimeSpan Patience = TimeSpan.FromMinutes(2);
     private readonly string _folder = Directory.CreateTempSubdirectory("raytracer-studio-test-").FullName;
 
@@ -19,7 +19,7 @@ internal sealed class TestSession : IDisposable
     public string Folder => _folder;
 
     /// <summary>Opens a text, and waits until it is shown.</summary>
-    public async Task<ShownScene> Open(string json, string? folder = null)
+    public async Task<ViewportScene> Open(string json, string? folder = null)
     {
         Session.Document.Open(json, new("test.json", null, folder ?? _folder), isSaved: true);
         DocumentContent content = await Session.Document.WhenBuilt().WaitAsync(Patience);
@@ -28,7 +28,7 @@ internal sealed class TestSession : IDisposable
     }
 
     /// <summary>Opens a scene of the project's, made smaller.</summary>
-    public Task<ShownScene> OpenShipped(string path, int size, int samples)
+    public Task<ViewportScene> OpenShipped(string path, int size, int samples)
     {
         string text = File.ReadAllText(ProjectFolder.PathOf("scenes", path));
         JsonText smaller = JsonText.Of(text).Set("/render/width", size).Set("/render/height", size).Set("/render/samplesPerPixel", samples);
@@ -46,7 +46,7 @@ internal sealed class TestSession : IDisposable
         {
             long version = Session.Changes.Version;
             long picture = Session.View.RequireShown().Picture;
-            string? hash = await Session.View.Loop.Look((film, order, samples) => order.Picture == picture && samples == order.Samples ? film.ComputeHash() : null);
+            string? hash = await Session.View.Loop.ReadFilm((film, order, samples) => order.Picture == picture && samples == order.Samples ? film.ComputeHash() : null);
             if (hash is not null)
             {
                 return hash;

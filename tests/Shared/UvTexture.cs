@@ -3,7 +3,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Testing;
 
-/// <summary>A texture whose colour is (u, v, 1): it tells where it was evaluated.</summary>
+/// <summary>A texture whose colour is (u, v, 1): it shows where it was evaluated.</summary>
 internal sealed class UvTexture : Texture
 {
     /// <inheritdoc/>

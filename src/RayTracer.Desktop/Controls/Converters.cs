@@ -21,7 +21,7 @@ internal static class Converters
     /// <summary>Points of a line.</summary>
     public static IValueConverter Points { get; } = new FuncValueConverter<IReadOnlyList<Spot>?, IList<Point>>(spots => [.. (spots ?? []).Select(s => new Point(s.X, s.Y))]);
 
-    /// <summary>How far something is moved to the right.</summary>
+    /// <summary>The indentation of a line.</summary>
     public static IValueConverter Indent { get; } = new FuncValueConverter<double, Thickness>(indent => new(indent, 0, 0, 0));
 
 }

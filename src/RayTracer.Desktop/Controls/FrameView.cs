@@ -24,7 +24,7 @@ internal sealed class FrameView : Control
         set => SetValue(FrameProperty, value);
     }
 
-    /// <summary>What it draws.</summary>
+    /// <summary>The bitmap that it draws.</summary>
     internal WriteableBitmap? Bitmap => _image as WriteableBitmap;
 
     /// <inheritdoc/>
@@ -42,7 +42,7 @@ internal sealed class FrameView : Control
         base.OnPropertyChanged(change);
         if (change.Property == FrameProperty)
         {
-            Take(Frame);
+            Copy(Frame);
             InvalidateVisual();
         }
 
@@ -54,7 +54,7 @@ internal sealed class FrameView : Control
         }
     }
 
-    private void Take(PixelFrame? frame)
+    private void Copy(PixelFrame? frame)
     {
         if (frame is null)
         {

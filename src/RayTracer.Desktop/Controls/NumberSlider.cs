@@ -7,7 +7,7 @@ using Avalonia.Interactivity;
 namespace RayTracer.Desktop.Controls;
 
 /// <summary>
-/// A slider whose number changes only by the user's hand. Avalonia's own moves its value into its range, and so writes into whatever it happens to be bound to
+/// A slider whose number only the user changes. Avalonia's own moves its value into its range, and so writes into whatever it happens to be bound to
 /// while it gets its parts, or is bound to something else.
 /// </summary>
 internal sealed class NumberSlider : Slider

@@ -2,7 +2,7 @@ using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>What each command does in this window. Which commands there are, the session tells.</summary>
+/// <summary>The action of each command in this window. The session has the list of commands.</summary>
 internal sealed class CommandTable
 {
     private const double Sqrt2 = 1.41421356;
@@ -51,7 +51,7 @@ internal sealed class CommandTable
     public CommandViewModel? OfKeys(string key, HeldKeys keys) =>
         SessionCommand.All.FirstOrDefault(c => c.IsPressed(key, keys.HasFlag(HeldKeys.Mod), keys.HasFlag(HeldKeys.Shift), keys.HasFlag(HeldKeys.Alt))) is { } found ? _commands[found.Id] : null;
 
-    /// <summary>Tells which commands can be done, and what is on.</summary>
+    /// <summary>Marks the commands that can be done, and those that are on.</summary>
     public void Show(SessionState state)
     {
         _isRendering = state.Render.Status == "rendering";
@@ -94,19 +94,19 @@ internal sealed class CommandTable
 
     private static Dictionary<string, Action> EditActions(MainViewModel main) => new()
     {
-        ["undo"] = () => main.Hand.Do(s => s.Document.Undo()),
-        ["redo"] = () => main.Hand.Do(s => s.Document.Redo()),
+        ["undo"] = () => main.Dispatcher.Do(s => s.Document.Undo()),
+        ["redo"] = () => main.Dispatcher.Do(s => s.Document.Redo()),
         ["duplicate"] = main.Things.Duplicate,
         ["delete"] = main.Things.Delete,
         ["rename"] = main.AskForName,
-        ["deselect"] = () => main.Hand.Do(s => s.Selection.Select(null)),
+        ["deselect"] = () => main.Dispatcher.Do(s => s.Selection.Select(null)),
     };
 
     private Dictionary<string, Action> ViewActions(MainViewModel main) => new()
     {
         ["pause"] = () => Render(main, _isRendering ? RenderMode.Paused : RenderMode.Running),
         ["stop"] = () => Render(main, RenderMode.Stopped),
-        ["restart"] = () => main.Hand.Do(s => s.View.Change(v => v with { Mode = RenderMode.Running }, anew: true)),
+        ["restart"] = () => main.Dispatcher.Do(s => s.View.Change(v => v with { Mode = RenderMode.Running }, restart: true)),
         ["home"] = main.Viewport.Camera.Home,
         ["fit"] = main.Viewport.Fit,
         ["actualSize"] = main.Viewport.ActualSize,
@@ -126,5 +126,10 @@ internal sealed class CommandTable
     private static Dictionary<string, Action> ToolActions(MainViewModel main) =>
         Enum.GetValues<Tool>().ToDictionary(t => $"tool{t}", t => (Action)(() => main.Viewport.Tool = t));
 
-    private static void Render(MainViewModel main, RenderMode mode) => main.Hand.Do(s => s.View.Change(v => v with { Mode = mode }));
+    private static void Render(MainViewModel main, RenderMode mode) => main.Dispatcher.Do(s => s.View.Change(v => v with { Mode = mode }));
 }
+
+/// <summary>A menu: commands that belong together.</summary>
+/// <param name="Name">What it is called.</param>
+/// <param name="Commands">The commands.</param>
+internal sealed record CommandGroup(string Name, IReadOnlyList<CommandViewModel> Commands);

@@ -8,25 +8,21 @@ namespace RayTracer.Desktop.ViewModels;
 /// <param name="run">Does it.</param>
 internal sealed class CommandViewModel(SessionCommand about, Action run) : Observable, ICommand
 {
-    private bool _isEnabled = true;
-    private bool _isOn;
-
     /// <inheritdoc/>
     public event EventHandler? CanExecuteChanged;
 
-    /// <summary>How programs call it.</summary>
     public string Id => about.Id;
 
     /// <summary>Its group.</summary>
     public string Group => about.Group;
 
-    /// <summary>What it is called in a menu.</summary>
+    /// <summary>The name in menus.</summary>
     public string Name => about.Name;
 
-    /// <summary>What it is called on a button.</summary>
+    /// <summary>The name on buttons.</summary>
     public string Label => about.Name.Replace(" …", "", StringComparison.Ordinal);
 
-    /// <summary>What it is for, and its keys.</summary>
+    /// <summary>The description, with its keys.</summary>
     public string Tip => about.Keys is null ? about.Tip : $"{about.Tip} ({KeysText})";
 
     /// <summary>Its keys as they are printed on keyboards; empty where it has none.</summary>
@@ -35,25 +31,20 @@ internal sealed class CommandViewModel(SessionCommand about, Action run) : Obser
     /// <summary>Its icon as SVG writes paths; empty where it has none.</summary>
     public string Icon => about.Icon ?? "";
 
-    /// <summary>Whether it can be done now.</summary>
     public bool IsEnabled
     {
-        get => _isEnabled;
+        get;
         set
         {
-            if (Set(ref _isEnabled, value))
+            if (SetProperty(ref field, value))
             {
                 CanExecuteChanged?.Invoke(this, EventArgs.Empty);
             }
         }
-    }
+    } = true;
 
-    /// <summary>Whether what it switches is on: a tool, a pane.</summary>
-    public bool IsOn
-    {
-        get => _isOn;
-        set => Set(ref _isOn, value);
-    }
+    /// <summary>Returns whether what it switches is on: a tool, a pane.</summary>
+    public bool IsOn { get; set => SetProperty(ref field, value); }
 
     /// <inheritdoc/>
     public bool CanExecute(object? parameter) => IsEnabled;

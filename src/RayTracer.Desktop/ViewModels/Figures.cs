@@ -11,7 +11,7 @@ internal static class Figures
         ? value.ToString($"G{digits}", CultureInfo.InvariantCulture).Replace('-', '−')
         : double.IsNaN(value) ? "–" : value > 0 ? "∞" : "−∞";
 
-    /// <summary>What a person typed: a decimal comma or a real minus sign is fine; null where it is no number.</summary>
+    /// <summary>Returns a number as a person typed it: a decimal comma or a real minus sign is fine; null where it is none.</summary>
     public static double? Parse(string? text) =>
         double.TryParse((text ?? "").Trim().Replace('−', '-').Replace(',', '.'), NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && double.IsFinite(value) ? value : null;
 

@@ -3,14 +3,14 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>Opens, saves and shares; asks before anything is lost.</summary>
-/// <param name="hand">Carries it to the session.</param>
+/// <param name="dispatcher">Carries it to the session.</param>
 /// <param name="window">Asks for files, and has the clipboard.</param>
 /// <param name="ask">Shows a question.</param>
-internal sealed class FileCommands(Hand hand, IWindowServices window, Action<DialogViewModel> ask)
+internal sealed class FileCommands(SessionDispatcher dispatcher, IWindowServices window, Action<DialogViewModel> ask)
 {
     private static readonly string[] CanBeOpened = ["json", "zip", "xml", "obj", "ply", "stl", "gltf", "glb", "off", "3ds"];
 
-    /// <summary>What the document is called, and where it is; told by the window.</summary>
+    /// <summary>The document's status; set by the window.</summary>
     public DocumentStatus? Document { get; set; }
 
     /// <summary>Ends when all that was typed is with the session.</summary>
@@ -21,7 +21,7 @@ internal sealed class FileCommands(Hand hand, IWindowServices window, Action<Dia
     private string? Folder => Document?.Path is { } path ? Path.GetDirectoryName(path) : null;
 
     /// <summary>Asks for a file and opens it.</summary>
-    public Task Open() => hand.Attempt(async () =>
+    public Task Open() => dispatcher.Attempt(async () =>
     {
         if (await window.ChooseFile(SessionTexts.Of("dialogs.openTitle"), Folder, CanBeOpened) is { } path)
         {
@@ -64,21 +64,21 @@ internal sealed class FileCommands(Hand hand, IWindowServices window, Action<Dia
     /// <summary>Asks where to, and writes the picture.</summary>
     /// <param name="format">The format's extension, without its dot.</param>
     /// <param name="request">What to write.</param>
-    public Task Export(string format, PictureRequest request) => hand.Attempt(async () =>
+    public Task Export(string format, PictureRequest request) => dispatcher.Attempt(async () =>
     {
         if (await window.ChooseNewFile(SessionTexts.Of("dialogs.exportTitle"), Folder, Path.ChangeExtension(Name, format)) is { } path)
         {
-            await hand.Aside(s => s.Pictures.Save(path, request, overwrite: true));
+            await dispatcher.Aside(s => s.Pictures.Save(path, request, overwrite: true));
         }
     });
 
     /// <summary>Asks where to, and writes the scene with all files that it names.</summary>
-    public Task Bundle() => hand.Attempt(async () =>
+    public Task Bundle() => dispatcher.Attempt(async () =>
     {
         await Flush();
         if (await window.ChooseNewFile(SessionTexts.Of("commands.bundle.0"), Folder, Path.ChangeExtension(Name, "zip")) is { } path)
         {
-            await hand.Ask(s =>
+            await dispatcher.Ask(s =>
             {
                 using FileStream zip = File.Create(path);
                 SceneBundle.Write(zip, JsonText.Of(s.Document.Read), s.Document.Place);
@@ -88,22 +88,22 @@ internal sealed class FileCommands(Hand hand, IWindowServices window, Action<Dia
     });
 
     /// <summary>Puts the picture on the clipboard.</summary>
-    public Task CopyPicture() => hand.Attempt(async () =>
+    public Task CopyPicture() => dispatcher.Attempt(async () =>
     {
-        await window.CopyPicture(await hand.Aside(s => s.Pictures.Encode(".png", PictureRequest.Of(8, []), CancellationToken.None)));
-        hand.Messages.Say("info", SessionTexts.Of("messages.copiedImage"));
+        await window.CopyPicture(await dispatcher.Aside(s => s.Pictures.Encode(".png", PictureRequest.Of(8, []), CancellationToken.None)));
+        dispatcher.Messages.Say("info", SessionTexts.Of("messages.copiedImage"));
     });
 
     /// <summary>Puts the command that renders exactly this on the clipboard.</summary>
-    public Task CopyCommand() => hand.Attempt(async () =>
+    public Task CopyCommand() => dispatcher.Attempt(async () =>
     {
-        string command = await hand.Ask(s => s.Pictures.Command());
+        string command = await dispatcher.Ask(s => s.Pictures.Command());
         await window.CopyText(command);
-        hand.Messages.Say("info", SessionTexts.Of("messages.copiedCommand", command));
+        dispatcher.Messages.Say("info", SessionTexts.Of("messages.copiedCommand", command));
     });
 
     // Does what would lose changes; asks first where there are some.
-    private Task Leaving(Action<StudioSession, bool> step) => hand.Attempt(async () =>
+    private Task Leaving(Action<StudioSession, bool> step) => dispatcher.Attempt(async () =>
     {
         await Flush();
         try
@@ -112,11 +112,11 @@ internal sealed class FileCommands(Hand hand, IWindowServices window, Action<Dia
         }
         catch (DocumentException e) when (e.Conflict == DocumentConflict.Unsaved)
         {
-            ask(new UnsavedViewModel(Name, Save, () => _ = hand.Attempt(() => Step(step, discard: true))));
+            ask(new UnsavedViewModel(Name, Save, () => _ = dispatcher.Attempt(() => Step(step, discard: true))));
         }
     });
 
-    private Task<bool> Step(Action<StudioSession, bool> step, bool discard) => hand.Ask(s =>
+    private Task<bool> Step(Action<StudioSession, bool> step, bool discard) => dispatcher.Ask(s =>
     {
         step(s, discard);
         return true;
@@ -126,17 +126,17 @@ internal sealed class FileCommands(Hand hand, IWindowServices window, Action<Dia
     private async Task<bool> Writing(Func<StudioSession, bool, string> write)
     {
         bool isWritten = false;
-        await hand.Attempt(async () =>
+        await dispatcher.Attempt(async () =>
         {
             await Flush();
             try
             {
-                await hand.Ask(s => write(s, false));
+                await dispatcher.Ask(s => write(s, false));
                 isWritten = true;
             }
             catch (DocumentException e) when (e.Conflict is DocumentConflict.Exists or DocumentConflict.ChangedOnDisk)
             {
-                ask(new OverwriteViewModel(Complaint.Of(e)!, () => _ = hand.Attempt(() => hand.Ask(s => write(s, true)))));
+                ask(new OverwriteViewModel(Complaint.Of(e)!, () => _ = dispatcher.Attempt(() => dispatcher.Ask(s => write(s, true)))));
             }
         });
         return isWritten;

@@ -1,6 +1,6 @@
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>What only the system's window can do for the view models.</summary>
+/// <summary>The services that only the system's window can give the view models.</summary>
 internal interface IWindowServices
 {
     /// <summary>Asks for a file to open; null where none was chosen.</summary>

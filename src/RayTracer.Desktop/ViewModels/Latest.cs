@@ -1,7 +1,7 @@
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>While something is on its way, only the newest of what follows waits; so a hand that moves fast is never behind.</summary>
-/// <param name="send">Takes it there; tells faults by itself.</param>
+/// <summary>While something is on its way, only the newest of what follows waits; so that fast movements never lag.</summary>
+/// <param name="send">Sends it; reports errors by itself.</param>
 /// <param name="merge">Makes one of what waits and what comes; null where the newer one counts.</param>
 internal sealed class Latest<T>(Func<T, Task> send, Func<T, T, T>? merge = null)
 {

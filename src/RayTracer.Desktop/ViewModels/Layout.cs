@@ -2,56 +2,27 @@ using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>Which panes and tabs are shown.</summary>
+/// <summary>The panes and tabs that are shown.</summary>
 internal sealed class Layout : Observable
 {
     private static readonly string[] LeftNames = ["scene", "gallery", "files"];
     private static readonly string[] DockNames = ["source", "paths", "maps", "convergence", "times"];
     private static readonly string[] Themes = ["system", "light", "dark"];
-    private bool _isLeftOpen = true;
-    private bool _isRightOpen = true;
-    private bool _isDockOpen = true;
-    private int _leftTab;
-    private int _dockTab;
     private int _theme;
 
-    /// <summary>Whether the left pane is shown.</summary>
-    public bool IsLeftOpen
-    {
-        get => _isLeftOpen;
-        set => Set(ref _isLeftOpen, value);
-    }
+    public bool IsLeftOpen { get; set => SetProperty(ref field, value); } = true;
 
-    /// <summary>Whether the right pane is shown.</summary>
-    public bool IsRightOpen
-    {
-        get => _isRightOpen;
-        set => Set(ref _isRightOpen, value);
-    }
+    public bool IsRightOpen { get; set => SetProperty(ref field, value); } = true;
 
-    /// <summary>Whether the lower pane is shown.</summary>
-    public bool IsDockOpen
-    {
-        get => _isDockOpen;
-        set => Set(ref _isDockOpen, value);
-    }
+    public bool IsDockOpen { get; set => SetProperty(ref field, value); } = true;
 
     /// <summary>The left pane's tab.</summary>
-    public int LeftTab
-    {
-        get => _leftTab;
-        set => Set(ref _leftTab, value);
-    }
+    public int LeftTab { get; set => SetProperty(ref field, value); }
 
     /// <summary>The lower pane's tab.</summary>
-    public int DockTab
-    {
-        get => _dockTab;
-        set => Set(ref _dockTab, value);
-    }
+    public int DockTab { get; set => SetProperty(ref field, value); }
 
-    /// <summary>Whether the convergence is to be seen.</summary>
-    public bool ShowsConvergence => _isDockOpen && DockNames[_dockTab] == "convergence";
+    public bool ShowsConvergence => IsDockOpen && DockNames[DockTab] == "convergence";
 
     /// <summary>The colours: "system", "light" or "dark".</summary>
     public string Theme => Themes[_theme];
@@ -69,7 +40,6 @@ internal sealed class Layout : Observable
     public void NextTheme()
     {
         _theme = (_theme + 1) % Themes.Length;
-        Tell(nameof(Theme));
-        Tell(nameof(ThemeText));
+        Report(nameof(Theme), nameof(ThemeText));
     }
 }

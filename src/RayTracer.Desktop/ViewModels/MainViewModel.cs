@@ -1,3 +1,6 @@
+using System.Globalization;
+using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -8,10 +11,8 @@ internal sealed class MainViewModel : Observable, IDisposable
     private static readonly TimeSpan ShortestPause = TimeSpan.FromMilliseconds(100);
     private readonly StudioSession _session;
     private readonly CancellationTokenSource _stop = new();
-    private DialogViewModel? _dialog;
     private DocumentStatus? _document;
-    private DocumentShown? _shown;
-    private RecoveryViewModel? _recovery;
+    private DocumentSnapshot? _shown;
     private int _noticeId;
 
     /// <summary>The window of a session.</summary>
@@ -20,35 +21,35 @@ internal sealed class MainViewModel : Observable, IDisposable
     public MainViewModel(StudioSession session, IWindowServices window)
     {
         _session = session;
-        Hand = new(session, Messages);
-        Context = new(Hand, window) { ShowSource = ShowSource };
-        Files = new(Hand, window, Ask) { Flush = () => Hand.Idle };
-        Properties = new(Context, new(Hand, Context));
-        Things = new(Hand, Context, ShowTab);
+        Dispatcher = new(session, Messages);
+        Context = new(Dispatcher, window) { ShowSource = ShowSource };
+        Files = new(Dispatcher, window, Ask) { Flush = () => Dispatcher.Idle };
+        Properties = new(Context, new(Dispatcher, Context));
+        Things = new(Dispatcher, Context, ShowTab);
         Properties.Environment.Add = type => Things.Add("environment", type);
         Outliner = new(Choose);
-        Gallery = new(Hand, id => _ = Files.OpenGallery(id));
+        Gallery = new(Dispatcher, id => _ = Files.OpenGallery(id));
         Recent = new(() => _ = Files.Open(), path => _ = Files.OpenFile(path));
-        Source = new(Hand);
-        Viewport = new(Hand) { Inspect = Inspect, Selected = () => Properties.Open("object") };
-        Status = new(Hand);
-        Paths = new(Hand);
-        Convergence = new(Hand);
-        Times = new(Hand);
+        Source = new(Dispatcher);
+        Viewport = new(Dispatcher) { Inspect = Inspect, Selected = () => Properties.Open("object") };
+        Status = new(Dispatcher);
+        Paths = new(Dispatcher);
+        Convergence = new(Dispatcher);
+        Times = new(Dispatcher);
         Commands = new(this);
         Layout.PropertyChanged += (_, _) => Convergence.IsOpen = Layout.ShowsConvergence;
     }
 
     /// <summary>Carries the user's wishes to the session.</summary>
-    public Hand Hand { get; }
+    public SessionDispatcher Dispatcher { get; }
 
-    /// <summary>What the editors of parameters need.</summary>
+    /// <summary>The rest of the window, as editors of parameters use it.</summary>
     public PanelContext Context { get; }
 
     /// <summary>Everything that a menu, a button or a key can do.</summary>
     public CommandTable Commands { get; }
 
-    /// <summary>Which panes and tabs are shown.</summary>
+    /// <summary>The panes and tabs that are shown.</summary>
     public Layout Layout { get; } = new();
 
     /// <summary>Short messages.</summary>
@@ -66,7 +67,7 @@ internal sealed class MainViewModel : Observable, IDisposable
     /// <summary>The shipped scenes.</summary>
     public GalleryViewModel Gallery { get; }
 
-    /// <summary>What was opened lately.</summary>
+    /// <summary>The files that were opened last.</summary>
     public FilesViewModel Recent { get; }
 
     /// <summary>The properties.</summary>
@@ -78,7 +79,7 @@ internal sealed class MainViewModel : Observable, IDisposable
     /// <summary>The picture.</summary>
     public ViewportViewModel Viewport { get; }
 
-    /// <summary>How far it is.</summary>
+    /// <summary>The progress of the rendering.</summary>
     public StatusViewModel Status { get; }
 
     /// <summary>Light paths of a pixel.</summary>
@@ -93,42 +94,38 @@ internal sealed class MainViewModel : Observable, IDisposable
     /// <summary>The question over the window; null where there is none.</summary>
     public DialogViewModel? Dialog
     {
-        get => _dialog;
+        get;
         private set
         {
-            if (Set(ref _dialog, value))
+            if (SetProperty(ref field, value))
             {
-                Tell(nameof(IsAsking));
+                OnPropertyChanged(nameof(IsAsking));
             }
         }
     }
 
-    /// <summary>Whether there is a question.</summary>
-    public bool IsAsking => _dialog is not null;
+    public bool IsAsking => Dialog is not null;
 
     /// <summary>Work of an earlier session that was not saved; null where there is none.</summary>
     public RecoveryViewModel? Recovery
     {
-        get => _recovery;
+        get;
         private set
         {
-            if (Set(ref _recovery, value))
+            if (SetProperty(ref field, value))
             {
-                Tell(nameof(HasRecovery));
+                OnPropertyChanged(nameof(HasRecovery));
             }
         }
     }
 
-    /// <summary>Whether there is such work.</summary>
-    public bool HasRecovery => _recovery is not null;
+    public bool HasRecovery => Recovery is not null;
 
     /// <summary>The window's title.</summary>
     public string Title => $"{(_document?.IsDirty == true ? "• " : "")}{_document?.Name ?? SessionTexts.Of("untitled")} – {SessionTexts.Of("product")}";
 
-    /// <summary>What the document is called.</summary>
     public string DocumentName => _document?.Name ?? SessionTexts.Of("untitled");
 
-    /// <summary>Whether there are changes that are not saved.</summary>
     public bool IsDirty => _document?.IsDirty == true;
 
     /// <summary>Follows the session, until the window is disposed of.</summary>
@@ -139,8 +136,7 @@ internal sealed class MainViewModel : Observable, IDisposable
             await Task.Run(() => TypeCatalogue.Instance, _stop.Token);
             Things.Load();
             Gallery.Show(_session.Gallery.Groups);
-            Tell(nameof(Things));
-            Tell(nameof(Gallery));
+            Report(nameof(Things), nameof(Gallery));
             await Task.WhenAll(FollowState(), Viewport.FollowFrames(_session.View, _stop.Token), Convergence.Follow(_stop.Token), Gallery.LoadPictures(_stop.Token));
         }
         catch (OperationCanceledException)
@@ -172,7 +168,7 @@ internal sealed class MainViewModel : Observable, IDisposable
         while (await _session.Changes.WaitBeyond(version, _stop.Token))
         {
             // Read by a thread of the pool: what is locked for a moment holds nobody up.
-            (SessionState state, DocumentShown? shown, IReadOnlyList<string> recent) = await Task.Run(Read, _stop.Token);
+            (SessionState state, DocumentSnapshot? shown, IReadOnlyList<string> recent) = await Task.Run(Read, _stop.Token);
             version = state.Version;
             Show(state, shown, recent);
             await Task.Delay(ShortestPause, _stop.Token);
@@ -181,14 +177,14 @@ internal sealed class MainViewModel : Observable, IDisposable
         _stop.Token.ThrowIfCancellationRequested();
     }
 
-    private (SessionState State, DocumentShown? Shown, IReadOnlyList<string> Recent) Read()
+    private (SessionState State, DocumentSnapshot? Shown, IReadOnlyList<string> Recent) Read()
     {
         SessionState state = SessionState.Of(_session);
         bool isNew = _shown is null || state.Document.Revision != _shown.Revision || state.Selection != _shown.Selection;
-        return (state, isNew ? DocumentShown.Of(_session) : null, isNew ? _session.Files.Recent : []);
+        return (state, isNew ? DocumentSnapshot.Of(_session) : null, isNew ? _session.Files.Recent : []);
     }
 
-    private void Show(SessionState state, DocumentShown? shown, IReadOnlyList<string> recent)
+    private void Show(SessionState state, DocumentSnapshot? shown, IReadOnlyList<string> recent)
     {
         (_document, Files.Document, Context.Folder) = (state.Document, state.Document, Path.GetDirectoryName(state.Document.Path));
         Status.Show(state);
@@ -207,9 +203,7 @@ internal sealed class MainViewModel : Observable, IDisposable
 
         ShowNews(state);
         Commands.Show(state);
-        Tell(nameof(Title));
-        Tell(nameof(DocumentName));
-        Tell(nameof(IsDirty));
+        Report(nameof(Title), nameof(DocumentName), nameof(IsDirty));
     }
 
     private void ShowNews(SessionState state)
@@ -223,13 +217,13 @@ internal sealed class MainViewModel : Observable, IDisposable
         string? kept = state.Recovery is [var newest, ..] ? newest.Id : null;
         if (kept != Recovery?.Id)
         {
-            Recovery = state.Recovery is [var first, ..] ? new(first, () => _ = Files.OpenRecovered(first.Id), () => Hand.Do(s => s.Recovery.Discard(first.Id))) : null;
+            Recovery = state.Recovery is [var first, ..] ? new(first, () => _ = Files.OpenRecovered(first.Id), () => Dispatcher.Do(s => s.Recovery.Discard(first.Id))) : null;
         }
     }
 
     private void Choose(OutlineRow row)
     {
-        Hand.Do(s => s.Selection.Select(row.Tab is null ? row.Pointer : null));
+        Dispatcher.Do(s => s.Selection.Select(row.Tab is null ? row.Pointer : null));
         Properties.Open(row.Tab ?? "object");
     }
 
@@ -251,4 +245,18 @@ internal sealed class MainViewModel : Observable, IDisposable
         Layout.OpenDock("paths");
         Paths.Inspect((int)pixel.X, (int)pixel.Y);
     }
+}
+
+/// <summary>Work of an earlier session that was not saved.</summary>
+internal sealed class RecoveryViewModel(RecoveryEntry entry, Action open, Action discard)
+{
+    public string Id => entry.Id;
+
+    public string Text => SessionTexts.Of("recovery.text", entry.Name, entry.Time.ToLocalTime().ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture));
+
+    /// <summary>Opens it.</summary>
+    public ICommand Open { get; } = new RelayCommand(open);
+
+    /// <summary>Throws it away.</summary>
+    public ICommand Discard { get; } = new RelayCommand(discard);
 }

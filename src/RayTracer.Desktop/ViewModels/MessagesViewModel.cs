@@ -1,4 +1,6 @@
 using System.Collections.ObjectModel;
+using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 
 namespace RayTracer.Desktop.ViewModels;
 
@@ -13,7 +15,7 @@ internal sealed class MessagesViewModel
 
     /// <summary>Shows one; the same text only once.</summary>
     /// <param name="kind">"info", which goes by itself, or "error".</param>
-    /// <param name="text">What there is to tell.</param>
+    /// <param name="text">The message.</param>
     public void Say(string kind, string text)
     {
         if (All.FirstOrDefault(m => m.Text == text) is { } same)
@@ -39,4 +41,15 @@ internal sealed class MessagesViewModel
         await Task.Delay(InfoStaysFor);
         All.Remove(message);
     }
+}
+
+/// <summary>A short message that can be dismissed.</summary>
+internal sealed class MessageViewModel(string kind, string text, Action<MessageViewModel> dismiss)
+{
+    public string Text => text;
+
+    public bool IsError => kind == "error";
+
+    /// <summary>Takes it away.</summary>
+    public ICommand Dismiss => new RelayCommand(() => dismiss(this));
 }

@@ -1,37 +1,32 @@
 using System.ComponentModel;
-using System.Runtime.CompilerServices;
+using CommunityToolkit.Mvvm.ComponentModel;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>Tells whoever shows it when its properties change.</summary>
-internal abstract class Observable : INotifyPropertyChanged
+/// <summary>Reports the changes of its properties to the views.</summary>
+internal abstract class Observable : ObservableObject
 {
-    private int _telling;
+    private int _reports;
 
-    /// <inheritdoc/>
-    public event PropertyChangedEventHandler? PropertyChanged;
+    /// <summary>
+    /// Returns whether a change is being reported: what a view sets meanwhile is its adaptation to the change, and not a wish of the user.
+    /// </summary>
+    protected bool IsReporting => _reports > 0;
 
-    /// <summary>Whether somebody is being told of a change: what they set meanwhile is what they make of it, not what the user wants.</summary>
-    protected bool IsTelling => _telling > 0;
-
-    /// <summary>Sets a field; returns whether it has changed.</summary>
-    protected bool Set<T>(ref T field, T value, [CallerMemberName] string name = "")
+    /// <summary>Reports that several properties have changed.</summary>
+    protected void Report(params ReadOnlySpan<string> names)
     {
-        if (EqualityComparer<T>.Default.Equals(field, value))
+        foreach (string name in names)
         {
-            return false;
+            OnPropertyChanged(name);
         }
-
-        field = value;
-        Tell(name);
-        return true;
     }
 
-    /// <summary>Tells that a property has changed; without a name, that all may have.</summary>
-    protected void Tell([CallerMemberName] string name = "")
+    /// <inheritdoc/>
+    protected override void OnPropertyChanged(PropertyChangedEventArgs e)
     {
-        _telling++;
-        PropertyChanged?.Invoke(this, new(name));
-        _telling--;
+        _reports++;
+        base.OnPropertyChanged(e);
+        _reports--;
     }
 }

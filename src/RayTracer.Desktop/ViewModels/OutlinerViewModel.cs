@@ -1,10 +1,12 @@
 using System.Globalization;
+using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The tree of all things.</summary>
-/// <param name="choose">Told the line that was chosen.</param>
+/// <param name="choose">Takes the line that was chosen.</param>
 internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 {
     private static readonly Dictionary<string, string> Tabs = new(StringComparer.Ordinal)
@@ -34,32 +36,26 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
     private Outline? _outline;
     private string? _selection;
     private string? _section;
-    private string _filter = "";
-    private IReadOnlyList<OutlineRow> _rows = [];
     private OutlineRow? _chosen;
 
     /// <summary>The lines that are shown, from top to bottom.</summary>
-    public IReadOnlyList<OutlineRow> Rows
-    {
-        get => _rows;
-        private set => Set(ref _rows, value);
-    }
+    public IReadOnlyList<OutlineRow> Rows { get; private set => SetProperty(ref field, value); } = [];
 
     /// <summary>Only things with this in their name or type are shown.</summary>
     public string Filter
     {
-        get => _filter;
+        get;
         set
         {
-            if (Set(ref _filter, value ?? ""))
+            if (SetProperty(ref field, value ?? ""))
             {
                 Build();
             }
         }
-    }
+    } = "";
 
-    /// <summary>Whether the filter leaves nothing.</summary>
-    public bool IsEmpty => Rows.Count == 0 && _filter.Length > 0;
+    /// <summary>Returns whether the filter leaves nothing.</summary>
+    public bool IsEmpty => Rows.Count == 0 && Filter.Length > 0;
 
     /// <summary>The chosen line.</summary>
     public OutlineRow? Chosen
@@ -75,18 +71,18 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 
             if (value.IsHeading)
             {
-                Tell();
+                OnPropertyChanged();
                 return;
             }
 
             _section = value.Tab is null ? null : value.Pointer;
-            Set(ref _chosen, value);
+            SetProperty(ref _chosen, value);
             choose(value);
         }
     }
 
     /// <summary>Shows a document.</summary>
-    public void Show(DocumentShown shown)
+    public void Show(DocumentSnapshot shown)
     {
         (_outline, _selection) = (shown.Outline ?? _outline, shown.Selection);
         Build();
@@ -101,7 +97,7 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 
         List<OutlineRow> rows = [];
         bool isSurrounded = outline.Environment.Summary != "none";
-        foreach ((string kind, OutlineNode node) in Sections(outline).Where(s => _filter.Length == 0 && !(s.Kind == "background" && isSurrounded)))
+        foreach ((string kind, OutlineNode node) in Sections(outline).Where(s => Filter.Length == 0 && !(s.Kind == "background" && isSurrounded)))
         {
             rows.Add(Section(kind, node));
         }
@@ -111,7 +107,7 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
             AddGroup(rows, kind, Filtered(nodes));
         }
 
-        // Lines that are as they were stay, so that whoever shows them does not begin anew.
+        // Lines that are as they were stay, so that the view does not start from scratch.
         if (!rows.SequenceEqual(Rows, RowComparer.Instance))
         {
             Rows = rows;
@@ -119,8 +115,7 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 
         string? pointer = _selection ?? _section;
         _chosen = Rows.FirstOrDefault(r => r.Pointer == pointer && !r.IsHeading);
-        Tell(nameof(Chosen));
-        Tell(nameof(IsEmpty));
+        Report(nameof(Chosen), nameof(IsEmpty));
     }
 
     private static (string Kind, OutlineNode Node)[] Sections(Outline o) =>
@@ -138,7 +133,7 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 
     private void AddGroup(List<OutlineRow> rows, string kind, List<OutlineNode> nodes)
     {
-        if (nodes.Count == 0 && (_filter.Length > 0 || kind == "objects"))
+        if (nodes.Count == 0 && (Filter.Length > 0 || kind == "objects"))
         {
             return;
         }
@@ -166,7 +161,7 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 
     private static string IconOf(string kind, OutlineNode node) => node.Color is null ? SessionCommand.IconOf(Icons[kind]) : "";
 
-    private ActionCommand Toggle(string pointer) => new(() =>
+    private RelayCommand Toggle(string pointer) => new(() =>
     {
         if (!_closed.Remove(pointer))
         {
@@ -178,7 +173,7 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 
     private List<OutlineNode> Filtered(IReadOnlyList<OutlineNode> nodes)
     {
-        string wanted = _filter.Trim();
+        string wanted = Filter.Trim();
         return wanted.Length == 0 ? [.. nodes] : [.. nodes.Select(n => n with { Children = Filtered(n.Children) })
             .Where(n => n.Children.Count > 0 || $"{n.Name} {n.Type}".Contains(wanted, StringComparison.OrdinalIgnoreCase))];
     }
@@ -192,4 +187,36 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 
         public int GetHashCode(OutlineRow row) => row.Pointer.GetHashCode(StringComparison.Ordinal);
     }
+}
+
+/// <summary>A line of the outliner.</summary>
+/// <param name="Pointer">What it is of.</param>
+/// <param name="Name">What it is called.</param>
+/// <param name="About">A word about it.</param>
+/// <param name="Tip">A few words about it.</param>
+/// <param name="Level">How deep it stands, from 0.</param>
+/// <param name="Color">Its main colour as #rrggbb; empty where it has none.</param>
+/// <param name="Icon">Its icon as SVG writes paths; empty where it has a colour.</param>
+internal sealed record OutlineRow(string Pointer, string Name, string About, string Tip, int Level, string Color, string Icon)
+{
+    public bool IsHeading { get; init; }
+
+    /// <summary>The tab of the properties that it belongs to; null for the selected thing's.</summary>
+    public string? Tab { get; init; }
+
+    /// <summary>Returns whether its contents are shown; null where it has none.</summary>
+    public bool? IsOpen { get; init; }
+
+    /// <summary>Shows or hides what it holds.</summary>
+    public required ICommand Toggle { get; init; }
+
+    public bool CanToggle => IsOpen is not null;
+
+    public bool HasColor => Color.Length > 0;
+
+    /// <summary>The indentation in pixels.</summary>
+    public double Indent => 14 * Level;
+
+    /// <summary>The direction of the arrow before it.</summary>
+    public string Twist => IsOpen == true ? "▾" : "▸";
 }

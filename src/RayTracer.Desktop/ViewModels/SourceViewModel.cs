@@ -3,25 +3,14 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The scene file's text, and what is wrong with it.</summary>
-internal sealed class SourceViewModel : Observable
+internal sealed class SourceViewModel(SessionDispatcher dispatcher) : Observable
 {
-    private readonly Hand _hand;
     private readonly Gesture _typing = new();
-    private readonly Latest<string> _sending;
     private string _text = "";
     private string _base = "";
     private int _revision = -1;
     private bool _isSending;
-    private DocumentShown? _unseen;
-    private TextPlace _place = new(0, 0);
-    private ProblemViewModel? _chosen;
-
-    /// <summary>The text of a session's document.</summary>
-    public SourceViewModel(Hand hand)
-    {
-        _hand = hand;
-        _sending = new(Send);
-    }
+    private DocumentSnapshot? _unseen;
 
     /// <summary>The text. What is typed goes to the session at once.</summary>
     public string Text
@@ -29,17 +18,16 @@ internal sealed class SourceViewModel : Observable
         get => _text;
         set
         {
-            if (Set(ref _text, value ?? ""))
+            if (SetProperty(ref _text, value ?? ""))
             {
-                _sending.Push(_text);
+                Sending.Push(_text);
             }
         }
     }
 
-    /// <summary>What is wrong with the text.</summary>
     public IReadOnlyList<ProblemViewModel> Problems { get; private set; } = [];
 
-    /// <summary>How many problems there are, in words.</summary>
+    /// <summary>The number of problems, in words.</summary>
     public string Summary => Problems.Count switch
     {
         0 => SessionTexts.Of("editor.fine"),
@@ -47,16 +35,15 @@ internal sealed class SourceViewModel : Observable
         _ => SessionTexts.Of("editor.count", Problems.Count),
     };
 
-    /// <summary>Whether there are problems.</summary>
     public bool HasProblems => Problems.Count > 0;
 
     /// <summary>The chosen problem: the editor goes to its place.</summary>
     public ProblemViewModel? Chosen
     {
-        get => _chosen;
+        get;
         set
         {
-            if (Set(ref _chosen, value) && value is not null)
+            if (SetProperty(ref field, value) && value is not null)
             {
                 Place = new(value.From, value.To);
             }
@@ -64,16 +51,14 @@ internal sealed class SourceViewModel : Observable
     }
 
     /// <summary>The part of the text that the editor shall show, selected.</summary>
-    public TextPlace Place
-    {
-        get => _place;
-        set => Set(ref _place, value);
-    }
+    public TextPlace Place { get; set => SetProperty(ref field, value); } = new(0, 0);
+
+    private Latest<string> Sending => field ??= new(Send);
 
     /// <summary>Shows a document's text.</summary>
-    public void Show(DocumentShown shown)
+    public void Show(DocumentSnapshot shown)
     {
-        // While something is on its way, nobody can tell whether the session has it already.
+        // While something is on its way, it is unknown whether the session has it already.
         if (_isSending)
         {
             _unseen = shown;
@@ -93,7 +78,7 @@ internal sealed class SourceViewModel : Observable
         if (merged != _text)
         {
             _text = merged;
-            Tell(nameof(Text));
+            OnPropertyChanged(nameof(Text));
         }
     }
 
@@ -104,9 +89,7 @@ internal sealed class SourceViewModel : Observable
         if (!problems.SequenceEqual(Problems))
         {
             Problems = problems;
-            Tell(nameof(Problems));
-            Tell(nameof(Summary));
-            Tell(nameof(HasProblems));
+            Report(nameof(Problems), nameof(Summary), nameof(HasProblems));
         }
     }
 
@@ -119,16 +102,16 @@ internal sealed class SourceViewModel : Observable
 
         (int revision, string sent, string gesture) = (_revision, _text, _typing.Burst());
         _isSending = true;
-        await _hand.Attempt(async () =>
+        await dispatcher.Attempt(async () =>
         {
-            if (await _hand.Ask(s => s.Document.TryReplace(revision, change.From, change.To, change.Insert, gesture)))
+            if (await dispatcher.Ask(s => s.Document.TryReplace(revision, change.From, change.To, change.Insert, gesture)))
             {
                 (_base, _revision) = (sent, revision + 1);
             }
             else
             {
                 // Somebody else was quicker.
-                _unseen = await _hand.Ask(DocumentShown.Of);
+                _unseen = await dispatcher.Ask(DocumentSnapshot.Of);
             }
         });
         _isSending = false;
@@ -140,7 +123,56 @@ internal sealed class SourceViewModel : Observable
 
         if (_text != _base && _revision != revision)
         {
-            _sending.Push(_text);
+            Sending.Push(_text);
         }
+    }
+}
+
+/// <summary>A part of a text.</summary>
+/// <param name="From">Offset of its first character.</param>
+/// <param name="To">Offset behind its last character.</param>
+internal sealed record TextPlace(int From, int To);
+
+/// <summary>Something that is wrong with the text.</summary>
+internal sealed record ProblemViewModel(int Line, int Column, int From, int To, bool IsError, string Message)
+{
+    /// <summary>The line and column in words; empty where it is about no place.</summary>
+    public string Where => Line > 0 ? SessionTexts.Of("editor.at", Line, Column) : "";
+}
+
+/// <summary>The one stretch in which two texts differ.</summary>
+/// <param name="From">Offset of the first character that goes.</param>
+/// <param name="To">Offset behind the last one.</param>
+/// <param name="Insert">What comes in their place.</param>
+internal sealed record TextStretch(int From, int To, string Insert)
+{
+    /// <summary>The stretch between two texts; null where they are the same.</summary>
+    public static TextStretch? Between(string before, string after)
+    {
+        if (before == after)
+        {
+            return null;
+        }
+
+        int start = before.AsSpan().CommonPrefixLength(after);
+        int end = 0;
+        while (end < Math.Min(before.Length, after.Length) - start && before[^(end + 1)] == after[^(end + 1)])
+        {
+            end++;
+        }
+
+        return new(start, before.Length - end, after[start..^end]);
+    }
+
+    /// <summary>The text after the change.</summary>
+    public string Apply(string text) => $"{text.AsSpan(0, From)}{Insert}{text.AsSpan(To)}";
+
+    /// <summary>The same change after another one of the same text; null where both are about the same characters.</summary>
+    public TextStretch? After(TextStretch? other)
+    {
+        int shift = other is null ? 0 : other.Insert.Length - (other.To - other.From);
+        return other is null || other.From >= To ? this
+            : other.To <= From ? this with { From = From + shift, To = To + shift }
+            : null;
     }
 }

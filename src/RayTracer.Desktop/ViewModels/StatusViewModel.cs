@@ -1,24 +1,25 @@
+using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>How far the rendering is, and what is done beside.</summary>
-internal sealed class StatusViewModel(Hand hand) : Observable
+/// <summary>The progress of the rendering and of the jobs beside it.</summary>
+internal sealed class StatusViewModel(SessionDispatcher dispatcher) : Observable
 {
     private RenderStatus _render = new();
     private int _threads;
     private IReadOnlyList<JobViewModel> _jobs = [];
 
-    /// <summary>Whether there is a picture.</summary>
+    /// <summary>Returns whether a picture exists.</summary>
     public bool IsShown => _render.Width > 0;
 
-    /// <summary>Whether it is being rendered.</summary>
     public bool IsRendering => _render.Status == "rendering";
 
     /// <summary>"rendering", "paused" …, in words.</summary>
     public string State => SessionTexts.Of($"status.states.{_render.Status}");
 
-    /// <summary>How far it is, 0 to 1.</summary>
+    /// <summary>The progress, 0 to 1.</summary>
     public double Fraction => (double)_render.Samples / Math.Max(1, _render.SamplesTotal);
 
     /// <summary>Samples in words.</summary>
@@ -43,7 +44,7 @@ internal sealed class StatusViewModel(Hand hand) : Observable
     /// <summary>The threads in words.</summary>
     public string Threads => SessionTexts.Of("status.threads", _threads, Environment.ProcessorCount);
 
-    /// <summary>What is being done beside the user's work.</summary>
+    /// <summary>The jobs beside the user's work.</summary>
     public IReadOnlyList<JobViewModel> Jobs => _jobs;
 
     /// <summary>Shows a state.</summary>
@@ -52,9 +53,26 @@ internal sealed class StatusViewModel(Hand hand) : Observable
         (_render, _threads) = (state.Render, state.Settings.Threads);
         if (!state.Jobs.SequenceEqual(_jobs.Select(j => j.Job)))
         {
-            _jobs = [.. state.Jobs.Select(j => new JobViewModel(j, () => hand.Do(s => s.Jobs.Cancel(j.Id))))];
+            _jobs = [.. state.Jobs.Select(j => new JobViewModel(j, () => dispatcher.Do(s => s.Jobs.Cancel(j.Id))))];
         }
 
-        Tell("");
+        OnPropertyChanged("");
     }
+}
+
+/// <summary>Something that takes its time.</summary>
+internal sealed class JobViewModel(Job job, Action cancel)
+{
+    /// <summary>The session's word.</summary>
+    public Job Job => job;
+
+    public string Text => job.Text;
+
+    /// <summary>The progress, 0 to 1.</summary>
+    public double Fraction => job.Fraction;
+
+    public string CancelText => $"{SessionTexts.Of("status.cancel")}: {job.Text}";
+
+    /// <summary>Ends it.</summary>
+    public ICommand Cancel { get; } = new RelayCommand(cancel);
 }

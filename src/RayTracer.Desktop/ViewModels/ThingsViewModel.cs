@@ -1,14 +1,16 @@
+using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>Adds, copies, renames and deletes things of the scene.</summary>
-/// <param name="hand">Carries it to the session.</param>
+/// <param name="dispatcher">Carries it to the session.</param>
 /// <param name="context">Asks for files.</param>
 /// <param name="showTab">Shows a tab of the properties.</param>
-internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<string> showTab)
+internal sealed class ThingsViewModel(SessionDispatcher dispatcher, PanelContext context, Action<string> showTab)
 {
-    /// <summary>What can be added.</summary>
+    /// <summary>The things that can be added.</summary>
     public IReadOnlyList<AddGroup> Families { get; private set; } = [];
 
     /// <summary>The selected thing, if it is one that can be copied, renamed and deleted.</summary>
@@ -21,7 +23,7 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
         CatalogueType[] types = [.. PanelContext.Catalogue.Types.Values.SelectMany(t => t)];
         Families = [.. families.Select(f => new AddGroup(
             SessionTexts.Of($"families.{f}"),
-            [.. types.Where(t => t.AddedAs.Contains(f)).OrderBy(t => t.AddedAs.Count).Select(t => new AddItem(Figures.Spaced(t.Name), t.Summary, new ActionCommand(() => Add(f, t))))]))];
+            [.. types.Where(t => t.AddedAs.Contains(f)).OrderBy(t => t.AddedAs.Count).Select(t => new AddItem(Figures.Spaced(t.Name), t.Summary, new RelayCommand(() => Add(f, t))))]))];
     }
 
     /// <summary>Adds a thing; one that cannot be without a file asks for it first.</summary>
@@ -38,10 +40,10 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
     }
 
     /// <summary>Makes a copy of the selected thing.</summary>
-    public void Duplicate() => With(pointer => hand.Do(s => s.Selection.Select(s.Edits.Duplicate(pointer).Pointer)));
+    public void Duplicate() => With(pointer => dispatcher.Do(s => s.Selection.Select(s.Edits.Duplicate(pointer).Pointer)));
 
     /// <summary>Deletes the selected thing.</summary>
-    public void Delete() => With(pointer => hand.Do(s => s.Edits.Delete(pointer)));
+    public void Delete() => With(pointer => dispatcher.Do(s => s.Edits.Delete(pointer)));
 
     /// <summary>Does something with the selected thing, if there is one.</summary>
     public void With(Action<string> work)
@@ -53,15 +55,26 @@ internal sealed class ThingsViewModel(Hand hand, PanelContext context, Action<st
     }
 
     /// <summary>Gives a thing another name.</summary>
-    public void Rename(string pointer, string name) => hand.Do(s => s.Edits.Rename(pointer, name));
+    public void Rename(string pointer, string name) => dispatcher.Do(s => s.Edits.Rename(pointer, name));
 
     private void Put(string family, CatalogueType type, string? file)
     {
         showTab(family == "environment" ? "world" : "object");
-        hand.Do(s =>
+        dispatcher.Do(s =>
         {
             string pointer = s.Edits.Add(family, type.Name, file: file).Pointer;
             s.Selection.Select(SceneThings.IsThing(pointer) ? pointer : null);
         });
     }
 }
+
+/// <summary>Things of one family that can be added.</summary>
+/// <param name="Name">The family.</param>
+/// <param name="Items">The things.</param>
+internal sealed record AddGroup(string Name, IReadOnlyList<AddItem> Items);
+
+/// <summary>A thing that can be added.</summary>
+/// <param name="Name">What it is called.</param>
+/// <param name="Tip">What it is.</param>
+/// <param name="Add">Adds it.</param>
+internal sealed record AddItem(string Name, string Tip, ICommand Add);

@@ -2,6 +2,7 @@ using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 using RayTracer.Rendering;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -143,22 +144,13 @@ public static class FilmFile
     {
         byte[] front = new byte[FrontLength];
         input.Fill(front);
-        if (!front.AsSpan().StartsWith(Signature))
-        {
-            throw new PictureException("it is not a film: its first bytes do not match");
-        }
+        Require(front.AsSpan().StartsWith(Signature), "it is not a film: its first bytes do not match");
 
         int version = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(8));
-        if (version != Version)
-        {
-            throw new PictureException($"its format has version {version}, but only {Version} is known");
-        }
+        Require(version == Version, $"its format has version {version}, but only {Version} is known");
 
         int length = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(12));
-        if (length is < 2 or > LongestHeader || length > fileLength)
-        {
-            throw new PictureException($"its header cannot have {length} bytes");
-        }
+        Require(length is not (< 2 or > LongestHeader) && length <= fileLength, $"its header cannot have {length} bytes");
 
         byte[] text = new byte[length];
         input.Fill(text);

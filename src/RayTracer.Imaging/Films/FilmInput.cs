@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -38,20 +39,14 @@ internal sealed class FilmInput(Stream stream)
     {
         Span<byte> check = stackalloc byte[sizeof(uint)];
         Take(check);
-        if (BinaryPrimitives.ReadUInt32LittleEndian(check) != _check)
-        {
-            throw new PictureException($"{what} is damaged: its checksum does not match");
-        }
+        Require(BinaryPrimitives.ReadUInt32LittleEndian(check) == _check, $"{what} is damaged: its checksum does not match");
     }
 
     /// <summary>Makes sure that nothing follows.</summary>
     /// <exception cref="PictureException">Something does.</exception>
     public void CheckEnd()
     {
-        if (Read(new byte[1]) > 0)
-        {
-            throw new PictureException("data follows its end");
-        }
+        Require(Read(new byte[1]) <= 0, "data follows its end");
     }
 
     /// <summary>Waits for what is being read: the file must not be closed before.</summary>

@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -79,12 +80,4 @@ internal sealed class JpegFrame
 
     /// <summary>Divides and rounds up.</summary>
     public static int Divide(int a, int b) => (a + b - 1) / b;
-
-    private static void Require(bool condition, string otherwise)
-    {
-        if (!condition)
-        {
-            throw new PictureException(otherwise);
-        }
-    }
 }

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -36,10 +37,7 @@ internal sealed class JpegHuffmanTable
         {
             _symbolOffset[length] = place - code;
             int count = counts[length - 1];
-            if (code + count > 1 << length)
-            {
-                throw new PictureException($"one of its Huffman tables has too many codes of {length} bits");
-            }
+            Require(code + count <= 1 << length, $"one of its Huffman tables has too many codes of {length} bits");
 
             for (int i = 0; i < count && length <= FastBits; i++)
             {

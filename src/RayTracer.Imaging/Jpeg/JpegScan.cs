@@ -1,4 +1,5 @@
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -246,14 +247,6 @@ internal sealed class JpegScan
         {
             Require(component.LastBit[k] == (_refines ? before : -1), "one of its scans repeats what an earlier scan coded, or leaves out bits between");
             component.LastBit[k] = _bit;
-        }
-    }
-
-    private static void Require(bool condition, string otherwise)
-    {
-        if (!condition)
-        {
-            throw new PictureException(otherwise);
         }
     }
 }

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using RayTracer.Numerics;
 
 namespace RayTracer.Imaging;
 

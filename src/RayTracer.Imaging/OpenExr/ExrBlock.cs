@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -23,10 +24,7 @@ internal readonly record struct ExrBlock(int FirstRow, int Rows, int FirstColumn
     {
         // Where there are smaller copies of the picture too, their blocks come after those of the picture itself.
         long count = (long)header.BlocksAcross * header.BlocksDown;
-        if ((file.Length - header.End) / 8 < count)
-        {
-            throw new PictureException($"the file is cut off: its table of {count} blocks is not complete");
-        }
+        Require((file.Length - header.End) / 8 >= count, $"the file is cut off: its table of {count} blocks is not complete");
 
         var blocks = new ExrBlock[count];
         var seen = new bool[count];
@@ -36,10 +34,7 @@ internal readonly record struct ExrBlock(int FirstRow, int Rows, int FirstColumn
             long offset = BinaryPrimitives.ReadInt64LittleEndian(file[(header.End + (8 * i))..]);
             (ExrBlock block, int index) = At(file, header, offset);
             packed += block.PackedBytes;
-            if (seen[index] || packed > file.Length)
-            {
-                throw new PictureException("its table of blocks has the same pixels twice");
-            }
+            Require(!seen[index] && packed <= file.Length, "its table of blocks has the same pixels twice");
 
             seen[index] = true;
             blocks[i] = block;
@@ -99,13 +94,5 @@ internal readonly record struct ExrBlock(int FirstRow, int Rows, int FirstColumn
         int word = BinaryPrimitives.ReadInt32LittleEndian(head);
         head = head[4..];
         return word;
-    }
-
-    private static void Require(bool condition, string otherwise)
-    {
-        if (!condition)
-        {
-            throw new PictureException(otherwise);
-        }
     }
 }

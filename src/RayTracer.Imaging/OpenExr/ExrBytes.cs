@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Text;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -15,10 +16,7 @@ internal ref struct ExrBytes(ReadOnlySpan<byte> all)
 
     public ReadOnlySpan<byte> Bytes(int count)
     {
-        if (count > Left)
-        {
-            throw new PictureException("the file is cut off within its header");
-        }
+        Require(count <= Left, "the file is cut off within its header");
 
         Position += count;
         return _all.Slice(Position - count, count);
@@ -31,10 +29,7 @@ internal ref struct ExrBytes(ReadOnlySpan<byte> all)
     {
         ReadOnlySpan<byte> rest = _all[Position..];
         int length = rest[..Math.Min(rest.Length, ExrFormat.LongName + 1)].IndexOf((byte)0);
-        if (length < 0)
-        {
-            throw new PictureException("its header is cut off, or holds a name of more than 255 bytes");
-        }
+        Require(length >= 0, "its header is cut off, or holds a name of more than 255 bytes");
 
         Position += length + 1;
         return Printable(rest[..length]);

@@ -57,3 +57,40 @@ internal static class ExrFormat
     /// <summary>The largest ratio of bytes to compressed bytes; of four bytes, PXR24 packs three.</summary>
     public static long MaxRatio(ExrCompression compression) => PictureLimits.MaxDeflateRatio * (compression == Pxr24 ? 2 : 1);
 }
+
+/// <summary>A channel beside R, G and B in an OpenEXR file.</summary>
+/// <param name="Name">
+/// Its name, such as <c>depth.Z</c>: the layer, a point, and the channel of the layer; 1 to 255 bytes of ASCII without NUL.
+/// </param>
+/// <param name="Type">How its values are stored.</param>
+/// <param name="ReadRow">Writes the values of a row (0 is the top), one a pixel.</param>
+public sealed record ExrLayerChannel(string Name, ExrPixelType Type, Action<int, Memory<double>> ReadRow);
+
+/// <summary>The types of values of OpenEXR channels; the values are the file format's.</summary>
+public enum ExrPixelType
+{
+    /// <summary>32-bit unsigned integer; written in layers only.</summary>
+    Uint = 0,
+
+    /// <summary>16-bit float: 11 bits of precision, up to 65504.</summary>
+    Half = 1,
+
+    /// <summary>32-bit float.</summary>
+    Float = 2,
+}
+
+/// <summary>The compressions of pixels in OpenEXR files, all without loss; the values are the file format's.</summary>
+public enum ExrCompression
+{
+    /// <summary>Not at all.</summary>
+    None = 0,
+
+    /// <summary>Run lengths, one row at a time.</summary>
+    Rle = 1,
+
+    /// <summary>Deflate, one row at a time.</summary>
+    Zips = 2,
+
+    /// <summary>Deflate, sixteen rows at a time: the smallest files of the four.</summary>
+    Zip = 3,
+}

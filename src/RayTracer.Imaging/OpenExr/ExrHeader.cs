@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Text;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -86,10 +87,7 @@ internal sealed class ExrHeader
             any = true;
             string type = reader.Name();
             int size = reader.Int();
-            if (size < 0 || size > reader.Left)
-            {
-                throw new PictureException($"its attribute '{name}' claims {size} bytes, and {reader.Left} are left");
-            }
+            Require(size >= 0 && size <= reader.Left, $"its attribute '{name}' claims {size} bytes, and {reader.Left} are left");
 
             ReadOnlySpan<byte> value = reader.Bytes(size);
             if (isFirst)
@@ -103,16 +101,10 @@ internal sealed class ExrHeader
 
     private void CheckVersion(ref ExrBytes reader)
     {
-        if (!reader.Bytes(4).SequenceEqual(ExrFormat.Magic))
-        {
-            throw new PictureException("it does not begin as an OpenEXR file does");
-        }
+        Require(reader.Bytes(4).SequenceEqual(ExrFormat.Magic), "it does not begin as an OpenEXR file does");
 
         int version = reader.Int();
-        if ((version & ExrFormat.DeepFlag) != 0)
-        {
-            throw new PictureException(Deep);
-        }
+        Require((version & ExrFormat.DeepFlag) == 0, Deep);
 
         IsMultiPart = (version & ExrFormat.MultiPartFlag) != 0;
         IsTiled = (version & ExrFormat.TiledFlag) != 0;
@@ -168,10 +160,7 @@ internal sealed class ExrHeader
                 throw new PictureException($"its channel '{name}' has type {type} and steps {stepX} and {stepY}, which do not exist in OpenEXR");
             }
 
-            if (channels.Count == MaxChannels)
-            {
-                throw new PictureException($"it has more than {MaxChannels} channels");
-            }
+            Require(channels.Count != MaxChannels, $"it has more than {MaxChannels} channels");
 
             channels.Add(new ExrChannel(name, (ExrPixelType)type, isPerceptual, stepX, stepY));
         }
@@ -182,10 +171,7 @@ internal sealed class ExrHeader
     private void CheckComplete()
     {
         string? missing = _channels is null ? "channels" : _compression is null ? "compression" : _dataWindow is null ? "dataWindow" : null;
-        if (missing is not null)
-        {
-            throw new PictureException($"its header has no (valid) attribute '{missing}'");
-        }
+        Require(missing is null, $"its header has no (valid) attribute '{missing}'");
 
         if (_compression > (int)ExrFormat.B44A)
         {
@@ -217,10 +203,7 @@ internal sealed class ExrHeader
         }
 
         (uint width, uint height) = _tile ?? throw new PictureException("its header has no (valid) attribute 'tiles'");
-        if (width == 0 || height == 0)
-        {
-            throw new PictureException($"its tiles have {width}×{height} pixels");
-        }
+        Require(width != 0 && height != 0, $"its tiles have {width}×{height} pixels");
 
         (BlockWidth, BlockHeight) = ((int)Math.Min(width, (uint)Width), (int)Math.Min(height, (uint)Height));
         if ((long)BlocksAcross * Height * Channels.Count > MostRowsOfChannels)

@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -48,10 +49,7 @@ public static class ExrReader
     {
         ExrHeader header = ExrHeader.Parse(file);
         int wanted = header.Channels.ToList().FindIndex(c => c.Name == name && c is { StepX: 1, StepY: 1 });
-        if (wanted < 0)
-        {
-            throw new PictureException($"it has no channel {name} with a value for every pixel");
-        }
+        Require(wanted >= 0, $"it has no channel {name} with a value for every pixel");
 
         ExrChannel channel = header.Channels[wanted];
         ExrBlock[] blocks = ExrBlock.Find(file, header);
@@ -74,10 +72,7 @@ public static class ExrReader
     /// <exception cref="PictureException">The file is damaged or one of tiles, or a channel is missing.</exception>
     internal static void ReadWords(ReadOnlySpan<byte> file, ExrHeader header, string[] names, Action<int, uint[][]> take)
     {
-        if (header.IsTiled)
-        {
-            throw new PictureException("another program has rewritten it, with tiles, from which its integers are not read");
-        }
+        Require(!header.IsTiled, "another program has rewritten it, with tiles, from which its integers are not read");
 
         if (names.FirstOrDefault(n => !header.Channels.Any(c => c is { StepX: 1, StepY: 1, Type: ExrPixelType.Uint } && c.Name == n)) is { } missing)
         {

@@ -2,11 +2,12 @@ using System.Buffers.Binary;
 using System.Globalization;
 using System.Text;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
 /// <summary>Reads portable float maps (Debevec's PFM): colour (PF) and grey (Pf), either byte order, rows from bottom to top.</summary>
-public static class PfmReader
+internal static class PfmReader
 {
     private const int LongestWord = 32;
 
@@ -25,10 +26,7 @@ public static class PfmReader
         (int channels, int width, int height, float factor) = Header(file, out ReadOnlySpan<byte> rest);
         rest = rest.IsEmpty ? rest : rest[1..];
         long needed = 4L * channels * width * height;
-        if (rest.Length < needed)
-        {
-            throw new PictureException($"the file is cut off: {width}×{height} pixels need {needed} bytes, and {rest.Length} are left");
-        }
+        Require(rest.Length >= needed, $"the file is cut off: {width}×{height} pixels need {needed} bytes, and {rest.Length} are left");
 
         Picture picture = PictureLimits.Allocate(width, height);
         int rowBytes = 4 * channels * width;
@@ -53,10 +51,7 @@ public static class PfmReader
 
     private static (int Channels, int Width, int Height, float Factor) Header(ReadOnlySpan<byte> file, out ReadOnlySpan<byte> rest)
     {
-        if (!IsPfm(file))
-        {
-            throw new PictureException("it does not begin as a PFM file does");
-        }
+        Require(IsPfm(file), "it does not begin as a PFM file does");
 
         rest = file[2..];
         int width = Size(Word(ref rest), "width");

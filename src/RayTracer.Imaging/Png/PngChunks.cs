@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Text;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -11,10 +12,7 @@ internal ref struct PngChunks
 
     public PngChunks(ReadOnlySpan<byte> file)
     {
-        if (!file.StartsWith(PngReader.Signature))
-        {
-            throw new PictureException("it does not begin as a PNG file does");
-        }
+        Require(file.StartsWith(PngReader.Signature), "it does not begin as a PNG file does");
 
         _rest = file[PngReader.Signature.Length..];
         Type = "";
@@ -35,18 +33,12 @@ internal ref struct PngChunks
             return false;
         }
 
-        if (_rest.Length < 12)
-        {
-            throw new PictureException("the file is cut off: its IEND chunk is missing");
-        }
+        Require(_rest.Length >= 12, "the file is cut off: its IEND chunk is missing");
 
         uint length = BinaryPrimitives.ReadUInt32BigEndian(_rest);
         ReadOnlySpan<byte> type = _rest.Slice(4, 4);
         Type = Encoding.Latin1.GetString(type);
-        if (!Type.All(char.IsAsciiLetter))
-        {
-            throw new PictureException("a chunk's type does not consist of four letters: the file is damaged");
-        }
+        Require(Type.All(char.IsAsciiLetter), "a chunk's type does not consist of four letters: the file is damaged");
 
         if (length > _rest.Length - 12)
         {
@@ -55,10 +47,7 @@ internal ref struct PngChunks
 
         Data = _rest.Slice(8, (int)length);
         uint check = BinaryPrimitives.ReadUInt32BigEndian(_rest[(8 + (int)length)..]);
-        if (check != Crc32.Of(type, Data))
-        {
-            throw new PictureException($"the checksum of its {Type} chunk is wrong: the file is damaged");
-        }
+        Require(check == Crc32.Of(type, Data), $"the checksum of its {Type} chunk is wrong: the file is damaged");
 
         _rest = _rest[(12 + (int)length)..];
         return true;

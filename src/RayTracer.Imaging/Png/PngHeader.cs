@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -23,10 +24,7 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, P
 
     public static PngHeader Parse(ReadOnlySpan<byte> data)
     {
-        if (data.Length != 13)
-        {
-            throw new PictureException($"its IHDR chunk has {data.Length} bytes instead of 13");
-        }
+        Require(data.Length == 13, $"its IHDR chunk has {data.Length} bytes instead of 13");
 
         uint width = BinaryPrimitives.ReadUInt32BigEndian(data);
         uint height = BinaryPrimitives.ReadUInt32BigEndian(data[4..]);
@@ -40,10 +38,7 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, P
             PngColourType.Rgb or PngColourType.GreyAlpha or PngColourType.RgbAlpha => depth is 8 or 16,
             _ => false,
         };
-        if (!valid)
-        {
-            throw new PictureException($"colour type {data[9]} with {depth} bits does not exist in PNG");
-        }
+        Require(valid, $"colour type {data[9]} with {depth} bits does not exist in PNG");
 
         if (data[10] != 0 || data[11] != 0 || data[12] > 1)
         {

@@ -1,6 +1,7 @@
 using System.IO.Compression;
 using System.Text;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -42,10 +43,7 @@ internal static class PngText
     private static ReadOnlySpan<byte> CutAtNul(ref ReadOnlySpan<byte> data, string type)
     {
         int end = data.IndexOf((byte)0);
-        if (end < 0)
-        {
-            throw new PictureException($"one of its {type} chunks does not separate key and text");
-        }
+        Require(end >= 0, $"one of its {type} chunks does not separate key and text");
 
         ReadOnlySpan<byte> head = data[..end];
         data = data[(end + 1)..];
@@ -54,10 +52,7 @@ internal static class PngText
 
     private static ReadOnlySpan<byte> Limited(ReadOnlySpan<byte> text, string key)
     {
-        if (text.Length > PictureLimits.MaxTextBytes)
-        {
-            throw new PictureException($"its text '{key}' has more than {PictureLimits.MaxTextBytes} bytes");
-        }
+        Require(text.Length <= PictureLimits.MaxTextBytes, $"its text '{key}' has more than {PictureLimits.MaxTextBytes} bytes");
 
         return text;
     }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using RayTracer.Textures;
+using static RayTracer.Imaging.PictureLimits;
 
 namespace RayTracer.Imaging;
 
@@ -8,7 +9,7 @@ namespace RayTracer.Imaging;
 /// Reads Radiance pictures (.hdr, .pic; Ward 1991): red, green and blue of eight bits each with a common exponent, plain or run-length
 /// coded in either way. A value is its mantissa · 2^(exponent − 136), as most programs read it; exposures in the header are undone.
 /// </summary>
-public static class HdrReader
+internal static class HdrReader
 {
     /// <summary>Bytes of the longest line of a header, with its end.</summary>
     internal const int LongestLine = 1 << 16;
@@ -78,10 +79,7 @@ public static class HdrReader
     // The lines up to an empty one.
     private static List<string> Header(ref ReadOnlySpan<byte> rest)
     {
-        if (!rest.StartsWith(Signature))
-        {
-            throw new PictureException("it does not begin as a Radiance picture does");
-        }
+        Require(rest.StartsWith(Signature), "it does not begin as a Radiance picture does");
 
         List<string> lines = [];
         int before = rest.Length;
@@ -235,10 +233,7 @@ public static class HdrReader
     private static string Line(ref ReadOnlySpan<byte> rest)
     {
         int end = rest[..Math.Min(rest.Length, LongestLine)].IndexOf((byte)'\n');
-        if (end < 0)
-        {
-            throw new PictureException("its header is cut off, or has a line without end");
-        }
+        Require(end >= 0, "its header is cut off, or has a line without end");
 
         string line = Encoding.Latin1.GetString(rest[..end]).TrimEnd('\r');
         rest = rest[(end + 1)..];

@@ -30,7 +30,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
 
     /// <summary>The material that a thing is.</summary>
     /// <param name="bsdf">The thing.</param>
-    /// <param name="isTwoSided">Whether it is seen from both sides.</param>
+    /// <param name="isTwoSided">True where it is seen from both sides.</param>
     public MaterialDescription Read(MitsubaObject bsdf, bool isTwoSided = false)
     {
         if (_made.TryGetValue((bsdf, isTwoSided), out MaterialDescription? made))
@@ -49,52 +49,36 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
         return made;
     }
 
-    private MaterialDescription Make(MitsubaObject bsdf, bool isTwoSided)
+    private MaterialDescription Make(MitsubaObject bsdf, bool isTwoSided) => bsdf.Type switch
     {
-        switch (bsdf.Type)
-        {
-            case "diffuse":
-                return Sided(bsdf, new DiffuseMaterialDescription { Color = textures.Read(bsdf, "reflectance", s_half) }, isTwoSided);
-            case "conductor" or "roughconductor":
-                return Sided(bsdf, _metals.Read(bsdf), isTwoSided);
-            case "plastic" or "roughplastic":
-                return Sided(bsdf, _dielectrics.Plastic(bsdf), isTwoSided);
-            case "dielectric" or "thindielectric" or "roughdielectric":
-                return _dielectrics.Read(bsdf);
-            case "null":
-                return IsVolumetric ? new InvisibleMaterialDescription() : new MaskMaterialDescription { Opacity = MitsubaTextures.Solid(Rgb.Black) };
-            default:
-                return MakeOfOthers(bsdf, isTwoSided);
-        }
-    }
+        "diffuse" => Sided(bsdf, new DiffuseMaterialDescription { Color = textures.Read(bsdf, "reflectance", s_half) }, isTwoSided),
+        "conductor" or "roughconductor" => Sided(bsdf, _metals.Read(bsdf), isTwoSided),
+        "plastic" or "roughplastic" => Sided(bsdf, _dielectrics.Plastic(bsdf), isTwoSided),
+        "dielectric" or "thindielectric" or "roughdielectric" => _dielectrics.Read(bsdf),
+        "principled" => Principled(bsdf, _wrappers.Principled(bsdf), isTwoSided),
+        "twosided" => OfSides(Inner(bsdf, 1, 2, isTwoSided: true)),
+        "mask" => new MaskMaterialDescription { Opacity = textures.Read(bsdf, "opacity", 0.5f), Material = Inner(bsdf, 1, 1, isTwoSided)[0] },
+        "blendbsdf" => Mixed(textures.Read(bsdf, "weight", 0.5f), Inner(bsdf, 2, 2, isTwoSided)),
+        "normalmap" => _wrappers.NormalMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]),
+        "bumpmap" => _wrappers.BumpMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]),
+        "null" => IsVolumetric ? new InvisibleMaterialDescription() : new MaskMaterialDescription { Opacity = MitsubaTextures.Solid(Rgb.Black) },
+        _ => Unknown(bsdf),
+    };
 
-    private MaterialDescription MakeOfOthers(MitsubaObject bsdf, bool isTwoSided)
+    private MaterialDescription Principled(MitsubaObject bsdf, PrincipledMaterialDescription made, bool isTwoSided) =>
+        made.Transmission is SolidTextureDescription { Color.R: 0 } ? Sided(bsdf, made, isTwoSided) : made;
+
+    private static MaterialDescription OfSides(MaterialDescription[] sides) =>
+        sides.Length == 1 ? sides[0] : new TwoSidedMaterialDescription { Front = sides[0], Back = sides[1] };
+
+    private static MixMaterialDescription Mixed(TextureDescription weight, MaterialDescription[] parts) => new() { First = parts[0], Second = parts[1], Weight = weight };
+
+    private static MaterialDescription Unknown(MitsubaObject bsdf)
     {
-        switch (bsdf.Type)
-        {
-            case "twosided":
-                MaterialDescription[] sides = Inner(bsdf, 1, 2, isTwoSided: true);
-                return sides.Length == 1 ? sides[0] : new TwoSidedMaterialDescription { Front = sides[0], Back = sides[1] };
-            case "mask":
-                TextureDescription opacity = textures.Read(bsdf, "opacity", 0.5f);
-                return new MaskMaterialDescription { Material = Inner(bsdf, 1, 1, isTwoSided)[0], Opacity = opacity };
-            case "blendbsdf":
-                TextureDescription weight = textures.Read(bsdf, "weight", 0.5f);
-                MaterialDescription[] mixed = Inner(bsdf, 2, 2, isTwoSided);
-                return new MixMaterialDescription { First = mixed[0], Second = mixed[1], Weight = weight };
-            case "normalmap":
-                return _wrappers.NormalMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]);
-            case "bumpmap":
-                return _wrappers.BumpMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]);
-            case "principled":
-                PrincipledMaterialDescription principled = _wrappers.Principled(bsdf);
-                bool isOpaque = principled.Transmission is SolidTextureDescription { Color.R: 0 };
-                return isOpaque ? Sided(bsdf, principled, isTwoSided) : principled;
-            default:
-                string[] known = ["diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric", "principled", "twosided", "mask", "blendbsdf", "normalmap", "bumpmap", "null"];
-                reading.Log.Unknown(bsdf.TypePlace, $"BSDFs of type {Quotation.Of(bsdf.Type)} are not supported", bsdf.Type, known);
-                return Standard;
-        }
+        bsdf.UnknownType(
+            "BSDFs", "diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric",
+            "principled", "twosided", "mask", "blendbsdf", "normalmap", "bumpmap", "null");
+        return Standard;
     }
 
     private MaterialDescription[] Inner(MitsubaObject bsdf, int least, int most, bool isTwoSided)
@@ -102,12 +86,12 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
         MitsubaObject[] inner = [.. bsdf.Children("bsdf")];
         if (inner.Length < least || inner.Length > most)
         {
-            if (bsdf.LacksSomething)
+            if (!bsdf.LacksSomething)
             {
-                return [.. Enumerable.Repeat(Standard, least)];
+                string wanted = least == most ? $"{least}" : $"{least} or {most}";
+                reading.Log.Error(bsdf.Place, $"{bsdf.Describe()} needs {wanted} BSDFs within it, but has {inner.Length}");
             }
 
-            reading.Log.Error(bsdf.Place, $"{bsdf.Describe()} needs {(least == most ? $"{least}" : $"{least} or {most}")} BSDFs within it, but has {inner.Length}");
             return [.. Enumerable.Repeat(Standard, least)];
         }
 

@@ -1,3 +1,4 @@
+using System.Globalization;
 using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
@@ -13,59 +14,38 @@ internal sealed class MitsubaDielectrics(MitsubaTextures textures)
     private const float Polypropylene = 1.49f;
 
     // By the names under which their documentation lists them.
-    private static readonly Dictionary<string, float> s_indices = new()
-    {
-        ["vacuum"] = 1,
-        ["helium"] = 1.000036f,
-        ["hydrogen"] = 1.000132f,
-        ["air"] = Air,
-        ["carbon dioxide"] = 1.00045f,
-        ["water"] = 1.333f,
-        ["acetone"] = 1.36f,
-        ["ethanol"] = 1.361f,
-        ["carbon tetrachloride"] = 1.461f,
-        ["glycerol"] = 1.4729f,
-        ["benzene"] = 1.501f,
-        ["silicone oil"] = 1.52045f,
-        ["bromine"] = 1.661f,
-        ["water ice"] = 1.31f,
-        ["fused quartz"] = 1.458f,
-        ["pyrex"] = 1.47f,
-        ["acrylic glass"] = 1.49f,
-        ["polypropylene"] = Polypropylene,
-        ["bk7"] = Bk7,
-        ["sodium chloride"] = 1.544f,
-        ["amber"] = 1.55f,
-        ["pet"] = 1.575f,
-        ["diamond"] = 2.419f,
-    };
+    private static readonly Dictionary<string, float> s_indices = """
+        vacuum 1, helium 1.000036, hydrogen 1.000132, air 1.000277, carbon dioxide 1.00045, water 1.333, acetone 1.36,
+        ethanol 1.361, carbon tetrachloride 1.461, glycerol 1.4729, benzene 1.501, silicone oil 1.52045, bromine 1.661,
+        water ice 1.31, fused quartz 1.458, pyrex 1.47, acrylic glass 1.49, polypropylene 1.49, bk7 1.5046,
+        sodium chloride 1.544, amber 1.55, pet 1.575, diamond 2.419
+        """.Split([',', '\n', '\r'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
+        .ToDictionary(entry => entry[..entry.LastIndexOf(' ')], entry => float.Parse(entry[entry.LastIndexOf(' ')..], CultureInfo.InvariantCulture));
 
     /// <summary>Smooth, rough or thin glass.</summary>
     public MaterialDescription Read(MitsubaObject bsdf)
     {
         float index = RelativeIndex(bsdf, Bk7);
-        TextureDescription reflectance = textures.Read(bsdf, "specular_reflectance", Rgb.White);
-        TextureDescription transmittance = textures.Read(bsdf, "specular_transmittance", Rgb.White);
-        switch (bsdf.Type)
+        TextureDescription factor = textures.Read(bsdf, "specular_reflectance", Rgb.White);
+        TextureDescription through = textures.Read(bsdf, "specular_transmittance", Rgb.White);
+        return bsdf.Type switch
         {
-            case "dielectric":
-                return new DielectricMaterialDescription { RefractiveIndex = index, SpecularReflectance = reflectance, SpecularTransmittance = transmittance };
-            case "thindielectric":
-                return new ThinDielectricMaterialDescription { RefractiveIndex = index, SpecularReflectance = reflectance, SpecularTransmittance = transmittance };
-            default:
-                MitsubaRoughness rough = MitsubaRoughness.Read(bsdf, textures);
-                return new RoughDielectricMaterialDescription
-                {
-                    RefractiveIndex = index,
-                    SpecularReflectance = reflectance,
-                    SpecularTransmittance = transmittance,
-                    Distribution = rough.Distribution,
-                    Alpha = rough.Alpha,
-                    AlphaU = rough.AlphaU,
-                    AlphaV = rough.AlphaV,
-                };
-        }
+            "dielectric" => new DielectricMaterialDescription { RefractiveIndex = index, SpecularReflectance = factor, SpecularTransmittance = through },
+            "thindielectric" => new ThinDielectricMaterialDescription { RefractiveIndex = index, SpecularReflectance = factor, SpecularTransmittance = through },
+            _ => Rough(MitsubaRoughness.Read(bsdf, textures), index, factor, through),
+        };
     }
+
+    private static RoughDielectricMaterialDescription Rough(MitsubaRoughness rough, float index, TextureDescription factor, TextureDescription through) => new()
+    {
+        RefractiveIndex = index,
+        SpecularReflectance = factor,
+        SpecularTransmittance = through,
+        Distribution = rough.Distribution,
+        Alpha = rough.Alpha,
+        AlphaU = rough.AlphaU,
+        AlphaV = rough.AlphaV,
+    };
 
     /// <summary>Smooth or rough plastic.</summary>
     public MaterialDescription Plastic(MitsubaObject bsdf)

@@ -13,6 +13,16 @@ internal sealed class MitsubaDocument
 
     private static readonly string[] Properties = ["float", "integer", "boolean", "string", "vector", "point", "rgb", "spectrum", "transform"];
 
+    // Of properties, and of the steps of transforms.
+    private static readonly Dictionary<string, string[]> s_attributes = """
+        float: name value, integer: name value, boolean: name value, string: name value, rgb: name value, spectrum: name value filename,
+        vector: name value x y z, point: name value x y z, transform: name,
+        rotate: angle value x y z, lookat: origin target up, matrix: value, translate: value x y z, scale: value x y z
+        """.Split([',', '\n', '\r'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
+        .Select(entry => entry.Split(": ")).ToDictionary(entry => entry[0], entry => entry[1].Split(' '));
+
+    private static readonly string[] s_ofObjects = ["type", "id", "name"];
+
     private static readonly string[] Others = ["ref", "include", "default", "alias", "path"];
 
     private readonly MitsubaLog _log;
@@ -143,7 +153,7 @@ internal sealed class MitsubaDocument
 
     private void AddObject(MitsubaObject parent, MitsubaElement child, MitsubaFiles files, int includes)
     {
-        CheckAttributes(child, "type", "id", "name");
+        CheckAttributes(child, s_ofObjects);
         if (!child.Attributes.ContainsKey("type"))
         {
             _log.Error(child.Place, $"<{child.Name}> needs a type");
@@ -164,22 +174,7 @@ internal sealed class MitsubaDocument
 
     private void AddProperty(MitsubaObject parent, MitsubaElement property)
     {
-        switch (property.Name)
-        {
-            case "transform":
-                CheckAttributes(property, "name");
-                break;
-            case "point" or "vector":
-                CheckAttributes(property, "name", "value", "x", "y", "z");
-                break;
-            case "spectrum":
-                CheckAttributes(property, "name", "value", "filename");
-                break;
-            default:
-                CheckAttributes(property, "name", "value");
-                break;
-        }
-
+        CheckAttributes(property);
         if (property.Attribute("name") is not { } name)
         {
             _log.Error(property.Place, $"<{property.Name}> needs a name");
@@ -199,25 +194,7 @@ internal sealed class MitsubaDocument
             expanded.Attributes[name] = attribute;
         }
 
-        foreach (MitsubaElement step in expanded.Children)
-        {
-            switch (step.Name)
-            {
-                case "rotate":
-                    CheckAttributes(step, "angle", "value", "x", "y", "z");
-                    break;
-                case "lookat":
-                    CheckAttributes(step, "origin", "target", "up");
-                    break;
-                case "matrix":
-                    CheckAttributes(step, "value");
-                    break;
-                case "translate" or "scale":
-                    CheckAttributes(step, "value", "x", "y", "z");
-                    break;
-            }
-        }
-
+        expanded.Children.ForEach(CheckAttributes);
         return expanded;
     }
 
@@ -332,14 +309,19 @@ internal sealed class MitsubaDocument
         return value;
     }
 
-    private void CheckAttributes(MitsubaElement element, params ReadOnlySpan<string> known)
+    private void CheckAttributes(MitsubaElement element)
     {
-        foreach ((string name, MitsubaAttribute attribute) in element.Attributes)
+        if (s_attributes.TryGetValue(element.Name, out string[]? known))
         {
-            if (!known.Contains(name))
-            {
-                _log.Unknown(attribute.Place, $"<{element.Name}> has no attribute {Quotation.Of(name)}", name, known.ToArray());
-            }
+            CheckAttributes(element, known);
+        }
+    }
+
+    private void CheckAttributes(MitsubaElement element, string[] known)
+    {
+        foreach ((string name, MitsubaAttribute attribute) in element.Attributes.Where(a => !known.Contains(a.Key)))
+        {
+            _log.Unknown(attribute.Place, $"<{element.Name}> has no attribute {Quotation.Of(name)}", name, known);
         }
     }
 

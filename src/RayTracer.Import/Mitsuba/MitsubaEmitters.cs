@@ -51,7 +51,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
         }
         else if (!s_known.Contains(emitter.Type))
         {
-            reading.Log.Unknown(emitter.TypePlace, $"emitters of type {Quotation.Of(emitter.Type)} are not supported", emitter.Type, s_known);
+            emitter.UnknownType("emitters", s_known);
         }
 
         return null;

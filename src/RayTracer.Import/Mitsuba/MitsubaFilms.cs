@@ -23,7 +23,7 @@ internal static class MitsubaFilms
 
         if (film.Type != "hdrfilm")
         {
-            film.Log.Unknown(film.TypePlace, $"films of type {Quotation.Of(film.Type)} are not supported", film.Type, ["hdrfilm"]);
+            film.UnknownType("films", "hdrfilm");
         }
 
         film.Ignore("file_format", "pixel_format", "component_format", "sample_border", "compensate", "banner");
@@ -54,26 +54,19 @@ internal static class MitsubaFilms
 
     private static FilterDescription Filter(MitsubaObject filter)
     {
-        FilterDescription read = new();
-        switch (filter.Type)
+        FilterDescription? read = filter.Type switch
         {
-            case "box":
-                break;
-            case "tent":
-                read = new() { Shape = FilterShape.Tent, Radius = filter.Float("radius", 1, 0) };
-                break;
-            case "gaussian":
-                read = Gaussian(filter.Float("stddev", 0.5f, 0));
-                break;
-            case "mitchell":
-                read = new() { Shape = FilterShape.Mitchell, B = filter.Float("A", 1f / 3), C = filter.Float("B", 1f / 3) };
-                break;
-            case "catmullrom":
-                read = new() { Shape = FilterShape.Mitchell, B = 0, C = 0.5f };
-                break;
-            default:
-                filter.Log.Unknown(filter.TypePlace, $"filters of type {Quotation.Of(filter.Type)} are not supported", filter.Type, ["box", "tent", "gaussian", "mitchell", "catmullrom"]);
-                return read;
+            "box" => new(),
+            "tent" => new() { Shape = FilterShape.Tent, Radius = filter.Float("radius", 1, 0) },
+            "gaussian" => Gaussian(filter.Float("stddev", 0.5f, 0)),
+            "mitchell" => new() { Shape = FilterShape.Mitchell, B = filter.Float("A", 1f / 3), C = filter.Float("B", 1f / 3) },
+            "catmullrom" => new() { Shape = FilterShape.Mitchell, B = 0, C = 0.5f },
+            _ => null,
+        };
+        if (read is null)
+        {
+            filter.UnknownType("filters", "box", "tent", "gaussian", "mitchell", "catmullrom");
+            return new();
         }
 
         filter.Finish();

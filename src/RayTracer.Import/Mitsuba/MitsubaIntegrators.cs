@@ -21,7 +21,7 @@ internal static class MitsubaIntegrators
             case "aov":
                 return Aov(integrator, render);
             default:
-                integrator.Log.Unknown(integrator.TypePlace, $"integrators of type {Quotation.Of(integrator.Type)} are not supported", integrator.Type, ["path", "direct", "volpath", "volpathmis", "aov"]);
+                integrator.UnknownType("integrators", "path", "direct", "volpath", "volpathmis", "aov");
                 return render;
         }
 

@@ -37,7 +37,7 @@ internal static class MitsubaMedia
     }
 
     /// <summary>Takes the medium of a camera as known: the medium around the camera follows from the shapes around it.</summary>
-    public static void Around(MitsubaObject sensor)
+    public static void WarnOfSensorMedium(MitsubaObject sensor)
     {
         if (sensor.Only("medium") is { } medium)
         {
@@ -58,7 +58,7 @@ internal static class MitsubaMedia
 
         if (medium.Type != "homogeneous")
         {
-            medium.Log.Unknown(medium.TypePlace, $"media of type {Quotation.Of(medium.Type)} are not supported", medium.Type, ["homogeneous"]);
+            medium.UnknownType("media", "homogeneous");
             return new();
         }
 
@@ -92,19 +92,13 @@ internal static class MitsubaMedia
 
     private static float Anisotropy(MitsubaObject phase)
     {
-        float g = 0;
-        switch (phase.Type)
+        if (phase.Type is not ("isotropic" or "hg"))
         {
-            case "isotropic":
-                break;
-            case "hg":
-                g = phase.Float("g", 0.8f, -0.99f, 0.99f);
-                break;
-            default:
-                phase.Log.Unknown(phase.TypePlace, $"phase functions of type {Quotation.Of(phase.Type)} are not supported", phase.Type, ["isotropic", "hg"]);
-                return 0;
+            phase.UnknownType("phase functions", "isotropic", "hg");
+            return 0;
         }
 
+        float g = phase.Type == "hg" ? phase.Float("g", 0.8f, -0.99f, 0.99f) : 0;
         phase.Finish();
         return g;
     }

@@ -7,29 +7,12 @@ namespace RayTracer.Import;
 /// <summary>Makes metals.</summary>
 internal sealed class MitsubaMetals(MitsubaTextures textures)
 {
-    private static readonly Dictionary<string, Metal> s_names = new()
-    {
-        ["none"] = Metal.None,
-        ["Ag"] = Metal.Silver,
-        ["Al"] = Metal.Aluminium,
-        ["Au"] = Metal.Gold,
-        ["Be"] = Metal.Beryllium,
-        ["Cr"] = Metal.Chromium,
-        ["Cu"] = Metal.Copper,
-        ["Hg"] = Metal.Mercury,
-        ["Ir"] = Metal.Iridium,
-        ["K"] = Metal.Potassium,
-        ["Li"] = Metal.Lithium,
-        ["Mo"] = Metal.Molybdenum,
-        ["Na_palik"] = Metal.Sodium,
-        ["Nb"] = Metal.Niobium,
-        ["Ni_palik"] = Metal.Nickel,
-        ["Rh"] = Metal.Rhodium,
-        ["Ta"] = Metal.Tantalum,
-        ["TiN"] = Metal.TitaniumNitride,
-        ["V_palik"] = Metal.Vanadium,
-        ["W"] = Metal.Tungsten,
-    };
+    private static readonly Dictionary<string, Metal> s_names = """
+        none None, Ag Silver, Al Aluminium, Au Gold, Be Beryllium, Cr Chromium, Cu Copper, Hg Mercury, Ir Iridium,
+        K Potassium, Li Lithium, Mo Molybdenum, Na_palik Sodium, Nb Niobium, Ni_palik Nickel, Rh Rhodium, Ta Tantalum,
+        TiN TitaniumNitride, V_palik Vanadium, W Tungsten
+        """.Split([',', '\n', '\r'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
+        .Select(entry => entry.Split(' ')).ToDictionary(words => words[0], words => Enum.Parse<Metal>(words[1]));
 
     /// <summary>A smooth or rough metal.</summary>
     public MaterialDescription Read(MitsubaObject bsdf)

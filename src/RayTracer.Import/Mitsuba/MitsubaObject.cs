@@ -132,16 +132,14 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
             return standard;
         }
 
-        switch (property.Attribute("value"))
+        string text = property.Attribute("value") ?? "";
+        if (text.ToLowerInvariant() is "true" or "false")
         {
-            case { } text when text.Equals("true", StringComparison.OrdinalIgnoreCase):
-                return true;
-            case { } text when text.Equals("false", StringComparison.OrdinalIgnoreCase):
-                return false;
-            case var text:
-                log.Error(property.PlaceOf("value"), $"expected true or false for {Quotation.Of(name)}, but found {Quotation.Of(text ?? "")}");
-                return standard;
+            return text.Length == "true".Length;
         }
+
+        log.Error(property.PlaceOf("value"), $"expected true or false for {Quotation.Of(name)}, but found {Quotation.Of(text)}");
+        return standard;
     }
 
     /// <summary>A text; null where it is not given.</summary>
@@ -184,8 +182,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
             return files.Find(text);
         }
 
-        log.Error(PlaceOf(name), $"{Describe()} needs {Quotation.Of(name)}, the path of a file");
-        return null;
+        return log.Fail<string>(PlaceOf(name), $"{Describe()} needs {Quotation.Of(name)}, the path of a file");
     }
 
     /// <summary>The path of a file that is read at once.</summary>
@@ -239,6 +236,10 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
             }
         }
     }
+
+    /// <summary>Says that its type is none of those that are supported.</summary>
+    public void UnknownType(string kinds, params string[] known) =>
+        log.Unknown(TypePlace, $"{kinds} of type {Quotation.Of(Type)} are not supported", Type, known);
 
     /// <summary>The name in messages.</summary>
     public string Describe() => Type.Length > 0 ? $"{Kind} {Quotation.Of(Type)}" : Kind;

@@ -14,25 +14,18 @@ internal static class MitsubaSamplers
         sampler.Ignore("jitter");
         int count = sampler.Integer("sample_count", StandardCount, 1);
         int seed = sampler.Integer("seed", 0, 0);
-        SamplerKind kind = SamplerKind.Sobol;
-        switch (sampler.Type)
+        if (sampler.Type is "multijitter" or "orthogonal" or "ldsampler")
         {
-            case "independent":
-                kind = SamplerKind.Independent;
-                break;
-            case "stratified":
-                kind = SamplerKind.Jittered;
-                count = Square(sampler, count);
-                break;
-            case "multijitter" or "orthogonal" or "ldsampler":
-                sampler.Log.Warn(sampler.TypePlace, $"the sampler \"sobol\" replaces {Quotation.Of(sampler.Type)}: the noise of the picture differs");
-                break;
-            default:
-                sampler.Log.Unknown(sampler.TypePlace, $"samplers of type {Quotation.Of(sampler.Type)} are not supported", sampler.Type, ["independent", "stratified", "multijitter", "orthogonal", "ldsampler"]);
-                break;
+            sampler.Log.Warn(sampler.TypePlace, $"the sampler \"sobol\" replaces {Quotation.Of(sampler.Type)}: the noise of the picture differs");
+        }
+        else if (sampler.Type is not ("independent" or "stratified"))
+        {
+            sampler.UnknownType("samplers", "independent", "stratified", "multijitter", "orthogonal", "ldsampler");
         }
 
+        count = sampler.Type == "stratified" ? Square(sampler, count) : count;
         sampler.Finish();
+        SamplerKind kind = sampler.Type switch { "independent" => SamplerKind.Independent, "stratified" => SamplerKind.Jittered, _ => SamplerKind.Sobol };
         return render with { SamplesPerPixel = count, Sampler = kind, Seed = seed };
     }
 

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Scenes;
 
 namespace RayTracer.Import;
 
@@ -73,5 +74,23 @@ internal sealed class MitsubaScene
 
         scene = around.Length > 0 ? _emitters.Environment(around[0], scene) : scene;
         return scene with { Lights = [.. all.Except(around).Select(_emitters.Punctual).OfType<ShapeDescription>()] };
+    }
+}
+
+/// <summary>The state shared by all readers of an XML scene: where diagnostics go, and where each record was read.</summary>
+internal sealed class MitsubaReading
+{
+    /// <summary>Takes what is wrong.</summary>
+    public MitsubaLog Log { get; } = new();
+
+    /// <summary>The place of each record.</summary>
+    public SourceMap Map { get; } = new();
+
+    /// <summary>Remembers where a record was read.</summary>
+    public T At<T>(SourcePlace place, T record)
+        where T : class
+    {
+        Map.Add(record, place);
+        return record;
     }
 }

@@ -34,7 +34,7 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
         };
         if (camera is null)
         {
-            reading.Log.Unknown(sensor.TypePlace, $"sensors of type {Quotation.Of(sensor.Type)} are not supported", sensor.Type, ["perspective", "thinlens", "orthographic"]);
+            sensor.UnknownType("sensors", "perspective", "thinlens", "orthographic");
             return scene;
         }
 
@@ -50,7 +50,7 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
 
         FilmRead film = MitsubaFilms.Read(sensor.Only("film"), render);
         camera = Shifted(sensor, camera, film.Window);
-        MitsubaMedia.Around(sensor);
+        MitsubaMedia.WarnOfSensorMedium(sensor);
         sensor.Finish();
         return scene with { Camera = reading.At(sensor.Place, camera), Render = reading.At(sensor.Place, film.Render) };
     }

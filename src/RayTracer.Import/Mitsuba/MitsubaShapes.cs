@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
@@ -70,7 +71,7 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, 
     {
         if (!s_types.Contains(shape.Type))
         {
-            reading.Log.Unknown(shape.TypePlace, $"shapes of type {Quotation.Of(shape.Type)} are not supported", shape.Type, s_types);
+            shape.UnknownType("shapes", s_types);
             return null;
         }
 
@@ -84,5 +85,61 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, 
         MaterialDescription material = shape.Only("bsdf") is { } bsdf ? bsdfs.Read(bsdf) : emitter is null ? MitsubaBsdfs.Standard : MitsubaBsdfs.Black;
         MaterialDescription filled = MitsubaMedia.Fill(shape, material);
         return emitter is null ? filled : emitters.Area(emitter, filled);
+    }
+}
+
+/// <summary>Makes meshes of model files. Where a file has no normals they have smooth ones, unless faces are asked for.</summary>
+internal static class MitsubaMeshes
+{
+    /// <summary>A mesh of a file.</summary>
+    public static ShapeDescription? Read(MitsubaObject shape, MaterialDescription material)
+    {
+        // The front of flat faces follows from the order of their corners after the transform, so a mirror turns it inwards.
+        Transform place = shape.Transform();
+        bool isFlat = shape.Boolean("face_normals", false);
+        MeshDescription mesh = new()
+        {
+            File = shape.FileName() ?? "",
+            Part = shape.Type == "serialized" ? shape.Integer("shape_index", 0, 0) : -1,
+            Shading = isFlat ? MeshShading.Flat : MeshShading.Smooth,
+            FlipNormals = shape.Boolean("flip_normals", false) != (isFlat && place.Determinant < 0),
+            FlipV = shape.Boolean("flip_tex_coords", shape.Type == "obj"),
+            IgnoreColors = !MaterialTextures.UseColors(material),
+            Material = material,
+            Transform = MitsubaSurfaces.Steps(place),
+        };
+        return mesh.File.Length > 0 ? mesh : null;
+    }
+}
+
+/// <summary>The cube from −1 to 1, as triangles.</summary>
+internal static class CubeMesh
+{
+    // For each face, what is to the front, and along which directions u and v grow.
+    private static readonly (Vector3 Front, Vector3 U, Vector3 V)[] s_faces =
+    [
+        (new(1, 0, 0), new(0, 1, 0), new(0, 0, -1)), (new(-1, 0, 0), new(0, 1, 0), new(0, 0, 1)),
+        (new(0, 1, 0), new(-1, 0, 0), new(0, 0, -1)), (new(0, -1, 0), new(0, 0, 1), new(1, 0, 0)),
+        (new(0, 0, 1), new(0, 1, 0), new(1, 0, 0)), (new(0, 0, -1), new(0, -1, 0), new(1, 0, 0)),
+    ];
+
+    /// <summary>The cube.</summary>
+    /// <param name="hasUv">True where its corners have uv: on each face from 0 to 1.</param>
+    public static MeshDescription Create(bool hasUv)
+    {
+        List<Vector3> positions = [];
+        List<TriangleIndices> triangles = [];
+        foreach ((Vector3 front, Vector3 u, Vector3 v) in s_faces)
+        {
+            int first = positions.Count;
+            positions.AddRange([front - u - v, front + u - v, front + u + v, front - u + v]);
+            bool isLeftTurn = u.Cross(v).Dot(front) > 0;
+            triangles.AddRange(isLeftTurn
+                ? [new(first, first + 1, first + 2), new(first, first + 2, first + 3)]
+                : [new(first, first + 2, first + 1), new(first, first + 3, first + 2)]);
+        }
+
+        Vector2[] uv = [new(0, 0), new(1, 0), new(1, 1), new(0, 1)];
+        return new() { Positions = positions, Triangles = triangles, Uv = hasUv ? [.. s_faces.SelectMany(_ => uv)] : [] };
     }
 }

@@ -26,7 +26,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <param name="thing">What has it.</param>
     /// <param name="name">Its name there.</param>
     /// <param name="standard">What it is where it is not given.</param>
-    /// <param name="isLight">Whether it is of light, and not of what reflects it.</param>
+    /// <param name="isLight">True where it is of light, and not of what reflects it.</param>
     public TextureDescription Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false) =>
         thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, standard, isLight, isLight ? float.PositiveInfinity : 1));
 
@@ -58,20 +58,18 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <summary>The same colour everywhere.</summary>
     public static TextureDescription Solid(Rgb color) => new SolidTextureDescription { Color = color };
 
-    private TextureDescription Make(MitsubaObject texture)
+    private TextureDescription Make(MitsubaObject texture) => texture.Type switch
     {
-        switch (texture.Type)
-        {
-            case "bitmap":
-                return Bitmap(texture);
-            case "checkerboard":
-                return Checkerboard(texture);
-            case "mesh_attribute":
-                return Attribute(texture);
-            default:
-                reading.Log.Unknown(texture.TypePlace, $"textures of type {Quotation.Of(texture.Type)} are not supported", texture.Type, ["bitmap", "checkerboard", "mesh_attribute"]);
-                return Solid(new(0.5f, 0.5f, 0.5f));
-        }
+        "bitmap" => Bitmap(texture),
+        "checkerboard" => Checkerboard(texture),
+        "mesh_attribute" => Attribute(texture),
+        _ => Unknown(texture),
+    };
+
+    private static TextureDescription Unknown(MitsubaObject texture)
+    {
+        texture.UnknownType("textures", "bitmap", "checkerboard", "mesh_attribute");
+        return Solid(new(0.5f, 0.5f, 0.5f));
     }
 
     private TextureDescription Bitmap(MitsubaObject texture)
@@ -123,4 +121,30 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         };
         return uv.IsStraight ? checker : uv.Place(checker);
     }
+}
+
+/// <summary>An affine map of uv: what a texture's <c>to_uv</c> does before the texture is looked up.</summary>
+/// <param name="First">The row that gives u: factors on u and v, and what is added.</param>
+/// <param name="Second">The row that gives v.</param>
+internal sealed record UvMap(Vector3 First, Vector3 Second)
+{
+    /// <summary>True where nothing is turned.</summary>
+    public bool IsStraight => First.Y == 0 && Second.X == 0;
+
+    /// <summary>Factors on u and v of a map that turns nothing.</summary>
+    public Vector2 Scale => new(First.X, Second.Y);
+
+    /// <summary>The offset.</summary>
+    public Vector2 Offset => new(First.Z, Second.Z);
+
+    /// <summary>A texture's map.</summary>
+    public static UvMap Read(MitsubaObject texture)
+    {
+        Transform map = texture.Transform("to_uv");
+        return new(new((float)map.X.A, (float)map.X.B, (float)map.X.D), new((float)map.Y.A, (float)map.Y.B, (float)map.Y.D));
+    }
+
+    /// <summary>A texture that is looked up at mapped uv.</summary>
+    public TextureDescription Place(TextureDescription texture) =>
+        new PlacedTextureDescription { Texture = texture, Matrix = [First.X, First.Y, First.Z, Second.X, Second.Y, Second.Z] };
 }

@@ -21,15 +21,13 @@ internal static class MitsubaXml
         {
             if (FileSearch.Complaint(path) is { } complaint)
             {
-                log.Error(file, complaint);
-                return null;
+                return log.Fail<MitsubaElement>(file, complaint);
             }
 
             using FileStream stream = File.OpenRead(path);
             if (stream.Length > SceneReader.MaximumBytes)
             {
-                log.Error(file, $"larger than {SceneReader.MaximumBytes >> 20} MiB");
-                return null;
+                return log.Fail<MitsubaElement>(file, $"larger than {SceneReader.MaximumBytes >> 20} MiB");
             }
 
             XmlReaderSettings settings = new()
@@ -70,8 +68,7 @@ internal static class MitsubaXml
                 case XmlNodeType.Element:
                     if (open.Count == MaximumNesting)
                     {
-                        log.Error(Place(reader, path), $"elements are nested more than {MaximumNesting} deep");
-                        return null;
+                        return log.Fail<MitsubaElement>(Place(reader, path), $"elements are nested more than {MaximumNesting} deep");
                     }
 
                     bool isClosed = reader.IsEmptyElement;
@@ -124,4 +121,33 @@ internal static class MitsubaXml
         int end = e.Message.LastIndexOf(" Line ", StringComparison.Ordinal);
         return (end > 0 ? e.Message[..end] : e.Message).TrimEnd('.');
     }
+}
+
+/// <summary>An attribute of an XML element.</summary>
+/// <param name="Value">Its value.</param>
+/// <param name="Place">Where its name begins.</param>
+internal readonly record struct MitsubaAttribute(string Value, SourcePlace Place);
+
+/// <summary>An XML element, and where it stands.</summary>
+/// <param name="name">Its name.</param>
+/// <param name="place">Where its name begins.</param>
+internal sealed class MitsubaElement(string name, SourcePlace place)
+{
+    /// <summary>Its name.</summary>
+    public string Name => name;
+
+    /// <summary>The place of its name.</summary>
+    public SourcePlace Place => place;
+
+    /// <summary>The attributes by their names.</summary>
+    public Dictionary<string, MitsubaAttribute> Attributes { get; } = new(StringComparer.Ordinal);
+
+    /// <summary>The elements within it.</summary>
+    public List<MitsubaElement> Children { get; init; } = [];
+
+    /// <summary>The value of an attribute; null where there is none.</summary>
+    public string? Attribute(string attribute) => Attributes.TryGetValue(attribute, out MitsubaAttribute found) ? found.Value : null;
+
+    /// <summary>The place of an attribute, or of the element where there is none.</summary>
+    public SourcePlace PlaceOf(string attribute) => Attributes.TryGetValue(attribute, out MitsubaAttribute found) ? found.Place : place;
 }

@@ -3,6 +3,7 @@ using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
 using RayTracer.Textures;
+using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
 
@@ -16,10 +17,7 @@ internal static class MeshModel
     /// <exception cref="ModelException">There are no triangles.</exception>
     public static ImportedModel Of(string path, MeshData mesh, IReadOnlyList<string> notes)
     {
-        if (mesh.TriangleCount == 0)
-        {
-            throw new ModelException($"there are no triangles in it ({mesh.Positions.Length} corners)");
-        }
+        Require(mesh.TriangleCount != 0, $"there are no triangles in it ({mesh.Positions.Length} corners)");
 
         MaterialDescription material = mesh.Colors is null ? ShapeDescription.DefaultMaterial : White;
         MeshDescription shape = new() { Name = Path.GetFileNameWithoutExtension(path), Data = mesh, Material = material };
@@ -28,4 +26,19 @@ internal static class MeshModel
 
     /// <summary>The material of meshes with vertex colours.</summary>
     public static MaterialDescription White { get; } = new DiffuseMaterialDescription { Color = new SolidTextureDescription { Color = Rgb.White } };
+}
+
+/// <summary>Colours of vertices: model files hold what is to be seen on a screen, that is, sRGB.</summary>
+internal static class VertexColor
+{
+    /// <summary>Linear light of a value from 0 to 1.</summary>
+    public static float Decode(float encoded) => encoded > 0 ? (float)SrgbCurve.Decode(float.Min(encoded, 1)) : 0;
+
+    /// <summary>Linear light of a number in a PLY file: whole ones are codes from 0 to the type's largest, others go from 0 to 1.</summary>
+    public static float Decode(float number, PlyType type) => type switch
+    {
+        PlyType.Float32 or PlyType.Float64 => Decode(number),
+        PlyType.UInt16 => SrgbCurve.Decode16((ushort)number),
+        _ => SrgbCurve.Decode8((byte)Math.Clamp(number, 0, 255)),
+    };
 }

@@ -28,7 +28,7 @@ internal ref struct ModelText
 
     /// <summary>Begins at the first byte, or behind a byte order mark.</summary>
     /// <param name="text">The file.</param>
-    /// <param name="hasContinuations">Whether a backslash joins lines.</param>
+    /// <param name="hasContinuations">True where a backslash joins lines.</param>
     public ModelText(ReadOnlySpan<byte> text, bool hasContinuations = false)
     {
         _text = text;
@@ -113,13 +113,11 @@ internal ref struct ModelText
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public ReadOnlySpan<byte> Word() => IsAtLineEnd() ? [] : TakeWord();
 
-    /// <summary>Takes all that is left of the line, without blanks around it, and goes to the next line.</summary>
-    public string RestOfLine()
+    /// <summary>All that is left of the line, without blanks around it.</summary>
+    public readonly string RestOfLine()
     {
-        int begin = Position;
-        int end = begin + _text[begin..].IndexOfAny((byte)'\n', (byte)'\r');
-        SkipLine();
-        return Decode(_text[begin..(end < begin ? _text.Length : end)].Trim(" \t"u8));
+        int end = _text[Position..].IndexOfAny((byte)'\n', (byte)'\r');
+        return Decode(_text[Position..(end < 0 ? _text.Length : Position + end)].Trim(" \t"u8));
     }
 
     /// <summary>Reads a number; skips blanks, and line ends if <paramref name="acrossLines"/>.</summary>

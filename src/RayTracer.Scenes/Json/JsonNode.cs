@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace RayTracer.Scenes;
 
 /// <summary>The kinds of JSON values.</summary>
@@ -50,6 +52,9 @@ public sealed class JsonNode
 
     /// <summary>The members of an object in their order, those of doubled keys included; otherwise empty.</summary>
     public IReadOnlyList<JsonMember> Members { get; internal init; } = [];
+
+    /// <summary>The nearest float to a number; null for other values.</summary>
+    public float? Number => Kind == JsonKind.Number ? float.Parse(Text, NumberStyles.Float, CultureInfo.InvariantCulture) : null;
 
     /// <summary>The value of the first member of that key; null where there is none.</summary>
     public JsonNode? Find(string key)

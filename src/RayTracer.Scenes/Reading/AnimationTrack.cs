@@ -6,15 +6,11 @@ namespace RayTracer.Scenes;
 /// <summary>Puts the values that tracks of an animation have at a time into a scene's text.</summary>
 internal static class AnimationTrack
 {
-    /// <summary>Why a property cannot be animated; null where it can.</summary>
-    public static string? Complaint(PropertyPlace place) => place.Parameter?.Kind switch
-    {
-        ParameterKind.Number or ParameterKind.Integer or ParameterKind.Vector2 or ParameterKind.Vector3 or ParameterKind.Color or ParameterKind.Numbers => null,
-        ParameterKind.Texture when place.Node is null or { Kind: JsonKind.Number or JsonKind.Array } => null,
-        ParameterKind.Texture when place.Node is { Kind: JsonKind.String } node && (node.Text.StartsWith('#') || CssColors.Find(node.Text) is not null) => null,
-        ParameterKind.Record => Whole(place),
-        _ => place.Node is { Kind: JsonKind.Object } ? Whole(place) : $"{Quotation.Of(place.Path)} cannot be animated: only numbers, vectors and colours can",
-    };
+    /// <summary>The reason why a property cannot be animated; null where it can.</summary>
+    public static string? Complaint(PropertyPlace place) =>
+        place.Parameter is { } parameter && ParameterForm.Of(parameter).IsNumeric(place.Node) ? null
+        : place.Parameter is { IsRecord: true } || place.Node is { Kind: JsonKind.Object } ? Whole(place)
+        : $"{Quotation.Of(place.Path)} cannot be animated: only numbers, vectors and colours can";
 
     /// <summary>A scene as it is at a time.</summary>
     /// <param name="root">The scene, whose tracks were found to be without fault.</param>
@@ -36,10 +32,10 @@ internal static class AnimationTrack
     /// <summary>Numbers as they would be written for a property. What is wrong with them is said of a place in the file.</summary>
     public static JsonNode Node(PropertyPlace property, double[] numbers, JsonNode place)
     {
-        bool isWhole = property.Parameter!.Kind == ParameterKind.Integer;
+        RecordParameter parameter = property.Parameter!;
         JsonNode[] items = [.. numbers.Select(n =>
-            new JsonNode(JsonKind.Number, place.Start, place.End, (isWhole ? double.Round(n) : n).ToString("R", CultureInfo.InvariantCulture)))];
-        bool isSingle = property.IsElement || property.Parameter.Kind is ParameterKind.Number or ParameterKind.Integer || (property.Parameter is { Kind: ParameterKind.Texture, IsNumber: true } && numbers.Length == 1);
+            new JsonNode(JsonKind.Number, place.Start, place.End, (parameter.IsInteger ? double.Round(n) : n).ToString("R", CultureInfo.InvariantCulture)))];
+        bool isSingle = property.IsElement || parameter.ValueType.IsPrimitive || (parameter is { Family: not null, IsNumber: true } && numbers.Length == 1);
         return isSingle && items.Length == 1 ? items[0] : new(JsonKind.Array, place.Start, place.End) { Items = items };
     }
 

@@ -5,7 +5,7 @@ namespace RayTracer.Scenes;
 /// <summary>Says why a file cannot be opened.</summary>
 internal static class FileSearch
 {
-    /// <summary>Why there is no file at a path, with the most similar name beside it; null where there is one.</summary>
+    /// <summary>The reason why there is no file at a path, with the most similar name beside it; null where there is one.</summary>
     /// <param name="path">The file's path.</param>
     public static string? Complaint(string path)
     {

@@ -48,7 +48,7 @@ internal sealed class PropertyPath
 
     /// <summary>A key or name as it is written in a path.</summary>
     /// <param name="word">The key or name.</param>
-    /// <param name="isFirst">Whether the path begins with it.</param>
+    /// <param name="isFirst">True where the path begins with it.</param>
     public static string Word(string word, bool isFirst) =>
         word.Length == 0 || word.AsSpan().ContainsAny(Signs) || word.All(char.IsAsciiDigit) ? $"[\"{word}\"]" : isFirst ? word : $".{word}";
 
@@ -84,3 +84,10 @@ internal sealed class PropertyPath
 
     private string Expected(int at, string what) => $"expected {what} at column {at + 1}, but found {(at < _text.Length ? Quotation.Of(_text[at..(at + 1)]) : "the end")}";
 }
+
+/// <summary>One step of a <see cref="PropertyPath"/>.</summary>
+/// <param name="Key">The key or name; the digits of a number.</param>
+/// <param name="Index">The number of an element in brackets, from 0; null for a key or name.</param>
+/// <param name="Start">Where it begins in the path's text.</param>
+/// <param name="End">Where it ends.</param>
+internal readonly record struct PathStep(string Key, int? Index, int Start, int End);

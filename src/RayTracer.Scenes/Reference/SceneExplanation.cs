@@ -109,12 +109,11 @@ public static partial class SceneExplanation
             : $"there is no {Quotation.Of(word)} in {Quotation.Of(before)}{(Spelling.DidYouMean(word, known) is { Length: > 0 } hint ? hint : $": there are {string.Join(", ", known)}")}");
     }
 
-    private static ExplainedPlace Place(string path, RecordParameter parameter) => new(path, parameter, Within(parameter),
-        parameter.HasNames || parameter.Kind is ParameterKind.Shapes or ParameterKind.Materials or ParameterKind.Records);
+    private static ExplainedPlace Place(string path, RecordParameter parameter) => new(path, parameter, Within(parameter), parameter.HoldsRecords);
 
     // The same parameter of several types once, under all of their names.
     private static IEnumerable<ExplainedPlace> Merged(IEnumerable<ExplainedPlace> places) => places
-        .GroupBy(p => p.Parameter is { } q ? (q.Summary, q.Unit, q.Range, SceneReference.Form(q), SceneReference.Default(q)) : (p.Path, "", "", "", ""))
+        .GroupBy(p => p.Parameter is { } q ? (q.Summary, q.Unit, q.Range, ParameterForm.Of(q).Words(q), SceneReference.Default(q)) : (p.Path, "", "", "", ""))
         .Select(g => g.First() with { Path = string.Join(", ", g.Select(p => p.Path).Distinct(StringComparer.Ordinal)) });
 
     private static IReadOnlyList<RecordType> Within(RecordParameter parameter) =>
@@ -153,7 +152,7 @@ public static partial class SceneExplanation
         text.Append($"  {Plain(parameter.Summary)}\n");
         foreach ((string name, string value) in new[]
         {
-            ("value", Plain(SceneReference.Form(parameter))), ("unit", parameter.Unit), ("range", parameter.Range), ("default", Plain(SceneReference.Default(parameter))),
+            ("value", Plain(ParameterForm.Of(parameter).Words(parameter))), ("unit", parameter.Unit), ("range", parameter.Range), ("default", Plain(SceneReference.Default(parameter))),
         }.Where(p => p.Item2.Length > 0))
         {
             text.Append($"  {name,-8} {value}\n");
@@ -181,3 +180,10 @@ public static partial class SceneExplanation
     [GeneratedRegex(@"\[[0-9]*\]", RegexOptions.None, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Elements();
 }
+
+/// <summary>A place in scene files, as <see cref="SceneExplanation"/> finds it.</summary>
+/// <param name="Path">How it is written.</param>
+/// <param name="Parameter">The parameter that stands there; null where it is a type.</param>
+/// <param name="Types">The types of things that may stand there, or in its elements.</param>
+/// <param name="HasNames">True where a name or number comes before their keys.</param>
+internal sealed record ExplainedPlace(string Path, RecordParameter? Parameter, IReadOnlyList<RecordType> Types, bool HasNames);

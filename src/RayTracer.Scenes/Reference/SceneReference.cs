@@ -93,42 +93,11 @@ public static class SceneReference
         page.Append("| parameter | type | unit | range | default | meaning |\n|---|---|---|---|---|---|\n");
         foreach (RecordParameter parameter in type.Parameters)
         {
-            page.Append($"| `{parameter.Key}` | {Form(parameter)} | {parameter.Unit} | {parameter.Range} | {Default(parameter)} | {parameter.Summary} |\n");
+            page.Append($"| `{parameter.Key}` | {ParameterForm.Of(parameter).Words(parameter)} | {parameter.Unit} | {parameter.Range} | {Default(parameter)} | {parameter.Summary} |\n");
         }
 
         page.Append('\n');
     }
-
-    internal static string Form(RecordParameter parameter) => parameter.Kind switch
-    {
-        ParameterKind.Number => "number",
-        ParameterKind.Integer => "whole number",
-        ParameterKind.Boolean => "`true` or `false`",
-        ParameterKind.Text => "text",
-        ParameterKind.File => "path",
-        ParameterKind.Choice => string.Join(", ", parameter.Choices.Select(c => $"`\"{c}\"`")),
-        ParameterKind.Vector2 => "[number, number]",
-        ParameterKind.Vector3 => "[number, number, number]",
-        ParameterKind.Color => "colour",
-        ParameterKind.Texture when parameter.IsNumber => "number or [texture](#textures)",
-        ParameterKind.Texture => "[texture](#textures)",
-        ParameterKind.Material => "[material](#materials)",
-        ParameterKind.Materials => "list of [materials](#materials)",
-        ParameterKind.Shape => "[shape](#shapes)",
-        ParameterKind.Shapes => "list of [shapes](#shapes)",
-        ParameterKind.Environment => "[environment](#environments)",
-        ParameterKind.Records => $"list of [{RecordType.Of(parameter.RecordType!).Name}s](#{RecordType.Of(parameter.RecordType!).Name})",
-        ParameterKind.Numbers when parameter.IsNumber => "number, list of numbers, or colour",
-        ParameterKind.Numbers => "list of numbers",
-        ParameterKind.Integers => "list of whole numbers",
-        ParameterKind.Vector2s => "list of [number, number]",
-        ParameterKind.Vector3s => "list of [number, number, number]",
-        ParameterKind.Triangles => "list of three whole numbers",
-        ParameterKind.NamedShapes => "object: names and [shapes](#shapes)",
-        ParameterKind.NamedTextures => "object: names and [textures](#textures)",
-        ParameterKind.NamedMaterials => "object: names and [materials](#materials)",
-        _ => $"[{RecordType.Of(parameter.ValueType).Name}](#{RecordType.Of(parameter.ValueType).Name})",
-    };
 
     internal static string Default(RecordParameter parameter)
     {
@@ -140,8 +109,8 @@ public static class SceneReference
         return parameter.Default switch
         {
             null or "" or System.Collections.ICollection => "none",
-            _ when parameter.Kind == ParameterKind.Record => "all defaults",
-            { } value => $"`{SceneWriter.WriteValue(value)}`",
+            _ when parameter.IsRecord => "all defaults",
+            { } value => $"`{SceneWriter.WriteValue(parameter, value)}`",
         };
     }
 

@@ -15,9 +15,16 @@ public static class SceneSchema
     /// <summary>The schema (draft 2020-12), made from the description records.</summary>
     public static string Generate()
     {
-        JsonObject definitions = new() { ["color"] = Color(), ["texture"] = Texture(), ["material"] = Material(), ["shape"] = OneOf(SceneTypes.Shapes), ["environment"] = OneOf(SceneTypes.Environments) };
+        JsonObject definitions = new()
+        {
+            ["color"] = Color(),
+            ["texture"] = Texture(),
+            ["material"] = Material(),
+            ["shape"] = OneOf(SceneTypes.Shapes),
+            ["environment"] = OneOf(SceneTypes.Environments),
+        };
         foreach (RecordType listed in SceneTypes.Families.SelectMany(f => f.Types).Concat(SceneTypes.Parts)
-            .SelectMany(t => t.Parameters).Where(p => p.Kind == ParameterKind.Records).Select(p => RecordType.Of(p.RecordType!)).Distinct())
+            .SelectMany(t => t.Parameters).Where(p => p is { IsList: true, RecordType: not null }).Select(p => RecordType.Of(p.RecordType!)).Distinct())
         {
             definitions[listed.Name] = Record(listed);
         }
@@ -49,7 +56,7 @@ public static class SceneSchema
 
     private static string Name(TypeFamily family, RecordType type) => $"{family.Noun}.{type.Name}";
 
-    private static JsonObject Reference(string definition) => new() { ["$ref"] = $"#/$defs/{definition}" };
+    internal static JsonObject Reference(string definition) => new() { ["$ref"] = $"#/$defs/{definition}" };
 
     private static JsonObject OneOf(TypeFamily family) =>
         new() { ["type"] = "object", ["required"] = new JsonArray("type"), ["oneOf"] = new JsonArray([.. family.Types.Select(t => Reference(Name(family, t)))]) };
@@ -76,7 +83,7 @@ public static class SceneSchema
         ["anyOf"] = new JsonArray(new JsonObject { ["type"] = "string" }, OneOf(SceneTypes.Materials)),
     };
 
-    private static JsonObject Record(RecordType type)
+    internal static JsonObject Record(RecordType type)
     {
         JsonObject properties = [];
         JsonArray required = [];
@@ -106,53 +113,28 @@ public static class SceneSchema
     private static JsonObject Parameter(RecordParameter parameter)
     {
         JsonObject json = new() { ["description"] = parameter.Summary + (parameter.Unit.Length > 0 ? $" Unit: {parameter.Unit}." : "") };
-        foreach ((string key, Json? value) in Form(parameter).ToArray())
+        foreach ((string key, Json? value) in ParameterForm.Of(parameter).Schema(parameter).ToArray())
         {
             json[key] = value?.DeepClone();
         }
 
         if (!parameter.Required && parameter.Default is { } standard && standard is not System.Collections.ICollection)
         {
-            json["default"] = Json.Parse(SceneWriter.WriteValue(standard));
+            json["default"] = Json.Parse(SceneWriter.WriteValue(parameter, standard));
         }
 
         return json;
     }
 
-    private static JsonObject Form(RecordParameter parameter) => parameter.Kind switch
-    {
-        ParameterKind.Number => Number("number", parameter),
-        ParameterKind.Integer => Number("integer", parameter),
-        ParameterKind.Boolean => new() { ["type"] = "boolean" },
-        ParameterKind.Text => new() { ["type"] = "string" },
-        ParameterKind.File => new() { ["type"] = "string", ["minLength"] = 1 },
-        ParameterKind.Choice => new() { ["enum"] = new JsonArray([.. parameter.Choices.Select(c => (Json?)c)]) },
-        ParameterKind.Vector2 => Numbers(2, Number("number", parameter)),
-        ParameterKind.Vector3 => Numbers(3, Number("number", parameter)),
-        ParameterKind.Color => Reference("color"),
-        ParameterKind.Texture when parameter.IsNumber => new() { ["anyOf"] = new JsonArray(Number("number", parameter), Reference("texture")) },
-        ParameterKind.Texture => Reference("texture"),
-        ParameterKind.Material => Reference("material"),
-        ParameterKind.Materials => List(Reference("material")),
-        ParameterKind.Shape => new() { ["anyOf"] = new JsonArray(new JsonObject { ["type"] = "string" }, Reference("shape")) },
-        ParameterKind.Shapes => List(Reference("shape")),
-        ParameterKind.Environment => Reference("environment"),
-        ParameterKind.Records => List(Reference(RecordType.Of(parameter.RecordType!).Name)),
-        ParameterKind.Numbers when parameter.IsNumber => new() { ["anyOf"] = new JsonArray(Number("number", parameter), List(Number("number", parameter)), Reference("color")) },
-        ParameterKind.Numbers => List(Number("number", parameter)),
-        ParameterKind.Integers => List(new() { ["type"] = "integer" }),
-        ParameterKind.Vector2s => List(Numbers(2, Number("number", parameter))),
-        ParameterKind.Vector3s => List(Numbers(3, Number("number", parameter))),
-        ParameterKind.Triangles => List(new() { ["type"] = "array", ["items"] = new JsonObject { ["type"] = "integer" }, ["minItems"] = 3, ["maxItems"] = 3 }),
-        ParameterKind.NamedShapes => new() { ["type"] = "object", ["additionalProperties"] = new JsonObject { ["anyOf"] = new JsonArray(new JsonObject { ["type"] = "string" }, Reference("shape")) } },
-        ParameterKind.NamedTextures => new() { ["type"] = "object", ["additionalProperties"] = Reference("texture") },
-        ParameterKind.NamedMaterials => new() { ["type"] = "object", ["additionalProperties"] = Reference("material") },
-        _ => Record(RecordType.Of(parameter.ValueType)),
-    };
+    // A shape's name is that of an object; those of others are in their definitions.
+    internal static JsonObject Thing(TypeFamily family) =>
+        family == SceneTypes.Shapes ? AnyOf(new() { ["type"] = "string" }, Reference(family.Noun)) : Reference(family.Noun);
 
-    private static JsonObject List(JsonObject item) => new() { ["type"] = "array", ["items"] = item };
+    internal static JsonObject AnyOf(params JsonObject[] forms) => new() { ["anyOf"] = new JsonArray([.. forms]) };
 
-    private static JsonObject Number(string type, RecordParameter parameter)
+    internal static JsonObject List(JsonObject item) => new() { ["type"] = "array", ["items"] = item };
+
+    internal static JsonObject Number(string type, RecordParameter parameter)
     {
         JsonObject number = new() { ["type"] = type };
         if (double.IsFinite(parameter.Minimum))
@@ -168,7 +150,7 @@ public static class SceneSchema
         return number;
     }
 
-    private static JsonObject Numbers(int count, JsonObject item)
+    internal static JsonObject Numbers(int count, JsonObject item)
     {
         item["type"] = "number";
         return new() { ["type"] = "array", ["items"] = item, ["minItems"] = count, ["maxItems"] = count };

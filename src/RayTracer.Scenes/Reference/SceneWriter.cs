@@ -1,9 +1,5 @@
-using System.Numerics;
-using System.Text.Json;
 using System.Text.Json.Nodes;
 using RayTracer.Description;
-using RayTracer.Numerics;
-using RayTracer.Shapes;
 using RayTracer.Textures;
 using Json = System.Text.Json.Nodes.JsonNode;
 
@@ -35,8 +31,27 @@ public sealed class SceneWriter
     }
 
     /// <summary>One value as a scene file would have it on one line, for pages and messages.</summary>
-    /// <param name="value">A value of any kind of parameter.</param>
-    public static string WriteValue(object value) => JsonLayout.OneLine(new SceneWriter().Value(value));
+    /// <param name="parameter">The parameter.</param>
+    /// <param name="value">A value of it.</param>
+    public static string WriteValue(RecordParameter parameter, object value) => JsonLayout.OneLine(ParameterForm.Of(parameter).Write(new SceneWriter(), value));
+
+    /// <summary>Returns a number as JSON.</summary>
+    /// <exception cref="ArgumentException">It is not finite.</exception>
+    public static Json Number(float number) =>
+        float.IsFinite(number) ? JsonValue.Create(number) : throw new ArgumentException($"JSON has no number {number}.", nameof(number));
+
+    internal string FileName(string name) => _file?.Invoke(name) ?? name;
+
+    // A named thing is written as its name.
+    internal Json? Thing(object thing) => _names.TryGetValue(thing, out string? name) ? name : Inline(thing);
+
+    internal Json? Inline(object thing) => thing is SolidTextureDescription solid ? ParameterForm.Of(SceneTypes.SolidColor).Write(this, solid.Color)
+        : Record(thing, RecordType.Of(thing.GetType()));
+
+    // The first name of a thing is its definition; others refer to it.
+    internal JsonObject Named<T>(IReadOnlyDictionary<string, T> things)
+        where T : class =>
+        new(things.Select(t => KeyValuePair.Create(t.Key, _names[t.Value] == t.Key ? Inline(t.Value) : _names[t.Value])));
 
     private JsonObject Record(object record, RecordType type)
     {
@@ -51,7 +66,7 @@ public sealed class SceneWriter
             object? value = parameter.Get(record);
             if (value is not null && (parameter.Required || !IsDefault(value, parameter.Default)))
             {
-                json[parameter.Key] = _file is not null && parameter.Kind == ParameterKind.File && value is string name ? _file(name) : Value(value);
+                json[parameter.Key] = ParameterForm.Of(parameter).Write(this, value);
             }
         }
 
@@ -63,43 +78,4 @@ public sealed class SceneWriter
         System.Collections.ICollection things => things.Count == 0,
         _ => value.Equals(standard) && !_names.ContainsKey(value),
     };
-
-    private Json? Value(object value) => value switch
-    {
-        float number => Number(number),
-        int number => number,
-        long number => number,
-        bool flag => flag,
-        string text => text,
-        Enum or NamedValue => NamedValues.NameOf(value),
-        Vector2 v => new JsonArray(Number(v.X), Number(v.Y)),
-        Vector3 v => new JsonArray(Number(v.X), Number(v.Y), Number(v.Z)),
-        Rgb c => new JsonArray(Number(c.R), Number(c.G), Number(c.B)),
-        IReadOnlyDictionary<string, TextureDescription> textures => Named(textures),
-        IReadOnlyDictionary<string, MaterialDescription> materials => Named(materials),
-        IReadOnlyDictionary<string, ShapeDescription> objects => Named(objects),
-        IEnumerable<float> numbers => new JsonArray([.. numbers.Select(n => Number(n))]),
-        IEnumerable<int> numbers => new JsonArray([.. numbers.Select(n => (Json?)n)]),
-        IEnumerable<Vector2> vectors => new JsonArray([.. vectors.Select(v => Value(v))]),
-        IEnumerable<Vector3> vectors => new JsonArray([.. vectors.Select(v => Value(v))]),
-        IEnumerable<TriangleIndices> triangles => new JsonArray([.. triangles.Select(t => new JsonArray(t.A, t.B, t.C))]),
-        IEnumerable<MaterialDescription> materials => new JsonArray([.. materials.Select(Value)]),
-        IEnumerable<TransformDescription> steps => new JsonArray([.. steps.Select(s => Inline(s))]),
-        IEnumerable<KeyframeDescription> frames => new JsonArray([.. frames.Select(f => Inline(f))]),
-        IEnumerable<TrackDescription> tracks => new JsonArray([.. tracks.Select(t => Inline(t))]),
-        IEnumerable<KeyDescription> keys => new JsonArray([.. keys.Select(k => Inline(k))]),
-        IEnumerable<ShapeDescription> shapes => new JsonArray([.. shapes.Select(s => Inline(s))]),
-        _ => _names.TryGetValue(value, out string? name) ? name : Inline(value),
-    };
-
-    // The first name of a thing is its definition; others refer to it.
-    private JsonObject Named<T>(IReadOnlyDictionary<string, T> things)
-        where T : class =>
-        new(things.Select(t => KeyValuePair.Create(t.Key, _names[t.Value] == t.Key ? Inline(t.Value) : (Json?)_names[t.Value])));
-
-    private Json Inline(object thing) =>
-        thing is SolidTextureDescription solid ? Value(solid.Color)! : Record(thing, RecordType.Of(thing.GetType()));
-
-    private static JsonValue Number(float number) =>
-        float.IsFinite(number) ? JsonValue.Create(number) : throw new ArgumentException($"JSON has no number {number}.", nameof(number));
 }

@@ -18,6 +18,22 @@ public sealed class DocumentException : Exception
     {
     }
 
-    /// <summary>What the user may do about it by repeating the command.</summary>
+    /// <summary>The conflict that the user may overrule by repeating the command.</summary>
     public DocumentConflict Conflict { get; init; }
+}
+
+/// <summary>The conflicts that stop a command unless the user repeats it.</summary>
+public enum DocumentConflict
+{
+    /// <summary>Nothing that could be overruled.</summary>
+    None,
+
+    /// <summary>There are changes that were not saved.</summary>
+    Unsaved,
+
+    /// <summary>There is a file of that name already.</summary>
+    Exists,
+
+    /// <summary>Somebody else has changed the file since it was opened or saved here.</summary>
+    ChangedOnDisk,
 }

@@ -20,7 +20,7 @@ public sealed class DocumentSession : IDisposable
     /// <summary>The document.</summary>
     public SceneDocument Document { get; }
 
-    /// <summary>What is selected in it.</summary>
+    /// <summary>The selection.</summary>
     public Selection Selection { get; }
 
     /// <summary>Opens and saves it.</summary>

@@ -17,7 +17,7 @@ internal sealed class FileCache
     private readonly Dictionary<(string Path, string How), Entry> _entries = [];
     private int _build;
 
-    /// <summary>How many files have been read.</summary>
+    /// <summary>The number of files read.</summary>
     public int Reads { get; private set; }
 
     public Picture ReadPicture(string path, bool raw) => Get(path, raw ? "raw" : "picture", () => ImageFile.Read(path, raw));
@@ -59,5 +59,18 @@ internal sealed class FileCache
         public FileStamp Stamp => stamp;
 
         public int LastUse { get; set; }
+    }
+}
+
+/// <summary>The length and time of a file, which show whether it is still the one that was read.</summary>
+/// <param name="Length">Its length in bytes.</param>
+/// <param name="Written">When it was written.</param>
+public readonly record struct FileStamp(long Length, DateTime Written)
+{
+    /// <summary>The stamp of a file; of none where it does not exist.</summary>
+    public static FileStamp Of(string path)
+    {
+        FileInfo file = new(path);
+        return file.Exists ? new(file.Length, file.LastWriteTimeUtc) : default;
     }
 }

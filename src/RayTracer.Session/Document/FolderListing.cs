@@ -1,6 +1,6 @@
 namespace RayTracer.Session;
 
-/// <summary>What a dialog shows of a folder.</summary>
+/// <summary>The contents of a folder, for a dialog.</summary>
 /// <param name="Path">The folder's whole path.</param>
 /// <param name="Parent">The folder that it is in; null where there is none.</param>
 /// <param name="Folders">The names of the folders within, without hidden ones.</param>
@@ -31,3 +31,9 @@ public sealed record FolderListing(string Path, string? Parent, IReadOnlyList<st
         }
     }
 }
+
+/// <summary>A file in a dialog.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="Size">Its length in bytes.</param>
+/// <param name="Time">When it was written.</param>
+public sealed record ListedFile(string Name, long Size, DateTime Time);

@@ -170,7 +170,7 @@ public sealed class Gallery : IDisposable
         return words.Length == 0 ? name : char.ToUpperInvariant(words[0]) + words[1..];
     }
 
-    // What the comment at the head says, before it tells what to look at or to try.
+    // What the comment at the head says, before it says what to look at or to try.
     private static string Summary(string path)
     {
         StringBuilder summary = new();
@@ -186,5 +186,37 @@ public sealed class Gallery : IDisposable
         }
 
         return summary.ToString();
+    }
+}
+
+/// <summary>Shipped scenes that belong together.</summary>
+/// <param name="Title">What they are.</param>
+/// <param name="Items">The scenes.</param>
+public sealed record GalleryGroup(string Title, IReadOnlyList<GalleryItem> Items);
+
+/// <summary>A shipped scene.</summary>
+/// <param name="Id">How it is asked for.</param>
+/// <param name="Name">What it is called.</param>
+/// <param name="Summary">What it shows, from the comment at its head.</param>
+public sealed record GalleryItem(string Id, string Name, string Summary);
+
+/// <summary>Finds the folder of the scenes that come with the program.</summary>
+public static class ScenesFolder
+{
+    // What no other folder of that name has.
+    private const string Mark = "raytracer.schema.json";
+
+    /// <summary>The folder "scenes" beside or above the program, or else the current folder; null where there is none.</summary>
+    public static string? Find() => new[] { AppContext.BaseDirectory, Environment.CurrentDirectory }
+        .SelectMany(Upwards)
+        .Select(f => Path.Combine(f, "scenes"))
+        .FirstOrDefault(f => File.Exists(Path.Combine(f, Mark)));
+
+    private static IEnumerable<string> Upwards(string folder)
+    {
+        for (DirectoryInfo? at = new(folder); at is not null; at = at.Parent)
+        {
+            yield return at.FullName;
+        }
     }
 }

@@ -2,7 +2,7 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
-/// <summary>What stands between the values of a JSON text: white space, comments, commas. Only for texts that have been parsed.</summary>
+/// <summary>The trivia between the values of a JSON text: white space, comments, commas. Only for texts that have been parsed.</summary>
 internal static class JsonTrivia
 {
     /// <summary>The next offset at which there is neither white space nor a comment.</summary>
@@ -23,7 +23,7 @@ internal static class JsonTrivia
         return at < text.Length && text[at] == ',' ? at : -1;
     }
 
-    /// <summary>Where the line would end but for white space and comments that end with it: behind them; the offset itself where anything else follows.</summary>
+    /// <summary>The offset behind white space and comments that end with the line; the given offset where anything else follows.</summary>
     public static int BehindComments(string text, int at)
     {
         int end = at;
@@ -70,7 +70,7 @@ internal static class JsonTrivia
         return text[start..end];
     }
 
-    /// <summary>What each level is indented by: as the first member is that stands on a line of its own.</summary>
+    /// <summary>The indentation of one level: that of the first member on a separate line.</summary>
     public static string IndentUnit(JsonText text)
     {
         foreach (JsonMember member in text.Root.Members)

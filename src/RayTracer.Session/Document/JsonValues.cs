@@ -1,5 +1,6 @@
 using System.Numerics;
 using System.Text.Json.Nodes;
+using RayTracer.Description;
 using RayTracer.Scenes;
 using Json = System.Text.Json.Nodes.JsonNode;
 using JsonNode = RayTracer.Scenes.JsonNode;
@@ -32,16 +33,16 @@ public static class JsonValues
     }
 
     /// <summary>A value of a description record; null for what may be missing.</summary>
-    public static Json? Of(object? value) => value is null ? null : Json.Parse(SceneWriter.WriteValue(value));
+    public static Json? Of(RecordParameter parameter, object? value) => value is null ? null : Json.Parse(SceneWriter.WriteValue(parameter, value));
 
     /// <summary>A value of a description record whose numbers were computed: they are freed of the last digits that rounding left.</summary>
     /// <exception cref="DocumentException">One is too large.</exception>
-    public static Json? Rounded(object? value) => value switch
+    public static Json? Rounded(RecordParameter parameter, object? value) => value switch
     {
         float number => Number(number),
         Vector2 v => new JsonArray(Number(v.X), Number(v.Y)),
         Vector3 v => Vector(v),
-        _ => Of(value),
+        _ => Of(parameter, value),
     };
 
     /// <summary>A number, freed of the last digits that rounding left.</summary>

@@ -56,13 +56,13 @@ internal static class NewThing
         foreach (RecordParameter parameter in type.Parameters)
         {
             bool isShown = parameter.Required || parameter.Key is "color" or "even" or "odd" or "refractiveIndex" or "exponent" or "scale";
-            if (parameter is { Required: true, Kind: ParameterKind.File })
+            if (parameter is { Required: true, IsFile: true })
             {
                 thing[parameter.Key] = file ?? throw new DocumentException($"a {type.Name} needs a file");
             }
             else if (isShown && parameter.Get(record) is { } value)
             {
-                thing[parameter.Key] = JsonValues.Of(value);
+                thing[parameter.Key] = JsonValues.Of(parameter, value);
             }
         }
 
@@ -85,7 +85,7 @@ internal static class NewThing
             object? value = parameter.Get(shape);
             if (parameter.Required && value is null or "")
             {
-                json[parameter.Key] = parameter.Kind == ParameterKind.File ? throw new DocumentException("open or drop the model's file to add it")
+                json[parameter.Key] = parameter.IsFile ? throw new DocumentException("open or drop the model's file to add it")
                     : objectName ?? throw new DocumentException("an instance shows one of the scene's objects, and there are none");
             }
             else if (value is IReadOnlyList<ShapeDescription> shapes)
@@ -95,7 +95,7 @@ internal static class NewThing
             else if (value is not System.Collections.ICollection { Count: 0 }
                 && (parameter.Required || !Equals(value, parameter.Default) || (parameter.Unit == "scene units" && value is > 0f)))
             {
-                json[parameter.Key] = JsonValues.Rounded(value);
+                json[parameter.Key] = JsonValues.Rounded(parameter, value);
             }
         }
 

@@ -8,7 +8,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
-/// <summary>What a scene consists of, as a tree to choose from.</summary>
+/// <summary>The things of a scene, as a tree to choose from.</summary>
 /// <param name="Revision">The revision of the text that it is of.</param>
 /// <param name="Camera">The camera.</param>
 /// <param name="Render">Size, samples and depths.</param>
@@ -67,7 +67,7 @@ public sealed record Outline(
         {
             string type = shape.Type?.Name ?? "shape";
             counts[type] = counts.GetValueOrDefault(type) + 1;
-            bool isNamed = list.Parameter!.Kind == ParameterKind.NamedShapes;
+            bool isNamed = list.Parameter!.HasNames;
             string name = isNamed ? shape.Key : shape.Node?.Find("name") is { Kind: JsonKind.String, Text.Length: > 0 } given ? given.Text : $"{type} {counts[type]}";
             nodes.Add(Shape(root, shape, name, type));
         }
@@ -96,7 +96,7 @@ public sealed record Outline(
         return new(definition.Pointer, definition.Key, type, summary, type == "luminaire", MainColor(root, thing), []);
     }
 
-    // What a thing mainly looks like; null for glass, pictures, and what cannot be told.
+    // What a thing mainly looks like; null for glass, pictures, and what has no known colour.
     private static string? MainColor(JsonNode root, SceneValue thing, int nesting = 0)
     {
         if (nesting > 16 || thing.Node is null)
@@ -127,8 +127,36 @@ public sealed record Outline(
     private static Rgb? ColorOf(SceneValue value) => value.Node switch
     {
         { Kind: JsonKind.String } name => CssColors.Find(name.Text) ?? CssColors.FromHex(name.Text),
-        { Kind: JsonKind.Array, Items.Count: 3 } node when node.Items.All(i => i.Kind == JsonKind.Number) =>
-            new(SceneValue.ToFloat(node.Items[0]), SceneValue.ToFloat(node.Items[1]), SceneValue.ToFloat(node.Items[2])),
+        { Kind: JsonKind.Array, Items: [{ Number: { } r }, { Number: { } g }, { Number: { } b }] } => new(r, g, b),
+        _ => null,
+    };
+}
+
+/// <summary>A thing in the outline of a scene.</summary>
+/// <param name="Pointer">Where it stands.</param>
+/// <param name="Name">What it is called.</param>
+/// <param name="Type">Its type in scene files.</param>
+/// <param name="Summary">A few words about it.</param>
+/// <param name="IsLight">Whether it shines.</param>
+/// <param name="Color">Its main colour as #rrggbb (sRGB); null where it has none.</param>
+/// <param name="Children">What it consists of.</param>
+public sealed record OutlineNode(string Pointer, string Name, string Type, string Summary, bool IsLight, string? Color, IReadOnlyList<OutlineNode> Children);
+
+/// <summary>The places where a scene's text refers to a material, texture or object by its name.</summary>
+internal static class SceneReferences
+{
+    /// <summary>All references to a definition.</summary>
+    public static IEnumerable<SceneValue> To(JsonNode root, TypeFamily family, string name) => All(root).Where(v => v.Family == family && v.Reference == name);
+
+    /// <summary>All references.</summary>
+    public static IEnumerable<SceneValue> All(JsonNode root) => SceneValue.Scene(root).WithInner().Where(v => v.Reference is not null);
+
+    /// <summary>The family of what is defined at a pointer, such as <c>/materials/glass</c>; null where it is no definition.</summary>
+    public static TypeFamily? DefinedAt(string pointer) => JsonPointer.Parse(pointer) switch
+    {
+        ["materials", _] => SceneTypes.Materials,
+        ["textures", _] => SceneTypes.Textures,
+        ["objects", _] => SceneTypes.Shapes,
         _ => null,
     };
 }

@@ -4,7 +4,7 @@ using Json = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Session;
 
-/// <summary>What a property panel shows of a place in a scene.</summary>
+/// <summary>The values that a property panel shows of a place in a scene.</summary>
 /// <param name="Pointer">The place.</param>
 /// <param name="Type">The record's name in scene files; null where it is none.</param>
 /// <param name="Family">shape, material or texture; null where it is none.</param>
@@ -14,7 +14,7 @@ namespace RayTracer.Session;
 /// <param name="To">Offset behind it.</param>
 public sealed record PropertyValues(string Pointer, string? Type, string? Family, Json? Value, IReadOnlyDictionary<string, Json?> Effective, int From, int To)
 {
-    /// <summary>What stands at a place, or would if something were written there.</summary>
+    /// <summary>Returns the values at a place, written or not.</summary>
     /// <exception cref="DocumentException">A scene has no such place.</exception>
     public static PropertyValues At(JsonNode root, string pointer)
     {
@@ -28,7 +28,7 @@ public sealed record PropertyValues(string Pointer, string? Type, string? Family
         Dictionary<string, Json?> effective = new(StringComparer.Ordinal);
         foreach (RecordParameter parameter in place?.Type?.Parameters ?? [])
         {
-            effective[parameter.Key] = node?.Find(parameter.Key) is { } written ? JsonValues.Of(written) : JsonValues.Of(parameter.Default);
+            effective[parameter.Key] = node?.Find(parameter.Key) is { } written ? JsonValues.Of(written) : JsonValues.Of(parameter, parameter.Default);
         }
 
         return new(pointer, place?.Type?.Name, place?.Family?.Noun, node is null ? null : JsonValues.Of(node), effective, node?.Start ?? -1, node?.End ?? -1);

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace RayTracer.Session;
 
-/// <summary>What a user opened or saved lately, newest first: one list for all Studios of the user.</summary>
+/// <summary>The files that a user opened or saved last, newest first: one list for all Studios of the user.</summary>
 /// <param name="folders">Where the list is kept.</param>
 public sealed class RecentFiles(UserFolders folders)
 {

@@ -34,7 +34,7 @@ public sealed class Recovery : IDisposable
         _document.Changed += Watch;
     }
 
-    /// <summary>What is offered has changed.</summary>
+    /// <summary>Raised when other texts are offered.</summary>
     public event Action? Changed;
 
     /// <summary>The texts of sessions that have ended without saving them, newest first.</summary>
@@ -125,7 +125,7 @@ public sealed class Recovery : IDisposable
 
     /// <summary>Reads a text that was kept.</summary>
     /// <exception cref="DocumentException">There is no such text.</exception>
-    internal RecoveredText Take(string id)
+    internal RecoveredText Claim(string id)
     {
         using (Hold(id))
         {
@@ -225,3 +225,18 @@ public sealed class Recovery : IDisposable
         return [.. found.OrderByDescending(e => e.Time)];
     }
 }
+
+/// <summary>A text that was not saved.</summary>
+/// <param name="Name">What the document was called.</param>
+/// <param name="Path">Its file; null where it had none.</param>
+/// <param name="Folder">The folder from which the files that it names are looked for.</param>
+/// <param name="LineEnd">What ends a line of its file.</param>
+/// <param name="Time">When it was kept.</param>
+/// <param name="Text">The text.</param>
+public sealed record RecoveredText(string Name, string? Path, string Folder, string LineEnd, DateTime Time, string Text);
+
+/// <summary>A text that was not saved when a session ended.</summary>
+/// <param name="Id">How it is asked for.</param>
+/// <param name="Name">What the document was called.</param>
+/// <param name="Time">When it was kept.</param>
+public sealed record RecoveryEntry(string Id, string Name, DateTime Time);

@@ -53,7 +53,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>What is read from the text as it is now, without building it.</summary>
+    /// <summary>The result of reading the current text, without building it.</summary>
     public SceneReadResult Read
     {
         get
@@ -78,7 +78,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>Where the document is at home.</summary>
+    /// <summary>The document's place.</summary>
     public DocumentPlace Place
     {
         get
@@ -90,7 +90,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>Whether there are changes that were not saved.</summary>
+    /// <summary>Returns whether there are unsaved changes.</summary>
     public bool IsDirty
     {
         get
@@ -102,7 +102,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>What is to be shown about the document.</summary>
+    /// <summary>The status of the document.</summary>
     public DocumentStatus Status
     {
         get
@@ -117,7 +117,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>How many pictures and models have been read in all builds.</summary>
+    /// <summary>The number of pictures and models read in all builds.</summary>
     internal int FilesRead => _builds.FilesRead;
 
     /// <summary>The content of the text as it is now, as soon as it is built.</summary>
@@ -145,7 +145,7 @@ public sealed class SceneDocument : IDisposable
                 throw new DocumentException($"the text has {_text.Length} characters, but from {from} to {to} was to be replaced");
             }
 
-            if (!Take(string.Concat(_text.AsSpan(0, from), Normal(insert), _text.AsSpan(to)), "typing", gesture))
+            if (!TryAccept(string.Concat(_text.AsSpan(0, from), Normal(insert), _text.AsSpan(to)), "typing", gesture))
             {
                 return true;
             }
@@ -165,7 +165,7 @@ public sealed class SceneDocument : IDisposable
     {
         lock (_lock)
         {
-            if (!Take(change(JsonText.Of(_read.Value)).Text, label, gesture))
+            if (!TryAccept(change(JsonText.Of(_read.Value)).Text, label, gesture))
             {
                 return _revision;
             }
@@ -209,7 +209,7 @@ public sealed class SceneDocument : IDisposable
         }
     }
 
-    /// <summary>Tells that the text of a point in the history is now in a file.</summary>
+    /// <summary>Records that the text of a point in the history is now in a file.</summary>
     internal void MarkSaved(int point, DocumentPlace place)
     {
         lock (_lock)
@@ -246,7 +246,7 @@ public sealed class SceneDocument : IDisposable
     }
 
     // Whether anything has changed.
-    private bool Take(string after, string label, string? gesture)
+    private bool TryAccept(string after, string label, string? gesture)
     {
         if (after == _text)
         {
@@ -279,4 +279,33 @@ public sealed class SceneDocument : IDisposable
 
     // One character for each line's end and no byte order mark, so that offsets are those of every editor.
     private static string Normal(string text) => text.ReplaceLineEndings("\n").TrimStart('\uFEFF');
+}
+
+/// <summary>The status of a document: all that is shown beside its text.</summary>
+/// <param name="Revision">The text's revision.</param>
+/// <param name="Name">What the document is called.</param>
+/// <param name="Path">The whole path of its file; null where it has none yet.</param>
+/// <param name="IsDirty">Whether there are changes that were not saved.</param>
+/// <param name="CanUndo">Whether there is a step to undo.</param>
+/// <param name="CanRedo">Whether there is a step to do again.</param>
+/// <param name="UndoLabel">What the step to undo changed; null where there is none.</param>
+/// <param name="RedoLabel">What the step to do again changed; null where there is none.</param>
+/// <param name="Diagnostics">What is wrong with the text that was built last.</param>
+/// <param name="IsGood">Whether a scene could be built from that text.</param>
+/// <param name="BuiltRevision">The revision of that text: that of the text itself once it is built.</param>
+public sealed record DocumentStatus(
+    int Revision, string Name, string? Path, bool IsDirty, bool CanUndo, bool CanRedo, string? UndoLabel, string? RedoLabel,
+    IReadOnlyList<PlacedDiagnostic> Diagnostics, bool IsGood, int BuiltRevision);
+
+/// <summary>The place of a document: its name, file and folder.</summary>
+/// <param name="Name">What it is called: a file's name without its folder.</param>
+/// <param name="Path">The whole path of its file; null where it has none yet.</param>
+/// <param name="Folder">The folder from which the files that it names are looked for.</param>
+public sealed record DocumentPlace(string Name, string? Path, string Folder)
+{
+    /// <summary>The line ending of the file; the document itself has \n.</summary>
+    public string LineEnd { get; init; } = "\n";
+
+    /// <summary>The place of a file.</summary>
+    public static DocumentPlace Of(string path) => new(System.IO.Path.GetFileName(path), path, System.IO.Path.GetDirectoryName(path) ?? "");
 }

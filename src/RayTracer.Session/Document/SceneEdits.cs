@@ -1,11 +1,12 @@
+using System.Numerics;
 using Json = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Session;
 
-/// <summary>What a user does to the things of a scene: each is one edit of its text, and one step to undo (edits of one gesture are one step together).</summary>
+/// <summary>The edits of a scene's things: each is one edit of its text, and one step to undo (edits of one gesture are one step together).</summary>
 /// <param name="document">The document.</param>
 /// <param name="selection">What is selected: it follows things that are renamed.</param>
-/// <param name="notices">Told what else an edit has changed.</param>
+/// <param name="notices">Shows what else an edit has changed.</param>
 public sealed class SceneEdits(SceneDocument document, Selection selection, NoticeBoard notices)
 {
     /// <summary>Writes a value.</summary>
@@ -69,7 +70,7 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
 
         if (notes.Count > 0)
         {
-            notices.Tell("info", string.Join("; ", notes));
+            notices.Post("info", string.Join("; ", notes));
         }
 
         return (revision, notes);
@@ -94,3 +95,16 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
         return (revision, pointer);
     }
 }
+
+/// <summary>The movement of a thing; what is null stays.</summary>
+/// <param name="Translate">By how much it is moved.</param>
+/// <param name="Rotate">How it is turned.</param>
+/// <param name="Scale">By which factors it grows.</param>
+/// <param name="Center">The point that scaling and turning leave where it is; null for the thing's own.</param>
+public sealed record Placement(Vector3? Translate = null, Turn? Rotate = null, Vector3? Scale = null, Vector3? Center = null);
+
+/// <summary>A turn about an axis.</summary>
+/// <param name="Axis">The axis.</param>
+/// <param name="Degrees">The angle, counter-clockwise seen against the axis.</param>
+/// <param name="Center">A point on the axis; null for the thing's own.</param>
+public sealed record Turn(Vector3 Axis, float Degrees, Vector3? Center = null);

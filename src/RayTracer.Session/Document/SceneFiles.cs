@@ -39,7 +39,7 @@ public sealed class SceneFiles
     /// <summary>Raised after a document was opened: with what a film or image says about its rendering, and the film that is gone on with; null for other files.</summary>
     internal event Action<RenderJob?, FilmStart?>? Opened;
 
-    /// <summary>Whether a file can be opened, by its name.</summary>
+    /// <summary>Returns whether a file can be opened, by its name.</summary>
     public static bool CanOpen(string name) => IsScene(name) || IsImage(name);
 
     private static bool IsScene(string name) =>
@@ -89,7 +89,7 @@ public sealed class SceneFiles
     public void OpenRecovered(string id, bool discard = false)
     {
         Guard(discard);
-        RecoveredText text = _recovery.Take(id);
+        RecoveredText text = _recovery.Claim(id);
         lock (_lock)
         {
             // What was known of the file is gone: a save over it must be asked for.
@@ -155,7 +155,7 @@ public sealed class SceneFiles
         }
     }
 
-    /// <summary>What a dialog shows of a folder.</summary>
+    /// <summary>The contents of a folder, for a dialog.</summary>
     /// <param name="path">The folder; null for the user's own.</param>
     /// <param name="isNamed">Whether pictures and models are looked for, which a scene may name, instead of what can be opened.</param>
     /// <exception cref="DocumentException">It cannot be listed.</exception>

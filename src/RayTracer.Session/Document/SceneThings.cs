@@ -13,10 +13,10 @@ public static class SceneThings
 {
     private static readonly string[] Lists = ["shapes", "lights", "materials", "textures", "objects"];
 
-    /// <summary>Whether a pointer is that of something that can be copied, deleted or renamed: a member of a list, or what has a name.</summary>
+    /// <summary>Returns whether a pointer is that of something that can be copied, deleted or renamed: a member of a list, or what has a name.</summary>
     public static bool IsThing(string pointer) => JsonPointer.Parse(pointer) is [var list, _, ..] && Lists.Contains(list);
 
-    /// <summary>Whether a pointer is that of something that may be seen in the picture, and moved and turned there.</summary>
+    /// <summary>Returns whether a pointer is that of something that may be seen in the picture, and moved and turned there.</summary>
     public static bool IsSeen(string pointer) => JsonPointer.Parse(pointer) is ["shapes" or "lights", _, ..];
 
     /// <summary>Adds a thing.</summary>

@@ -10,7 +10,7 @@ namespace RayTracer.Session;
 /// <param name="Node">What stands there; null where nothing does.</param>
 /// <param name="Parameter">The parameter that it is, or that it is an element of; null for the whole scene.</param>
 /// <param name="Family">Whether it is a shape, material or texture; null where it is none.</param>
-/// <param name="Type">What record it is: of a member of a family, by its "type"; null where it is none or that cannot be told.</param>
+/// <param name="Type">What record it is: of a member of a family, by its "type"; null where it is none or it is unknown.</param>
 /// <param name="IsList">Whether it holds several: elements of a list, or members by name.</param>
 public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter? Parameter, TypeFamily? Family, RecordType? Type, bool IsList)
 {
@@ -47,20 +47,12 @@ public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter?
         JsonNode? node = Node is null ? null : JsonPointer.Step(Node, step);
         if (IsList)
         {
-            return Element(pointer, node);
+            return Part(pointer, node, Parameter!);
         }
 
-        return Type?.Find(step) is not { } parameter ? null : parameter.Kind switch
-        {
-            ParameterKind.Record => new(pointer, node, parameter, null, RecordType.Of(parameter.RecordType!), false),
-            ParameterKind.Shape => Member(pointer, node, parameter, SceneTypes.Shapes),
-            ParameterKind.Material => Member(pointer, node, parameter, SceneTypes.Materials),
-            ParameterKind.Texture => Member(pointer, node, parameter, SceneTypes.Textures),
-            ParameterKind.Environment => Member(pointer, node, parameter, SceneTypes.Environments),
-            ParameterKind.Shapes or ParameterKind.Materials or ParameterKind.Records or ParameterKind.NamedMaterials or ParameterKind.NamedShapes
-                or ParameterKind.NamedTextures => new(pointer, node, parameter, null, null, true),
-            _ => new(pointer, node, parameter, null, null, false),
-        };
+        return Type?.Find(step) is not { } parameter ? null
+            : parameter.HoldsRecords ? new(pointer, node, parameter, null, null, true)
+            : Part(pointer, node, parameter);
     }
 
     /// <summary>All that stands one step within.</summary>
@@ -72,7 +64,7 @@ public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter?
     /// <summary>This and all that stands within it, outer things first.</summary>
     public IEnumerable<SceneValue> WithInner() => Children().SelectMany(c => c.WithInner()).Prepend(this);
 
-    /// <summary>What is referred to, where this is a reference to something that is defined; itself otherwise.</summary>
+    /// <summary>The definition, where this is a reference to one; itself otherwise.</summary>
     /// <param name="root">The whole text.</param>
     public SceneValue Resolved(JsonNode root)
     {
@@ -112,29 +104,13 @@ public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter?
         return record;
     }
 
-    // The number, the two or three in brackets, or the choice that the parameter takes; null where something else is written.
-    private object? Written => (Parameter!.Kind, Node) switch
+    private object? Written => Node is null ? null : ParameterForm.Of(Parameter!).Parse(Parameter!, Node);
+
+    // What a parameter is, or consists of.
+    private static SceneValue Part(string pointer, JsonNode? node, RecordParameter parameter)
     {
-        (ParameterKind.Number, { Kind: JsonKind.Number }) => ToFloat(Node),
-        (ParameterKind.Integer, { Kind: JsonKind.Number }) => (int)ToFloat(Node),
-        (ParameterKind.Choice, { Kind: JsonKind.String }) => Parameter.Choice(Node.Text),
-        (ParameterKind.Vector2, { Kind: JsonKind.Array }) when Floats(Node) is [var x, var y] => new Vector2(x, y),
-        (ParameterKind.Vector3, { Kind: JsonKind.Array }) when Floats(Node) is [var x, var y, var z] => new Vector3(x, y, z),
-        _ => null,
-    };
-
-    private static float[] Floats(JsonNode list) => list.Items.All(i => i.Kind == JsonKind.Number) ? [.. list.Items.Select(ToFloat)] : [];
-
-    internal static float ToFloat(JsonNode number) => float.Parse(number.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
-
-    private static SceneValue Member(string pointer, JsonNode? node, RecordParameter parameter, TypeFamily family) =>
-        new(pointer, node, parameter, family, node?.Find("type") is { Kind: JsonKind.String } type ? family.Find(type.Text) : null, false);
-
-    private SceneValue Element(string pointer, JsonNode? node) => Parameter!.Kind switch
-    {
-        ParameterKind.Shapes or ParameterKind.NamedShapes => Member(pointer, node, Parameter, SceneTypes.Shapes),
-        ParameterKind.Materials or ParameterKind.NamedMaterials => Member(pointer, node, Parameter, SceneTypes.Materials),
-        ParameterKind.NamedTextures => Member(pointer, node, Parameter, SceneTypes.Textures),
-        _ => new(pointer, node, Parameter, null, RecordType.Of(Parameter.RecordType!), false),
-    };
+        RecordType? type = parameter.Family is not { } family ? parameter.RecordType is { } record ? RecordType.Of(record) : null
+            : node?.Find("type") is { Kind: JsonKind.String } named ? family.Find(named.Text) : null;
+        return new(pointer, node, parameter, parameter.Family, type, false);
+    }
 }

@@ -2,7 +2,7 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
-/// <summary>Which thing of a document is selected. A thing that is no longer there is not.</summary>
+/// <summary>The selected thing of a document. A thing that no longer exists is not selected.</summary>
 /// <param name="document">The document.</param>
 public sealed class Selection(SceneDocument document)
 {

@@ -75,7 +75,7 @@ public static class ShapePlacement
         foreach (RecordParameter parameter in shape.Type!.Parameters)
         {
             (object? was, object? value) = (parameter.Get(before), parameter.Get(after));
-            if (!Equals(was, value) && JsonValues.Rounded(value) is var json && !Json.DeepEquals(JsonValues.Rounded(was), json))
+            if (!Equals(was, value) && JsonValues.Rounded(parameter, value) is var json && !Json.DeepEquals(JsonValues.Rounded(parameter, was), json))
             {
                 text = text.Set(JsonPointer.Append(shape.Pointer, parameter.Key), json);
             }

@@ -110,12 +110,12 @@ internal static class TransformEdit
 
     private static Transform Matrix(JsonNode? node)
     {
-        if (node is not { Kind: JsonKind.Array, Items.Count: 12 or 16 } || node.Items.Any(i => i.Kind != JsonKind.Number))
+        if (node is not { Kind: JsonKind.Array, Items.Count: 12 or 16 } || node.Items.Any(i => i.Number is null))
         {
             return Transform.Identity;
         }
 
-        float[] m = [.. node.Items.Select(SceneValue.ToFloat)];
+        float[] m = [.. node.Items.Select(i => i.Number!.Value)];
         return new(new(m[0], m[1], m[2], m[3]), new(m[4], m[5], m[6], m[7]), new(m[8], m[9], m[10], m[11]));
     }
 }

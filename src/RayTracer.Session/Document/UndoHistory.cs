@@ -8,7 +8,7 @@ public sealed class UndoHistory
     private int _saved;
     private bool _isSealed = true;
 
-    /// <summary>Whether the text is as it was when it was saved last.</summary>
+    /// <summary>Returns whether the text is as it was when it was saved last.</summary>
     public bool IsSaved => _done == _saved;
 
     /// <summary>The step that <see cref="Undo"/> takes back; null where there is none.</summary>
@@ -61,7 +61,7 @@ public sealed class UndoHistory
         return _done;
     }
 
-    /// <summary>Tells that the text of a point in the history has been saved.</summary>
+    /// <summary>Records that the text of a point in the history has been saved.</summary>
     /// <param name="point">The point, as <see cref="Seal"/> gave it, if it is still in the history.</param>
     public void MarkSaved(int point) => _saved = point;
 
@@ -75,3 +75,9 @@ public sealed class UndoHistory
         _isSealed = true;
     }
 }
+
+/// <summary>The step that one press of undo reverts.</summary>
+/// <param name="Change">The change of the text.</param>
+/// <param name="Label">What was changed, in a word or two.</param>
+/// <param name="Gesture">The drag or the burst of typing that it came from; null where it stands alone.</param>
+public sealed record UndoStep(TextChange Change, string Label, string? Gesture);

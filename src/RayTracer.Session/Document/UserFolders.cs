@@ -6,7 +6,7 @@ namespace RayTracer.Session;
 /// <param name="home">Where dialogs begin.</param>
 public sealed class UserFolders(string state, string cache, string home)
 {
-    /// <summary>Where dialogs begin.</summary>
+    /// <summary>The folder in which dialogs begin.</summary>
     public string Home => home;
 
     /// <summary>Texts that were not saved.</summary>

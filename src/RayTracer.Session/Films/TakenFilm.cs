@@ -4,20 +4,14 @@ namespace RayTracer.Session;
 
 /// <summary>A copy of the film that the view renders, so that rendering goes on meanwhile.</summary>
 /// <param name="Film">The copy.</param>
-/// <param name="Order">What it is of.</param>
+/// <param name="Order">The order that it is rendered by.</param>
 /// <param name="Samples">One more than the last sample that all pixels have.</param>
-/// <param name="Rest">What some pixels have and others lack; null where all have the same samples.</param>
+/// <param name="Rest">The samples that some pixels have and others lack; null where all have the same samples.</param>
 internal sealed record TakenFilm(Film Film, RenderOrder Order, int Samples, Slice? Rest)
 {
     /// <summary>Takes a copy.</summary>
-    /// <exception cref="SessionException">There is nothing to take yet.</exception>
     public static TakenFilm Of(Film film, RenderOrder order, int samples, Slice? rest)
     {
-        if (samples == order.First && rest is null)
-        {
-            throw new SessionException("The film holds no samples yet.", SessionFault.Missing);
-        }
-
         Film copy = FilmBudget.Create(film.Width, film.Height);
         copy.Merge(film);
         return new(copy, order, samples, rest);

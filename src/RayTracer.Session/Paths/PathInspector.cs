@@ -23,7 +23,7 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     /// <exception cref="SessionException">There is no such pixel or sample.</exception>
     public async Task<InspectedPixel> Inspect(int x, int y, int first, int count)
     {
-        ShownScene shown = view.RequireShown();
+        ViewportScene shown = view.RequireShown();
         RenderDescription render = shown.Scene.Render;
         if (x < 0 || y < 0 || x >= render.Width || y >= render.Height || first < 0 || first >= render.SamplesPerPixel)
         {
@@ -31,12 +31,12 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
         }
 
         SampleRange samples = new(first, (int)Math.Min(first + (long)Math.Clamp(count, 1, MostPaths), render.SamplesPerPixel));
-        (Rgb? mean, int rendered) = await view.Loop.Look((film, order, _) =>
+        (Rgb? mean, int rendered) = await view.Loop.ReadFilm((film, order, _) =>
             order.Picture == shown.Picture && film.SampleCount(x, y) is var n and > 0 ? ((Rgb?)film.Mean(x, y), (int)n) : (null, 0)).ConfigureAwait(false);
         return new(x, y, mean, rendered, [.. new PathTracing(shown.Scene).Trace(x, y, samples).Select(p => Of(shown, p))]);
     }
 
-    private static InspectedPath Of(ShownScene shown, TracedPath path)
+    private static InspectedPath Of(ViewportScene shown, TracedPath path)
     {
         PathVertex start = path.Vertices[0];
         InspectedVertex camera = new(
@@ -44,7 +44,7 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
         return new(path.Sample, path.Radiance, [camera, .. path.Vertices.Select(v => Of(shown, v))]);
     }
 
-    private static InspectedVertex Of(ShownScene shown, PathVertex v)
+    private static InspectedVertex Of(ViewportScene shown, PathVertex v)
     {
         SurfaceName surface = v.Primitive < 0 ? SurfaceName.None : new(v.Primitive, v.Instance);
         ShapeDescription? thing = v.Primitive < 0 ? null : shown.Scene.SourceOf(v.Primitive, v.Instance);
@@ -70,10 +70,10 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     private static double[] Difference(Rgb after, Rgb before) => [(double)after.R - before.R, (double)after.G - before.G, (double)after.B - before.B];
 
     // Far enough to be seen to leave.
-    private static Vector3 Outside(ShownScene shown, PathVertex v) => v.Origin + (v.Direction * (2 * shown.Extent.Size));
+    private static Vector3 Outside(ViewportScene shown, PathVertex v) => v.Origin + (v.Direction * (2 * shown.Extent.Size));
 
     private static string TypeOf(object record) => RecordType.Of(record.GetType()).Name;
 
-    private static string NameOf(ShownScene shown, MaterialDescription material) =>
+    private static string NameOf(ViewportScene shown, MaterialDescription material) =>
         shown.Description.Materials.FirstOrDefault(m => ReferenceEquals(m.Value, material)).Key ?? TypeOf(material);
 }

@@ -1,7 +1,7 @@
 using System.Diagnostics;
-using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
+using RayTracer.Study;
 
 namespace RayTracer.Session;
 

@@ -1,146 +1,109 @@
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
-using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
 /// <summary>Writes the picture as the command would write it, samples so far included.</summary>
 /// <param name="document">What the picture is of.</param>
 /// <param name="view">The picture.</param>
-/// <param name="jobs">Where the writing goes on.</param>
+/// <param name="jobs">The list of what is being done.</param>
 public sealed class PictureSaver(SceneDocument document, PictureView view, JobList jobs)
 {
+    private readonly ViewJobs _jobs = new(document, view, jobs);
+
     /// <summary>The formats of the files that are written: pictures, and the film itself.</summary>
     public static IReadOnlyList<PictureFormat> Formats => [.. ImageFormat.Written().Select(PictureFormat.Of), PictureFormat.Film];
 
     /// <summary>Writes the picture, or the film itself (.rtfilm), to a file, as a job.</summary>
     /// <param name="path">The file; relative to the document's folder.</param>
-    /// <param name="request">How.</param>
+    /// <param name="request">The depth and the layers.</param>
     /// <param name="overwrite">Whether a file that is there already may be replaced.</param>
     /// <returns>The job's number.</returns>
     /// <exception cref="SessionException">There is no picture, or there is such a file.</exception>
+    /// <exception cref="JobException">What is requested does not go together with the file.</exception>
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>
     public async Task<int> Save(string path, PictureRequest request, bool overwrite)
     {
-        if (string.IsNullOrWhiteSpace(path) || path.Contains('\0', StringComparison.Ordinal))
+        string full = _jobs.Whole(path);
+        bool isFilm = FilmFile.IsNamed(full);
+        RenderJob job = Job(full, request);
+        ViewJobs.Check(job, overwrite);
+        TakenFilm taken = await Take(isFilm).ConfigureAwait(false);
+        FilmScene? scene = isFilm ? SceneOf(taken.Order, full) : null;
+        FilmHeader? header = scene is null ? null : Header(taken.Order, scene);
+        ViewJobs.Check(job, overwrite, scene is { Text: not null } ? [scene.File] : []);
+        return _jobs.Start($"writing {Path.GetFileName(full)}", watch =>
         {
-            throw new SessionException("A picture needs a file name.");
-        }
-
-        string full = Path.GetFullPath(path, Path.GetFullPath(document.Place.Folder is "" ? "." : document.Place.Folder));
-        if (FilmFile.IsNamed(full))
-        {
-            return await SaveFilm(full, overwrite).ConfigureAwait(false);
-        }
-
-        bool hasLayers = ImageFormat.Has(full, ImageFeatures.Layers);
-        string[] beside = hasLayers ? [] : [.. request.Layers.Select(image => AovFiles.Beside(full, image.Name))];
-        foreach (string file in beside.Prepend(full))
-        {
-            ImageFile.Check(file);
-            CheckFree(file, overwrite);
-        }
-
-        Taken taken = await Take(full).ConfigureAwait(false);
-        return jobs.Start($"writing {Path.GetFileName(full)}", (progress, cancellation) =>
-        {
-            AovFilm images = TraceLayers(taken, request, cancellation);
-            ImageWriteOptions options = Options(taken, request);
-            ReportedRows rows = new(taken.Film, progress, cancellation);
-            ImageFile.Write(full, rows, hasLayers ? options with { ExrLayers = AovFiles.Layers(images) } : options);
-            foreach (AuxiliaryImage kind in hasLayers ? [] : request.Layers)
-            {
-                (IImageRows image, string range) = AovFiles.Rows(full, images, kind);
-                KeyValuePair<string, string>[] texts = [.. options.Metadata, new("Aov", kind.Name), new("Range", range)];
-                ImageWriteOptions plain = options with { Metadata = texts, ToneMap = ToneMap.Clamp, Exposure = 0 };
-                ImageFile.Write(AovFiles.Beside(full, kind.Name), image, plain);
-            }
-
-            return $"wrote {full}";
+            JobResult result = Result(taken, job, watch.Cancellation);
+            result = header is null ? result : result with { Header = header with { Samples = [taken.Complete(watch.Cancellation)] } };
+            scene?.Write();
+            new PictureFiles(job).Write(result, watch);
+            watch.RequireWritten();
+            return $"wrote {full}{(scene?.Text is null ? "" : $", and its scene beside it, {Path.GetFileName(scene.File)}")}";
         });
     }
 
     /// <summary>The picture as the bytes of a file.</summary>
     /// <param name="extension">The ending, with its dot, of one of the pictures' <see cref="Formats"/>.</param>
-    /// <param name="request">How; layers go into formats that hold them only.</param>
+    /// <param name="request">The depth, and the layers of formats that hold them.</param>
     /// <param name="cancellation">Ends the work.</param>
     /// <exception cref="SessionException">There is no picture.</exception>
     public async Task<byte[]> Encode(string extension, PictureRequest request, CancellationToken cancellation)
     {
-        Taken taken = await Take(Path.ChangeExtension(document.Place.Name, extension)).ConfigureAwait(false);
+        IReadOnlyList<AuxiliaryImage> layers = ImageFormat.Has(extension, ImageFeatures.Layers) ? request.Layers : [];
+        RenderJob job = Job(Path.ChangeExtension(document.Place.Name, extension), request with { Layers = layers });
+        TakenFilm taken = await Take(isFilm: false).ConfigureAwait(false);
         return await Task.Run(() =>
         {
-            ImageWriteOptions options = Options(taken, request);
-            bool hasLayers = ImageFormat.Has(extension, ImageFeatures.Layers) && request.Layers.Count > 0;
-            ReportedRows rows = new(taken.Film, new Progress<double>(), cancellation);
-            return ImageFile.Encode(extension, rows, hasLayers ? options with { ExrLayers = AovFiles.Layers(TraceLayers(taken, request, cancellation)) } : options);
+            SessionWatch watch = new(new Progress<double>(), 1, cancellation);
+            ImageWriteOptions options = new PictureFiles(job).Options(Result(taken, job, cancellation));
+            return ImageFile.Encode(extension, watch.Rows(taken.Film), options);
         }, cancellation).ConfigureAwait(false);
     }
 
-    private static void CheckFree(string file, bool overwrite)
-    {
-        if (!overwrite && File.Exists(file))
-        {
-            throw new SessionException($"The file '{file}' exists already.", SessionFault.Conflict);
-        }
-    }
-
-    private async Task<int> SaveFilm(string full, bool overwrite)
-    {
-        CheckFree(full, overwrite);
-        TakenFilm taken = await view.Loop.Look((film, order, samples) => TakenFilm.Of(film, order, samples, view.Loop.Rest)).ConfigureAwait(false);
-        (FilmHeader header, string? scene) = FilmHeaders.Of(taken.Order, view.RequireShown(), document.Place, full);
-        string sceneFile = header.Scene;
-        if (scene is not null)
-        {
-            CheckFree(sceneFile, overwrite);
-        }
-
-        return jobs.Start($"writing {Path.GetFileName(full)}", (_, cancellation) =>
-        {
-            SampleRange held = taken.Complete(cancellation);
-            if (scene is not null)
-            {
-                SceneTextFile.Write(sceneFile, scene, "\n");
-            }
-
-            FilmFile.Write(full, taken.Film, header with { Samples = [held] });
-            return $"wrote {full}{(scene is null ? "" : $", and its scene beside it, {Path.GetFileName(sceneFile)}")}";
-        });
-    }
-
     /// <summary>The command that would render the picture.</summary>
-    public string Command(string? output = null) => Job(output).Command;
+    public string Command(string? output = null) => (_jobs.Saved(output) with { Denoise = view.Settings.Map == ViewMap.Denoised }).Command;
 
-    private RenderJob Job(string? output) => ViewJob.Of(document.Place, document.Read.Description, view.Settings, view.Tone, output);
-
-    // A copy, so that rendering goes on meanwhile.
-    private async Task<Taken> Take(string output)
+    private RenderJob Job(string output, PictureRequest request)
     {
-        RenderJob job = Job(output);
-        return await view.Loop.Look((film, order, samples) =>
-        {
-            Film copy = FilmBudget.Create(film.Width, film.Height);
-            copy.Merge(film);
-            return new Taken(copy, order, samples, job);
-        }).ConfigureAwait(false);
+        RenderJob job = _jobs.Saved(output);
+        return job with { Aovs = request.Layers, Writing = job.Writing with { BitDepth = request.BitDepth } };
     }
 
-    private static AovFilm TraceLayers(Taken taken, PictureRequest request, CancellationToken cancellation)
+    private Task<TakenFilm> Take(bool isFilm) => view.Loop.ReadFilm((film, order, samples) => isFilm && samples == order.First && view.Loop.Rest is null
+        ? throw new SessionException("The film holds no samples yet.", SessionFault.Missing)
+        : TakenFilm.Of(film, order, samples, view.Loop.Rest));
+
+    private static JobResult Result(TakenFilm taken, RenderJob job, CancellationToken cancellation)
     {
-        AovFilm images = new(taken.Film, request.Layers);
-        RenderOptions options = new() { Threads = taken.Order.Threads, Crop = taken.Order.Region };
-        new FirstHitPass(taken.Order.Scene, options).Render(images, cancellation);
-        return images;
+        RenderOrder order = taken.Order;
+        AovFilm images = new(taken.Film, job.Aovs);
+        new FirstHitPass(order.Scene, new() { Threads = order.Threads, Crop = order.Region }).Render(images, cancellation);
+        RenderStatistics statistics = new() { Paths = taken.Film.TotalSamples, Cancelled = taken.Samples < order.Samples };
+        return new(order.Scene, taken.Film, statistics, order.Threads, 0) { Samples = new(order.First, order.Samples), Auxiliary = images };
     }
 
-    private static ImageWriteOptions Options(Taken taken, PictureRequest request)
+    // What it was rendered from when it was begun, it is rendered from now.
+    private FilmScene SceneOf(RenderOrder order, string path)
     {
-        bool isWhole = taken.Samples >= taken.Order.Samples;
-        string samples = $"{taken.Order.Samples}{(isWhole ? "" : $", unfinished: {taken.Film.TotalSamples} paths")}";
-        return taken.Job.Writing with { BitDepth = request.BitDepth, Metadata = PictureTexts.Of(taken.Job, taken.Film.ComputeHash(), samples, null) };
+        ViewportScene shown = view.RequireShown();
+        return shown.Picture != order.Picture ? throw FilmScene.Changing()
+            : order.Start?.Header is { } begun ? new(begun.Scene, null)
+            : FilmScene.Of(shown, order.Camera, document.Place, path);
     }
 
-    private sealed record Taken(Film Film, RenderOrder Order, int Samples, RenderJob Job);
+    private FilmHeader Header(RenderOrder order, FilmScene scene) => new()
+    {
+        Width = order.Scene.Render.Width,
+        Height = order.Scene.Render.Height,
+        Content = PictureView.ContentOf(view.RequireShown().Good, order, document.Place.Folder),
+        Samples = [],
+        Wanted = new(order.First, order.Samples),
+        Total = order.Scene.Render.SamplesPerPixel,
+        Crop = order.Region,
+        Scene = scene.File,
+        Settings = order.Start?.Header is { } begun ? OldFilms.Settings(begun) : [],
+        Software = ProgramName.Text,
+    };
 }

@@ -23,7 +23,7 @@ public sealed record SessionCommand(string Id, string Name, string Tip, string G
     /// <summary>"Mod+Shift+S" as it is printed on keyboards; null where there are no keys.</summary>
     public string? KeysText => Keys is null ? null : string.Join('+', Keys.Split('+').Select(Printed));
 
-    /// <summary>Whether a press of keys means the command. Shift counts by what it makes of the key.</summary>
+    /// <summary>Returns whether a press of keys means the command. Shift counts by what it makes of the key.</summary>
     /// <param name="key">The key, as browsers call it: a letter as it would be written, "ArrowUp", "Delete" …</param>
     /// <param name="mod">Whether Ctrl (on a Mac: Command) is held.</param>
     /// <param name="shift">Whether Shift is held.</param>

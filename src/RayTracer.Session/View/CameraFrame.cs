@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Session;
 
-/// <summary>How the camera projects, for whoever draws over the picture.</summary>
+/// <summary>The projection of the camera, for drawing over the picture.</summary>
 /// <param name="Position">The position of the eye.</param>
 /// <param name="Right">Unit direction to the right in the picture.</param>
 /// <param name="Up">Unit direction up in the picture.</param>
@@ -22,7 +22,7 @@ public sealed record CameraFrame(Vector3 Position, Vector3 Right, Vector3 Up, Ve
 
     /// <summary>That of a scene. What moves the camera besides is left out; parallel rays come from an eye far behind.</summary>
     /// <exception cref="SessionException">Straight lines are not straight in the picture.</exception>
-    public static CameraFrame Of(ShownScene shown)
+    public static CameraFrame Of(ViewportScene shown)
     {
         Projection kind = shown.Camera.Projection;
         if (!kind.IsStraight)
@@ -37,7 +37,7 @@ public sealed record CameraFrame(Vector3 Position, Vector3 Right, Vector3 Up, Ve
         return new(position, right, up, forward, degrees, shown.Scene.Render.Width, shown.Scene.Render.Height) { LookAt = shown.Camera.LookAt };
     }
 
-    /// <summary>Where a point of the world is in the picture, in pixels; null behind the eye.</summary>
+    /// <summary>The position of a point of the world in the picture, in pixels; null behind the eye.</summary>
     public Vector2? Project(Vector3 point)
     {
         Vector3 away = point - Position;

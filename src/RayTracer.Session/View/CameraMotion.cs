@@ -25,7 +25,7 @@ public static class CameraMotion
     }
 
     /// <summary>Turns the camera where it stands.</summary>
-    public static CameraDescription Look(CameraDescription camera, float dx, float dy)
+    public static CameraDescription Rotate(CameraDescription camera, float dx, float dy)
     {
         Vector3 view = camera.LookAt - camera.Position;
         float degrees = camera.Projection.DegreesOfHeight(camera);
@@ -61,7 +61,7 @@ public static class CameraMotion
     /// <param name="dx">To the right, in distances to the point looked at.</param>
     /// <param name="dy">Downwards.</param>
     /// <param name="dz">Forward.</param>
-    public static CameraDescription Fly(CameraDescription camera, float dx, float dy, float dz)
+    public static CameraDescription Translate(CameraDescription camera, float dx, float dy, float dz)
     {
         (Vector3 right, Vector3 up, Vector3 forward) = Axes(camera);
         float distance = (camera.LookAt - camera.Position).Norm();
@@ -76,7 +76,7 @@ public static class CameraMotion
         return (right, right.Cross(forward), forward);
     }
 
-    /// <summary>How much of a plane across the view the picture shows from its lower to its upper edge.</summary>
+    /// <summary>The height of the part of a plane across the view that the picture shows.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="distance">How far away the plane is.</param>
     /// <param name="aspect">Width of the picture over its height.</param>

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayTracer.Session;
 
-/// <summary>What a hand does to the camera.</summary>
+/// <summary>The movement of a camera by the user.</summary>
 /// <param name="Kind">How it moves.</param>
 /// <param name="Dx">To the right, in heights of the picture.</param>
 /// <param name="Dy">Downwards.</param>
@@ -22,4 +22,32 @@ public sealed record CameraMove(CameraMoveKind Kind, float Dx = 0, float Dy = 0,
 
     /// <summary>For <see cref="CameraMoveKind.Set"/>: the field of view in degrees; null leaves it.</summary>
     public float? FieldOfView { get; init; }
+}
+
+/// <summary>The kinds of camera movements; see <see cref="CameraMotion"/>.</summary>
+public enum CameraMoveKind
+{
+    /// <summary>Around the point looked at.</summary>
+    Orbit,
+
+    /// <summary>Across the view.</summary>
+    Pan,
+
+    /// <summary>By the field of view.</summary>
+    Zoom,
+
+    /// <summary>Towards the point looked at.</summary>
+    Dolly,
+
+    /// <summary>Sideways, up and forward, with the point looked at.</summary>
+    Translate,
+
+    /// <summary>Turned where it stands.</summary>
+    Rotate,
+
+    /// <summary>Put somewhere.</summary>
+    Set,
+
+    /// <summary>Back to where it was when the document was opened.</summary>
+    Home,
 }

@@ -20,7 +20,7 @@ public sealed class DenoisedPicture
     private int _samples;
     private long _of = -1;
 
-    /// <summary>Whether there is something to do before it can be shown as well as the film's samples allow.</summary>
+    /// <summary>Returns whether there is something to do before it can be shown as well as the film's samples allow.</summary>
     /// <param name="order">What is wanted.</param>
     /// <param name="samples">Samples in each pixel of the film.</param>
     public bool Needs(RenderOrder order, int samples) => order.Map == ViewMap.Denoised && Next(order, samples) > (_of == order.Picture ? _samples : 0)
@@ -29,7 +29,7 @@ public sealed class DenoisedPicture
     /// <summary>Renders halves with more samples, and denoises them.</summary>
     /// <param name="order">What is wanted.</param>
     /// <param name="samples">Samples in each pixel of the film.</param>
-    /// <param name="cancellation">Ends the work; the halves begin anew then.</param>
+    /// <param name="cancellation">Ends the work; the halves start from scratch then.</param>
     public void Step(RenderOrder order, int samples, CancellationToken cancellation)
     {
         int next = Next(order, samples);

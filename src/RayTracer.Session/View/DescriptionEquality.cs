@@ -4,7 +4,7 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
-/// <summary>Whether descriptions say the same, whatever the objects that they are made of: texts that differ in comments and formatting only give the same.</summary>
+/// <summary>The equality of descriptions by their values: texts that differ in comments and formatting only give equal ones.</summary>
 public static class DescriptionEquality
 {
     /// <summary>Compares two values of parameters.</summary>
@@ -26,7 +26,7 @@ public static class DescriptionEquality
         };
     }
 
-    /// <summary>Whether two scenes are the same but for camera and rendering.</summary>
+    /// <summary>Returns whether two scenes are the same but for camera and rendering.</summary>
     public static bool SameThings(SceneDescription a, SceneDescription b) =>
         Same(a with { Camera = b.Camera, Render = b.Render }, b);
 

@@ -32,24 +32,24 @@ internal sealed class FilmWork(FrameBoard frames)
     /// <summary>The picture, between steps.</summary>
     public Film? Film { get; private set; }
 
-    /// <summary>What it is of; null before the first.</summary>
+    /// <summary>The order that it is of; null before the first.</summary>
     public RenderOrder? Order { get; private set; }
 
-    /// <summary>What it has looked like.</summary>
+    /// <summary>The record of its convergence.</summary>
     public ConvergenceLog Log { get; } = new();
 
     /// <summary>One more than the last sample of each pixel.</summary>
     public int Samples => _plan.Samples;
 
-    /// <summary>What some pixels have and others lack; null where all have the same samples.</summary>
+    /// <summary>The samples that some pixels have and others lack; null where all have the same samples.</summary>
     public Slice? Rest => _plan.Rest;
 
-    /// <summary>Whether there is something to do for an order.</summary>
+    /// <summary>Returns whether there is something to do for an order.</summary>
     public bool HasWork(RenderOrder order) =>
         order.Picture != Order?.Picture || order.Map != _shown || _previews.Scale > 1 || _maps.Needs(order) || NeedsDenoising(order)
         || (order.Mode == RenderMode.Running && _plan.Samples < order.Samples) || (_isStale && frames.IsWatched);
 
-    /// <summary>Whether the next step must be made to its end, whatever happens: else a fast hand would never see anything.</summary>
+    /// <summary>Returns whether the next step must be completed whatever happens: else somebody who moves fast would never see anything.</summary>
     public bool IsUrgent(RenderOrder order) => order.Picture != Order?.Picture || _previews.IsFirst;
 
     /// <summary>Makes a step.</summary>
@@ -97,7 +97,7 @@ internal sealed class FilmWork(FrameBoard frames)
         }
     }
 
-    /// <summary>How far the picture is.</summary>
+    /// <summary>The progress of the picture.</summary>
     public RenderStatus Status(RenderOrder order)
     {
         double perSample = _rendered > 0 ? _seconds / _rendered : 0;
@@ -180,7 +180,7 @@ internal sealed class FilmWork(FrameBoard frames)
         _preview.CopyFrom(film);
         if (frames.IsWatched)
         {
-            Hang(order, isPreview: true, picture => picture.CopyFrom(_preview));
+            Publish(order, isPreview: true, picture => picture.CopyFrom(_preview));
         }
 
         _isStale |= !frames.IsWatched;
@@ -246,14 +246,14 @@ internal sealed class FilmWork(FrameBoard frames)
         {
             if (_maps.Picture(order, Film!) is { } map)
             {
-                Hang(order, isPreview: false, picture => picture.CopyFrom(map));
+                Publish(order, isPreview: false, picture => picture.CopyFrom(map));
             }
 
             return;
         }
 
         IImageRows? denoised = order.Map == ViewMap.Denoised ? _denoised.Of(order) : null;
-        Hang(order, _plan.Samples == 0, picture =>
+        Publish(order, _plan.Samples == 0, picture =>
         {
             PicturePainter.Paint(Film!, _preview, picture);
             if (denoised is not null)
@@ -266,10 +266,62 @@ internal sealed class FilmWork(FrameBoard frames)
     // A paused picture is not rendered a second time behind the user's back.
     private bool NeedsDenoising(RenderOrder order) => order.Picture == Order?.Picture && order.Mode != RenderMode.Paused && _denoised.Needs(order, _plan.Samples);
 
-    private void Hang(RenderOrder order, bool isPreview, Action<LinearPicture> draw)
+    private void Publish(RenderOrder order, bool isPreview, Action<LinearPicture> draw)
     {
         (int width, int height) = (order.Scene.Render.Width, order.Scene.Render.Height);
         FrameInfo info = new(width, height, _plan.Samples, isPreview, _plan.IsDone && !NeedsDenoising(order), order.Map.IsLight);
         _pace.Make(() => frames.Publish(info, draw));
+    }
+}
+
+/// <summary>Keeps what frames cost the renderer to a small share of its time.</summary>
+public sealed class PublishPace
+{
+    // One part in so many of the time.
+    private const int Share = 12;
+    private long _last = -1;
+    private TimeSpan _cost;
+
+    /// <summary>Returns whether it is time for a frame.</summary>
+    public bool IsTime => _last < 0 || Stopwatch.GetElapsedTime(_last) >= _cost * (Share - 1);
+
+    /// <summary>Makes a frame, and takes down what that costs.</summary>
+    public void Make(Action frame)
+    {
+        long start = Stopwatch.GetTimestamp();
+        frame();
+        _last = Stopwatch.GetTimestamp();
+        _cost = Stopwatch.GetElapsedTime(start, _last);
+    }
+}
+
+/// <summary>The estimate of a picture's remaining noise.</summary>
+public static class NoiseEstimate
+{
+    private const int MostPixels = 1 << 15;
+
+    /// <summary>Standard error of the pixels' luminance, mean over some pixels, relative to their mean luminance; null where it is not known.</summary>
+    /// <param name="film">The picture.</param>
+    /// <param name="area">Its pixels that have samples.</param>
+    public static double? Of(Film film, Tile area)
+    {
+        int step = Math.Max(1, (int)Math.Ceiling(Math.Sqrt((double)area.Pixels / MostPixels)));
+        (double error, double light) = (0, 0);
+        for (int y = area.Y; y < area.Y + area.Height; y += step)
+        {
+            for (int x = area.X; x < area.X + area.Width; x += step)
+            {
+                uint count = film.SampleCount(x, y);
+                if (count < 2)
+                {
+                    return null;
+                }
+
+                error += Math.Sqrt(film.SampleVariance(x, y) / count);
+                light += film.Mean(x, y).Luminance;
+            }
+        }
+
+        return light > 0 ? error / light : null;
     }
 }

@@ -12,7 +12,7 @@ public sealed class FrameBoard
     private static readonly TimeSpan Attention = TimeSpan.FromSeconds(1);
     private readonly Lock _lock = new();
     private readonly Stack<LinearPicture> _free = new();
-    private Hanging? _newest;
+    private SharedFrame? _newest;
     private long _lastWatched = -Stopwatch.Frequency * 3600;
 
     /// <summary>Raised when somebody begins to wait for a frame.</summary>
@@ -21,7 +21,7 @@ public sealed class FrameBoard
     /// <summary>Counts frames, and changes of how they are seen.</summary>
     public ChangeCounter Changes { get; } = new();
 
-    /// <summary>Whether somebody looks, or did a moment ago.</summary>
+    /// <summary>Returns whether somebody is looking, or was a moment ago.</summary>
     public bool IsWatched => Changes.Waiting > 0 || Stopwatch.GetElapsedTime(Volatile.Read(ref _lastWatched)) < Attention;
 
     /// <summary>Puts a frame up.</summary>
@@ -38,7 +38,7 @@ public sealed class FrameBoard
         draw(picture);
         lock (_lock)
         {
-            Hanging? before = _newest;
+            SharedFrame? before = _newest;
             _newest = new(info, picture);
             Release(before);
         }
@@ -74,12 +74,12 @@ public sealed class FrameBoard
             }
 
             frame.Users++;
-            return new(Changes.Version, frame.Info, frame.Picture, () => GiveBack(frame));
+            return new(Changes.Version, frame.Info, frame.Picture, () => Return(frame));
         }
     }
 
     /// <summary>The newest frame is seen in another way.</summary>
-    public void SeeAnew()
+    public void Refresh()
     {
         lock (_lock)
         {
@@ -92,7 +92,7 @@ public sealed class FrameBoard
         Changes.Advance();
     }
 
-    private void GiveBack(Hanging frame)
+    private void Return(SharedFrame frame)
     {
         lock (_lock)
         {
@@ -100,7 +100,7 @@ public sealed class FrameBoard
         }
     }
 
-    private void Release(Hanging? frame)
+    private void Release(SharedFrame? frame)
     {
         const int enough = 3;
         if (frame is not null && --frame.Users == 0 && _free.Count < enough)
@@ -110,12 +110,54 @@ public sealed class FrameBoard
     }
 
     // The board itself is a user.
-    private sealed class Hanging(FrameInfo info, LinearPicture picture)
+    private sealed class SharedFrame(FrameInfo info, LinearPicture picture)
     {
         public FrameInfo Info => info;
 
         public LinearPicture Picture => picture;
 
         public int Users { get; set; } = 1;
+    }
+}
+
+/// <summary>The properties of a frame.</summary>
+/// <param name="PictureWidth">Width of the whole picture; a preview has fewer pixels.</param>
+/// <param name="PictureHeight">Height of the whole picture.</param>
+/// <param name="Samples">Samples in each pixel; 0 in a preview.</param>
+/// <param name="IsPreview">Whether there is less in it than a sample of each pixel.</param>
+/// <param name="IsLast">Whether nothing more will be added to it.</param>
+/// <param name="IsLight">Whether it shows light, so that exposure and tone map apply; maps have their colours already.</param>
+public sealed record FrameInfo(int PictureWidth, int PictureHeight, int Samples, bool IsPreview, bool IsLast, bool IsLight);
+
+/// <summary>A frame for as long as it is looked at: its memory is used again after it was disposed of.</summary>
+public sealed class FrameLease : IDisposable
+{
+    private readonly Action _release;
+    private bool _isOver;
+
+    internal FrameLease(long version, FrameInfo info, LinearPicture picture, Action release)
+    {
+        Version = version;
+        Info = info;
+        Picture = picture;
+        _release = release;
+    }
+
+    /// <summary>Grows with each frame, and each change of how it is seen.</summary>
+    public long Version { get; }
+
+    /// <summary>The properties of the frame.</summary>
+    public FrameInfo Info { get; }
+
+    /// <summary>The frame.</summary>
+    public LinearPicture Picture { get; }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        if (!Interlocked.Exchange(ref _isOver, true))
+        {
+            _release();
+        }
     }
 }

@@ -5,7 +5,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Session;
 
-/// <summary>What the handles around a thing do.</summary>
+/// <summary>The actions of the handles around a thing.</summary>
 public enum GizmoKind
 {
     /// <summary>Move it.</summary>
@@ -29,7 +29,7 @@ public sealed record Gizmo(Vector3 Center, float Radius, Vector3 Minimum, Vector
     /// <param name="shown">The scene.</param>
     /// <param name="pointer">The thing.</param>
     /// <exception cref="SessionException">It is nothing that can be seen, or it has no end.</exception>
-    public static Gizmo Of(ShownScene shown, string pointer)
+    public static Gizmo Of(ViewportScene shown, string pointer)
     {
         Bounds all = Bounds.Empty;
         foreach (PlacedSurface surface in shown.Scene.Surfaces().Where(s => Picking.IsWithin(shown.PointerOf(s.Source), pointer)))

@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Session;
 
-/// <summary>What moving the pointer from one point of the picture to another, with a handle held, changes in the world.</summary>
+/// <summary>The change in the world that a drag of a handle makes.</summary>
 /// <param name="camera">How the camera projects.</param>
 /// <param name="center">The middle of the thing.</param>
 internal sealed class GizmoDrag(CameraFrame camera, Vector3 center)
@@ -16,7 +16,7 @@ internal sealed class GizmoDrag(CameraFrame camera, Vector3 center)
     /// <param name="axis">0 to 2 for a handle along or about an axis of the world; null for the one in the middle.</param>
     /// <param name="from">The first point, in pixels.</param>
     /// <param name="to">The second point.</param>
-    /// <returns>The change; null where it cannot be told, because the axis points at the eye, say.</returns>
+    /// <returns>The change; null where it is undefined, because the axis points at the eye, say.</returns>
     public Placement? Between(GizmoKind kind, int? axis, Vector2 from, Vector2 to) => axis is { } i ? Along(kind, Axes[i], from, to) : Freely(kind, from, to);
 
     /// <summary>The same handle after a change.</summary>

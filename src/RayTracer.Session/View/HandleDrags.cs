@@ -35,12 +35,12 @@ public sealed class HandleDrags(SceneEdits edits, PictureView view)
 
     private (string, GizmoDrag, Vector2) Begin(HandleDrag way)
     {
-        ShownScene shown = view.RequireShown();
+        ViewportScene shown = view.RequireShown();
         return (way.Gesture, new(CameraFrame.Of(shown), Gizmo.Of(shown, way.Pointer).Center), way.From);
     }
 }
 
-/// <summary>How far a handle has been dragged.</summary>
+/// <summary>The drag of a handle.</summary>
 /// <param name="Pointer">The thing.</param>
 /// <param name="Kind">What the handle does.</param>
 /// <param name="Axis">0 to 2 for a handle along or about an axis of the world; null for the one in the middle.</param>

@@ -4,7 +4,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
-/// <summary>What is known of a picture besides its light, as colours to look at.</summary>
+/// <summary>The auxiliary images of a picture, as colours to look at.</summary>
 public sealed class MapPictures
 {
     // Means of more change nothing that eyes see.
@@ -14,7 +14,7 @@ public sealed class MapPictures
     private int _samples;
     private (long Picture, ViewMap? Map) _of;
 
-    /// <summary>Whether rays must be traced before a map can be shown as well as it will be.</summary>
+    /// <summary>Returns whether rays must be traced before a map can be shown as well as it will be.</summary>
     public bool Needs(RenderOrder order) =>
         order.Map.Image is FirstHitImage && (_of != (order.Picture, order.Map) || _samples < Goal(order));
 

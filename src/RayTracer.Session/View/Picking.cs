@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Rendering;
 
@@ -8,23 +9,23 @@ public static class Picking
 {
     private const int LargestMask = 1 << 20;
 
-    /// <summary>What is seen in the middle of a pixel.</summary>
+    /// <summary>The surface in the middle of a pixel.</summary>
     /// <param name="shown">The scene.</param>
     /// <param name="x">The pixel's column.</param>
     /// <param name="y">The pixel's row.</param>
-    public static PickResult At(ShownScene shown, float x, float y) =>
+    public static PickResult At(ViewportScene shown, float x, float y) =>
         Hit(shown, x, y) is { } hit
             ? new(shown.PointerOf(hit.Name), hit.Distance, hit.Position, hit.Normal, shown.MaterialOf(hit.Name))
             : new(null, null, null, null, null);
 
-    /// <summary>How far along the viewing direction what is seen in the middle of a pixel is; null where nothing is.</summary>
-    public static float? DepthAt(ShownScene shown, float x, float y) =>
+    /// <summary>The depth, along the viewing direction, of the surface in the middle of a pixel; null where there is none.</summary>
+    public static float? DepthAt(ViewportScene shown, float x, float y) =>
         Hit(shown, x, y) is { } hit ? shown.Scene.Camera.Depth(MathF.Floor(x) + 0.5f, MathF.Floor(y) + 0.5f, hit.Distance) : null;
 
     /// <summary>The pixels in which a thing, or one within it, is what is seen first.</summary>
     /// <param name="shown">The scene.</param>
     /// <param name="pointer">The thing.</param>
-    public static PixelMask Mask(ShownScene shown, string pointer)
+    public static PixelMask Mask(ViewportScene shown, string pointer)
     {
         RenderDescription render = shown.Scene.Render;
         int step = 1;
@@ -43,11 +44,11 @@ public static class Picking
         return new(width, height, Runs(shown, names, pointer));
     }
 
-    /// <summary>Whether a pointer is that of a thing, or of one within it.</summary>
+    /// <summary>Returns whether a pointer is that of a thing, or of one within it.</summary>
     public static bool IsWithin(string? inner, string outer) =>
         inner is not null && inner.StartsWith(outer, StringComparison.Ordinal) && (inner.Length == outer.Length || inner[outer.Length] == '/');
 
-    private static SurfaceHit? Hit(ShownScene shown, float x, float y)
+    private static SurfaceHit? Hit(ViewportScene shown, float x, float y)
     {
         RenderDescription render = shown.Scene.Render;
         if (!(x >= 0 && x < render.Width && y >= 0 && y < render.Height))
@@ -58,7 +59,7 @@ public static class Picking
         return new SurfaceProbe(shown.Scene).Describe(MathF.Floor(x) + 0.5f, MathF.Floor(y) + 0.5f);
     }
 
-    private static List<int> Runs(ShownScene shown, SurfaceName[] names, string pointer)
+    private static List<int> Runs(ViewportScene shown, SurfaceName[] names, string pointer)
     {
         List<int> runs = [];
         SurfaceName last = SurfaceName.None;
@@ -89,3 +90,17 @@ public static class Picking
         return runs;
     }
 }
+
+/// <summary>The surface seen at a pixel.</summary>
+/// <param name="Pointer">The thing in the text; null where nothing is seen.</param>
+/// <param name="Distance">How far away; null where nothing is seen.</param>
+/// <param name="Position">Where, in the world.</param>
+/// <param name="Normal">The normal there, towards the camera.</param>
+/// <param name="Material">The thing's material in the text; null where it is not from the text.</param>
+public sealed record PickResult(string? Pointer, float? Distance, Vector3? Position, Vector3? Normal, string? Material);
+
+/// <summary>Some pixels of a picture.</summary>
+/// <param name="Width">Width of the picture, which may be smaller than the rendered one.</param>
+/// <param name="Height">Its height.</param>
+/// <param name="Runs">Start and length of each run of pixels, counted row by row.</param>
+public sealed record PixelMask(int Width, int Height, IReadOnlyList<int> Runs);

@@ -12,13 +12,13 @@ public sealed class PictureView : IDisposable
     private readonly Lock _lock = new();
     private readonly SceneDocument _document;
     private DocumentPlace? _place;
-    private ShownScene? _shown;
+    private ViewportScene? _shown;
     private ViewSettings _settings = new();
     private Tone _tone = Tone.Plain;
 
     // The camera in the user's hand, and the revision whose text has it.
-    private CameraDescription? _hand;
-    private int _handUntil;
+    private CameraDescription? _movedCamera;
+    private int _movedUntil;
     private long _pictures;
 
     // The film that the picture goes on with, of which place it is, and which picture that is: 0 before the scene is built.
@@ -36,20 +36,20 @@ public sealed class PictureView : IDisposable
         Follow();
     }
 
-    /// <summary>What is known about the picture has changed; the picture itself tells its changes by <see cref="Frames"/>.</summary>
+    /// <summary>Raised when what is known about the picture has changed; <see cref="Frames"/> reports changes of the picture itself.</summary>
     public event Action? Changed;
 
     /// <summary>Raised when the document's scene is not what a film is of, with a sentence that says so.</summary>
     public event Action<string>? Refused;
 
-    /// <summary>Where the picture is to be seen.</summary>
+    /// <summary>The newest frame of the picture.</summary>
     public FrameBoard Frames { get; } = new();
 
     /// <summary>Makes it.</summary>
     public RenderLoop Loop { get; }
 
-    /// <summary>What is shown; null where there is nothing.</summary>
-    public ShownScene? Shown
+    /// <summary>The scene that is shown; null where there is none.</summary>
+    public ViewportScene? Shown
     {
         get
         {
@@ -63,7 +63,7 @@ public sealed class PictureView : IDisposable
     /// <summary>The camera that the document had when it was opened; null where there is nothing to be seen.</summary>
     public CameraDescription? Home { get; private set; }
 
-    /// <summary>What the user wants.</summary>
+    /// <summary>The user's settings.</summary>
     public ViewSettings Settings
     {
         get
@@ -75,7 +75,7 @@ public sealed class PictureView : IDisposable
         }
     }
 
-    /// <summary>How light is brought onto the screen. A change takes no rendering.</summary>
+    /// <summary>The exposure and tone map of the screen. A change needs no rendering.</summary>
     /// <exception cref="SessionException">The exposure is out of range.</exception>
     public Tone Tone
     {
@@ -99,26 +99,26 @@ public sealed class PictureView : IDisposable
                 _tone = value;
             }
 
-            Frames.SeeAnew();
+            Frames.Refresh();
             Changed?.Invoke();
         }
     }
 
-    /// <summary>What is shown.</summary>
+    /// <summary>The map that is shown.</summary>
     /// <exception cref="SessionException">There is nothing.</exception>
-    public ShownScene RequireShown() => Shown ?? throw new SessionException("There is no scene to look at.", SessionFault.Missing);
+    public ViewportScene RequireShown() => Shown ?? throw new SessionException("There is no scene to look at.", SessionFault.Missing);
 
     /// <summary>Changes what the user wants.</summary>
     /// <param name="change">Makes the new settings of the present ones.</param>
-    /// <param name="anew">Whether the picture begins anew.</param>
+    /// <param name="restart">True to render the picture from scratch.</param>
     /// <exception cref="SessionException">They cannot be.</exception>
-    public void Change(Func<ViewSettings, ViewSettings> change, bool anew = false)
+    public void Change(Func<ViewSettings, ViewSettings> change, bool restart = false)
     {
         lock (_lock)
         {
             ViewSettings wanted = change(_settings);
             Check(wanted);
-            bool isOther = anew || wanted.Region != _settings.Region;
+            bool isOther = restart || wanted.Region != _settings.Region;
             _settings = wanted;
             Show(isOther);
         }
@@ -138,7 +138,7 @@ public sealed class PictureView : IDisposable
             _settings = _settings with { Samples = samples, Region = region, Mode = RenderMode.Running, Map = ViewMap.Light };
             if (_place == _startPlace)
             {
-                Show(anew: true);
+                Show(restart: true);
             }
         }
 
@@ -158,7 +158,7 @@ public sealed class PictureView : IDisposable
         }
     }
 
-    /// <summary>What decides what a sample of the picture comes to, as a hash.</summary>
+    /// <summary>The hash of everything that decides the value of a sample.</summary>
     internal static string ContentOf(GoodScene good, RenderOrder order, string folder) => ContentHash.Of(Ordered(good, order), ScenePath(folder), order.Region);
 
     private static bool IsOf(FilmHeader header, GoodScene good, RenderOrder order, string folder) =>
@@ -170,18 +170,18 @@ public sealed class PictureView : IDisposable
 
     /// <summary>Shows another camera, which the text does not have yet.</summary>
     /// <returns>Whether the scene can be seen from there; if not, nothing has changed.</returns>
-    internal bool Take(CameraDescription camera)
+    internal bool TrySetCamera(CameraDescription camera)
     {
         lock (_lock)
         {
-            CameraDescription? before = _hand;
-            (_hand, _handUntil) = (camera, int.MaxValue);
-            if (Show(anew: false))
+            CameraDescription? before = _movedCamera;
+            (_movedCamera, _movedUntil) = (camera, int.MaxValue);
+            if (Show(restart: false))
             {
                 return true;
             }
 
-            _hand = before;
+            _movedCamera = before;
             return false;
         }
     }
@@ -191,7 +191,7 @@ public sealed class PictureView : IDisposable
     {
         lock (_lock)
         {
-            _handUntil = revision;
+            _movedUntil = revision;
         }
 
         Follow();
@@ -246,11 +246,11 @@ public sealed class PictureView : IDisposable
             {
                 if (_place != _document.Place || _shown is null)
                 {
-                    (_place, Home, _hand) = (_document.Place, good.Read.Description!.Camera, null);
+                    (_place, Home, _movedCamera) = (_document.Place, good.Read.Description!.Camera, null);
                 }
 
-                _hand = good.Revision >= _handUntil ? null : _hand;
-                Show(anew: false);
+                _movedCamera = good.Revision >= _movedUntil ? null : _movedCamera;
+                Show(restart: false);
             }
             else if (content.Revision == _document.Revision)
             {
@@ -263,7 +263,7 @@ public sealed class PictureView : IDisposable
     }
 
     // Has the loop render what is to be seen now; false where it cannot be.
-    private bool Show(bool anew)
+    private bool Show(bool restart)
     {
         if (_document.Content.LastGood is not { } good || Seen(good) is not { } shown)
         {
@@ -275,10 +275,10 @@ public sealed class PictureView : IDisposable
             _settings = _settings with { Region = null };
         }
 
-        if (anew || _shown is null || !IsSamePicture(_shown, shown))
+        if (restart || _shown is null || !IsSamePicture(_shown, shown))
         {
             // Whoever has stopped one picture wants to see the next one.
-            _settings = _settings.Mode == RenderMode.Stopped && !anew && _shown is not null ? _settings with { Mode = RenderMode.Running } : _settings;
+            _settings = _settings.Mode == RenderMode.Stopped && !restart && _shown is not null ? _settings with { Mode = RenderMode.Running } : _settings;
             _pictures++;
         }
 
@@ -309,17 +309,17 @@ public sealed class PictureView : IDisposable
             _start = isSame ? start : null;
             if (!isSame)
             {
-                Refused?.Invoke($"The film is not of {place.Name}: the scene, a file that it refers to, its settings or the program have changed. Rendering starts from scratch.");
+                Refused?.Invoke($"The film is not of {place.Name}: the scene, a file that it refers to, its settings, a plug-in or the program have changed. Rendering starts from scratch.");
             }
         }
 
         return order with { Picture = _pictures, Start = _startPicture == _pictures ? _start : null };
     }
 
-    private ShownScene? Seen(GoodScene good)
+    private ViewportScene? Seen(GoodScene good)
     {
         SceneDescription description = good.Read.Description!;
-        CameraDescription camera = _hand ?? description.Camera;
+        CameraDescription camera = _movedCamera ?? description.Camera;
         RenderDescription render = description.Render;
         if (_settings.Samples is { } samples && render.Sampler.Complaint(samples) is null)
         {
@@ -332,7 +332,7 @@ public sealed class PictureView : IDisposable
         return scene is null ? null : new(good, scene, camera, 0);
     }
 
-    private static bool IsSamePicture(ShownScene a, ShownScene b)
+    private static bool IsSamePicture(ViewportScene a, ViewportScene b)
     {
         RenderDescription render = a.Scene.Render;
 

@@ -14,7 +14,7 @@ public sealed class PreviewPlan
     private double _secondsPerPixel;
     private int _scale;
 
-    /// <summary>Begins anew, with the first one.</summary>
+    /// <summary>Starts again, with the first one.</summary>
     /// <param name="pixels">Number of pixels of the whole picture.</param>
     public void Begin(long pixels)
     {
@@ -26,10 +26,10 @@ public sealed class PreviewPlan
         }
     }
 
-    /// <summary>Whether the next one is the first, which must be made to its end.</summary>
+    /// <summary>Returns whether the next one is the first, which must be completed.</summary>
     public bool IsFirst { get; private set; }
 
-    /// <summary>How many pixels across and down become one in the next one; 1 where there is none any more.</summary>
+    /// <summary>The number of pixels across and down that become one in the next one; 1 where none remains.</summary>
     public int Scale => _scale;
 
     /// <summary>The next one has been made.</summary>

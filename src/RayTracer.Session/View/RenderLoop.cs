@@ -39,7 +39,7 @@ public sealed class RenderLoop : IDisposable
     /// <summary>Raised when a picture cannot be rendered, with a sentence that says why.</summary>
     public event Action<string>? Failed;
 
-    /// <summary>How far the newest picture is.</summary>
+    /// <summary>The progress of the newest picture.</summary>
     public RenderStatus Status => Volatile.Read(ref _status);
 
     /// <summary>Renders something from now on, instead of all before.</summary>
@@ -61,25 +61,25 @@ public sealed class RenderLoop : IDisposable
     }
 
     /// <summary>Has the loop's thread look at the picture between two steps, when it is of one order: at once, or after a part of a second.</summary>
-    /// <param name="look">Told the film, its order and its samples; should not take long.</param>
+    /// <param name="read">Reads the film, its order and its number of samples; should not take long.</param>
     /// <exception cref="SessionException">There is no picture.</exception>
-    public Task<T> Look<T>(Func<Film, RenderOrder, int, T> look)
+    public Task<T> ReadFilm<T>(Func<Film, RenderOrder, int, T> read)
     {
         TaskCompletionSource<T> done = new(TaskCreationOptions.RunContinuationsAsynchronously);
         lock (_gate)
         {
-            _visits.Enqueue(() => Visit(look, done));
+            _visits.Enqueue(() => Visit(read, done));
             Monitor.PulseAll(_gate);
         }
 
         return done.Task;
     }
 
-    /// <summary>What some pixels of the film have and others lack, to be asked for within a look; null where all have the same samples.</summary>
+    /// <summary>The samples that some pixels of the film have and others lack, to be read within <see cref="ReadFilm{T}"/>; null where all have the same samples.</summary>
     internal Slice? Rest => _work.Rest;
 
-    /// <summary>How the error of the picture has shrunk.</summary>
-    public Task<Convergence> Convergence() => Look((film, order, samples) => _work.Log.Errors(film, order.Area, samples));
+    /// <summary>The error of the picture against its samples.</summary>
+    public Task<Convergence> Convergence() => ReadFilm((film, order, samples) => _work.Log.Errors(film, order.Area, samples));
 
     /// <inheritdoc/>
     public void Dispose()
@@ -178,7 +178,7 @@ public sealed class RenderLoop : IDisposable
         }
     }
 
-    private void Visit<T>(Func<Film, RenderOrder, int, T> look, TaskCompletionSource<T> done)
+    private void Visit<T>(Func<Film, RenderOrder, int, T> read, TaskCompletionSource<T> done)
     {
         try
         {
@@ -187,7 +187,7 @@ public sealed class RenderLoop : IDisposable
                 throw new SessionException("There is no picture yet.", SessionFault.Missing);
             }
 
-            done.SetResult(look(film, order, _work.Samples));
+            done.SetResult(read(film, order, _work.Samples));
         }
         catch (Exception e)
         {

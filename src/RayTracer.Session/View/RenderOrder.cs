@@ -3,7 +3,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Session;
 
-/// <summary>What is to be rendered, and how.</summary>
+/// <summary>The scene to render, and how to render it.</summary>
 public sealed record RenderOrder
 {
     /// <summary>The scene, as it is rendered in the end.</summary>
@@ -12,7 +12,7 @@ public sealed record RenderOrder
     /// <summary>Its camera.</summary>
     public required CameraDescription Camera { get; init; }
 
-    /// <summary>Which picture it is: orders with the same number go on with the samples that there are.</summary>
+    /// <summary>The number of the picture: orders with the same number continue its samples.</summary>
     public required long Picture { get; init; }
 
     /// <summary>The part to render; null for all of it.</summary>
@@ -21,10 +21,10 @@ public sealed record RenderOrder
     /// <summary>Number of threads.</summary>
     public int Threads { get; init; } = 1;
 
-    /// <summary>What is shown.</summary>
+    /// <summary>The map that is shown.</summary>
     public ViewMap Map { get; init; } = ViewMap.Light;
 
-    /// <summary>Whether rendering goes on.</summary>
+    /// <summary>The state that the user wants of the rendering.</summary>
     public RenderMode Mode { get; init; }
 
     /// <summary>The film whose samples the picture begins with; null for none.</summary>

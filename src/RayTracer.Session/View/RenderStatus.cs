@@ -2,7 +2,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Session;
 
-/// <summary>How far the picture is.</summary>
+/// <summary>The progress of the picture.</summary>
 public sealed record RenderStatus
 {
     /// <summary>"idle" (there is nothing to render), "rendering", "paused", "stopped" or "done".</summary>
@@ -35,13 +35,13 @@ public sealed record RenderStatus
     /// <summary>Number of threads.</summary>
     public int Threads { get; init; }
 
-    /// <summary>What is shown.</summary>
+    /// <summary>The map that is shown.</summary>
     public ViewMap Map { get; init; } = ViewMap.Light;
 
     /// <summary>The part that is rendered; null for all of it.</summary>
     public Tile? Region { get; init; }
 
-    /// <summary>Whether there is less than a sample in each pixel.</summary>
+    /// <summary>Returns whether there is less than a sample in each pixel.</summary>
     public bool IsPreview { get; init; }
 
     /// <summary>Samples that were not finite, and left out.</summary>

@@ -20,13 +20,13 @@ public sealed class SlicePlan(Tile area, int samples)
     /// <summary>Samples in every pixel.</summary>
     public int Samples { get; private set; }
 
-    /// <summary>What some pixels have and others lack; null where all have the same samples.</summary>
+    /// <summary>The samples that some pixels have and others lack; null where all have the same samples.</summary>
     public Slice? Rest => IsUneven ? new(new(area.X, area.Y + _rows, area.Width, area.Height - _rows), new(Samples, Samples + _samplesOfRows)) : null;
 
-    /// <summary>Whether some pixels have more samples than others.</summary>
+    /// <summary>Returns whether some pixels have more samples than others.</summary>
     public bool IsUneven => _rows > 0;
 
-    /// <summary>Whether there is nothing left to do.</summary>
+    /// <summary>Returns whether there is nothing left to do.</summary>
     public bool IsDone => Samples >= samples;
 
     /// <summary>The next slice.</summary>
@@ -67,3 +67,8 @@ public sealed class SlicePlan(Tile area, int samples)
     /// <summary>The same work with another number of samples in the end.</summary>
     public SlicePlan WithSamples(int total) => new(area, total) { Samples = Samples, _rows = _rows, _samplesOfRows = _samplesOfRows };
 }
+
+/// <summary>A part of the work on a picture, between two looks at what the user wants.</summary>
+/// <param name="Area">The pixels.</param>
+/// <param name="Samples">The samples.</param>
+public readonly record struct Slice(Tile Area, SampleRange Samples);

@@ -30,10 +30,10 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
 
     /// <summary>Keeps the picture as it is, with its exposure and tone map.</summary>
     /// <exception cref="SessionException">There is no picture yet.</exception>
-    public async Task<Snapshot> Take()
+    public async Task<Snapshot> Capture()
     {
         LinearPicture picture = new();
-        int samples = await view.Loop.Look((film, _, count) =>
+        int samples = await view.Loop.ReadFilm((film, _, count) =>
         {
             picture.CopyFrom(film);
             return count;
@@ -73,3 +73,8 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
         }
     }
 }
+
+/// <summary>An earlier picture, kept for comparison.</summary>
+/// <param name="Id">Its number.</param>
+/// <param name="Label">What it is, in a few words.</param>
+public sealed record Snapshot(int Id, string Label);

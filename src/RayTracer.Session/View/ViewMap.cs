@@ -23,13 +23,13 @@ public sealed record ViewMap(string Name)
     [JsonIgnore]
     public AuxiliaryImage? Image => AuxiliaryImage.Known.Find(Name);
 
-    /// <summary>Whether it is light, to which exposure and tone map apply.</summary>
+    /// <summary>Returns whether it is light, to which exposure and tone map apply.</summary>
     public bool IsLight => Image is null;
 
     /// <summary>The name that people read.</summary>
     public string Title => Image?.Title ?? SessionTexts.Of($"maps.{Name}.0");
 
-    /// <summary>What it shows.</summary>
+    /// <summary>The description.</summary>
     public string Why => Image?.Description ?? SessionTexts.Of($"maps.{Name}.1");
 
     /// <summary>The colours of its legend, display values from the left to the right.</summary>

@@ -1,17 +1,18 @@
+using RayTracer.Imaging;
 using RayTracer.Rendering;
 
 namespace RayTracer.Session;
 
-/// <summary>What the user wants of the view, beside what the scene says.</summary>
+/// <summary>The user's settings of the view, beside those of the scene.</summary>
 public sealed record ViewSettings
 {
-    /// <summary>Whether rendering goes on.</summary>
+    /// <summary>The state that the user wants of the rendering.</summary>
     public RenderMode Mode { get; init; }
 
     /// <summary>Number of threads. One core is left to the user by default.</summary>
     public int Threads { get; init; } = Math.Max(1, Environment.ProcessorCount - 1);
 
-    /// <summary>What is shown.</summary>
+    /// <summary>The map that is shown.</summary>
     public ViewMap Map { get; init; } = ViewMap.Light;
 
     /// <summary>The part of the picture to render; null for all of it.</summary>
@@ -22,4 +23,39 @@ public sealed record ViewSettings
 
     /// <summary>The same in words; null where there are none for it.</summary>
     public RenderQuality? Quality => Samples is { } samples && Enum.IsDefined((RenderQuality)samples) ? (RenderQuality)samples : null;
+}
+
+/// <summary>The state that the user wants of the rendering.</summary>
+public enum RenderMode
+{
+    /// <summary>It goes on to the last sample.</summary>
+    Running,
+
+    /// <summary>It waits, and may go on.</summary>
+    Paused,
+
+    /// <summary>It has been ended by the user.</summary>
+    Stopped,
+}
+
+/// <summary>The presets of samples for each pixel. All are squares, as some samplers need.</summary>
+public enum RenderQuality
+{
+    /// <summary>To look at while working.</summary>
+    Draft = 16,
+
+    /// <summary>To show to others.</summary>
+    Good = 256,
+
+    /// <summary>To print.</summary>
+    Final = 1024,
+}
+
+/// <summary>The exposure and tone map of the screen.</summary>
+/// <param name="Exposure">In stops, −100 to 100: each doubles the light.</param>
+/// <param name="ToneMap">The curve.</param>
+public sealed record Tone(float Exposure, ToneMap ToneMap)
+{
+    /// <summary>Light as it is.</summary>
+    public static Tone Plain { get; } = new(0, ToneMap.Clamp);
 }

@@ -15,7 +15,7 @@ public static class Wireframe
     private const float EndlessScale = 1.5f;
 
     /// <summary>Draws a scene.</summary>
-    public static IReadOnlyList<WireShape> Of(ShownScene shown)
+    public static IReadOnlyList<WireShape> Of(ViewportScene shown)
     {
         (Vector3 middle, float size) = shown.Extent;
         List<WireShape> shapes = [];
@@ -55,3 +55,8 @@ public static class Wireframe
 
     private static Bounds MeshBounds(MeshData mesh) => mesh.Indices.Aggregate(Bounds.Empty, (all, i) => all.Union(new(mesh.Positions[i], mesh.Positions[i])));
 }
+
+/// <summary>A thing as lines.</summary>
+/// <param name="Pointer">The thing in the text; null where it is not from the text.</param>
+/// <param name="Lines">Lines of points, in the world.</param>
+public sealed record WireShape(string? Pointer, IReadOnlyList<IReadOnlyList<Vector3>> Lines);

@@ -5,7 +5,7 @@ using static RayTracer.Studio.DocumentRequests;
 
 namespace RayTracer.Studio;
 
-/// <summary>What a page does with files: opening, saving, dropping, bundles, the gallery, texts that were not saved.</summary>
+/// <summary>The requests about files: opening, saving, dropping, bundles, the gallery, unsaved texts.</summary>
 internal static class FileEndpoints
 {
     /// <summary>Adds the endpoints.</summary>
@@ -14,21 +14,13 @@ internal static class FileEndpoints
         MapOpening(api, session);
         MapSaving(api, session);
         MapGallery(api, session.Gallery);
-        api.MapPost("/recovery/discard", (Recovered request) =>
-        {
-            session.Recovery.Discard(Needed(request.Id, "id"));
-            return Answers.Done(session);
-        });
+        api.MapPost("/recovery/discard", (Recovered request) => session.Recovery.Discard(Needed(request.Id, "id")));
     }
 
     private static void MapOpening(RouteGroupBuilder api, StudioSession session)
     {
         SceneFiles files = session.Files;
-        api.MapPost("/file/new", (New request) =>
-        {
-            files.New(request.Discard);
-            return Answers.Done(session);
-        });
+        api.MapPost("/file/new", (New request) => files.New(request.Discard));
         api.MapPost("/file/open", (Open request) =>
         {
             switch (request)
@@ -43,8 +35,6 @@ internal static class FileEndpoints
                     files.Open(Needed(path, "path"), discard);
                     break;
             }
-
-            return Answers.Done(session);
         });
         api.MapPost("/file/upload", async (HttpContext context, string? name, bool? discard) =>
         {
@@ -55,7 +45,7 @@ internal static class FileEndpoints
             }
 
             (string path, bool opened) = await files.Upload(Needed(name, "name"), context.Request.Body, discard ?? false, context.RequestAborted);
-            return Answers.Json(new { revision = session.Document.Revision, path, opened });
+            return Results.Json(new { revision = session.Document.Revision, path, opened });
         });
     }
 
@@ -65,10 +55,10 @@ internal static class FileEndpoints
         api.MapPost("/file/save", (Save request) =>
         {
             string path = files.Save(request.Path, request.Overwrite);
-            return Answers.Json(new { revision = session.Document.Revision, path });
+            return Results.Json(new { revision = session.Document.Revision, path });
         });
-        api.MapGet("/file/recent", () => Answers.Json(new { files = files.Recent.Select(p => new { path = p, name = Path.GetFileName(p) }) }));
-        api.MapGet("/file/list", (string? path, bool? named) => Answers.Json(files.List(path, named ?? false)));
+        api.MapGet("/file/recent", () => Results.Json(new { files = files.Recent.Select(p => new { path = p, name = Path.GetFileName(p) }) }));
+        api.MapGet("/file/list", (string? path, bool? named) => files.List(path, named ?? false));
         api.MapGet("/file/bundle", () =>
         {
             JsonText text = JsonText.Of(session.Document.Read);
@@ -91,7 +81,7 @@ internal static class FileEndpoints
 
     private static void MapGallery(RouteGroupBuilder api, Gallery gallery)
     {
-        api.MapGet("/gallery", () => Answers.Json(new { groups = gallery.Groups }));
+        api.MapGet("/gallery", () => Results.Json(new { groups = gallery.Groups }));
         api.MapGet("/gallery/thumbnail", async (HttpContext context, string? id) => Results.Bytes(await gallery.Thumbnail(Needed(id, "id"), context.RequestAborted), "image/png"));
     }
 }

@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Studio;
 
-/// <summary>How data is written as JSON: camelCase, words for choices, arrays for vectors and colours, null for what is not finite.</summary>
+/// <summary>The options of JSON: camelCase, words for choices, arrays for vectors and colours, null for numbers that are not finite.</summary>
 internal static class ApiJson
 {
     /// <summary>The conventions.</summary>

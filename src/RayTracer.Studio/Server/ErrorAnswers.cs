@@ -1,11 +1,12 @@
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using RayTracer.Imaging;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;
 
 /// <summary>Turns what goes wrong into an answer with a sentence for the user.</summary>
-/// <param name="errors">Where what must not happen is told.</param>
+/// <param name="errors">Takes the internal errors.</param>
 internal sealed class ErrorAnswers(TextWriter errors)
 {
     /// <summary>Passes a request on.</summary>
@@ -49,4 +50,21 @@ internal sealed class ErrorAnswers(TextWriter errors)
         JsonException => (StatusCodes.Status400BadRequest, $"The request's JSON is wrong: {e.Message}"),
         _ => Complaint.Of(e) is { } complaint ? (StatusCodes.Status400BadRequest, complaint) : (StatusCodes.Status500InternalServerError, $"Internal error: {e.Message}"),
     };
+}
+
+/// <summary>The answer to a request that failed.</summary>
+/// <param name="Error">Why, in a sentence for the user.</param>
+internal sealed record ErrorAnswer(string Error)
+{
+    /// <summary>Returns whether unsaved changes would be lost.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
+    public bool Unsaved { get; init; }
+
+    /// <summary>Returns whether the file exists already.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
+    public bool Exists { get; init; }
+
+    /// <summary>Returns whether somebody else has changed the file.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingDefault)]
+    public bool ChangedOnDisk { get; init; }
 }

@@ -13,7 +13,7 @@ internal sealed class LocalGuard(string token)
     /// <summary>The header that bears the secret.</summary>
     public const string TokenHeader = "X-Studio-Token";
 
-    /// <summary>Where data is. All else are the pages, which are no secret.</summary>
+    /// <summary>The path of the data. All else are the pages, which are no secret.</summary>
     public const string Api = "/api";
 
     /// <summary>The one request whose secret is in its body, because a page that is going away cannot set a header: its handler looks.</summary>
@@ -25,13 +25,13 @@ internal sealed class LocalGuard(string token)
     /// <summary>Raised when a request with the secret has come.</summary>
     public event EventHandler? Admitted;
 
-    /// <summary>How many characters the secret has.</summary>
+    /// <summary>The number of the secret's characters.</summary>
     public int TokenLength => token.Length;
 
     /// <summary>Sets the port, once it is known; before, everything is refused.</summary>
     public void Listen(int port) => _host = $"127.0.0.1:{port}";
 
-    /// <summary>Whether a text is the secret. Takes the same time for all texts of a length.</summary>
+    /// <summary>Returns whether a text is the secret. Takes the same time for all texts of a length.</summary>
     public bool IsToken(string? given) => CryptographicOperations.FixedTimeEquals(Digest(given ?? ""), _token);
 
     /// <summary>Checks a request, and passes it on or refuses it.</summary>
@@ -95,4 +95,12 @@ internal sealed class LocalGuard(string token)
         context.Response.StatusCode = status;
         return context.Response.WriteAsJsonAsync(new ErrorAnswer(reason), ApiJson.Options, context.RequestAborted);
     }
+}
+
+/// <summary>The Content Security Policy of the page: it may load nothing but what comes from this server.</summary>
+internal static class ContentPolicy
+{
+    /// <summary>The header's value. Style sheets that the page makes itself are constructed ones, which need no permission.</summary>
+    public const string Header = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; font-src 'self'; "
+        + "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }

@@ -3,6 +3,7 @@ using System.Net;
 using System.Security.Cryptography;
 using Microsoft.AspNetCore.Hosting.Server;
 using Microsoft.AspNetCore.Hosting.Server.Features;
+using Microsoft.AspNetCore.Http.HttpResults;
 using RayTracer.Session;
 
 namespace RayTracer.Studio;
@@ -29,14 +30,15 @@ internal sealed class StudioServer : IAsyncDisposable
         _app.UseRouting();
         RouteGroupBuilder api = _app.MapGroup(LocalGuard.Api);
         api.MapLife(guard, _windows, options.Errors);
-        api.MapState(session, poll);
-        api.MapDocument(session);
         api.MapFrames(session.View, poll);
-        api.MapView(session);
-        api.MapInspection(session);
-        api.MapSaving(session);
-        api.MapBackground(session);
-        api.MapLights(session);
+        // A request that has nothing to return gets the revision that the document has now.
+        RouteGroupBuilder acting = api.MapGroup("").AddEndpointFilter(async (call, next) =>
+            await next(call) is var answer and not EmptyHttpResult ? answer : new { revision = session.Document.Revision });
+        acting.MapState(session, poll);
+        acting.MapDocument(session);
+        acting.MapView(session);
+        acting.MapInspection(session);
+        acting.MapSaving(session);
         api.MapFallback("{**path}", () => { throw new SessionException("There is no such request.", SessionFault.Missing); });
         _app.MapFallback("{**path}", new EmbeddedAssets().Serve);
         Guard = guard;
@@ -45,7 +47,7 @@ internal sealed class StudioServer : IAsyncDisposable
     /// <summary>Raised by each request that bears the secret.</summary>
     public event EventHandler? Connected;
 
-    /// <summary>Where the server is.</summary>
+    /// <summary>The server's address.</summary>
     public Uri Address { get; private set; } = null!;
 
     /// <summary>The secret.</summary>
@@ -97,4 +99,23 @@ internal sealed class StudioServer : IAsyncDisposable
         builder.Services.Configure<HostOptions>(host => host.ShutdownTimeout = TimeSpan.FromSeconds(2));
         return builder.Build();
     }
+}
+
+/// <summary>The options of the server.</summary>
+internal sealed record ServerOptions
+{
+    /// <summary>The port; 0 for a free one.</summary>
+    public int Port { get; init; }
+
+    /// <summary>The times to wait for windows.</summary>
+    public GraceTimes Grace { get; init; } = GraceTimes.Default;
+
+    /// <summary>The longest time that a request waits for news.</summary>
+    public TimeSpan Patience { get; init; } = TimeSpan.FromSeconds(20);
+
+    /// <summary>The clock for waiting for windows.</summary>
+    public TimeProvider Time { get; init; } = TimeProvider.System;
+
+    /// <summary>The writer that errors are reported to.</summary>
+    public TextWriter Errors { get; init; } = Console.Error;
 }

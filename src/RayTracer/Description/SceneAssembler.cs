@@ -19,7 +19,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     private readonly Dictionary<object, MeshData> _mended = new(ReferenceEqualityComparer.Instance);
     private readonly HashSet<ImportedModel> _noted = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<(Material Material, string Group), Material> _grouped = [];
-    private LightLabel? _label;
+    private LightGroupLabel? _label;
     private int _nesting;
 
     /// <summary>The world that some shapes make.</summary>
@@ -30,8 +30,8 @@ internal sealed class SceneAssembler(SceneBuilder builder)
 
     private void Add(ShapeDescription description, Motion outer, SpaceContents target)
     {
-        LightLabel? before = _label;
-        _label = LightLabel.Of(description, before);
+        LightGroupLabel? before = _label;
+        _label = LightGroupLabel.Of(description, before);
         AddPlaced(description, outer, target);
         _label = before;
     }
@@ -113,7 +113,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         if (!_objects.TryGetValue(instance.Of, out SpaceContents? contents))
         {
             contents = new();
-            LightLabel? label = _label;
+            LightGroupLabel? label = _label;
             _label = null;
             using (builder.InheritNothing())
             {
@@ -155,12 +155,12 @@ internal sealed class SceneAssembler(SceneBuilder builder)
 
         foreach (PlacedSpace inner in contents.Instances.ToArray())
         {
-            target.Instances.Add(new(inner.Contents, motion * inner.Motion, source, LightLabel.Within(inner.Label, _label)));
+            target.Instances.Add(new(inner.Contents, motion * inner.Motion, source, LightGroupLabel.Within(inner.Label, _label)));
         }
 
         foreach (PlacedLight inner in contents.Lights.ToArray())
         {
-            target.Lights.Add(inner with { Motion = motion * inner.Motion, Label = LightLabel.Within(inner.Label, _label) });
+            target.Lights.Add(inner with { Motion = motion * inner.Motion, Label = LightGroupLabel.Within(inner.Label, _label) });
         }
     }
 

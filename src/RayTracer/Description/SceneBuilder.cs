@@ -177,7 +177,7 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         EnvironmentLight? environment = scene.Environment?.Build(this);
         if (environment is not null)
         {
-            environment.Label = new(LightLabel.Plain(scene.Environment!.LightGroup), "environment");
+            environment.Label = new(LightGroupLabel.Plain(scene.Environment!.LightGroup), "environment");
         }
 
         return environment;
@@ -276,4 +276,10 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
 
         return (TBuilt)built;
     }
+}
+
+/// <summary>Undoes a change of what a <see cref="SceneBuilder"/> takes for granted, at the end of a <c>using</c>.</summary>
+internal readonly struct MaterialScope(Action undo) : IDisposable
+{
+    public void Dispose() => undo();
 }

@@ -36,17 +36,17 @@ internal sealed class SpaceContents
 /// <param name="Place">Where the mesh stands.</param>
 /// <param name="Source">What it was made from; null where that is not kept.</param>
 /// <param name="Label">The label of its light.</param>
-internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place, ShapeDescription? Source, LightLabel? Label);
+internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place, ShapeDescription? Source, LightGroupLabel? Label);
 
 /// <summary>A space in another one.</summary>
 /// <param name="Contents">What it holds.</param>
 /// <param name="Motion">Where it is.</param>
 /// <param name="Source">What it was made from; null where that is not kept.</param>
 /// <param name="Label">The label of its light, where its contents have none.</param>
-internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeDescription? Source, LightLabel? Label);
+internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeDescription? Source, LightGroupLabel? Label);
 
 /// <summary>A light without extent in a space.</summary>
 /// <param name="Light">What it is, found free of faults.</param>
 /// <param name="Motion">Where its own space is.</param>
 /// <param name="Label">The label of its light.</param>
-internal sealed record PlacedLight(PunctualLightDescription Light, Motion Motion, LightLabel? Label);
+internal sealed record PlacedLight(PunctualLightDescription Light, Motion Motion, LightGroupLabel? Label);

@@ -13,6 +13,11 @@ public abstract record TextureDescription
     /// <param name="color">The colour.</param>
     public static implicit operator TextureDescription(Rgb color) => new SolidTextureDescription { Color = color };
 
+    /// <summary>The same colour everywhere: programs write <c>Color = "red"</c> or <c>Color = "#f00"</c>, as scene files do.</summary>
+    /// <param name="color">A name of CSS, or # and three or six hexadecimal digits.</param>
+    /// <exception cref="FormatException">It is neither.</exception>
+    public static implicit operator TextureDescription(string color) => (Rgb)color;
+
     /// <summary>The same number everywhere: programs write <c>Roughness = 0.2f</c>.</summary>
     /// <param name="number">The number.</param>
     public static implicit operator TextureDescription(float number) => new Rgb(number, number, number);

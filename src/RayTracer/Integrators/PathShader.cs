@@ -20,7 +20,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     private const float LargestSurvival = 0.95f;
     private readonly ShadowQueue? _queue = context.Queue;
     private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer);
-    private readonly LightMap _lights = new(context.Scene);
+    private readonly EmitterLookup _lights = new(context.Scene);
     private readonly uint _maxDepth = (uint)(maxDepth < 0 ? RenderDescription.LongestPath : maxDepth);
 
     internal override long ShadowRays => _directLight.ShadowRays;
@@ -99,7 +99,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
 
         if (Scene.HasNesting && group.IsNested)
         {
-            surface.Around = Scene.Media.Index(around, surface.Wavelength);
+            surface.ExteriorIndex = Scene.Media.Index(around, surface.Wavelength);
         }
 
         // A path of so many edges may have one more: the ray to a light, or the next one.
@@ -150,7 +150,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     /// what a path carries never grows (the history-aware probabilities of Kutz et al. 2017); channels that are alike would
     /// let a few long paths carry nearly all.
     /// </summary>
-    internal override void Fly(PathStream stream)
+    internal override void SampleMedia(PathStream stream)
     {
         for (int i = 0; Scene.HasMedia && i < stream.Count; i += FloatW.Count)
         {
@@ -158,7 +158,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
             MaskW inside = MaskW.First(stream.Count - i).Except(UIntW.Equal(MediumStack.Innermost(media), 0u));
             if (inside.Any)
             {
-                Fly(stream, i, inside.Select(media, 0u), inside);
+                SampleMedium(stream, i, inside.Select(media, 0u), inside);
             }
         }
 
@@ -187,7 +187,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         (left.B * FloatW.Load(stream.ThroughputB + i)).Store(stream.ThroughputB + i);
     }
 
-    private void Fly(PathStream stream, int i, UIntW media, MaskW inside)
+    private void SampleMedium(PathStream stream, int i, UIntW media, MaskW inside)
     {
         MaskW used = MaskW.First(stream.Count - i);
         BeginVertex(used.Select(UIntW.Load(stream.Path + i), 0u), UIntW.Load(stream.State + i) & DepthBits);

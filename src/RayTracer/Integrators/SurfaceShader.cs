@@ -102,7 +102,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     }
 
     /// <summary>Lets media scatter rays before they reach what they would meet.</summary>
-    internal virtual void Fly(PathStream stream)
+    internal virtual void SampleMedia(PathStream stream)
     {
     }
 
@@ -164,7 +164,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         if (group.IsNested)
         {
             // Where paths do not track what they are in, nothing is around.
-            surface.Around = 1f;
+            surface.ExteriorIndex = 1f;
         }
 
         if (group.Traits.Disperses)

@@ -39,7 +39,7 @@ internal static class LightList
                 Shape shape = space.Shapes[primitive - space.FirstPrimitive];
                 if (shape.Material.Traits.Emits)
                 {
-                    lights.Add(new InstancedLight(shape, batch, primitive, instances, instance) { Label = LightLabel.Within(shape.Label, instances.LabelOf(instance)) });
+                    lights.Add(new InstancedLight(shape, batch, primitive, instances, instance) { Label = LightGroupLabel.Within(shape.Label, instances.LabelOf(instance)) });
                 }
             }
         }
@@ -62,7 +62,7 @@ internal static class LightList
             {
                 lights.Add(new MeshLight(mesh, (LuminaireMaterial)triangles.Key, choice, instances, instance)
                 {
-                    Label = LightLabel.Within(LabelOf(contents, triangles.Key), instances?.LabelOf(instance)),
+                    Label = LightGroupLabel.Within(LabelOf(contents, triangles.Key), instances?.LabelOf(instance)),
                 });
             }
         }
@@ -76,9 +76,9 @@ internal static class LightList
     }
 
     // What all meshes say that have some of the luminaire.
-    private static LightLabel? LabelOf(SpaceContents contents, Material luminaire)
+    private static LightGroupLabel? LabelOf(SpaceContents contents, Material luminaire)
     {
-        LightLabel?[] labels = [.. contents.Meshes.Where(m => m.Materials.Contains(luminaire)).Select(m => m.Label).Distinct()];
+        LightGroupLabel?[] labels = [.. contents.Meshes.Where(m => m.Materials.Contains(luminaire)).Select(m => m.Label).Distinct()];
         return labels is [var only] ? only : labels.Select(l => l?.Group).Distinct().ToArray() is [{ } group] ? new(group, null) : null;
     }
 

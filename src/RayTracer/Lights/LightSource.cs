@@ -20,7 +20,7 @@ public abstract class LightSource(int instance, int primitive)
     internal int OwnPrimitive { get; } = instance == 0 ? primitive : -1;
 
     /// <summary>The label that sets it apart from other lights; null where it has none.</summary>
-    internal LightLabel? Label { get; set; }
+    internal LightGroupLabel? Label { get; set; }
 
     /// <summary>The light comes from single points or directions, which no ray meets by chance.</summary>
     public virtual bool IsDelta => false;

@@ -158,7 +158,7 @@ public struct SurfaceW
     /// Refractive index of what is on the other side of the shape, relative to empty space; set only where
     /// <see cref="MaterialTraits.Nesting"/> gives the inside's.
     /// </summary>
-    public FloatW Around;
+    public FloatW ExteriorIndex;
 
     /// <summary>Surface coordinates; set only where <see cref="MaterialTraits.UsesUv"/>.</summary>
     public FloatW U, V;

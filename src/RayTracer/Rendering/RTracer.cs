@@ -41,7 +41,7 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
         {
             try
             {
-                workers[i] = new Wavefront(scene, _options.StreamSize, tiles.Max(t => t.Pixels), _options.Layers is { } layers ? new LightShares(scene, layers) : null);
+                workers[i] = new Wavefront(scene, _options.StreamSize, tiles.Max(t => t.Pixels), _options.Layers is { } layers ? new LightContributions(scene, layers) : null);
                 job.Work(workers[i]);
             }
             catch (Exception e)

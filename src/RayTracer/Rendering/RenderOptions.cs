@@ -19,7 +19,7 @@ public sealed record RenderOptions
     public SampleRange? Samples { get; init; }
 
     /// <summary>Takes layers of light beside the film, of the same samples; null where none are wanted, and then they cost nothing.</summary>
-    public LightLayerFilm? Layers { get; init; }
+    public LightPathAovFilm? Layers { get; init; }
 }
 
 /// <summary>How far a rendering is.</summary>

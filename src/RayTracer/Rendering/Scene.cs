@@ -41,7 +41,7 @@ public sealed class Scene
         Wavelengths = Array.Exists(Groups, g => g.Traits.Disperses) ? new() : null;
         Media = new(_interiors);
         (HasMedia, HasNesting, WeakensShadows, IsLiteral) = Shown();
-        CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;
+        CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = LightList.Create(World);
         LightSelection = SelectLights();
     }
@@ -67,7 +67,7 @@ public sealed class Scene
         _interiors = other._interiors;
         Media = other.Media;
         (HasMedia, HasNesting, WeakensShadows, IsLiteral) = Shown();
-        CameraInteriors = TracksInteriors ? Surroundings.Of(this) : 0;
+        CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = other.Lights;
         LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
     }
@@ -82,7 +82,7 @@ public sealed class Scene
     public Sampler Sampler { get; }
 
     /// <summary>Places samples around the middle of their pixel; null for the mean over the pixel's own square.</summary>
-    public PixelFilter? Filter { get; }
+    internal PixelFilter? Filter { get; }
 
     /// <summary>Radiance where nothing is hit, unless there is an <see cref="Environment"/>.</summary>
     public Rgb Background { get; }
@@ -107,7 +107,7 @@ public sealed class Scene
     public IReadOnlyList<ShapeBatch> Batches { get; }
 
     /// <summary>Meets rays with those shapes.</summary>
-    public PrimitiveList Primitives { get; }
+    internal PrimitiveList Primitives { get; }
 
     /// <summary>Everything that rays can meet.</summary>
     internal World World { get; }

@@ -98,7 +98,7 @@ internal sealed unsafe class Wavefront
 
             _scene.World.ClosestHit(_current, _hits.Pointer);
             ClosestHitRays += _current.Count;
-            _shader.Fly(_current);
+            _shader.SampleMedia(_current);
             _members.Sort(_current);
             Shade();
             _observer?.EndStep(_finished, _next);

@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>A frustum of a cone, with cylinder and cone as its limits.</summary>
-public abstract class ConicalShape : Shape
+internal abstract class ConicalShape : Shape
 {
     private readonly float _slant;
 
@@ -16,7 +16,7 @@ public abstract class ConicalShape : Shape
     {
         (Bottom, Top, Radius, TopRadius, HasCaps) = (bottom, top, radius, topRadius, caps);
         Vector3 axis = top - bottom;
-        Frame = LocalFrame.Around((0.5f * bottom) + (0.5f * top), axis);
+        Frame = LocalFrame.FromAxis((0.5f * bottom) + (0.5f * top), axis);
         Height = axis.Norm();
         _slant = new Vector3(Height, radius - topRadius, 0).Norm();
     }

@@ -19,7 +19,7 @@ internal readonly record struct LocalFrame(Vector3 Origin, Vector3 Right, Vector
     public const int Constants = 12;
 
     /// <summary>The frame around an axis through a point. Every number is the exact one, rounded.</summary>
-    public static LocalFrame Around(Vector3 origin, Vector3 axis)
+    public static LocalFrame FromAxis(Vector3 origin, Vector3 axis)
     {
         double length = double.Sqrt((double)axis.X * axis.X + (double)axis.Y * axis.Y + (double)axis.Z * axis.Z);
         (double x, double y, double z) = (axis.X / length, axis.Y / length, axis.Z / length);

@@ -23,7 +23,7 @@ public abstract class Shape(Material material, string name)
     internal Description.ShapeDescription? Source { get; set; }
 
     /// <summary>The label that distinguishes it from other lights; null where there is none.</summary>
-    internal Description.LightLabel? Label { get; set; }
+    internal Description.LightGroupLabel? Label { get; set; }
 
     /// <summary>The smallest box around the surface, parallel to the axes; infinite where the surface is.</summary>
     public abstract Bounds Bounds { get; }

@@ -39,7 +39,7 @@ internal sealed unsafe class BenchmarkRays
     /// <summary>Whether any hit is asked for, not the nearest.</summary>
     public bool Any { get; }
 
-    /// <summary>Whether the peer is told that neighbours are alike.</summary>
+    /// <summary>Whether the peer knows that neighbours are alike.</summary>
     public bool Coherent => Name == "coherent";
 
     public int Count { get; }

@@ -16,7 +16,7 @@ namespace RayTracer.Desktop.Tests;
 /// </summary>
 internal static class Ui
 {
-    // Only so that a fault is told instead of waited for: nothing is measured by it.
+    // Only so that a fault is reported instead of waited for: nothing is measured by it.
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(30);
     private static readonly BlockingCollection<Action> Work = [];
     private static readonly Lazy<Thread> Started = new(Start);

@@ -2,7 +2,7 @@ using Avalonia.Threading;
 
 namespace RayTracer.Desktop.Tests;
 
-/// <summary>Tells the thread of the window when there is something to do.</summary>
+/// <summary>Wakes the thread of the window when there is something to do.</summary>
 internal sealed class UiDispatcher(Thread thread) : IDispatcherImpl, IDisposable
 {
     private readonly AutoResetEvent _work = new(false);

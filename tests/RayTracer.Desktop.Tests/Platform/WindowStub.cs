@@ -5,10 +5,10 @@ using Avalonia.Rendering.Composition;
 
 namespace RayTracer.Desktop.Tests;
 
-/// <summary>A window of the stand-in: it has a size, and remembers what it is told.</summary>
+/// <summary>A window of the stand-in: it has a size, and remembers what is set.</summary>
 internal sealed class WindowStub
 {
-    private readonly Dictionary<string, object?> _told = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, object?> _values = new(StringComparer.Ordinal);
     private readonly Compositor _compositor = new(null, true);
     private Size _size = new(1280, 800);
 
@@ -28,16 +28,16 @@ internal sealed class WindowStub
             case "TryGetFeature": return (true, null);
             case "Resize":
                 _size = (Size)args[0]!;
-                (_told.GetValueOrDefault("Resized") as Action<Size, WindowResizeReason>)?.Invoke(_size, WindowResizeReason.User);
+                (_values.GetValueOrDefault("Resized") as Action<Size, WindowResizeReason>)?.Invoke(_size, WindowResizeReason.User);
                 return (true, null);
             case "Dispose":
-                (_told.GetValueOrDefault("Closed") as Action)?.Invoke();
+                (_values.GetValueOrDefault("Closed") as Action)?.Invoke();
                 return (true, null);
             case ['s', 'e', 't', '_', ..]:
-                _told[name[4..]] = args[0];
+                _values[name[4..]] = args[0];
                 return (true, null);
-            case ['g', 'e', 't', '_', ..] when _told.TryGetValue(name[4..], out object? told):
-                return (true, told);
+            case ['g', 'e', 't', '_', ..] when _values.TryGetValue(name[4..], out object? value):
+                return (true, value);
             default:
                 return (false, null);
         }

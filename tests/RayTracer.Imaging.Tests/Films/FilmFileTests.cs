@@ -49,7 +49,7 @@ public sealed class FilmFileTests : IDisposable
     }
 
     [Fact]
-    public void Damage_is_told_with_its_place()
+    public void Damage_is_reported_with_its_place()
     {
         byte[] file = Write();
         int rows = 16 + BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(12)) + 4;

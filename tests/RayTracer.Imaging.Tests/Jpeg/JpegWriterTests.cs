@@ -1,5 +1,6 @@
 using System.Security.Cryptography;
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging.Tests;

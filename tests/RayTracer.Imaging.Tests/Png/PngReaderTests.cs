@@ -1,6 +1,7 @@
 using System.IO.Compression;
 using System.Text;
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging.Tests;

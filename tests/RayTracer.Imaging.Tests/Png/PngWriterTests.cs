@@ -1,6 +1,7 @@
 using FsCheck;
 using FsCheck.Fluent;
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging.Tests;

@@ -32,7 +32,7 @@ public class MitsubaMediaTests
         Assert.Equal(warning, TestScene.Complaint(shape.Replace("FOG", Fog, StringComparison.Ordinal).Replace("EXTERIOR", Fog.Replace("interior", "exterior", StringComparison.Ordinal), StringComparison.Ordinal)));
 
     [Fact]
-    public void The_medium_of_a_camera_is_told_by_what_is_around_it()
+    public void The_medium_of_a_camera_follows_from_what_is_around_it()
     {
         string sensor = TestScene.Sensor.Replace("</sensor>", Fog.Replace("interior", "around", StringComparison.Ordinal) + "</sensor>", StringComparison.Ordinal);
         Assert.Equal("the medium around the camera follows from the shapes around it: this has no effect", TestScene.Complaint("", sensor));

@@ -92,7 +92,7 @@ public class MitsubaThingsTests
     }
 
     [Fact]
-    public void Roughness_is_beckmanns_unless_told_and_may_differ_along_u_and_v()
+    public void Roughness_is_beckmanns_unless_stated_and_may_differ_along_u_and_v()
     {
         var metal = (RoughConductorMaterialDescription)Material("""
             <bsdf type="twosided"><bsdf type="roughconductor"><rgb name="eta" value="0.2, 0.9, 1.1"/><rgb name="k" value="3.9 2.4 2.2"/>
@@ -171,7 +171,7 @@ public class MitsubaThingsTests
 
     private static MaterialDescription Material(string bsdf) => Assert.Single(TestScene.Of($"""<shape type="sphere">{bsdf}</shape>""").Shapes).Material;
 
-    // Of a picture whose colour tells where in it one is.
+    // Of a picture whose colour gives the position in it.
     private static void AssertLookedUp(string steps, float u, float v, double mappedU, double mappedV)
     {
         var side = (OneSidedMaterialDescription)Material($"""

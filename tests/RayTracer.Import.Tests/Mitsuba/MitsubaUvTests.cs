@@ -8,7 +8,7 @@ using RayTracer.Textures;
 namespace RayTracer.Import.Tests;
 
 /// <summary>
-/// A picture whose colour tells where in it one is, on every shape: at each point of the surface it must show what the other renderer's
+/// A picture whose colour gives the position in it, on every shape: at each point of the surface it must show what the other renderer's
 /// conventions say (as docs/mitsuba.md has them).
 /// </summary>
 public class MitsubaUvTests

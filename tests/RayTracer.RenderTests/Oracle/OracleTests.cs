@@ -6,7 +6,7 @@ namespace RayTracer.RenderTests.Oracle;
 /// <summary>
 /// The product's pictures against those of the oracle, an independent ray tracer (<see cref="RecursiveTracer"/>). Both render
 /// the same number of independent pictures of as many samples, so that where their noise is of one kind, the difference is
-/// distributed symmetrically even if the noise is not. The output tells how fine the comparison is.
+/// distributed symmetrically even if the noise is not. The output says how fine the comparison is.
 /// Covers `ReportShader`, `DirectLight` and `RayGenerator`.
 /// </summary>
 [Trait("Category", "Thorough")]

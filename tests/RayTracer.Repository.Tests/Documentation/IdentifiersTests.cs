@@ -51,7 +51,7 @@ public sealed partial class IdentifiersTests
 
     // The texts of all sources, and their paths: names of files and folders count as well.
     private static IEnumerable<string> SourceTexts() =>
-        from root in new[] { "src", "tests", ".ci", "scenes" }
+        from root in new[] { "src", "tests", "samples", ".ci", "scenes" }
         from path in Directory.EnumerateFiles(ProjectFolder.PathOf(root), "*", SearchOption.AllDirectories).Append(ProjectFolder.PathOf("Directory.Build.props"))
         where !Built().IsMatch(path.Replace('\\', '/'))
         from text in new[] { Path.GetRelativePath(ProjectFolder.Root, path), Text(path) }

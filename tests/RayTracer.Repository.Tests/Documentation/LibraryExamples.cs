@@ -1,3 +1,4 @@
+using OwnMaterial;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Materials;
@@ -21,7 +22,7 @@ public class LibraryExamples
         Scene scene = Scene.From(new SceneDescription
         {
             Render = new() { Width = 32, Height = 24, Integrator = Integrator.Path },
-            Background = new(0.4f, 0.6f, 0.9f),
+            Background = "skyblue",
             Shapes = [new SphereDescription { Radius = 1, Material = new DiffuseMaterialDescription { Color = new Rgb(0.8f, 0.2f, 0.1f) } }],
         });
         (Film film, _) = new RTracer(scene).Render();
@@ -93,17 +94,64 @@ public class LibraryExamples
         // end
     }
 
+    [Fact]
+    public void A_scene_file_names_a_material_of_the_program()
+    {
+        // example: plug-in
+        Plugins.Add(typeof(Velvet).Assembly);
+        SceneLoadResult result = SceneLoader.LoadText("""
+            { "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "velvet", "color": "crimson" } }] }
+            """, "scene.json", folder: ".");
+
+        // end
+        Assert.Empty(result.Diagnostics);
+        Assert.IsType<VelvetDescription>(Assert.Single(result.Description!.Shapes).Material);
+        Assert.NotNull(result.Scene);
+    }
+
+    [Fact]
+    public void A_picture_is_compared_with_its_reference()
+    {
+        using TemporaryFolder folder = new();
+        string reference = folder["sphere.pfm"];
+        SceneDescription scene = new() { Background = "skyblue", Shapes = [new SphereDescription { Radius = 1 }], Render = new() { Width = 32, Height = 24 } };
+        ImageFile.Write(reference, new RTracer(Scene.From(scene)).Render().Film);
+        Film film = new RTracer(Scene.From(scene with { Render = scene.Render with { Seed = 1 } })).Render().Film;
+
+        // example: comparison
+        ImageComparison comparison = ImageComparison.Compare(film, ImageFile.Read(reference));
+        Assert.True(comparison.Rmse < 0.01, $"the picture differs from its reference by {comparison.Rmse}");
+        Assert.True(comparison.Ssim > 0.95, $"the picture does not look like its reference: SSIM {comparison.Ssim}");
+
+        // end
+        Assert.True(comparison.Rmse > 0);
+    }
+
+    [Fact]
+    public void The_page_shows_the_material_of_the_sample()
+    {
+        string material = File.ReadAllText(ProjectFolder.PathOf("samples", "OwnMaterial", "Velvet.cs")).ReplaceLineEndings("\n");
+        AssertShown(material.Split("namespace OwnMaterial;\n\n")[1].TrimEnd());
+    }
+
     [Theory]
     [InlineData("code")]
     [InlineData("file")]
     [InlineData("progress")]
     [InlineData("numbers")]
     [InlineData("errors")]
+    [InlineData("plug-in")]
+    [InlineData("comparison")]
     public void The_page_shows_the_code_that_is_run(string name)
     {
         string code = File.ReadAllText(ProjectFolder.PathOf("tests", "RayTracer.Repository.Tests", "Documentation", "LibraryExamples.cs")).ReplaceLineEndings("\n");
         string example = code.Split($"// example: {name}\n", 2)[1].Split("\n        // end", 2)[0].TrimEnd();
         string shown = string.Join('\n', example.Split('\n').Select(line => line.StartsWith("        ", StringComparison.Ordinal) ? line[8..] : line));
+        AssertShown(shown);
+    }
+
+    private static void AssertShown(string shown)
+    {
         string page = File.ReadAllText(ProjectFolder.PathOf("docs", "library.md")).ReplaceLineEndings("\n");
         Assert.True(page.Contains($"```csharp\n{shown}\n```", StringComparison.Ordinal), $"docs/library.md does not show:\n{shown}");
     }

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using RayTracer.Cli.Tests;
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Textures;
@@ -138,7 +139,7 @@ public sealed class ImageAssertTests : IDisposable
     }
 
     [Fact]
-    public void A_second_failure_writes_the_folder_anew_and_spares_what_is_not_its_own()
+    public void A_second_failure_rewrites_the_folder_and_spares_what_is_not_its_own()
     {
         Picture reference = TestPictures.Noise(16, 12);
         Fails(() => ImageAssert.Matches(Changed(reference, 0, v => v + 1), reference, ImageRule.Exact, Name, ReplayScene.Text("{}"), _folder.Path));

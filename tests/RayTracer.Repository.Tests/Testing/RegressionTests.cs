@@ -7,7 +7,7 @@ namespace RayTracer.Repository.Tests.Testing;
 
 /// <summary>
 /// The primer's scenes against pictures of earlier renders. All but the first test outlive a change of samplers or of the order of
-/// random numbers, for they compare what is seen, or expectations. <c>RAYTRACER_UPDATE=1</c> writes the pictures anew.
+/// random numbers, for they compare what is seen, or expectations. <c>RAYTRACER_UPDATE=1</c> writes the pictures again.
 /// </summary>
 [Trait("Category", "Thorough")]
 [Trait("Category", "Pinned")]

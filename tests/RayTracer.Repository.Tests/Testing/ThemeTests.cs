@@ -22,7 +22,8 @@ public sealed partial class ThemeTests
                select (Path.GetRelativePath(ProjectFolder.Root, file), match.Groups[2].Value, match.Groups[1].Value),
         ];
         Assert.True(tests.Length > 50, $"only {tests.Length} classes of tests were found");
-        string[] wrong = [.. tests.Where(t => !types.Contains(t.Name[..^"Tests".Length]) && !Named(t.Summary).Any(types.Contains)).Select(t => t.File).Order(StringComparer.Ordinal)];
+        string[] wrong = [.. tests.Where(t => !types.Contains(t.Name[..^"Tests".Length]) && !Named(t.Summary).Any(types.Contains))
+            .Select(t => t.File).Order(StringComparer.Ordinal)];
         Assert.True(
             wrong.Length == 0,
             $"these test no type of their name, and their summaries name no type in back quotes or <see cref>: {string.Join(", ", wrong)}");

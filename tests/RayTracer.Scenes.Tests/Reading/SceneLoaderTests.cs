@@ -34,7 +34,7 @@ public sealed class SceneLoaderTests : IDisposable
     }
 
     [Fact]
-    public void A_missing_picture_is_told_where_it_is_named()
+    public void A_missing_picture_is_reported_where_it_is_named()
     {
         Touch("sub", "marbel.png");
         string path = Write(Textured);
@@ -48,7 +48,7 @@ public sealed class SceneLoaderTests : IDisposable
     [InlineData(typeof(PictureException))]
     [InlineData(typeof(IOException))]
     [InlineData(typeof(UnauthorizedAccessException))]
-    public void A_picture_that_cannot_be_read_is_told(Type exception)
+    public void A_picture_that_cannot_be_read_is_reported(Type exception)
     {
         Touch("sub", "marble.png");
         SceneLoadResult result = SceneLoader.Load(Write(Textured), readPicture: (_, _) => throw (Exception)Activator.CreateInstance(exception, "it is torn")!);
@@ -65,7 +65,7 @@ public sealed class SceneLoaderTests : IDisposable
     }
 
     [Fact]
-    public void What_an_override_made_wrong_is_told_without_a_line()
+    public void What_an_override_made_wrong_is_reported_without_a_line()
     {
         string path = Write("""{ "render": { "sampler": "jittered", "samplesPerPixel": 16 } }""");
         SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { SamplesPerPixel = 15 } });
@@ -110,7 +110,7 @@ public sealed class SceneLoaderTests : IDisposable
     }
 
     [Fact]
-    public void Consequences_of_an_error_are_not_told()
+    public void Consequences_of_an_error_are_not_reported()
     {
         SceneLoadResult result = SceneLoader.Load(Write("""{ "camera": { "position": [0, 0, 0], "lookAt": [0, 0] } }"""));
         Assert.Equal("expected 3 numbers for \"lookAt\", but found 2", Assert.Single(result.Diagnostics).Message);

@@ -98,7 +98,7 @@ public class SceneReaderTests
     }
 
     [Fact]
-    public void All_errors_are_told_at_once_by_position_and_at_most_20_are_shown()
+    public void All_errors_are_reported_at_once_by_position_and_at_most_20_are_shown()
     {
         string shapes = string.Join(",\n", Enumerable.Repeat("""{ "type": "sphere", "centre": [0, 0, 0] }""", 15));
         SceneReadResult result = SceneReader.ReadText($"{{ \"shapes\": [\n{shapes}\n] }}", "many.json");
@@ -114,7 +114,7 @@ public class SceneReaderTests
     }
 
     [Fact]
-    public void A_missing_file_is_told_with_the_nearest_name()
+    public void A_missing_file_is_reported_with_the_nearest_name()
     {
         string folder = ProjectFolder.PathOf("scenes");
         Assert.Equal("error: file not found (did you mean \"minimal.json\"?)", Complaint(Path.Combine(folder, "minimum.json")));

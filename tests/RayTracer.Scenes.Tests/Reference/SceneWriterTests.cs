@@ -76,29 +76,29 @@ public class SceneWriterTests
         object record = type.Create();
         foreach (RecordParameter parameter in type.Parameters)
         {
-            parameter.Set(record, parameter.Kind switch
+            parameter.Set(record, ParameterForm.Of(parameter).Name switch
             {
-                ParameterKind.Number => (float)Math.Max(0.7, parameter.Minimum),
-                ParameterKind.Boolean => true,
-                ParameterKind.Text or ParameterKind.File => "text",
-                ParameterKind.Choice => NamedValues.Of(parameter.ValueType)!.All[1],
-                ParameterKind.Vector2 => new Vector2(0.3f, 0.4f),
-                ParameterKind.Vector3 => new Vector3(0.3f, 0.4f, 0.5f),
-                ParameterKind.Color => new Rgb(0.3f, 0.4f, 0.5f),
-                ParameterKind.Texture => new SolidTextureDescription { Color = new(0.3f, 0.4f, 0.6f) },
-                ParameterKind.Material => new DielectricMaterialDescription { RefractiveIndex = 2 },
-                ParameterKind.Materials => new MaterialDescription[] { new DielectricMaterialDescription { RefractiveIndex = 3 }, new DiffuseMaterialDescription() },
-                ParameterKind.Shape => new SphereDescription { Radius = 2 },
-                ParameterKind.Shapes => new ShapeDescription[] { new SphereDescription { Radius = 3 }, new SphereDescription() },
-                ParameterKind.Records when parameter.RecordType == typeof(TransformDescription) =>
+                "number" => (float)Math.Max(0.7, parameter.Minimum),
+                "boolean" => true,
+                "text" or "file" => "text",
+                "choice" => NamedValues.Of(parameter.ValueType)!.All[1],
+                "vector2" => new Vector2(0.3f, 0.4f),
+                "vector3" => new Vector3(0.3f, 0.4f, 0.5f),
+                "color" => new Rgb(0.3f, 0.4f, 0.5f),
+                "texture" => new SolidTextureDescription { Color = new(0.3f, 0.4f, 0.6f) },
+                "material" => new DielectricMaterialDescription { RefractiveIndex = 2 },
+                "materials" => new MaterialDescription[] { new DielectricMaterialDescription { RefractiveIndex = 3 }, new DiffuseMaterialDescription() },
+                "shape" => new SphereDescription { Radius = 2 },
+                "shapes" => new ShapeDescription[] { new SphereDescription { Radius = 3 }, new SphereDescription() },
+                "records" when parameter.RecordType == typeof(TransformDescription) =>
                     new TransformDescription[] { new() { Matrix = [1, 2.5f], Rotate = 30 }, new() { Scale = new(2, 3, 4) } },
-                ParameterKind.Records when parameter.RecordType == typeof(KeyframeDescription) =>
+                "records" when parameter.RecordType == typeof(KeyframeDescription) =>
                     new KeyframeDescription[] { new() { Time = 0.5f, Transform = [new() { Translate = new(1, 2, 3) }] }, new() },
-                ParameterKind.Numbers => new float[] { 0.1f, -2 },
-                ParameterKind.Integers => new int[] { 1, -2 },
-                ParameterKind.Vector2s => new Vector2[] { new(0.1f, 2), default },
-                ParameterKind.Vector3s => new Vector3[] { new(0.1f, 2, 3), default },
-                ParameterKind.Triangles => new TriangleIndices[] { new(1, -2, 3) },
+                "numbers" => new float[] { 0.1f, -2 },
+                "integers" => new int[] { 1, -2 },
+                "vector2s" => new Vector2[] { new(0.1f, 2), default },
+                "vector3s" => new Vector3[] { new(0.1f, 2, 3), default },
+                "triangles" => new TriangleIndices[] { new(1, -2, 3) },
                 _ => parameter.Default,
             });
         }

@@ -52,8 +52,8 @@ public sealed class BackgroundRendersTests
         using TestSession test = new();
         await Open(test);
         BackgroundRenders background = test.Session.Background;
-        string told = await Job(test, () => background.Frames(4, 6, "frame-##.png", overwrite: false));
-        Assert.Equal($"wrote 3 frames, {Path.Combine(test.Folder, "frame-04.png")} to frame-06.png", told);
+        string notice = await Job(test, () => background.Frames(4, 6, "frame-##.png", overwrite: false));
+        Assert.Equal($"wrote 3 frames, {Path.Combine(test.Folder, "frame-04.png")} to frame-06.png", notice);
         string scene = Path.Combine(test.Folder, "scene.json");
         Scenes.SceneLoadResult load = Scenes.SceneLoader.Load(scene, frame: 5);
         Dictionary<string, string> texts = new(ImageFile.ReadText(Path.Combine(test.Folder, "frame-05.png")));
@@ -64,7 +64,11 @@ public sealed class BackgroundRendersTests
         Assert.Equal(SessionFault.Conflict, Assert.Throws<SessionException>(() => background.Frames(4, 6, "frame-##.png", overwrite: false)).Fault);
         Assert.EndsWith("wrote 1 frames, " + Path.Combine(test.Folder, "frame-04.png") + " to frame-06.png; 2 were there already", await Job(test, () => background.Frames(4, 6, "frame-##.png", overwrite: true)), StringComparison.Ordinal);
         Assert.Throws<SessionException>(() => background.Frames(3, 2, "frame-##.png", false));
-        Assert.Throws<SessionException>(() => background.Frames(2, 3, "frame.png", false));
+        Assert.Equal(
+            $"-o {Path.Combine(test.Folder, "frame.jpg")}: 2 frames need as many files: put #### where their numbers should go",
+            Assert.Throws<JobException>(() => background.Frames(2, 3, "frame.jpg", false)).Message);
+        await Job(test, () => background.Frames(2, 3, "moving.png", overwrite: false));
+        Assert.Equal(2, ImageFile.Describe(Path.Combine(test.Folder, "moving.png")).Frames);
 
         // The command takes the Studio's frames for its own, and the Studio the command's.
         string frame = Path.Combine(test.Folder, "frame-05.png");
@@ -104,7 +108,7 @@ public sealed class BackgroundRendersTests
         return (await test.Until(() => test.Session.Jobs.Running.Count == 0 && test.Session.Notices.Newest is { } newest && newest.Id > before ? newest : null)).Text;
     }
 
-    private static async Task<ShownScene> Open(TestSession test, string text = Scene)
+    private static async Task<ViewportScene> Open(TestSession test, string text = Scene)
     {
         string scene = Path.Combine(test.Folder, "scene.json");
         await File.WriteAllTextAsync(scene, text);

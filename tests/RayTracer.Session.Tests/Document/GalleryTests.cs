@@ -46,7 +46,7 @@ public sealed class GalleryTests
     }
 
     [Fact]
-    public async Task Without_the_scenes_it_is_empty_and_a_broken_scene_is_told()
+    public async Task Without_the_scenes_it_is_empty_and_a_broken_scene_is_reported()
     {
         using SessionFolder folder = new();
         using Gallery none = new(folder.User, folder["nowhere"]);

@@ -34,7 +34,7 @@ public sealed class PropertyValuesTests
             Assert.Equal(bare.Text, set.Remove($"{pointer}/{parameter.Key}").Text);
             if (parameter.Default is { } standard)
             {
-                Assert.Equal(SceneWriter.WriteValue(standard), JsonLayout.OneLine(values.Effective[parameter.Key]));
+                Assert.Equal(SceneWriter.WriteValue(parameter, standard), JsonLayout.OneLine(values.Effective[parameter.Key]));
             }
         }
     }
@@ -73,29 +73,29 @@ public sealed class PropertyValuesTests
         }
     }
 
-    private static JsonNode Example(RecordParameter parameter) => parameter.Kind switch
+    private static JsonNode Example(RecordParameter parameter) => ParameterForm.Of(parameter).Name switch
     {
-        ParameterKind.Number => JsonValue.Create(Inside(parameter)),
-        ParameterKind.Integer => JsonValue.Create((int)Math.Max(1, Inside(parameter))),
-        ParameterKind.Boolean => JsonValue.Create(parameter.Default is not true),
-        ParameterKind.Text or ParameterKind.File => JsonValue.Create("a \"quoted\" \\ name\t"),
-        ParameterKind.Choice => JsonValue.Create(parameter.Choices[^1]),
-        ParameterKind.Vector2 => new JsonArray(0.25, 0.5),
-        ParameterKind.Vector3 or ParameterKind.Color => new JsonArray(0.25, 0.5, 0.75),
-        ParameterKind.Texture => JsonValue.Create("skyblue"),
-        ParameterKind.Material => JsonNode.Parse("""{ "type": "diffuse" }""")!,
-        ParameterKind.Materials => JsonNode.Parse("""[{ "type": "diffuse" }]""")!,
-        ParameterKind.Shape => JsonNode.Parse("""{ "type": "sphere", "center": [0, 0, 0] }""")!,
-        ParameterKind.Shapes => JsonNode.Parse("""[{ "type": "sphere", "center": [0, 0, 0] }]""")!,
-        ParameterKind.Record when parameter.RecordType == typeof(MediumDescription) => JsonNode.Parse("""{ "extinction": [1, 2, 3] }""")!,
-        ParameterKind.Records when parameter.RecordType == typeof(KeyframeDescription) => JsonNode.Parse("""[{ "time": 1 }]""")!,
-        ParameterKind.Records => JsonNode.Parse("""[{ "translate": [1, 2, 3] }]""")!,
-        ParameterKind.Numbers => new JsonArray(1, 2.5),
-        ParameterKind.Integers => new JsonArray(1, 2),
-        ParameterKind.Vector2s => JsonNode.Parse("[[1, 2.5]]")!,
-        ParameterKind.Vector3s => JsonNode.Parse("[[1, 2.5, 3]]")!,
-        ParameterKind.Triangles => JsonNode.Parse("[[0, 1, 2]]")!,
-        _ => throw new NotSupportedException($"{parameter.Kind}"),
+        "number" => JsonValue.Create(Inside(parameter)),
+        "integer" => JsonValue.Create((int)Math.Max(1, Inside(parameter))),
+        "boolean" => JsonValue.Create(parameter.Default is not true),
+        "text" or "file" => JsonValue.Create("a \"quoted\" \\ name\t"),
+        "choice" => JsonValue.Create(parameter.Choices[^1]),
+        "vector2" => new JsonArray(0.25, 0.5),
+        "vector3" or "color" => new JsonArray(0.25, 0.5, 0.75),
+        "texture" => JsonValue.Create("skyblue"),
+        "material" => JsonNode.Parse("""{ "type": "diffuse" }""")!,
+        "materials" => JsonNode.Parse("""[{ "type": "diffuse" }]""")!,
+        "shape" => JsonNode.Parse("""{ "type": "sphere", "center": [0, 0, 0] }""")!,
+        "shapes" => JsonNode.Parse("""[{ "type": "sphere", "center": [0, 0, 0] }]""")!,
+        "record" when parameter.RecordType == typeof(MediumDescription) => JsonNode.Parse("""{ "extinction": [1, 2, 3] }""")!,
+        "records" when parameter.RecordType == typeof(KeyframeDescription) => JsonNode.Parse("""[{ "time": 1 }]""")!,
+        "records" => JsonNode.Parse("""[{ "translate": [1, 2, 3] }]""")!,
+        "numbers" => new JsonArray(1, 2.5),
+        "integers" => new JsonArray(1, 2),
+        "vector2s" => JsonNode.Parse("[[1, 2.5]]")!,
+        "vector3s" => JsonNode.Parse("[[1, 2.5, 3]]")!,
+        "triangles" => JsonNode.Parse("[[0, 1, 2]]")!,
+        _ => throw new NotSupportedException(ParameterForm.Of(parameter).Name),
     };
 
     private static double Inside(RecordParameter parameter) =>

@@ -143,7 +143,7 @@ public sealed class SceneFilesTests : IDisposable
     }
 
     [Fact]
-    public void A_text_that_is_no_json_is_opened_and_told()
+    public void A_text_that_is_no_json_is_opened_and_reported()
     {
         Files.Open(_folder.Write("a.json", "{ not json"));
         Assert.Equal("{ not json", Document.Text);
@@ -170,7 +170,7 @@ public sealed class SceneFilesTests : IDisposable
     }
 
     [Fact]
-    public void What_is_not_shown_of_a_scene_of_Mitsuba_is_told_at_the_head_of_its_text()
+    public void What_is_not_shown_of_a_scene_of_Mitsuba_is_reported_at_the_head_of_its_text()
     {
         _folder.Write("a.xml", "<scene version=\"3.0.0\"><integrator type=\"path\"/><sensor type=\"perspective\"><float name=\"fov\" value=\"40\"/></sensor><sensor type=\"perspective\"/><shape type=\"sphere\"/></scene>");
         Files.Open(_folder["a.xml"]);

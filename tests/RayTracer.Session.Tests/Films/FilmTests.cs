@@ -69,7 +69,7 @@ public sealed class FilmTests
         string scene = await Written(test);
         await OpenFile(test, scene);
         await test.Done();
-        ShownScene shown = test.Session.View.RequireShown();
+        ViewportScene shown = test.Session.View.RequireShown();
         Film film = new(24, 16);
         new RTracer(shown.Scene, new() { Samples = new(2, 4) }).Render(film, null, default);
         await Save(test, Path.Combine(test.Folder, "whole.rtfilm"));
@@ -121,8 +121,8 @@ public sealed class FilmTests
         await OpenFile(test, film);
         await test.Done();
         Assert.Contains("The film is not of scene.json", test.Session.Notices.Newest!.Text, StringComparison.Ordinal);
-        string anew = Rendered(scene, 8);
-        Assert.Equal(anew, await test.FilmHash());
+        string fresh = Rendered(scene, 8);
+        Assert.Equal(fresh, await test.FilmHash());
         File.Delete(scene);
         Assert.Contains("neither at", Assert.Throws<DocumentException>(() => test.Session.Files.Open(film, discard: true)).Message, StringComparison.Ordinal);
         string image = Path.Combine(test.Folder, "other.png");
@@ -150,7 +150,7 @@ public sealed class FilmTests
     private static async Task<string> Film(TestSession test, string name, int stopAt)
     {
         string path = Path.Combine(test.Folder, name);
-        test.Session.View.Change(s => s with { Samples = stopAt }, anew: true);
+        test.Session.View.Change(s => s with { Samples = stopAt }, restart: true);
         await test.Until(() => test.Session.View.Loop.Status is { Status: "done" } done && done.SamplesTotal == stopAt ? done : null);
         await Save(test, path);
         (FilmHeader header, Film film) = FilmFile.Read(path);

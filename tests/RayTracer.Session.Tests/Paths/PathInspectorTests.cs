@@ -16,7 +16,7 @@ public sealed class PathInspectorTests
     public async Task Contributions_add_up_to_what_the_film_gets(string path)
     {
         using TestSession test = new();
-        ShownScene shown = await test.OpenShipped(path, Size, Samples);
+        ViewportScene shown = await test.OpenShipped(path, Size, Samples);
         await test.Done();
         foreach ((int x, int y) in Pixels())
         {

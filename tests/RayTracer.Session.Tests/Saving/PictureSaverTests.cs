@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Session;
 
@@ -14,7 +15,7 @@ public sealed class PictureSaverTests
     public async Task A_picture_is_written_as_the_command_writes_it(string name, int bitDepth)
     {
         using TestSession test = new();
-        ShownScene shown = await test.OpenShipped("report/scene1.json", 40, 4);
+        ViewportScene shown = await test.OpenShipped("report/scene1.json", 40, 4);
         await test.Done();
         test.Session.View.Tone = new(0.5f, ToneMap.Reinhard);
         string path = Path.Combine(test.Folder, name);
@@ -26,7 +27,7 @@ public sealed class PictureSaverTests
         if (!name.EndsWith(".pfm", StringComparison.Ordinal))
         {
             Dictionary<string, string> texts = new(ImageFile.ReadText(path));
-            Assert.Equal(["Command", "FilmHash", "Samples", "Scene", "Settings", "Software"], texts.Keys.Order());
+            Assert.Equal(["Command", "FilmHash", "SampleRange", "Samples", "Scene", "Settings", "Software"], texts.Keys.Order());
             Assert.Equal((film.ComputeHash(), "4"), (texts["FilmHash"], texts["Samples"]));
         }
     }
@@ -57,8 +58,10 @@ public sealed class PictureSaverTests
         PictureRequest plain = PictureRequest.Of(null, []);
         Assert.Equal(SessionFault.Conflict, (await Assert.ThrowsAsync<SessionException>(() => test.Session.Pictures.Save(path, plain, overwrite: false))).Fault);
         Assert.Equal("mine", await File.ReadAllTextAsync(path));
-        await Assert.ThrowsAsync<ImageWriteException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "a.gif"), plain, false));
+        await Assert.ThrowsAsync<JobException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "a.gif"), plain, false));
         await Assert.ThrowsAsync<ImageWriteException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "no", "a.png"), plain, false));
+        JobException films = await Assert.ThrowsAsync<JobException>(() => test.Session.Pictures.Save("a.rtfilm", PictureRequest.Of(null, ["depth"]), false));
+        Assert.Equal("--aov and --denoise write images, but only films are written: give -o FILE.png or another image too", films.Message);
         Assert.Throws<SessionException>(() => PictureRequest.Of(12, []));
         Assert.Throws<SessionException>(() => PictureRequest.Of(8, ["beauty"]));
     }
@@ -80,10 +83,10 @@ public sealed class PictureSaverTests
         using TestSession test = new();
         await test.OpenShipped("report/scene1.json", 20, 4);
         await test.Done();
-        Snapshot snapshot = await test.Session.Snapshots.Take();
+        Snapshot snapshot = await test.Session.Snapshots.Capture();
         byte[] before = test.Session.Snapshots.Png(snapshot.Id);
         test.Session.View.Tone = new(3, ToneMap.Clamp);
-        await test.Session.Snapshots.Take();
+        await test.Session.Snapshots.Capture();
         Assert.Equal(before, test.Session.Snapshots.Png(snapshot.Id));
         Assert.Equal(2, test.Session.Snapshots.All.Count);
         Assert.Throws<SessionException>(() => test.Session.Snapshots.Png(99));

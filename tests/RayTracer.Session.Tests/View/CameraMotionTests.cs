@@ -87,7 +87,7 @@ public sealed class CameraMotionTests
     {
         CameraDescription all = Camera with { Projection = Projection.Spherical };
         Assert.Throws<SessionException>(() => CameraMotion.Zoom(all, 1));
-        Assert.Equal(Camera.Position, CameraMotion.Look(all, 0.1f, 0).Position);
+        Assert.Equal(Camera.Position, CameraMotion.Rotate(all, 0.1f, 0).Position);
         Assert.NotEqual(Camera.Position, CameraMotion.Pan(all, 0.1f, 0, 2).Position);
     }
 
@@ -102,10 +102,10 @@ public sealed class CameraMotionTests
     [Fact]
     public void Flying_keeps_the_view_and_looking_keeps_the_place()
     {
-        CameraDescription flown = CameraMotion.Fly(Camera, 0.1f, 0.2f, 0.3f);
+        CameraDescription flown = CameraMotion.Translate(Camera, 0.1f, 0.2f, 0.3f);
         Assert.True((flown.LookAt - flown.Position - (Camera.LookAt - Camera.Position)).Norm() < 1e-5f);
         Assert.Equal(0.3f * Distance(Camera), (flown.Position - Camera.Position).Dot(CameraMotion.Axes(Camera).Forward), 1e-4f);
-        CameraDescription turned = CameraMotion.Look(Camera, 0.1f, 0.1f);
+        CameraDescription turned = CameraMotion.Rotate(Camera, 0.1f, 0.1f);
         Assert.Equal(Camera.Position, turned.Position);
         Assert.Equal(Distance(Camera), Distance(turned), 1e-4f);
         Assert.True((turned.LookAt - Camera.LookAt).Dot(CameraMotion.Axes(Camera).Right) > 0);

@@ -1,4 +1,5 @@
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Session;
 
@@ -90,7 +91,7 @@ public sealed class FrameTests
         long version = 0;
         for (int i = 0; i < 30; i++)
         {
-            test.Session.View.Change(s => s, anew: true);
+            test.Session.View.Change(s => s, restart: true);
             using FrameLease frame = await test.Frame(version);
             version = frame.Version;
             pictures.Add(frame.Picture);

@@ -31,7 +31,7 @@ public sealed class GizmoDragTests
     }
 
     [Fact]
-    public void What_cannot_be_told_changes_nothing()
+    public void An_undefined_movement_changes_nothing()
     {
         GizmoDrag straight = new(Camera, Vector3.Zero);
         Assert.Null(straight.Between(GizmoKind.Move, 2, new(200, 150), new(200, 150)));
@@ -69,7 +69,7 @@ public sealed class GizmoDragTests
         string[] texts = await Task.WhenAll(new[] { 1, 7 }.Select(async steps =>
         {
             using TestSession test = new();
-            ShownScene shown = await test.Open("""{ "camera": { "position": [0, 0, 5] }, "render": { "width": 100, "height": 100 }, "shapes": [{ "type": "sphere", "center": [0, 0, 0] }] }""");
+            ViewportScene shown = await test.Open("""{ "camera": { "position": [0, 0, 5] }, "render": { "width": 100, "height": 100 }, "shapes": [{ "type": "sphere", "center": [0, 0, 0] }] }""");
             Vector2 from = CameraFrame.Of(shown).Project(Vector3.Zero)!.Value;
             Vector2 to = CameraFrame.Of(shown).Project(new(1, 0.5f, 0))!.Value;
             for (int i = 1; i <= steps; i++)

@@ -23,7 +23,7 @@ public sealed class PickingTests
     public async Task Every_shape_of_the_second_scene_is_found_where_it_is_seen()
     {
         using TestSession test = new();
-        ShownScene shown = await test.OpenShipped("report/scene2.json", 200, 1);
+        ViewportScene shown = await test.OpenShipped("report/scene2.json", 200, 1);
         int seen = 0;
         for (int i = 0; i < shown.Description.Shapes.Count; i++)
         {
@@ -51,7 +51,7 @@ public sealed class PickingTests
     public async Task Things_in_groups_instances_meshes_and_transforms_are_found(double x, double y, string? pointer, string? material)
     {
         using TestSession test = new();
-        ShownScene shown = await test.Open(Nested);
+        ViewportScene shown = await test.Open(Nested);
         double pixelsPerUnit = 100 / (2 * 20 * Math.Tan(20 * Math.PI / 180));
         PickResult pick = Picking.At(shown, (float)(100 + (x * pixelsPerUnit)), (float)(50 - (y * pixelsPerUnit)));
         Assert.Equal((pointer, material), (pick.Pointer, pick.Material));
@@ -61,7 +61,7 @@ public sealed class PickingTests
     public async Task The_mask_of_a_group_is_that_of_all_in_it()
     {
         using TestSession test = new();
-        ShownScene shown = await test.Open(Nested);
+        ViewportScene shown = await test.Open(Nested);
         int Pixels(string pointer) => Picking.Mask(shown, pointer).Runs.Where((_, i) => i % 2 == 1).Sum();
         Assert.Equal(Pixels("/shapes/0"), Pixels("/shapes/0/shapes/0") + Pixels("/shapes/0/shapes/1"));
         Assert.NotEqual(0, Pixels("/shapes/0"));
@@ -72,7 +72,7 @@ public sealed class PickingTests
     public async Task Handles_are_where_the_thing_is_and_lines_of_it_too()
     {
         using TestSession test = new();
-        ShownScene shown = await test.Open(Nested);
+        ViewportScene shown = await test.Open(Nested);
         Gizmo gizmo = Gizmo.Of(shown, "/shapes/0");
         Assert.Equal(new(-7, -1, -1), gizmo.Minimum);
         Assert.Equal(new(-2, 1, 1), gizmo.Maximum);
@@ -90,7 +90,7 @@ public sealed class PickingTests
     public async Task What_is_picked_lies_on_the_thing_and_outside_of_the_picture_there_is_nothing()
     {
         using TestSession test = new();
-        ShownScene shown = await test.Open(Nested);
+        ViewportScene shown = await test.Open(Nested);
         PickResult pick = Picking.At(shown, 100, 50);
         Assert.Equal(1, pick.Position!.Value.Z, 0.02f);
         Assert.Equal(19, pick.Distance!.Value, 0.02f);

@@ -16,7 +16,7 @@ public sealed class RenderLoopTests
     {
         using TestSession test = new();
         test.Session.View.Change(s => s with { Threads = threads });
-        ShownScene shown = await test.OpenShipped(path, 72, 25);
+        ViewportScene shown = await test.OpenShipped(path, 72, 25);
         await test.Done();
         Assert.Equal(HashOf(shown.Scene), await Hash(test));
     }
@@ -25,7 +25,7 @@ public sealed class RenderLoopTests
     public async Task The_film_is_the_same_with_all_its_frames_looked_at_and_all_settings_changed_that_change_no_picture()
     {
         using TestSession test = new();
-        ShownScene shown = await test.OpenShipped(Scene2, 96, 64);
+        ViewportScene shown = await test.OpenShipped(Scene2, 96, 64);
         using CancellationTokenSource end = new();
         Task watching = Watch(test.Session.View.Frames, end.Token);
         test.Session.View.Change(s => s with { Map = ViewMap.Named("normal") });
@@ -46,7 +46,7 @@ public sealed class RenderLoopTests
         using TestSession test = new();
         test.Session.View.Change(s => s with { Map = ViewMap.Denoised });
         string text = File.ReadAllText(ProjectFolder.PathOf("scenes", Scene2));
-        ShownScene shown = await test.Open(JsonText.Of(text).Set("/render/width", 48).Set("/render/height", 40).Set("/render/samplesPerPixel", samples).Set("/render/sampler", sampler).Text);
+        ViewportScene shown = await test.Open(JsonText.Of(text).Set("/render/width", 48).Set("/render/height", 40).Set("/render/samplesPerPixel", samples).Set("/render/sampler", sampler).Text);
         using FrameLease frame = await test.Frame(wanted: info => info.IsLast && info.PictureWidth == 48);
         HalfRender[] halves = [HalfRender.Create(48, 40), HalfRender.Create(48, 40)];
         SampleRange[] ranges = [new(0, samples / 2), new(samples / 2, samples)];
@@ -66,24 +66,24 @@ public sealed class RenderLoopTests
     {
         using TestSession test = new();
         string text = File.ReadAllText(ProjectFolder.PathOf("scenes", Scene2));
-        ShownScene first = await test.Open(JsonText.Of(text).Set("/render/width", 64).Set("/render/height", 64).Set("/render/samplesPerPixel", 16).Set("/render/sampler", "sobol").Text);
+        ViewportScene first = await test.Open(JsonText.Of(text).Set("/render/width", 64).Set("/render/height", 64).Set("/render/samplesPerPixel", 16).Set("/render/sampler", "sobol").Text);
         await test.Done();
         test.Session.View.Change(s => s with { Samples = 40 });
-        ShownScene more = test.Session.View.Shown!;
+        ViewportScene more = test.Session.View.Shown!;
         Assert.Equal(first.Picture, more.Picture);
         await test.Done();
         Assert.Equal(HashOf(more.Scene), await Hash(test));
     }
 
     [Fact]
-    public async Task Samplers_that_place_all_samples_together_begin_anew_for_more()
+    public async Task Samplers_that_place_all_samples_together_restart_for_more()
     {
         using TestSession test = new();
         string text = File.ReadAllText(ProjectFolder.PathOf("scenes", Scene2));
-        ShownScene first = await test.Open(JsonText.Of(text).Set("/render/width", 40).Set("/render/height", 40).Set("/render/samplesPerPixel", 4).Set("/render/sampler", "jittered").Text);
+        ViewportScene first = await test.Open(JsonText.Of(text).Set("/render/width", 40).Set("/render/height", 40).Set("/render/samplesPerPixel", 4).Set("/render/sampler", "jittered").Text);
         await test.Done();
         test.Session.View.Change(s => s with { Samples = 9 });
-        ShownScene more = test.Session.View.Shown!;
+        ViewportScene more = test.Session.View.Shown!;
         Assert.NotEqual(first.Picture, more.Picture);
         await test.Done();
         Assert.Equal(HashOf(more.Scene), await Hash(test));
@@ -94,7 +94,7 @@ public sealed class RenderLoopTests
     public async Task A_region_gets_the_samples_that_the_command_gives_it()
     {
         using TestSession test = new();
-        ShownScene shown = await test.OpenShipped(Scene2, 64, 9);
+        ViewportScene shown = await test.OpenShipped(Scene2, 64, 9);
         Tile region = new(10, 20, 30, 17);
         test.Session.View.Change(s => s with { Region = region });
         await test.Done();
@@ -111,7 +111,7 @@ public sealed class RenderLoopTests
 
         // Alone, this would take hours; the next picture is done although it never ends.
         await test.OpenShipped(Scene2, 2000, 1 << 20);
-        ShownScene small = await test.OpenShipped(Scene2, 24, 4);
+        ViewportScene small = await test.OpenShipped(Scene2, 24, 4);
         await test.Done();
         Assert.Equal(HashOf(small.Scene), await Hash(test));
     }
@@ -127,8 +127,8 @@ public sealed class RenderLoopTests
         await test.Until(() => test.Session.View.Loop.Status is { Status: "rendering" } s && s.Samples > paused.Samples ? s : null);
         test.Session.View.Change(s => s with { Mode = RenderMode.Stopped });
         await test.Until(() => test.Session.View.Loop.Status is { Status: "stopped" } s ? s : null);
-        int samples = await test.Session.View.Loop.Look((_, _, count) => count);
-        Assert.Equal(samples, await test.Session.View.Loop.Look((_, _, count) => count));
+        int samples = await test.Session.View.Loop.ReadFilm((_, _, count) => count);
+        Assert.Equal(samples, await test.Session.View.Loop.ReadFilm((_, _, count) => count));
     }
 
     [Fact]
@@ -156,7 +156,7 @@ public sealed class RenderLoopTests
 
     internal static string HashOf(Scene scene) => new RTracer(scene).Render().Film.ComputeHash();
 
-    private static Task<string> Hash(TestSession test) => test.Session.View.Loop.Look((film, _, _) => film.ComputeHash());
+    private static Task<string> Hash(TestSession test) => test.Session.View.Loop.ReadFilm((film, _, _) => film.ComputeHash());
 
     private static async Task Watch(FrameBoard frames, CancellationToken end)
     {

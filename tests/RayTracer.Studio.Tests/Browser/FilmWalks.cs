@@ -20,7 +20,7 @@ public class FilmWalks(ChromiumBrowser browser)
         (string whole, string name) = WriteFilm(w.Folder);
         await OpenFile(w, name);
         await w.Painted(12);
-        Assert.Equal(whole, await w.Session.View.Loop.Look((film, _, _) => film.ComputeHash()));
+        Assert.Equal(whole, await w.Session.View.Loop.ReadFilm((film, _, _) => film.ComputeHash()));
         await w.Button("Export picture").ClickAsync();
         ILocator format = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Format" });
         await Expect(format.GetByRole(AriaRole.Option)).ToHaveCountAsync(PictureSaver.Formats.Count);
@@ -83,7 +83,7 @@ public class FilmWalks(ChromiumBrowser browser)
         await w.Shot("lights", isShown: true);
         await w.Button("Write picture …").ClickAsync();
         await SaveAs(w, "lamp.pfm", "lamp.pfm");
-        LightMix mix = LightMix.Open(await File.ReadAllBytesAsync(Path.Combine(w.Folder, "groups.exr")));
+        RelightableImage mix = RelightableImage.Open(await File.ReadAllBytesAsync(Path.Combine(w.Folder, "groups.exr")));
         Textures.Picture expected = mix.Compose(l => l == "lamp" ? new(2, 2, 2) : default);
         Assert.Equal(expected.Pixels, ImageFile.Read(Path.Combine(w.Folder, "lamp.pfm")).Pixels);
     }

@@ -10,7 +10,7 @@ namespace RayTracer.Studio.Tests.Browser;
 public class InsideWalks(ChromiumBrowser browser)
 {
     [SkippableFact]
-    public async Task The_paths_of_a_clicked_pixel_are_told_and_drawn()
+    public async Task The_paths_of_a_clicked_pixel_are_listed_and_drawn()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
         await w.Painted(2);

@@ -23,7 +23,7 @@ internal sealed class StudioWindow : IAsyncDisposable
     /// <summary>Where the walk may write.</summary>
     public string Folder => _folder.FullName;
 
-    /// <summary>Troubles that the walk makes on purpose are told here, as parts of their texts.</summary>
+    /// <summary>Troubles that the walk makes on purpose are listed here, as parts of their texts.</summary>
     public List<string> Expected { get; } = [];
 
     public ILocator Canvas => Page.Locator("canvas.picture");
@@ -113,7 +113,7 @@ internal sealed class StudioWindow : IAsyncDisposable
         }
     }
 
-    /// <summary>A number that the canvas tells.</summary>
+    /// <summary>A number that the canvas reports.</summary>
     public async Task<int> Data(string name) => int.Parse(await Canvas.GetAttributeAsync("data-" + name) ?? "0", CultureInfo.InvariantCulture);
 
     /// <summary>Waits for something; fails after a time that no machine should need.</summary>

@@ -8,7 +8,7 @@ using RayTracer.Session.Tests;
 
 namespace RayTracer.Studio.Tests.Document;
 
-/// <summary>The document over HTTP: what a page may ask, and what it is told where it may not.</summary>
+/// <summary>The document over HTTP: what a page may ask, and the answer where it may not.</summary>
 public sealed class DocumentEndpointsTests : IAsyncLifetime
 {
     private readonly SessionFolder _folder = new();
@@ -72,7 +72,7 @@ public sealed class DocumentEndpointsTests : IAsyncLifetime
     }
 
     [Fact]
-    public async Task An_editor_that_is_behind_is_told_the_newest_text()
+    public async Task An_editor_that_is_behind_gets_the_newest_text()
     {
         await Post("/api/document/text", """{ "baseRevision": 1, "from": 0, "to": 0, "insert": "// a\n", "gesture": "t" }""");
         (HttpStatusCode status, string body) = await Send("/api/document/text", """{ "baseRevision": 1, "from": 0, "to": 0, "insert": "// b\n" }""");

@@ -9,7 +9,7 @@ public sealed class ApiTests
     private const string Scene2 = "report/scene2.json";
 
     [Fact]
-    public async Task The_state_is_told_at_once_and_then_when_it_changes()
+    public async Task The_state_is_sent_at_once_and_then_when_it_changes()
     {
         await using TestServer server = await TestServer.Start();
         await server.Test.OpenShipped(Scene2, 32, 4);
@@ -28,7 +28,7 @@ public sealed class ApiTests
     }
 
     [Fact]
-    public async Task A_state_without_news_is_told_after_a_while()
+    public async Task A_state_without_news_is_sent_after_a_while()
     {
         await using TestServer server = await TestServer.Start(new() { Patience = TimeSpan.FromMilliseconds(50) });
         JsonElement state = await server.Get("/api/state?after=1000000");
@@ -140,7 +140,7 @@ public sealed class ApiTests
     }
 
     [Fact]
-    public async Task What_the_page_complains_about_is_told_without_control_characters()
+    public async Task What_the_page_complains_about_is_logged_without_control_characters()
     {
         await using TestServer server = await TestServer.Start();
         await server.Post("/api/log", new { text = "went \u001b[31mwrong" }, 204);

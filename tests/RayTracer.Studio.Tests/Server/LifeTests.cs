@@ -30,7 +30,7 @@ public sealed class LifeTests
         Assert.False(server.Studio.Ended.IsCompleted);
         while (!window.IsCompleted)
         {
-            server.Test.Session.Notices.Tell("info", "one of the changes that the window waits for");
+            server.Test.Session.Notices.Post("info", "one of the changes that the window waits for");
             await Task.Delay(1);
         }
 

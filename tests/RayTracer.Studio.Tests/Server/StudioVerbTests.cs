@@ -24,6 +24,37 @@ public sealed class StudioVerbTests : IDisposable
     }
 
     [Fact]
+    public async Task Its_panels_offer_the_things_of_plug_ins_and_their_scenes_are_opened()
+    {
+        string scene = Path.Combine(_folder.FullName, "velvet.json");
+        await File.WriteAllTextAsync(scene, """{ "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": { "type": "velvet" } }] }""");
+        using Process process = Start(Command, scene, "--plugin", Path.Combine(AppContext.BaseDirectory, "RayTracer.SamplePlugin.dll"));
+        try
+        {
+            string line = await process.StandardOutput.ReadLineAsync() ?? await process.StandardError.ReadToEndAsync();
+            Uri link = new(line["The Studio is at ".Length..]);
+            using HttpClient client = new() { BaseAddress = link };
+            client.DefaultRequestHeaders.Add(LocalGuard.TokenHeader, link.Fragment["#token=".Length..]);
+            Assert.Contains("\"velvet\"", await client.GetStringAsync(new Uri("api/schema", UriKind.Relative)), StringComparison.Ordinal);
+            Assert.Contains("velvet.json", await client.GetStringAsync(new Uri("api/state", UriKind.Relative)), StringComparison.Ordinal);
+        }
+        finally
+        {
+            process.Kill(entireProcessTree: true);
+        }
+    }
+
+    [Fact]
+    public void What_is_no_plug_in_is_refused_before_a_window_opens()
+    {
+        using Process process = Start(Command, "--plugin", "missing.dll");
+        string error = process.StandardError.ReadToEnd();
+        process.WaitForExit();
+        Assert.Equal(4, process.ExitCode);
+        Assert.Contains("missing.dll: cannot be loaded", error, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Where_only_the_command_is_built_it_names_the_command_that_builds_the_Studio()
     {
         string here = Path.Combine([_folder.FullName, "RayTracer.Cli", .. Built]);
@@ -41,7 +72,7 @@ public sealed class StudioVerbTests : IDisposable
         Assert.Contains($"\"dotnet build -c {Built[1]} {studio}\" builds it", error, StringComparison.Ordinal);
     }
 
-    private static Process Start(string folder) => Process.Start(new ProcessStartInfo("dotnet", [Path.Combine(folder, "raytracer.dll"), "studio", "--no-browser"])
+    private static Process Start(string folder, params string[] words) => Process.Start(new ProcessStartInfo("dotnet", [Path.Combine(folder, "raytracer.dll"), "studio", "--no-browser", .. words])
     {
         UseShellExecute = false,
         RedirectStandardOutput = true,

@@ -32,7 +32,7 @@ public static class ImageAssert
 
     /// <summary>
     /// An image equals a reference file, by a rule. Where the environment variable <c>RAYTRACER_UPDATE</c> is 1 the file is written,
-    /// anew or for the first time: look at it before it is committed. PFM and OpenEXR keep all bits; PNG has 16, of light from 0 to 1.
+    /// again or for the first time: look at it before it is committed. PFM and OpenEXR keep all bits; PNG has 16, of light from 0 to 1.
     /// </summary>
     /// <param name="image">The image to judge; linear RGB.</param>
     /// <param name="path">The reference, a .pfm, .exr or .png file.</param>

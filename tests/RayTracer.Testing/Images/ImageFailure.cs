@@ -16,7 +16,7 @@ internal sealed record ImageFailure(string Name, string Finding, Picture Image, 
 {
     private const string Page = "index.html";
 
-    /// <summary>Writes the folder, anew, and returns the lines of the message: what is wrong, where the pictures are, how to replay.</summary>
+    /// <summary>Rewrites the folder, and returns the lines of the message: what is wrong, where the pictures are, how to replay.</summary>
     /// <param name="output">The folder of such folders; null for the usual one (<see cref="FailureFolder.Default"/>).</param>
     public string Report(string? output)
     {

@@ -48,7 +48,7 @@ public class EnvironmentTests
 
     [Theory]
     [MemberData(nameof(Cases))]
-    public void Directions_are_chosen_with_the_density_that_is_told(string name)
+    public void Directions_are_chosen_with_the_density_that_is_stated(string name)
     {
         EnvironmentLight light = Build(name);
         double[] expected = Integrate(64, (in Vec3W d, out FloatW value) => light.Pdf(d, out value));

@@ -40,7 +40,7 @@ public class TransformTests
     }
 
     [Fact]
-    public void A_similarity_is_told_from_other_maps()
+    public void A_similarity_is_distinguished_from_other_maps()
     {
         Transform turned = Transform.Rotation(new(1, 2, 3), 77) * Transform.Scaling(new(-2, 2, 2));
         Assert.Equal(2, turned.UniformScale()!.Value, 1e-6);

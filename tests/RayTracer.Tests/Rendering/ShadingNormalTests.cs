@@ -53,7 +53,7 @@ public class ShadingNormalTests
     [Theory]
     [InlineData(4, true)]
     [InlineData(-4, false)]
-    public void What_shines_is_told_by_the_surface_itself_even_where_normals_are_taken_literally(int height, bool isSeen)
+    public void What_shines_is_decided_by_the_surface_itself_even_where_normals_are_taken_literally(int height, bool isSeen)
     {
         // The normals lean over to the other side, from where the surface then seems to be seen; its light still leaves it above.
         const string over = "[0.9, -0.3, 0], [0.9, -0.3, 0], [0.9, -0.3, 0], [0.9, -0.3, 0]";

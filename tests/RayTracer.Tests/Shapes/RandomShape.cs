@@ -182,7 +182,7 @@ internal sealed class RandomShape
             double root = Math.Sqrt(Math.Max(0, root2));
             double t = -b - root > 0 ? -b - root : root - b;
 
-            // The cosine's sign tells by how much a ray misses.
+            // The cosine's sign shows by how much a ray misses.
             return (root2 > 0 && t > 0 ? t : double.PositiveInfinity, Math.Sqrt(Math.Abs(root2)) / s.Radius, double.NegativeInfinity);
         }
 

@@ -13,7 +13,7 @@ namespace RayTracer.Tests.Statistics;
 /// <param name="From">The lit point.</param>
 internal sealed record LightCase(string Name, Shape Shape, Vector3 From)
 {
-    /// <summary>What the lights emit: a colour that tells u and v, and falls off with the cosine.</summary>
+    /// <summary>What the lights emit: a colour that encodes u and v, and falls off with the cosine.</summary>
     public const float Multiplier = 3, Exponent = 2.5f;
 
     private static readonly Material s_material = new LuminaireMaterial(new UvTexture(), Multiplier, Exponent, null);

@@ -1,4 +1,5 @@
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -9,36 +10,26 @@ internal sealed class TourViewModel : DialogViewModel
     private static readonly int Count = SessionTexts.Count("tour.steps");
     private int _step;
 
-    /// <summary>The tour, at its first step.</summary>
-    public TourViewModel()
-    {
-        Next = new ActionCommand(() => Go(1));
-        Back = new ActionCommand(() => Go(-1));
-    }
-
     /// <inheritdoc/>
     public override string Title => SessionTexts.Of($"tour.steps.{_step}.0");
 
     /// <inheritdoc/>
     public override string CancelText => SessionTexts.Of("tour.skip");
 
-    /// <summary>What there is to know.</summary>
     public string Text => SessionTexts.Of($"tour.steps.{_step}.1");
 
-    /// <summary>Which step it is.</summary>
     public string Progress => SessionTexts.Of("tour.progress", _step + 1, Count);
 
-    /// <summary>What the button says that goes on.</summary>
+    /// <summary>The text of the button for the next step.</summary>
     public string NextText => SessionTexts.Of(_step + 1 < Count ? "tour.next" : "tour.done");
 
-    /// <summary>Whether there is a step before.</summary>
     public bool CanGoBack => _step > 0;
 
-    /// <summary>Goes on; closes the last step.</summary>
-    public ICommand Next { get; }
+    /// <summary>Shows the next step; closes the last one.</summary>
+    public ICommand Next => field ??= new RelayCommand(() => Go(1));
 
     /// <summary>Goes back.</summary>
-    public ICommand Back { get; }
+    public ICommand Back => field ??= new RelayCommand(() => Go(-1));
 
     private void Go(int by)
     {
@@ -49,6 +40,6 @@ internal sealed class TourViewModel : DialogViewModel
         }
 
         _step = Math.Max(0, _step + by);
-        Tell("");
+        OnPropertyChanged("");
     }
 }

@@ -4,8 +4,8 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The error against the number of samples, both axes logarithmic, beside the theory's slope.</summary>
-/// <param name="hand">Asks the session.</param>
-internal sealed class ConvergenceViewModel(Hand hand) : Observable
+/// <param name="dispatcher">Asks the session.</param>
+internal sealed class ConvergenceViewModel(SessionDispatcher dispatcher) : Observable
 {
     private const double Left = 60;
     private const double Bottom = 26;
@@ -25,16 +25,13 @@ internal sealed class ConvergenceViewModel(Hand hand) : Observable
     /// <summary>Numbers of samples below the plot, and errors at its left.</summary>
     public IReadOnlyList<PlotTick> Ticks { get; private set; } = [];
 
-    /// <summary>Whether there is enough to plot.</summary>
+    /// <summary>Returns whether there is enough to plot.</summary>
     public bool IsPlotted => _points.Count > 1;
-
-    /// <summary>Whether there is not.</summary>
-    public bool IsWaiting => !IsPlotted;
 
     /// <summary>The slope in words; empty where it is not known.</summary>
     public string Slope => _slope is { } slope ? SessionTexts.Of("convergence.slope", Figures.Short(slope, 3)) : "";
 
-    /// <summary>Whether it is to be seen: only then does it follow the picture.</summary>
+    /// <summary>Returns whether it is visible: only then does it follow the picture.</summary>
     public bool IsOpen { get; set; }
 
     /// <summary>Follows the picture until it is stopped.</summary>
@@ -56,7 +53,7 @@ internal sealed class ConvergenceViewModel(Hand hand) : Observable
     {
         try
         {
-            Convergence convergence = await hand.Aside(s => s.View.Loop.Convergence());
+            Convergence convergence = await dispatcher.Aside(s => s.View.Loop.Convergence());
             (_points, _slope) = ([.. convergence.Points.Where(p => p.Error > 0)], convergence.Slope);
         }
         catch (SessionException)
@@ -80,7 +77,7 @@ internal sealed class ConvergenceViewModel(Hand hand) : Observable
         if (!IsPlotted)
         {
             (Curve, Theory, Ticks) = ([], [], []);
-            Tell("");
+            OnPropertyChanged("");
             return;
         }
 
@@ -98,10 +95,16 @@ internal sealed class ConvergenceViewModel(Hand hand) : Observable
             .. _points.Select(p => new PlotTick(Figures.Short(p.Samples), At(p.Samples, low).X - 4, _height - Bottom + 4)),
             .. new[] { low, high }.Distinct().Select(e => new PlotTick(Figures.Short(e, 2), 2, At(from, e).Y - 8)),
         ];
-        Tell("");
+        OnPropertyChanged("");
     }
 
     private static double Part(double value, double low, double high) => high > low ? (Log(value) - Log(low)) / (Log(high) - Log(low)) : 0.5;
 
     private static double Log(double value) => LaneMath.Log((float)value);
 }
+
+/// <summary>A number at an axis of a plot.</summary>
+/// <param name="Text">The number.</param>
+/// <param name="X">Where, from the left.</param>
+/// <param name="Y">Where, from the top.</param>
+internal sealed record PlotTick(string Text, double X, double Y);

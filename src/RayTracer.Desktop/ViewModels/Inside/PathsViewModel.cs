@@ -1,29 +1,18 @@
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The light paths of one pixel: which samples there are, and the vertices of one as a table.</summary>
-internal sealed class PathsViewModel : Observable
+internal sealed class PathsViewModel(SessionDispatcher dispatcher) : Observable
 {
     private const int PerPage = 16;
-    private readonly Hand _hand;
-    private readonly Latest<(int X, int Y, int First)> _asking;
     private InspectedPixel? _pixel;
     private SampleRow? _chosen;
     private int _x;
     private int _y;
     private int _first;
-
-    /// <summary>Paths of a session's picture.</summary>
-    public PathsViewModel(Hand hand)
-    {
-        _hand = hand;
-        _asking = new(Ask);
-        Show = new ActionCommand(() => Inspect(_x, _y));
-        More = new ActionCommand(() => Inspect(_x, _y, _first + PerPage));
-        Fewer = new ActionCommand(() => Inspect(_x, _y, Math.Max(0, _first - PerPage)));
-    }
 
     /// <summary>The pixel's column, as it is typed.</summary>
     public string X
@@ -39,11 +28,7 @@ internal sealed class PathsViewModel : Observable
         set => Type(ref _y, value);
     }
 
-    /// <summary>Whether a pixel is chosen.</summary>
     public bool IsChosen => _pixel is not null;
-
-    /// <summary>Whether none is.</summary>
-    public bool IsNone => _pixel is null;
 
     /// <summary>The pixel in words.</summary>
     public string Title => _pixel is { } p ? SessionTexts.Of("paths.pixel", p.X, p.Y) : SessionTexts.Of("paths.none");
@@ -60,34 +45,35 @@ internal sealed class PathsViewModel : Observable
         get => _chosen;
         set
         {
-            if (value is not null && Set(ref _chosen, value))
+            if (value is not null && SetProperty(ref _chosen, value))
             {
-                Tell(nameof(Vertices));
-                Tell(nameof(Total));
+                Report(nameof(Vertices), nameof(Total));
             }
         }
     }
 
     /// <summary>The hits of the chosen sample's path.</summary>
-    public IReadOnlyList<VertexRow> Vertices => [.. (_chosen?.Path.Vertices ?? []).Select((v, i) => new VertexRow(i, v, pointer => _hand.Do(s => s.Selection.Select(pointer))))];
+    public IReadOnlyList<VertexRow> Vertices => [.. (_chosen?.Path.Vertices ?? []).Select((v, i) => new VertexRow(i, v, pointer => dispatcher.Do(s => s.Selection.Select(pointer))))];
 
     /// <summary>The radiance of the chosen sample.</summary>
     public string Total => _chosen?.Radiance ?? "";
 
     /// <summary>Looks into the pixel that is typed.</summary>
-    public ICommand Show { get; }
+    public ICommand Show => field ??= new RelayCommand(() => Inspect(_x, _y));
 
     /// <summary>The next samples.</summary>
-    public ICommand More { get; }
+    public ICommand More => field ??= new RelayCommand(() => Inspect(_x, _y, _first + PerPage));
 
     /// <summary>The samples before.</summary>
-    public ICommand Fewer { get; }
+    public ICommand Fewer => field ??= new RelayCommand(() => Inspect(_x, _y, Math.Max(0, _first - PerPage)));
+
+    private Latest<(int X, int Y, int First)> Asking => field ??= new(Ask);
 
     /// <summary>Looks into a pixel.</summary>
     public void Inspect(int x, int y, int first = 0)
     {
         (_x, _y) = (x, y);
-        _asking.Push((x, y, first));
+        Asking.Push((x, y, first));
     }
 
     private void Type(ref int place, string text)
@@ -97,16 +83,59 @@ internal sealed class PathsViewModel : Observable
             place = (int)number;
         }
 
-        Tell(nameof(X));
-        Tell(nameof(Y));
+        Report(nameof(X), nameof(Y));
     }
 
-    private Task Ask((int X, int Y, int First) pixel) => _hand.Attempt(async () =>
+    private Task Ask((int X, int Y, int First) pixel) => dispatcher.Attempt(async () =>
     {
-        _pixel = await _hand.Aside(s => s.Part<PathInspector>().Inspect(pixel.X, pixel.Y, pixel.First, PerPage));
+        _pixel = await dispatcher.Aside(s => s.Part<PathInspector>().Inspect(pixel.X, pixel.Y, pixel.First, PerPage));
         _first = pixel.First;
         Samples = [.. _pixel.Samples.Select(s => new SampleRow(s))];
         _chosen = Samples.Count > 0 ? Samples[0] : null;
-        Tell("");
+        OnPropertyChanged("");
     });
+}
+
+/// <summary>A sample of the pixel that is looked into.</summary>
+internal sealed record SampleRow(InspectedPath Path)
+{
+    /// <summary>Its number and radiance.</summary>
+    public string Text => $"{SessionTexts.Of("paths.sample")} {Path.Sample}   {Radiance}";
+
+    /// <summary>Its radiance in short.</summary>
+    public string Radiance => Figures.Color(Path.Radiance);
+}
+
+/// <summary>A hit of a path of light, as a line of a table.</summary>
+internal sealed class VertexRow(int number, InspectedVertex vertex, Action<string> select)
+{
+    public int Number => number;
+
+    public string Event => SessionTexts.Of($"paths.events.{vertex.Event}");
+
+    /// <summary>The meaning of the event.</summary>
+    public string EventTip => SessionTexts.Keys("paths.eventsWhy").Contains(vertex.Event) ? SessionTexts.Of($"paths.eventsWhy.{vertex.Event}") : Event;
+
+    /// <summary>The thing that was hit, and its material.</summary>
+    public string Thing => vertex.Material.Length > 0 ? $"{vertex.Name}, {vertex.Material}" : vertex.Name;
+
+    /// <summary>The product of all weights before.</summary>
+    public string Throughput => Figures.Color(vertex.Throughput);
+
+    /// <summary>The factor of the light at this vertex.</summary>
+    public string Weight => Figures.Color(vertex.Weight);
+
+    /// <summary>With what density the direction was chosen.</summary>
+    public string Pdf => vertex.Pdf is { } pdf ? Figures.Short(pdf, 3) : SessionTexts.Of("paths.delta");
+
+    /// <summary>Throughput times the light found here.</summary>
+    public string Contribution => Figures.Color(vertex.Contribution);
+
+    /// <summary>The parts of the contribution.</summary>
+    public string Parts => SessionTexts.Of("paths.parts", Figures.Color(vertex.Parts.Emitted), Figures.Color(vertex.Parts.Ambient), Figures.Color(vertex.Parts.Direct));
+
+    public bool CanSelect => vertex.Pointer is not null;
+
+    /// <summary>Selects what was hit.</summary>
+    public ICommand Select { get; } = new RelayCommand(() => select(vertex.Pointer ?? ""));
 }

@@ -3,23 +3,22 @@ using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>What surrounds the scene: nothing but its background, or light from all around.</summary>
+/// <summary>The environment of the scene: only its background, or light from all directions.</summary>
 internal sealed class EnvironmentViewModel(PanelContext context) : Observable
 {
     private const string Pointer = "/environment";
     private JsonNode? _value;
 
-    /// <summary>What there may be.</summary>
+    /// <summary>The environments to choose from.</summary>
     public IReadOnlyList<Choice> Choices { get; } =
         [new("", SessionTexts.Of("panel.noEnvironment")), .. PanelContext.Catalogue.Types["environment"].Select(t => new Choice(t.Name, Figures.Spaced(t.Name), t.Summary))];
 
-    /// <summary>What there is.</summary>
     public Choice? Chosen
     {
         get => Choices.FirstOrDefault(c => c.Value == (Record?.Type.Name ?? ""));
         set
         {
-            if (!IsTelling && value is not null && value.Value != (Record?.Type.Name ?? ""))
+            if (!IsReporting && value is not null && value.Value != (Record?.Type.Name ?? ""))
             {
                 Choose(value.Value);
             }
@@ -37,9 +36,9 @@ internal sealed class EnvironmentViewModel(PanelContext context) : Observable
     {
         _value = values?.Value;
         CatalogueType? type = ParameterValues.TypeOf(_value, "environment");
-        Record = type is null ? null : Record is { } same && same.Type == type ? same : new(context, type, Pointer, []);
+        Record = type is null ? null : Record is { } same && same.Type == type ? same : new(context, type, Pointer);
         Record?.Show(_value);
-        Tell("");
+        OnPropertyChanged("");
     }
 
     private void Choose(string name)

@@ -1,36 +1,28 @@
+using System.Text.Json;
 using System.Text.Json.Nodes;
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The editor of one parameter.</summary>
-internal abstract class FieldViewModel : Observable
+/// <param name="context">The rest of the window, as editors use it.</param>
+/// <param name="parameter">The parameter.</param>
+/// <param name="pointer">The pointer to its value, written or not.</param>
+internal abstract class FieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : Observable
 {
-    /// <summary>An editor.</summary>
-    /// <param name="context">What it needs of the rest.</param>
-    /// <param name="parameter">The parameter.</param>
-    /// <param name="pointer">Where its value stands, or would.</param>
-    protected FieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer)
-    {
-        (Context, Parameter, Pointer) = (context, parameter, pointer);
-        Reset = new ActionCommand(() => context.Reset(pointer));
-        Begin = new ActionCommand(() => Write(Start));
-    }
-
     /// <summary>The parameter.</summary>
-    public CatalogueParameter Parameter { get; }
+    public CatalogueParameter Parameter => parameter;
 
-    /// <summary>Where its value stands, or would.</summary>
-    public string Pointer { get; }
+    public string Pointer => pointer;
 
-    /// <summary>What it is called.</summary>
     public string Label => Figures.Spaced(Parameter.Key);
 
     /// <summary>Its unit; empty where there is none.</summary>
     public string Unit => Parameter.Unit;
 
-    /// <summary>What it means, its unit and its range.</summary>
+    /// <summary>The meaning, unit and range.</summary>
     public string Tip => string.Join(' ', new[]
     {
         Parameter.Summary,
@@ -38,28 +30,26 @@ internal abstract class FieldViewModel : Observable
         Parameter.Range.Length > 0 ? $"{SessionTexts.Of("panel.range", Parameter.Range)}." : "",
     }.Where(t => t.Length > 0));
 
-    /// <summary>Whether the text says something here that can go, so that the default counts.</summary>
+    /// <summary>Returns whether a value is written that can be removed, so that the default counts.</summary>
     public bool CanReset => Written is not null && !Parameter.Required;
 
-    /// <summary>What that button says.</summary>
     public string ResetText => SessionTexts.Of("panel.reset", Label);
 
-    /// <summary>Whether there is a value, written or by default.</summary>
+    /// <summary>Returns whether there is a value, written or by default.</summary>
     public bool IsSet => Effective is not null;
 
     /// <summary>Takes the value out of the text.</summary>
-    public ICommand Reset { get; }
+    public ICommand Reset => field ??= new RelayCommand(() => context.Reset(pointer));
 
     /// <summary>Writes a first value where there is none.</summary>
-    public ICommand Begin { get; }
+    public ICommand Begin => field ??= new RelayCommand(() => Write(Start));
 
-    /// <summary>What it needs of the rest.</summary>
-    protected PanelContext Context { get; }
+    protected PanelContext Context => context;
 
-    /// <summary>What is written; null where nothing is.</summary>
+    /// <summary>The written value; null where there is none.</summary>
     protected JsonNode? Written { get; private set; }
 
-    /// <summary>What counts: the written value, or the default.</summary>
+    /// <summary>The written value, or the default.</summary>
     protected JsonNode? Effective { get; private set; }
 
     /// <summary>A first value.</summary>
@@ -70,7 +60,7 @@ internal abstract class FieldViewModel : Observable
     {
         (Written, Effective) = (written, written ?? Parameter.Default);
         Shown();
-        Tell("");
+        OnPropertyChanged("");
     }
 
     /// <summary>The editor of a parameter, by its kind.</summary>
@@ -88,11 +78,85 @@ internal abstract class FieldViewModel : Observable
         _ => new SourceFieldViewModel(context, p, pointer),
     };
 
-    /// <summary>Takes over what is written, before all properties are told anew.</summary>
-    protected abstract void Shown();
+    /// <summary>Takes over what is written, before all properties are reported.</summary>
+    protected virtual void Shown()
+    {
+    }
 
     /// <summary>Writes a value.</summary>
     protected void Write(JsonNode? value, string? gesture = null) => Context.Set(Pointer, value, gesture);
 
     private static CatalogueType? SectionOf(CatalogueParameter p) => PanelContext.Catalogue.Sections.GetValueOrDefault(p.Record ?? p.Key);
+}
+
+/// <summary>On or off.</summary>
+internal sealed class SwitchFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+{
+    private bool _isOn;
+
+    public bool IsOn
+    {
+        get => _isOn;
+        set
+        {
+            if (!IsReporting && SetProperty(ref _isOn, value))
+            {
+                Write(value);
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override void Shown() => _isOn = Effective?.GetValueKind() == JsonValueKind.True;
+}
+
+/// <summary>A text, or the name of a file.</summary>
+internal sealed class TextFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+{
+    /// <summary>The text.</summary>
+    public string Text
+    {
+        get => ParameterValues.Text(Effective) ?? "";
+        set
+        {
+            if (value is not null && value != Text)
+            {
+                Write(value);
+            }
+        }
+    }
+
+    public bool IsFile => Parameter.Kind == "file";
+
+    /// <summary>Asks for a file.</summary>
+    public ICommand Choose => new RelayCommand(() => Context.ChooseFile(path => Write(path)));
+}
+
+/// <summary>Something long, which is better edited as text.</summary>
+internal sealed class SourceFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+{
+    public bool IsWritten => Written is not null;
+
+    /// <summary>Shows it in the source.</summary>
+    public ICommand ShowText => new RelayCommand(() => Context.ShowInSource(Pointer));
+}
+
+/// <summary>One of several words.</summary>
+internal sealed class ChoiceFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+{
+    /// <summary>The words.</summary>
+    public IReadOnlyList<Choice> Choices { get; } = [new("", SessionTexts.Of("panel.noneYet")), .. parameter.Choices.Select(c => new Choice(c, Figures.Spaced(c)))];
+
+    /// <summary>The chosen word.</summary>
+    public Choice? Chosen
+    {
+        get => Choices.FirstOrDefault(c => c.Value.Equals(ParameterValues.Text(Effective) ?? "", StringComparison.OrdinalIgnoreCase)) ?? Choices[0];
+        set
+        {
+            if (!IsReporting && value is { Value.Length: > 0 } && Choices.Contains(value) && value.Value != ParameterValues.Text(Effective))
+            {
+                Write(value.Value);
+            }
+        }
+    }
 }

@@ -1,5 +1,6 @@
 using System.Text.Json.Nodes;
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
@@ -13,16 +14,15 @@ internal sealed class KindFieldViewModel(PanelContext context, CatalogueParamete
     private const string InPlace = "type:";
     private readonly bool _isTexture = parameter.Kind == "texture";
 
-    /// <summary>What it can be.</summary>
+    /// <summary>The kinds to choose from.</summary>
     public IReadOnlyList<Choice> Choices { get; private set; } = [];
 
-    /// <summary>What it is.</summary>
     public Choice? Chosen
     {
         get => Choices.FirstOrDefault(c => c.Value == Kind);
         set
         {
-            if (!IsTelling && value is { Value.Length: > 0 } && Choices.Contains(value) && value.Value != Kind)
+            if (!IsReporting && value is { Value.Length: > 0 } && Choices.Contains(value) && value.Value != Kind)
             {
                 Write(FirstOf(value.Value));
             }
@@ -32,14 +32,14 @@ internal sealed class KindFieldViewModel(PanelContext context, CatalogueParamete
     /// <summary>The editor for what it is: a number, a colour, or a record; null where it is named.</summary>
     public object? Inner { get; private set; }
 
-    /// <summary>Whether it is one of the named ones.</summary>
+    /// <summary>Returns whether it is one of the named ones.</summary>
     public bool IsNamed => Kind.StartsWith(Named, StringComparison.Ordinal);
 
-    /// <summary>What the button says that goes to the named one.</summary>
+    /// <summary>The text of the button that shows the named one.</summary>
     public string EditText => SessionTexts.Of("panel.edit", IsNamed ? Kind[Named.Length..] : "");
 
     /// <summary>Goes to the named one.</summary>
-    public ICommand Edit => new ActionCommand(() => Context.Select(JsonPointer.Of(Family + "s", Kind[Named.Length..])));
+    public ICommand Edit => new RelayCommand(() => Context.Select(JsonPointer.Of(Family + "s", Kind[Named.Length..])));
 
     private string Family => _isTexture ? "texture" : "material";
 
@@ -86,7 +86,7 @@ internal sealed class KindFieldViewModel(PanelContext context, CatalogueParamete
                 Inner = color;
                 break;
             default:
-                RecordViewModel? record = Type is not { } type ? null : Inner is RecordViewModel same && same.Type == type ? same : new(Context, type, Pointer, []);
+                RecordViewModel? record = Type is not { } type ? null : Inner is RecordViewModel same && same.Type == type ? same : new(Context, type, Pointer);
                 record?.Show(Effective);
                 Inner = record;
                 break;

@@ -1,23 +1,16 @@
+using System.Globalization;
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>A number, with a slider where its range is small, and the report's substances where it is a refractive index.</summary>
-internal sealed class NumberFieldViewModel : FieldViewModel
+internal sealed class NumberFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
 {
     private readonly Gesture _sliding = new();
-    private readonly bool _isInteger;
+    private readonly bool _isInteger = parameter.Kind == "integer";
     private double _value;
-
-    /// <summary>An editor of a number.</summary>
-    public NumberFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : base(context, parameter, pointer)
-    {
-        _isInteger = parameter.Kind == "integer";
-        Step = new ActionCommand(steps => Value = Stepped(_value, Convert.ToDouble(steps, System.Globalization.CultureInfo.InvariantCulture)));
-        Substances = parameter.Key != "refractiveIndex" ? []
-            : [new("", SessionTexts.Of("panel.own")), .. PanelContext.Catalogue.RefractiveIndices.Select(r => new Choice(r.Name, $"{r.Name} ({Figures.Short(r.Value)})"))];
-    }
 
     /// <summary>The number.</summary>
     public double Value
@@ -26,10 +19,10 @@ internal sealed class NumberFieldViewModel : FieldViewModel
         set
         {
             double wanted = Clamped(value);
-            if (IsSet && !IsTelling && Set(ref _value, wanted))
+            if (IsSet && !IsReporting && SetProperty(ref _value, wanted))
             {
                 Write(wanted, _sliding.Burst());
-                Tell(nameof(Text));
+                OnPropertyChanged(nameof(Text));
             }
         }
     }
@@ -45,11 +38,11 @@ internal sealed class NumberFieldViewModel : FieldViewModel
                 Value = number;
             }
 
-            Tell();
+            OnPropertyChanged();
         }
     }
 
-    /// <summary>Whether all its range can sensibly be reached by a slider.</summary>
+    /// <summary>Returns whether a slider can sensibly cover its range.</summary>
     public bool HasSlider => IsSet && Parameter is { Minimum: { } low, Maximum: { } high } && high - low <= (_isInteger ? 64 : 360);
 
     /// <summary>The slider's left end.</summary>
@@ -59,12 +52,12 @@ internal sealed class NumberFieldViewModel : FieldViewModel
     public double Maximum => HasSlider ? Math.Max(Parameter.Maximum!.Value, _value) : 1;
 
     /// <summary>Adds steps, as many as the parameter says.</summary>
-    public ICommand Step { get; }
+    public ICommand Step => field ??= new RelayCommand<object?>(steps => Value = Stepped(_value, Convert.ToDouble(steps, CultureInfo.InvariantCulture)));
 
     /// <summary>Substances of known refractive index; none for other numbers.</summary>
-    public IReadOnlyList<Choice> Substances { get; }
+    public IReadOnlyList<Choice> Substances { get; } = parameter.Key != "refractiveIndex" ? []
+        : [new("", SessionTexts.Of("panel.own")), .. PanelContext.Catalogue.RefractiveIndices.Select(r => new Choice(r.Name, $"{r.Name} ({Figures.Short(r.Value)})"))];
 
-    /// <summary>Whether there are substances to choose from.</summary>
     public bool HasSubstances => Substances.Count > 0;
 
     /// <summary>The substance that has this number.</summary>
@@ -73,7 +66,7 @@ internal sealed class NumberFieldViewModel : FieldViewModel
         get => Substances.FirstOrDefault(s => s.Value.Length > 0 && Math.Abs(IndexOf(s) - _value) < 1e-6) ?? (Substances is [var own, ..] ? own : null);
         set
         {
-            if (!IsTelling && value is { Value.Length: > 0 })
+            if (!IsReporting && value is { Value.Length: > 0 })
             {
                 Value = IndexOf(value);
             }
@@ -89,7 +82,7 @@ internal sealed class NumberFieldViewModel : FieldViewModel
     {
         double smallest = Parameter.Minimum is { } low ? low + (Parameter.MinimumIsExclusive ? (_isInteger ? 1 : 1e-4) : 0) : double.NegativeInfinity;
         double within = Math.Max(smallest, Math.Min(value, Parameter.Maximum ?? double.PositiveInfinity));
-        return _isInteger ? Math.Round(within) : double.Parse(within.ToString("G7", System.Globalization.CultureInfo.InvariantCulture), System.Globalization.CultureInfo.InvariantCulture);
+        return _isInteger ? Math.Round(within) : double.Parse(within.ToString("G7", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
     }
 
     // About a hundredth of the number, a round power of ten.

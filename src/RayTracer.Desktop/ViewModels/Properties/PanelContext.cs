@@ -3,17 +3,16 @@ using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>What the editors of parameters need of the rest.</summary>
-/// <param name="hand">Carries changes to the session.</param>
+/// <summary>The rest of the window, as editors of parameters use it.</summary>
+/// <param name="dispatcher">Carries changes to the session.</param>
 /// <param name="window">Asks for files.</param>
-internal sealed class PanelContext(Hand hand, IWindowServices window)
+internal sealed class PanelContext(SessionDispatcher dispatcher, IWindowServices window)
 {
     private readonly Dictionary<string, Latest<Setting>> _settings = new(StringComparer.Ordinal);
 
-    /// <summary>What scenes can be made of.</summary>
     public static TypeCatalogue Catalogue => TypeCatalogue.Instance;
 
-    /// <summary>What the scene consists of; null before it could be read.</summary>
+    /// <summary>The outline of the scene; null before it could be read.</summary>
     public Outline? Outline { get; set; }
 
     /// <summary>The folder of the scene's file; null where it has none.</summary>
@@ -27,30 +26,30 @@ internal sealed class PanelContext(Hand hand, IWindowServices window)
     {
         if (!_settings.TryGetValue(pointer, out Latest<Setting>? latest))
         {
-            _settings.Add(pointer, latest = new(s => hand.Attempt(() => hand.Ask(session => session.Edits.Set(s.Pointer, s.Value, s.Gesture)))));
+            _settings.Add(pointer, latest = new(s => dispatcher.Attempt(() => dispatcher.Ask(session => session.Edits.Set(s.Pointer, s.Value, s.Gesture)))));
         }
 
         latest.Push(new(pointer, value?.DeepClone(), gesture ?? Gesture.New()));
     }
 
     /// <summary>Takes a value out of the text.</summary>
-    public void Reset(string pointer) => hand.Do(s => s.Edits.Reset(pointer));
+    public void Reset(string pointer) => dispatcher.Do(s => s.Edits.Reset(pointer));
 
     /// <summary>Takes an element out of a list.</summary>
-    public void Delete(string pointer) => hand.Do(s => s.Edits.Delete(pointer));
+    public void Delete(string pointer) => dispatcher.Do(s => s.Edits.Delete(pointer));
 
     /// <summary>Selects a thing.</summary>
-    public void Select(string pointer) => hand.Do(s => s.Selection.Select(pointer));
+    public void Select(string pointer) => dispatcher.Do(s => s.Selection.Select(pointer));
 
     /// <summary>Shows where a thing is written.</summary>
-    public void ShowInSource(string pointer) => _ = hand.Attempt(async () =>
+    public void ShowInSource(string pointer) => _ = dispatcher.Attempt(async () =>
     {
-        PropertyValues values = await hand.Ask(s => PropertyValues.At(s.Document.Readable.Root, pointer));
+        PropertyValues values = await dispatcher.Ask(s => PropertyValues.At(s.Document.Readable.Root, pointer));
         ShowSource(new(values.From, values.To));
     });
 
-    /// <summary>Asks for a picture or a model that the scene shall name, and tells its name from the scene's folder.</summary>
-    public void ChooseFile(Action<string> chosen) => _ = hand.Attempt(async () =>
+    /// <summary>Asks for a picture or a model that the scene shall name, and passes on its name relative to the scene's folder.</summary>
+    public void ChooseFile(Action<string> chosen) => _ = dispatcher.Attempt(async () =>
     {
         if (await window.ChooseFile(SessionTexts.Of("dialogs.chooseTitle"), Folder, []) is { } path)
         {

@@ -1,12 +1,13 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Numerics;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>What stands in a scene, by what the schema says about it.</summary>
+/// <summary>The values of a scene, read as the schema describes them.</summary>
 internal static class ParameterValues
 {
     /// <summary>A number; null where it is none.</summary>
@@ -24,7 +25,7 @@ internal static class ParameterValues
 
     /// <summary>A written colour as linear numbers; null where it is none, such as a texture's name.</summary>
     public static double[]? Color(JsonNode? value) => Numbers(value, 3)
-        ?? (Text(value) is { } name && (Scenes.CssColors.Find(name) ?? Scenes.CssColors.FromHex(name)) is { } color ? [color.R, color.G, color.B] : null);
+        ?? (Text(value) is { } name && (CssColors.Find(name) ?? CssColors.FromHex(name)) is { } color ? [color.R, color.G, color.B] : null);
 
     /// <summary>A linear colour as #rrggbb.</summary>
     public static string Hex(double[] c) => $"#{SrgbCurve.Encode8((float)c[0]):x2}{SrgbCurve.Encode8((float)c[1]):x2}{SrgbCurve.Encode8((float)c[2]):x2}";
@@ -56,7 +57,7 @@ internal static class ParameterValues
         return result;
     }
 
-    /// <summary>What a new record of a list holds.</summary>
+    /// <summary>Returns a new record for a list.</summary>
     public static JsonObject Fresh(CatalogueType type)
     {
         JsonObject result = [];

@@ -8,8 +8,6 @@ internal sealed class PropertyPanelViewModel : Observable
     private static readonly string[] WorldKinds = ["color", "texture", "number", "choice", "boolean"];
     private static readonly string[] TabNames = ["object", "camera", "render", "world"];
     private readonly PanelContext _context;
-    private ThingViewModel? _thing;
-    private int _tab;
 
     /// <summary>The properties of a document.</summary>
     public PropertyPanelViewModel(PanelContext context, RenderViewModel render)
@@ -21,42 +19,33 @@ internal sealed class PropertyPanelViewModel : Observable
     }
 
     /// <summary>The selected thing; null where there is none.</summary>
-    public ThingViewModel? Thing
-    {
-        get => _thing;
-        private set => Set(ref _thing, value);
-    }
+    public ThingViewModel? Thing { get; private set => SetProperty(ref field, value); }
 
-    /// <summary>Whether nothing is selected.</summary>
-    public bool IsNothing => _thing is null;
+    public bool IsNothing => Thing is null;
 
     /// <summary>The camera.</summary>
     public ThingViewModel Camera { get; }
 
-    /// <summary>How the user wants the picture.</summary>
+    /// <summary>The user's settings of the picture.</summary>
     public RenderViewModel Render { get; }
 
-    /// <summary>How the scene says that it is rendered.</summary>
+    /// <summary>The scene's settings of the rendering.</summary>
     public ThingViewModel RenderDetails { get; }
 
-    /// <summary>What colours the whole scene.</summary>
+    /// <summary>The values that colour the whole scene.</summary>
     public IReadOnlyList<ThingViewModel> World { get; private set; } = [];
 
-    /// <summary>What surrounds it.</summary>
+    /// <summary>The environment.</summary>
     public EnvironmentViewModel Environment { get; }
 
     /// <summary>The tab that is shown.</summary>
-    public int Tab
-    {
-        get => _tab;
-        set => Set(ref _tab, value);
-    }
+    public int Tab { get; set => SetProperty(ref field, value); }
 
     /// <summary>Shows a tab by its name.</summary>
     public void Open(string tab) => Tab = Array.IndexOf(TabNames, tab);
 
     /// <summary>Shows a document.</summary>
-    public void Show(DocumentShown shown)
+    public void Show(DocumentSnapshot shown)
     {
         _context.Outline = shown.Outline ?? _context.Outline;
         ShowThing(shown);
@@ -68,7 +57,7 @@ internal sealed class PropertyPanelViewModel : Observable
         if (!keys.SequenceEqual(World.Select(w => w.Pointer)))
         {
             World = [.. keys.Select(k => new ThingViewModel(_context, k))];
-            Tell(nameof(World));
+            OnPropertyChanged(nameof(World));
         }
 
         foreach (ThingViewModel part in World)
@@ -77,20 +66,20 @@ internal sealed class PropertyPanelViewModel : Observable
         }
     }
 
-    private void ShowThing(DocumentShown shown)
+    private void ShowThing(DocumentSnapshot shown)
     {
         bool isShown = shown.Selection is { } pointer && pointer is not ("" or "/camera" or "/render") && shown.Values.ContainsKey(pointer);
-        ThingViewModel? thing = !isShown ? null : _thing?.Pointer == shown.Selection ? _thing : new(_context, shown.Selection!, "name");
+        ThingViewModel? thing = !isShown ? null : Thing?.Pointer == shown.Selection ? Thing : new(_context, shown.Selection!, "name");
         if (thing is not null)
         {
             ShowAt(shown, thing);
         }
 
         Thing = thing;
-        Tell(nameof(IsNothing));
+        OnPropertyChanged(nameof(IsNothing));
     }
 
-    private static void ShowAt(DocumentShown shown, ThingViewModel thing)
+    private static void ShowAt(DocumentSnapshot shown, ThingViewModel thing)
     {
         if (shown.Values.TryGetValue(thing.Pointer, out PropertyValues? values))
         {

@@ -1,23 +1,15 @@
 using System.Globalization;
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>How the picture is rendered: presets for the hurried.</summary>
-internal sealed class RenderViewModel : Observable
+/// <summary>The settings of the rendering, with presets.</summary>
+internal sealed class RenderViewModel(SessionDispatcher dispatcher, PanelContext context) : Observable
 {
     private static readonly (int Width, int Height)[] Sizes = [(300, 300), (400, 300), (600, 600), (800, 600), (1024, 768), (1280, 720), (1920, 1080), (3840, 2160)];
-    private readonly Hand _hand;
-    private readonly PanelContext _context;
     private SessionState? _state;
-
-    /// <summary>The settings of a session.</summary>
-    public RenderViewModel(Hand hand, PanelContext context)
-    {
-        (_hand, _context) = (hand, context);
-        Step = new ActionCommand(steps => Threads = ((_state?.Settings.Threads ?? 1) + Convert.ToInt32(steps, CultureInfo.InvariantCulture)).ToString(CultureInfo.InvariantCulture));
-    }
 
     /// <summary>Presets of samples, the last of them as many as the scene says.</summary>
     public IReadOnlyList<Choice> Qualities { get; } =
@@ -29,10 +21,10 @@ internal sealed class RenderViewModel : Observable
         get => Qualities.First(q => q.Value == (_state?.Settings.Quality?.ToString().ToLowerInvariant() ?? "written"));
         set
         {
-            if (!IsTelling && value is not null && value != Quality)
+            if (!IsReporting && value is not null && value != Quality)
             {
                 int? samples = Enum.TryParse(value.Value, ignoreCase: true, out RenderQuality quality) ? (int)quality : null;
-                _hand.Do(s => s.View.Change(v => v with { Samples = samples }));
+                dispatcher.Do(s => s.View.Change(v => v with { Samples = samples }));
             }
         }
     }
@@ -46,15 +38,15 @@ internal sealed class RenderViewModel : Observable
         get => PictureSizes.FirstOrDefault(s => _state is { } state && s.Value == Key(state.Render.Width, state.Render.Height));
         set
         {
-            if (IsTelling || value is null || value == PictureSize)
+            if (IsReporting || value is null || value == PictureSize)
             {
                 return;
             }
 
             int[] size = [.. value.Value.Split('x').Select(n => int.Parse(n, CultureInfo.InvariantCulture))];
             string gesture = Gesture.New();
-            _context.Set("/render/width", size[0], gesture);
-            _context.Set("/render/height", size[1], gesture);
+            context.Set("/render/width", size[0], gesture);
+            context.Set("/render/height", size[1], gesture);
         }
     }
 
@@ -67,15 +59,16 @@ internal sealed class RenderViewModel : Observable
             if (Figures.Parse(value) is { } number && _state is not null && (int)number != _state.Settings.Threads)
             {
                 int threads = Math.Clamp((int)number, 1, Environment.ProcessorCount);
-                _hand.Do(s => s.View.Change(v => v with { Threads = threads }));
+                dispatcher.Do(s => s.View.Change(v => v with { Threads = threads }));
             }
 
-            Tell();
+            OnPropertyChanged();
         }
     }
 
     /// <summary>Adds threads, as many as the parameter says.</summary>
-    public ICommand Step { get; }
+    public ICommand Step => field ??= new RelayCommand<object?>(steps =>
+        Threads = ((_state?.Settings.Threads ?? 1) + Convert.ToInt32(steps, CultureInfo.InvariantCulture)).ToString(CultureInfo.InvariantCulture));
 
     /// <summary>Shows a state.</summary>
     public void Show(SessionState state)
@@ -98,7 +91,7 @@ internal sealed class RenderViewModel : Observable
             PictureSizes = sizes;
         }
 
-        Tell("");
+        OnPropertyChanged("");
     }
 
     private static string Key(int width, int height) => string.Create(CultureInfo.InvariantCulture, $"{width}x{height}");

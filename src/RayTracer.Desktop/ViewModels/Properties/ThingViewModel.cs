@@ -1,37 +1,28 @@
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The properties of one thing: its name, what it is, and an editor for each parameter.</summary>
-internal sealed class ThingViewModel : Observable
+/// <param name="context">The rest of the window, as editors use it.</param>
+/// <param name="pointer">The pointer to the thing.</param>
+/// <param name="without">Parameters that are shown elsewhere.</param>
+internal sealed class ThingViewModel(PanelContext context, string pointer, params string[] without) : Observable
 {
-    private readonly PanelContext _context;
-    private readonly string[] _without;
+    private PropertyValues? _values;
 
-    /// <summary>The properties of a thing.</summary>
-    /// <param name="context">What editors need of the rest.</param>
-    /// <param name="pointer">Where it stands.</param>
-    /// <param name="without">Parameters that are shown elsewhere.</param>
-    public ThingViewModel(PanelContext context, string pointer, params string[] without)
-    {
-        (_context, Pointer, _without) = (context, pointer, without);
-        ShowText = new ActionCommand(() => context.ShowInSource(pointer));
-    }
+    /// <summary>The pointer to the thing.</summary>
+    public string Pointer => pointer;
 
-    /// <summary>Where it stands.</summary>
-    public string Pointer { get; }
-
-    /// <summary>What it is called.</summary>
     public string Title { get; private set; } = "";
 
-    /// <summary>Whether it can be copied, deleted and renamed.</summary>
+    /// <summary>Returns whether it can be copied, deleted and renamed.</summary>
     public bool IsThing => SceneThings.IsThing(Pointer);
 
     /// <summary>The types that it can be; none where that cannot be changed.</summary>
     public IReadOnlyList<Choice> Types { get; private set; } = [];
 
-    /// <summary>Whether its type can be changed.</summary>
     public bool CanRetype => Types.Count > 0;
 
     /// <summary>Its type.</summary>
@@ -40,9 +31,9 @@ internal sealed class ThingViewModel : Observable
         get => Types.FirstOrDefault(t => t.Value == Record?.Type.Name);
         set
         {
-            if (!IsTelling && value is not null && Types.Contains(value) && Record is { } record && value.Value != record.Type.Name)
+            if (!IsReporting && value is not null && Types.Contains(value) && Record is { } record && value.Value != record.Type.Name)
             {
-                _context.Set(Pointer, ParameterValues.Retyped(_values?.Value, PanelContext.Catalogue.Types[_values!.Family!].First(t => t.Name == value.Value), record.Type));
+                context.Set(Pointer, ParameterValues.Retyped(_values?.Value, PanelContext.Catalogue.Types[_values!.Family!].First(t => t.Name == value.Value), record.Type));
             }
         }
     }
@@ -54,9 +45,7 @@ internal sealed class ThingViewModel : Observable
     public FieldViewModel? Plain { get; private set; }
 
     /// <summary>Shows where it is written.</summary>
-    public ICommand ShowText { get; }
-
-    private PropertyValues? _values;
+    public ICommand ShowText => field ??= new RelayCommand(() => context.ShowInSource(pointer));
 
     /// <summary>Shows what is written.</summary>
     public void Show(PropertyValues values)
@@ -69,7 +58,7 @@ internal sealed class ThingViewModel : Observable
         }
         else
         {
-            Record = Record is { } same && same.Type == type ? same : new(_context, type, Pointer, _without);
+            Record = Record is { } same && same.Type == type ? same : new(context, type, Pointer, without);
             Record.Show(values.Value);
             Plain = null;
         }
@@ -82,7 +71,7 @@ internal sealed class ThingViewModel : Observable
             Types = [.. PanelContext.Catalogue.Types[values.Family!].Select(t => new Choice(t.Name, Figures.Spaced(t.Name), t.Summary))];
         }
 
-        Tell("");
+        OnPropertyChanged("");
     }
 
     private static CatalogueType? TypeOf(PropertyValues values) => values.Type is not { } name ? null
@@ -95,7 +84,7 @@ internal sealed class ThingViewModel : Observable
         string key = JsonPointer.Last(Pointer);
         CatalogueParameter? parameter = PanelContext.Catalogue.Sections["scene"].Parameters.FirstOrDefault(p => p.Key == key && JsonPointer.Parent(Pointer) == "")
             ?? PanelContext.Catalogue.Types["texture"].First(t => t.Name == "solid").Parameters.FirstOrDefault(p => p.Kind == "color");
-        Plain ??= parameter is null ? null : FieldViewModel.Of(_context, parameter, Pointer);
+        Plain ??= parameter is null ? null : FieldViewModel.Of(context, parameter, Pointer);
         Plain?.Show(values.Value);
     }
 }

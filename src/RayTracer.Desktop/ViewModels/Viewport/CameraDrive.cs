@@ -3,8 +3,8 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>Moves of the camera: seen at once, and written to the text when a gesture ends.</summary>
-/// <param name="hand">Carries them to the session.</param>
-internal sealed class CameraDrive(Hand hand)
+/// <param name="dispatcher">Carries them to the session.</param>
+internal sealed class CameraDrive(SessionDispatcher dispatcher)
 {
     private static readonly TimeSpan BurstPause = TimeSpan.FromMilliseconds(350);
     private readonly Dictionary<CameraMoveKind, (string Gesture, int Count)> _bursts = [];
@@ -40,7 +40,7 @@ internal sealed class CameraDrive(Hand hand)
         }
     }
 
-    private Task Send(IReadOnlyList<CameraMove> moves) => hand.Attempt(() => hand.Ask(session =>
+    private Task Send(IReadOnlyList<CameraMove> moves) => dispatcher.Attempt(() => dispatcher.Ask(session =>
     {
         foreach (CameraMove move in moves)
         {

@@ -4,8 +4,8 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>Handles around the selected shape, that move, turn and scale it.</summary>
-/// <param name="hand">Carries changes to the session.</param>
-internal sealed class GizmoViewModel(Hand hand) : Observable
+/// <param name="dispatcher">Carries changes to the session.</param>
+internal sealed class GizmoViewModel(SessionDispatcher dispatcher) : Observable
 {
     private const double Reach = 10;
     private const double HandleLength = 72;
@@ -23,7 +23,7 @@ internal sealed class GizmoViewModel(Hand hand) : Observable
     /// <param name="stage">Where the picture lies.</param>
     public async Task Follow(string? pointer, GizmoKind? kind, Stage stage)
     {
-        _target = kind is { } k && pointer is not null && SceneThings.IsSeen(pointer) ? await hand.Ask(s => Find(s, pointer, k)) : null;
+        _target = kind is { } k && pointer is not null && SceneThings.IsSeen(pointer) ? await dispatcher.Ask(s => Find(s, pointer, k)) : null;
         Place(stage);
     }
 
@@ -31,11 +31,11 @@ internal sealed class GizmoViewModel(Hand hand) : Observable
     public void Place(Stage stage)
     {
         Handles = _target is not { } target ? [] : Drawn(target.Gizmo, target.Camera, target.Kind, stage);
-        Tell(nameof(Handles));
+        OnPropertyChanged(nameof(Handles));
     }
 
     /// <summary>Takes the handle under a point of the screen; false where there is none.</summary>
-    public bool Take(Spot screen, Spot picture)
+    public bool Grab(Spot screen, Spot picture)
     {
         HandleViewModel? near = Handles.Where(h => h.DistanceTo(screen) < Reach).OrderBy(h => h.Axis is null ? 0 : h.DistanceTo(screen)).FirstOrDefault();
         _drag = near is null ? null : (near.Axis, picture, Gesture.New());
@@ -48,7 +48,7 @@ internal sealed class GizmoViewModel(Hand hand) : Observable
         if (_drag is { } drag && _target is { } target)
         {
             HandleDrag way = new(target.Pointer, target.Kind, drag.Axis, drag.From.AsVector(), picture.AsVector(), drag.Gesture);
-            hand.Do(s => s.Handles.Drag(way));
+            dispatcher.Do(s => s.Handles.Drag(way));
         }
     }
 
@@ -87,5 +87,24 @@ internal sealed class GizmoViewModel(Hand hand) : Observable
         }
 
         return handles;
+    }
+}
+
+/// <summary>A handle of the selected shape: a line along an axis, or a ring about it.</summary>
+/// <param name="Axis">0 to 2; null for the one in the middle.</param>
+/// <param name="Points">Its line on the screen.</param>
+/// <param name="Color">Its colour as #rrggbb.</param>
+/// <param name="Name">What a screen reader calls it.</param>
+internal sealed record HandleViewModel(int? Axis, IReadOnlyList<Spot> Points, string Color, string Name)
+{
+    /// <summary>The distance of a point of the screen from it.</summary>
+    public double DistanceTo(Spot point) => Points.Zip(Points.Skip(1)).Select(s => Distance(point, s.First, s.Second)).DefaultIfEmpty(double.PositiveInfinity).Min();
+
+    private static double Distance(Spot point, Spot a, Spot b)
+    {
+        (double dx, double dy) = (b.X - a.X, b.Y - a.Y);
+        double length = (dx * dx) + (dy * dy);
+        double t = length > 0 ? Math.Clamp((((point.X - a.X) * dx) + ((point.Y - a.Y) * dy)) / length, 0, 1) : 0;
+        return point.DistanceTo(new(a.X + (t * dx), a.Y + (t * dy)));
     }
 }

@@ -35,3 +35,9 @@ internal static class SelectionOutline
         return (x > 0 && inside[i - 1]) || (x + 1 < width && inside[i + 1]) || (y > 0 && inside[i - width]) || (y + 1 < height && inside[i + width]);
     }
 }
+
+/// <summary>Pixels for the screen: four bytes each, red, green, blue and how opaque it is, row by row from the top.</summary>
+/// <param name="Width">Pixels across.</param>
+/// <param name="Height">Pixels down.</param>
+/// <param name="Rgba">The bytes. Whoever shows them takes them at once: they are used again.</param>
+internal sealed record PixelFrame(int Width, int Height, byte[] Rgba);

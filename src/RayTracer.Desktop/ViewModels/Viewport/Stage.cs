@@ -1,6 +1,8 @@
+using System.Numerics;
+
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>Where the picture lies on the part of the window that it is shown in.</summary>
+/// <summary>The place of the picture on the part of the window that it is shown in.</summary>
 /// <param name="PictureWidth">Pixels of the picture across.</param>
 /// <param name="PictureHeight">Pixels of the picture down.</param>
 /// <param name="Width">The part's width, in the window's pixels.</param>
@@ -65,4 +67,22 @@ internal sealed record Stage(int PictureWidth, int PictureHeight, double Width, 
 
     /// <summary>Moved on the screen.</summary>
     public Stage ShiftedBy(double dx, double dy) => this with { Zoom = Scale, Shift = new(Zoom is null ? dx : Shift.X + dx, Zoom is null ? dy : Shift.Y + dy) };
+}
+
+/// <summary>A rectangle on the screen.</summary>
+internal sealed record Box(double Left, double Top, double Width, double Height)
+{
+    /// <summary>One that is not to be seen.</summary>
+    public static Box None { get; } = new(0, 0, 0, 0);
+
+    public bool IsVisible => Width > 0 && Height > 0;
+}
+
+/// <summary>A point of the screen or of the picture, in pixels.</summary>
+internal readonly record struct Spot(double X, double Y)
+{
+    public double DistanceTo(Spot other) => Math.Sqrt(((X - other.X) * (X - other.X)) + ((Y - other.Y) * (Y - other.Y)));
+
+    /// <summary>As a vector.</summary>
+    public Vector2 AsVector() => new((float)X, (float)Y);
 }

@@ -8,17 +8,13 @@ internal sealed partial class ViewportViewModel
 {
     private static readonly Choice NoComparison = new("", SessionTexts.Of("viewport.noCompare"));
     private Choice _compared;
-    private byte[]? _kept;
-    private PixelFrame? _outline;
     private (string? Pointer, long Picture, int Revision)? _outlined;
-    private Spot? _inspected;
     private Spot? _regionStart;
     private Spot _regionEnd;
 
     /// <summary>The kept pictures to compare with.</summary>
     public IReadOnlyList<Choice> Comparisons { get; private set; }
 
-    /// <summary>Whether there are kept pictures.</summary>
     public bool HasComparisons => Comparisons.Count > 1;
 
     /// <summary>The kept picture that lies over the newest one.</summary>
@@ -27,7 +23,7 @@ internal sealed partial class ViewportViewModel
         get => _compared;
         set
         {
-            if (!IsTelling && value is not null && Set(ref _compared, value))
+            if (!IsReporting && value is not null && SetProperty(ref _compared, value))
             {
                 _ = LoadKept(value);
             }
@@ -37,71 +33,65 @@ internal sealed partial class ViewportViewModel
     /// <summary>The kept picture as a PNG file; null for none.</summary>
     public byte[]? Kept
     {
-        get => _kept;
+        get;
         private set
         {
-            if (Set(ref _kept, value))
+            if (SetProperty(ref field, value))
             {
-                Tell(nameof(IsWiping));
-                Tell(nameof(WipeBox));
+                Report(nameof(IsWiping), nameof(WipeBox));
             }
         }
     }
 
-    /// <summary>Whether a kept picture is shown.</summary>
-    public bool IsWiping => _kept is not null;
+    /// <summary>Returns whether a kept picture is shown.</summary>
+    public bool IsWiping => Kept is not null;
 
-    /// <summary>How much of the kept picture is shown, from the left: 0 to 1.</summary>
+    /// <summary>The part of the kept picture that is shown, from the left: 0 to 1.</summary>
     public double Wipe
     {
-        get => _wipe;
+        get;
         set
         {
-            if (Set(ref _wipe, Math.Clamp(value, 0, 1)))
+            if (SetProperty(ref field, Math.Clamp(value, 0, 1)))
             {
-                Tell(nameof(WipeBox));
+                OnPropertyChanged(nameof(WipeBox));
             }
         }
-    }
+    } = 0.5;
 
-    /// <summary>Where the kept picture is shown.</summary>
-    public Box WipeBox => IsWiping ? Place with { Width = Place.Width * _wipe } : Box.None;
+    /// <summary>The place of the kept picture.</summary>
+    public Box WipeBox => IsWiping ? Place with { Width = Place.Width * Wipe } : Box.None;
 
     /// <summary>The outline of the selected thing; null for none.</summary>
-    public PixelFrame? Outline
-    {
-        get => _outline;
-        private set => Set(ref _outline, value);
-    }
+    public PixelFrame? Outline { get; private set => SetProperty(ref field, value); }
 
     /// <summary>The part that is rendered, or that is being drawn.</summary>
-    public Box Region => _regionStart is { } start ? (_stage.Between(start, _regionEnd) is { } drawn ? _stage.ToScreen(drawn) : Box.None)
-        : _state?.Settings.Region is { } region ? _stage.ToScreen(region) : Box.None;
+    public Box Region => _regionStart is { } start ? (Stage.Between(start, _regionEnd) is { } drawn ? Stage.ToScreen(drawn) : Box.None)
+        : _state?.Settings.Region is { } region ? Stage.ToScreen(region) : Box.None;
 
     /// <summary>The pixel that is looked into.</summary>
     public Spot? Inspected
     {
-        get => _inspected;
+        get;
         set
         {
-            if (Set(ref _inspected, value))
+            if (SetProperty(ref field, value))
             {
-                Tell(nameof(Mark));
-                Tell(nameof(MarkText));
+                Report(nameof(Mark), nameof(MarkText));
             }
         }
     }
 
-    /// <summary>Where it is.</summary>
-    public Box Mark => _inspected is { } pixel && _tool == Tool.Inspect ? _stage.ToScreen(new Rendering.Tile((int)pixel.X, (int)pixel.Y, 1, 1)) : Box.None;
+    /// <summary>The place of the inspected pixel.</summary>
+    public Box Mark => Inspected is { } pixel && Tool == Tool.Inspect ? Stage.ToScreen(new Rendering.Tile((int)pixel.X, (int)pixel.Y, 1, 1)) : Box.None;
 
-    /// <summary>What is written beside it.</summary>
-    public string MarkText => _inspected is { } pixel ? SessionTexts.Of("viewport.inspected", (int)pixel.X, (int)pixel.Y) : "";
+    /// <summary>The text beside it.</summary>
+    public string MarkText => Inspected is { } pixel ? SessionTexts.Of("viewport.inspected", (int)pixel.X, (int)pixel.Y) : "";
 
     /// <summary>Keeps the picture, and compares later ones with it.</summary>
-    public void Keep() => _ = _hand.Attempt(async () =>
+    public void Keep() => _ = _dispatcher.Attempt(async () =>
     {
-        Snapshot kept = await _hand.Aside(s => s.Snapshots.Take());
+        Snapshot kept = await _dispatcher.Aside(s => s.Snapshots.Capture());
         Choice choice = new(kept.Id.ToString(CultureInfo.InvariantCulture), kept.Label);
         if (!Comparisons.Contains(choice))
         {
@@ -124,25 +114,24 @@ internal sealed partial class ViewportViewModel
     private void ShowChoices(IReadOnlyList<Choice> choices)
     {
         Comparisons = choices;
-        Tell(nameof(Comparisons));
-        Tell(nameof(HasComparisons));
+        Report(nameof(Comparisons), nameof(HasComparisons));
     }
 
-    private async Task LoadKept(Choice choice) => await _hand.Attempt(async () =>
-        Kept = choice.Value.Length == 0 ? null : await _hand.Ask(s => s.Snapshots.Png(int.Parse(choice.Value, CultureInfo.InvariantCulture))));
+    private async Task LoadKept(Choice choice) => await _dispatcher.Attempt(async () =>
+        Kept = choice.Value.Length == 0 ? null : await _dispatcher.Ask(s => s.Snapshots.Png(int.Parse(choice.Value, CultureInfo.InvariantCulture))));
 
-    // The outline is found anew where another thing is selected, or it may look otherwise.
+    // The outline is found again where another thing is selected, or it may look otherwise.
     private async Task FollowSelection(SessionState state)
     {
         string? pointer = state.Selection is { } p && SceneThings.IsSeen(p) ? p : null;
-        (long picture, int revision) = await _hand.Ask(s => (s.View.Shown?.Picture ?? 0, state.Document.BuiltRevision));
+        (long picture, int revision) = await _dispatcher.Ask(s => (s.View.Shown?.Picture ?? 0, state.Document.BuiltRevision));
         if (_outlined == (pointer, picture, revision))
         {
             return;
         }
 
         _outlined = (pointer, picture, revision);
-        PixelFrame? outline = pointer is null ? null : await _hand.Aside(s => Task.FromResult(s.View.Shown is { } shown ? SelectionOutline.Of(Picking.Mask(shown, pointer)) : null));
+        PixelFrame? outline = pointer is null ? null : await _dispatcher.Aside(s => Task.FromResult(s.View.Shown is { } shown ? SelectionOutline.Of(Picking.Mask(shown, pointer)) : null));
         if (_outlined == (pointer, picture, revision))
         {
             Outline = outline;
@@ -150,5 +139,5 @@ internal sealed partial class ViewportViewModel
         }
     }
 
-    private Task FollowHandles() => Gizmo.Follow(_state?.Selection, Tool switch { Tool.Move => GizmoKind.Move, Tool.Rotate => GizmoKind.Rotate, Tool.Scale => GizmoKind.Scale, _ => null }, _stage);
+    private Task FollowHandles() => Gizmo.Follow(_state?.Selection, Tool switch { Tool.Move => GizmoKind.Move, Tool.Rotate => GizmoKind.Rotate, Tool.Scale => GizmoKind.Scale, _ => null }, Stage);
 }

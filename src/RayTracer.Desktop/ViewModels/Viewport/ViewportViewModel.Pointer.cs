@@ -7,7 +7,7 @@ internal sealed partial class ViewportViewModel
 {
     private const double ClickDistance = 4;
     private const double KeyStep = 0.04;
-    private const double FlyStep = 0.03;
+    private const double TranslateStep = 0.03;
     private const double WheelStep = 0.1;
     private Action<Spot>? _drag;
     private Action? _release;
@@ -16,10 +16,10 @@ internal sealed partial class ViewportViewModel
     private bool _isMoved;
     private bool _isClick;
 
-    /// <summary>Told the pixel that is to be looked into.</summary>
+    /// <summary>Takes the pixel to inspect.</summary>
     public Action<Spot> Inspect { get; set; } = _ => { };
 
-    /// <summary>Told that a thing was selected in the picture.</summary>
+    /// <summary>Called when a thing was selected in the picture.</summary>
     public Action Selected { get; set; } = () => { };
 
     /// <summary>A button is pressed.</summary>
@@ -31,21 +31,21 @@ internal sealed partial class ViewportViewModel
         (_start, _last, _isMoved, _isClick, _drag, _release) = (at, at, false, button == PointerButton.Main, null, null);
         if (button == PointerButton.Main && keys.HasFlag(HeldKeys.Space))
         {
-            _drag = to => Stage = _stage.ShiftedBy(to.X - _last.X, to.Y - _last.Y);
+            _drag = to => Stage = Stage.ShiftedBy(to.X - _last.X, to.Y - _last.Y);
         }
-        else if (button == PointerButton.Main && keys == HeldKeys.None && Gizmo.Take(at, _stage.ToPicture(at)))
+        else if (button == PointerButton.Main && keys == HeldKeys.None && Gizmo.Grab(at, Stage.ToPicture(at)))
         {
             _isClick = false;
-            _drag = to => Gizmo.Drag(_stage.ToPicture(to));
+            _drag = to => Gizmo.Drag(Stage.ToPicture(to));
             _release = Gizmo.Drop;
         }
         else if (button == PointerButton.Main && keys == HeldKeys.None && Tool == Tool.Region)
         {
-            DrawRegion(_stage.ToPicture(at));
+            DrawRegion(Stage.ToPicture(at));
         }
         else
         {
-            DragCamera(button == PointerButton.Second ? CameraMoveKind.Look
+            DragCamera(button == PointerButton.Second ? CameraMoveKind.Rotate
                 : button == PointerButton.Middle || keys.HasFlag(HeldKeys.Shift) ? CameraMoveKind.Pan : CameraMoveKind.Orbit);
         }
     }
@@ -68,7 +68,7 @@ internal sealed partial class ViewportViewModel
         _drag = null;
         _release?.Invoke();
         _release = null;
-        if (isClick && _stage.PixelAt(at) is { } pixel)
+        if (isClick && Stage.PixelAt(at) is { } pixel)
         {
             Click(pixel);
         }
@@ -83,7 +83,7 @@ internal sealed partial class ViewportViewModel
         if (keys.HasFlag(HeldKeys.Mod))
         {
             // Two steps double it.
-            Stage = _stage.ZoomedBy(steps >= 0 ? 1 + (0.41421356 * steps) : 1 / (1 - (0.41421356 * steps)), at);
+            Stage = Stage.ZoomedBy(steps >= 0 ? 1 + (0.41421356 * steps) : 1 / (1 - (0.41421356 * steps)), at);
         }
         else
         {
@@ -110,12 +110,12 @@ internal sealed partial class ViewportViewModel
             "ArrowDown" => (around, 0, KeyStep, 0),
             "+" or "=" => (CameraMoveKind.Dolly, 0, -KeyStep, 0),
             "-" => (CameraMoveKind.Dolly, 0, KeyStep, 0),
-            "w" => (CameraMoveKind.Fly, 0, 0, FlyStep),
-            "s" => (CameraMoveKind.Fly, 0, 0, -FlyStep),
-            "a" => (CameraMoveKind.Fly, -FlyStep, 0, 0),
-            "d" => (CameraMoveKind.Fly, FlyStep, 0, 0),
-            "e" => (CameraMoveKind.Fly, 0, -FlyStep, 0),
-            "q" => (CameraMoveKind.Fly, 0, FlyStep, 0),
+            "w" => (CameraMoveKind.Translate, 0, 0, TranslateStep),
+            "s" => (CameraMoveKind.Translate, 0, 0, -TranslateStep),
+            "a" => (CameraMoveKind.Translate, -TranslateStep, 0, 0),
+            "d" => (CameraMoveKind.Translate, TranslateStep, 0, 0),
+            "e" => (CameraMoveKind.Translate, 0, -TranslateStep, 0),
+            "q" => (CameraMoveKind.Translate, 0, TranslateStep, 0),
             _ => null,
         };
         if (move is { } m)
@@ -145,19 +145,19 @@ internal sealed partial class ViewportViewModel
         _isClick = false;
         _drag = to =>
         {
-            (_regionStart, _regionEnd) = (start, _stage.ToPicture(to));
-            Tell(nameof(Region));
+            (_regionStart, _regionEnd) = (start, Stage.ToPicture(to));
+            OnPropertyChanged(nameof(Region));
         };
         _release = () =>
         {
-            if (_regionStart is not null && _stage.Between(start, _regionEnd) is { } region)
+            if (_regionStart is not null && Stage.Between(start, _regionEnd) is { } region)
             {
                 Tool = Tool.Select;
-                _hand.Do(s => s.View.Change(v => v with { Region = region }));
+                _dispatcher.Do(s => s.View.Change(v => v with { Region = region }));
             }
 
             _regionStart = null;
-            Tell(nameof(Region));
+            OnPropertyChanged(nameof(Region));
         };
     }
 
@@ -166,7 +166,7 @@ internal sealed partial class ViewportViewModel
         (float x, float y) = ((float)pixel.X, (float)pixel.Y);
         if (Tool == Tool.Focus)
         {
-            _hand.Do(s => s.Camera.Focus(x, y));
+            _dispatcher.Do(s => s.Camera.Focus(x, y));
         }
         else if (Tool == Tool.Inspect)
         {
@@ -174,9 +174,9 @@ internal sealed partial class ViewportViewModel
         }
         else
         {
-            _ = _hand.Attempt(async () =>
+            _ = _dispatcher.Attempt(async () =>
             {
-                string? pointer = await _hand.Ask(s =>
+                string? pointer = await _dispatcher.Ask(s =>
                 {
                     string? found = Picking.At(s.View.RequireShown(), x, y).Pointer;
                     s.Selection.Select(found);
@@ -189,4 +189,62 @@ internal sealed partial class ViewportViewModel
             });
         }
     }
+}
+
+/// <summary>The keys that change what a pointer or a wheel does.</summary>
+[Flags]
+internal enum HeldKeys
+{
+    /// <summary>None.</summary>
+    None = 0,
+
+    /// <summary>Shift.</summary>
+    Shift = 1,
+
+    /// <summary>Ctrl, or Command on a Mac.</summary>
+    Mod = 2,
+
+    /// <summary>Alt.</summary>
+    Alt = 4,
+
+    /// <summary>The space bar.</summary>
+    Space = 8,
+}
+
+/// <summary>The button of a pointer.</summary>
+internal enum PointerButton
+{
+    /// <summary>The left one, a finger, a pen's tip.</summary>
+    Main,
+
+    /// <summary>The wheel.</summary>
+    Middle,
+
+    /// <summary>The right one.</summary>
+    Second,
+}
+
+/// <summary>The tools of the pointer in the picture.</summary>
+internal enum Tool
+{
+    /// <summary>Orbits, and selects.</summary>
+    Select,
+
+    /// <summary>Moves the selected shape by its handles.</summary>
+    Move,
+
+    /// <summary>Turns it.</summary>
+    Rotate,
+
+    /// <summary>Changes its size.</summary>
+    Scale,
+
+    /// <summary>Focuses on what is clicked.</summary>
+    Focus,
+
+    /// <summary>Looks into the pixel that is clicked.</summary>
+    Inspect,
+
+    /// <summary>Draws the part of the picture that is rendered.</summary>
+    Region,
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Windows.Input;
+using CommunityToolkit.Mvvm.Input;
 using RayTracer.Imaging;
 using RayTracer.Session;
 
@@ -9,28 +10,22 @@ namespace RayTracer.Desktop.ViewModels;
 internal sealed partial class ViewportViewModel : Observable
 {
     private static readonly double[] Percents = [12.5, 25, 50, 100, 200, 400, 800, 1600];
-    private readonly Hand _hand;
+    private readonly SessionDispatcher _dispatcher;
     private readonly Latest<Tone> _toning;
     private readonly byte[][] _buffers = [[], []];
     private SessionState? _state;
     private Tone _tone = Tone.Plain;
-    private PixelFrame? _frame;
-    private Stage _stage = Stage.Empty;
-    private Tool _tool;
-    private bool _isPreview;
-    private double _wipe = 0.5;
     private IReadOnlyList<Choice> _zooms = [];
 
     /// <summary>The picture of a session.</summary>
-    public ViewportViewModel(Hand hand)
+    public ViewportViewModel(SessionDispatcher dispatcher)
     {
-        _hand = hand;
-        Camera = new(hand);
-        Gizmo = new(hand);
-        _toning = new(tone => hand.Attempt(() => hand.Ask(s => s.View.Tone = tone)));
+        _dispatcher = dispatcher;
+        Camera = new(dispatcher);
+        Gizmo = new(dispatcher);
+        _toning = new(tone => dispatcher.Attempt(() => dispatcher.Ask(s => s.View.Tone = tone)));
         Comparisons = [NoComparison];
         _compared = NoComparison;
-        ClearRegion = new ActionCommand(() => hand.Do(s => s.View.Change(v => v with { Region = null })));
     }
 
     /// <summary>Moves the camera.</summary>
@@ -40,49 +35,39 @@ internal sealed partial class ViewportViewModel : Observable
     public GizmoViewModel Gizmo { get; }
 
     /// <summary>The newest frame; null before there was one.</summary>
-    public PixelFrame? Frame
-    {
-        get => _frame;
-        private set => Set(ref _frame, value);
-    }
+    public PixelFrame? Frame { get; private set => SetProperty(ref field, value); }
 
-    /// <summary>Whether the frame is coarser than the picture.</summary>
-    public bool IsPreview
-    {
-        get => _isPreview;
-        private set => Set(ref _isPreview, value);
-    }
+    /// <summary>Returns whether the frame is coarser than the picture.</summary>
+    public bool IsPreview { get; private set => SetProperty(ref field, value); }
 
-    /// <summary>Where the picture lies.</summary>
     public Stage Stage
     {
-        get => _stage;
+        get;
         private set
         {
-            if (Set(ref _stage, value))
+            if (SetProperty(ref field, value))
             {
                 Gizmo.Place(value);
-                Tell("");
+                OnPropertyChanged("");
             }
         }
-    }
+    } = Stage.Empty;
 
     /// <summary>The picture's place on the screen.</summary>
-    public Box Place => _stage.Place;
+    public Box Place => Stage.Place;
 
-    /// <summary>How many of the screen's pixels one of the window's has.</summary>
+    /// <summary>The number of the screen's pixels for one of the window's.</summary>
     public double ScreenScale { get; set; } = 1;
 
-    /// <summary>What the pointer does.</summary>
     public Tool Tool
     {
-        get => _tool;
+        get;
         set
         {
-            if (Set(ref _tool, value))
+            if (SetProperty(ref field, value))
             {
                 _ = FollowHandles();
-                Tell(nameof(Mark));
+                OnPropertyChanged(nameof(Mark));
             }
         }
     }
@@ -101,7 +86,7 @@ internal sealed partial class ViewportViewModel : Observable
         set
         {
             Exposure = Figures.Parse(value) ?? Exposure;
-            Tell();
+            OnPropertyChanged();
         }
     }
 
@@ -114,77 +99,77 @@ internal sealed partial class ViewportViewModel : Observable
         get => ToneMaps.First(t => t.Value == _tone.ToneMap.ToString());
         set
         {
-            if (!IsTelling && value is not null)
+            if (!IsReporting && value is not null)
             {
                 SetTone(_tone with { ToneMap = Enum.Parse<ToneMap>(value.Value) });
             }
         }
     }
 
-    /// <summary>What can be shown: the light, or what the renderer knows about each pixel.</summary>
+    /// <summary>The maps to choose from: the light, or what the renderer knows about each pixel.</summary>
     public IReadOnlyList<Choice> Maps { get; } = [.. ViewMap.All.Select(m => new Choice(m.Name, m.Title, m.Why))];
 
-    /// <summary>What is shown.</summary>
+    /// <summary>The map that is shown.</summary>
     public Choice? Map
     {
         get => Maps.First(m => m.Value == (_state?.Settings.Map ?? ViewMap.Light).Name);
         set
         {
-            if (!IsTelling && value is not null && value != Map)
+            if (!IsReporting && value is not null && value != Map)
             {
                 ViewMap map = ViewMap.Named(value.Value);
-                _hand.Do(s => s.View.Change(v => v with { Map = map }));
+                _dispatcher.Do(s => s.View.Change(v => v with { Map = map }));
             }
         }
     }
 
-    /// <summary>How large a pixel of the picture may be on the screen.</summary>
+    /// <summary>The sizes of a picture's pixel on the screen to choose from.</summary>
     public IReadOnlyList<Choice> Zooms
     {
         get
         {
-            string now = Percent(_stage.Scale * ScreenScale * 100);
+            string now = Percent(Stage.Scale * ScreenScale * 100);
             string[] known = [.. Percents.Select(Percent)];
             Choice[] zooms = [.. known.Contains(now) ? [] : new[] { new Choice(now, $"{now} %") }, .. known.Select(p => new Choice(p, $"{p} %"))];
 
-            // A list that is the same one stays, so that whoever shows it does not begin anew.
+            // A list that is the same one stays, so that the view does not start from scratch.
             return _zooms = zooms.SequenceEqual(_zooms) ? _zooms : zooms;
         }
     }
 
-    /// <summary>How large a pixel of the picture is on the screen.</summary>
+    /// <summary>The size of a picture's pixel on the screen.</summary>
     public Choice? Zoom
     {
-        get => Zooms.First(z => z.Value == Percent(_stage.Scale * ScreenScale * 100));
+        get => Zooms.First(z => z.Value == Percent(Stage.Scale * ScreenScale * 100));
         set
         {
-            if (!IsTelling && value is not null && value != Zoom)
+            if (!IsReporting && value is not null && value != Zoom)
             {
                 ZoomTo(double.Parse(value.Value, CultureInfo.InvariantCulture) / 100 / ScreenScale);
             }
         }
     }
 
-    /// <summary>Whether only a part of the picture is rendered.</summary>
+    /// <summary>Returns whether only a part of the picture is rendered.</summary>
     public bool HasRegion => _state?.Settings.Region is not null;
 
     /// <summary>Renders the whole picture again.</summary>
-    public ICommand ClearRegion { get; }
+    public ICommand ClearRegion => field ??= new RelayCommand(() => _dispatcher.Do(s => s.View.Change(v => v with { Region = null })));
 
-    /// <summary>Whether the text has an error, and the last good picture is shown.</summary>
-    public bool IsLastGood => _state is { Document.IsGood: false } && _frame is not null;
+    /// <summary>Returns whether the text has an error, and the last good picture is shown.</summary>
+    public bool IsLastGood => _state is { Document.IsGood: false } && Frame is not null;
 
     /// <summary>Shows the whole picture.</summary>
-    public void Fit() => Stage = _stage with { Zoom = null, Shift = default };
+    public void Fit() => Stage = Stage with { Zoom = null, Shift = default };
 
     /// <summary>One pixel of the picture on one of the screen.</summary>
     public void ActualSize() => ZoomTo(1 / ScreenScale);
 
     /// <summary>Enlarges the picture.</summary>
-    public void ZoomBy(double factor) => Stage = _stage.ZoomedBy(factor);
+    public void ZoomBy(double factor) => Stage = Stage.ZoomedBy(factor);
 
     /// <summary>The part of the window has another size.</summary>
-    public void Resize(double width, double height) => Stage = _stage with { Width = Math.Max(1, width), Height = Math.Max(1, height) };
+    public void Resize(double width, double height) => Stage = Stage with { Width = Math.Max(1, width), Height = Math.Max(1, height) };
 
     /// <summary>Shows a state.</summary>
     public void Show(SessionState state)
@@ -193,7 +178,7 @@ internal sealed partial class ViewportViewModel : Observable
         _tone = state.Tone;
         ShowSnapshots(state.Snapshots);
         _ = FollowSelection(state);
-        Tell("");
+        OnPropertyChanged("");
     }
 
     /// <summary>Takes frames as they come, until it is stopped. The renderer waits for nobody who looks.</summary>
@@ -203,19 +188,19 @@ internal sealed partial class ViewportViewModel : Observable
         for (int i = 0; await view.Frames.Wait(version, stop); i = 1 - i)
         {
             int buffer = i;
-            (PixelFrame Frame, FrameInfo Info, long Version)? taken = await Task.Run(() => Take(view, buffer), stop);
+            (PixelFrame Frame, FrameInfo Info, long Version)? taken = await Task.Run(() => CopyFrame(view, buffer), stop);
             if (taken is { } newest)
             {
                 version = newest.Version;
                 Frame = newest.Frame;
                 IsPreview = newest.Info.IsPreview;
-                Stage = _stage with { PictureWidth = newest.Info.PictureWidth, PictureHeight = newest.Info.PictureHeight };
+                Stage = Stage with { PictureWidth = newest.Info.PictureWidth, PictureHeight = newest.Info.PictureHeight };
             }
         }
     }
 
     // The window shows one buffer while the other one is filled.
-    private (PixelFrame Frame, FrameInfo Info, long Version)? Take(PictureView view, int buffer)
+    private (PixelFrame Frame, FrameInfo Info, long Version)? CopyFrame(PictureView view, int buffer)
     {
         using FrameLease? lease = view.Frames.Borrow();
         if (lease is null)
@@ -223,7 +208,7 @@ internal sealed partial class ViewportViewModel : Observable
             return null;
         }
 
-        Stage stage = _stage;
+        Stage stage = Stage;
         int reduction = stage.Zoom is null ? FramePixels.Reduction(lease.Picture, (int)(stage.Width * ScreenScale), (int)(stage.Height * ScreenScale)) : 1;
         (int width, int height) = (lease.Picture.Width / reduction, lease.Picture.Height / reduction);
         Array.Resize(ref _buffers[buffer], 4 * width * height);
@@ -233,7 +218,7 @@ internal sealed partial class ViewportViewModel : Observable
 
     private static string Percent(double percent) => (Math.Abs(percent - 12.5) < 0.01 ? percent : Math.Round(percent)).ToString(CultureInfo.InvariantCulture);
 
-    private void ZoomTo(double scale) => Stage = _stage.ZoomedBy(scale / _stage.Scale);
+    private void ZoomTo(double scale) => Stage = Stage.ZoomedBy(scale / Stage.Scale);
 
     private void SetTone(Tone tone)
     {
@@ -241,9 +226,7 @@ internal sealed partial class ViewportViewModel : Observable
         {
             _tone = tone;
             _toning.Push(tone);
-            Tell(nameof(Exposure));
-            Tell(nameof(ExposureText));
-            Tell(nameof(ToneMap));
+            Report(nameof(Exposure), nameof(ExposureText), nameof(ToneMap));
         }
     }
 }

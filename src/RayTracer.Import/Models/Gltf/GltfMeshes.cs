@@ -36,13 +36,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
 
         GltfObject attributes = primitive.RequiredChild("attributes");
         string key = Key(primitive, attributes, mode, uvSet);
-        if (!_built.TryGetValue(key, out MeshData? data))
-        {
-            data = Build(primitive, attributes, mode, uvSet);
-            _built.Add(key, data);
-        }
-
-        return data;
+        return _built.Remember(key, () => Build(primitive, attributes, mode, uvSet));
     }
 
     private string Key(GltfObject primitive, GltfObject attributes, int mode, int uvSet)
@@ -167,13 +161,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
 
     private GltfAccessor Accessor(int index)
     {
-        if (!_accessors.TryGetValue(index, out GltfAccessor? accessor))
-        {
-            accessor = new(document, buffers, index);
-            _accessors.Add(index, accessor);
-        }
-
-        return accessor;
+        return _accessors.Remember(index, () => new(document, buffers, index));
     }
 
     private int Ask(GltfAccessor accessor, long bytes)
@@ -189,4 +177,28 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
             throw (accessor?.Object ?? about).Error("the meshes need far more memory than a file of this size can account for");
         }
     }
+}
+
+/// <summary>The assembly of a primitive's vertices into triangles (glTF 2.0, section 3.7.2.1, "mode").</summary>
+internal static class TriangleAssembly
+{
+    /// <summary>Every three vertices are a triangle.</summary>
+    public const int Triangles = 4;
+
+    /// <summary>Every vertex after the second makes a triangle with the two before it.</summary>
+    public const int Strip = 5;
+
+    /// <summary>Every vertex after the second makes a triangle with the one before it and the first.</summary>
+    public const int Fan = 6;
+
+    /// <summary>The number of triangles that a number of vertices makes.</summary>
+    public static int Count(int mode, int vertices) => mode == Triangles ? vertices / 3 : int.Max(vertices - 2, 0);
+
+    /// <summary>The corners of triangle <paramref name="triangle"/>, as places in the list of vertices, with the front kept in front.</summary>
+    public static (int A, int B, int C) Corners(int mode, int triangle) => mode switch
+    {
+        Triangles => (3 * triangle, (3 * triangle) + 1, (3 * triangle) + 2),
+        Strip => (triangle, triangle + 1 + (triangle & 1), triangle + 2 - (triangle & 1)),
+        _ => (triangle + 1, triangle + 2, 0),
+    };
 }

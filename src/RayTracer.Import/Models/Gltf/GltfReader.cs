@@ -1,10 +1,12 @@
+using System.Collections.Frozen;
 using RayTracer.Description;
 using RayTracer.Scenes;
+using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
 
 /// <summary>Reads glTF 2.0 files, .gltf and .glb (Khronos Group 2021).</summary>
-public static class GltfReader
+internal static class GltfReader
 {
     // What a value of JSON takes at least, with its node and text.
     private const long BytesPerValue = 120;
@@ -16,10 +18,7 @@ public static class GltfReader
     public static ImportedModel Read(string path)
     {
         using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
-        if (stream.Length > Array.MaxLength)
-        {
-            throw new ModelException("the file is larger than 2 GiB");
-        }
+        Require(stream.Length <= Array.MaxLength, "the file is larger than 2 GiB");
 
         byte[] bytes = new byte[stream.Length];
         stream.ReadExactly(bytes);
@@ -78,6 +77,32 @@ public static class GltfReader
         if (needed != "2" && !needed.StartsWith("2.", StringComparison.Ordinal))
         {
             throw asset.Error(asset.Has("minVersion") ? "minVersion" : "version", $"the file is of version {Quotation.Of(needed)}: only glTF 2.0 is read");
+        }
+    }
+}
+
+/// <summary>The extensions of glTF that are understood.</summary>
+internal static class GltfExtensions
+{
+    /// <summary>Those of materials.</summary>
+    public static FrozenSet<string> Materials { get; } = FrozenSet.ToFrozenSet(
+    [
+        "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_pbrSpecularGlossiness",
+        "KHR_materials_sheen", "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_volume",
+    ]);
+
+    /// <summary>All.</summary>
+    public static FrozenSet<string> All { get; } =
+        FrozenSet.ToFrozenSet([.. Materials, "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform"]);
+
+    /// <summary>Refuses a file that cannot be shown without an extension that is not understood.</summary>
+    /// <exception cref="ModelException">There is one.</exception>
+    public static void Check(GltfDocument document)
+    {
+        string[] unknown = [.. document.Root.Texts("extensionsRequired").Where(e => !All.Contains(e)).Distinct(StringComparer.Ordinal)];
+        if (unknown.Length > 0)
+        {
+            throw document.Root.Error("extensionsRequired", $"the file cannot be shown without {string.Join(", ", unknown.Take(5).Select(Quotation.Of))}, which {(unknown.Length > 1 ? "are" : "is")} not understood here");
         }
     }
 }

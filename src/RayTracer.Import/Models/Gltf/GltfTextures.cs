@@ -93,23 +93,14 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
 
     private TextureDescription Described(GltfTextureUse use, int image, GltfChannel channel)
     {
-        if (!_described.TryGetValue((use, channel), out TextureDescription? description))
-        {
-            description = Placed(Image(use.Texture, images.Picture(image, channel)!), use);
-            _described.Add((use, channel), description);
-        }
-
-        return description;
+        return _described.Remember((use, channel), () => Placed(Image(use.Texture, images.Picture(image, channel)!), use));
     }
 
     private int? Source(int texture)
     {
         GltfObject described = document.List("textures")[texture];
         int? source = document.Reference(described, "source", "images");
-        if (source is null)
-        {
-            document.Notes.Add("a texture without a PNG or JPEG picture is ignored");
-        }
+        document.Notes.AddIf(source is null, "a texture without a PNG or JPEG picture is ignored");
 
         return source;
     }
@@ -154,4 +145,55 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
             Offset = new(use.Offset.X + (sin * use.Scale.Y), 1 - use.Offset.Y - (cos * use.Scale.Y)),
         };
     }
+}
+
+/// <summary>The use of a texture by a material (glTF 2.0, "textureInfo", and KHR_texture_transform).</summary>
+/// <param name="Texture">Which of the file's textures.</param>
+/// <param name="UvSet">Which set of uv.</param>
+/// <param name="Scale">First, factors on uv.</param>
+/// <param name="Rotation">Then, an angle in radians.</param>
+/// <param name="Offset">Last, what is added.</param>
+internal sealed record GltfTextureUse(int Texture, int UvSet, Vector2 Scale, float Rotation, Vector2 Offset)
+{
+    /// <summary>Reads a property; null where there is none.</summary>
+    public static GltfTextureUse? Of(GltfDocument document, GltfObject? owner, string key)
+    {
+        if (owner?.Child(key) is not { } info)
+        {
+            return null;
+        }
+
+        GltfObject? transform = info.Extension("KHR_texture_transform");
+        return new(
+            document.RequiredReference(info, "index", "textures"),
+            transform?.Integer("texCoord") ?? info.Integer("texCoord") ?? 0,
+            Pair(transform, "scale", Vector2.One),
+            transform?.Number("rotation", 0) ?? 0,
+            Pair(transform, "offset", Vector2.Zero));
+    }
+
+    private static Vector2 Pair(GltfObject? from, string key, Vector2 fallback) =>
+        from?.Numbers(key, 2) is { } pair ? new(pair[0], pair[1]) : fallback;
+}
+
+/// <summary>The channels of a picture that a texture shows.</summary>
+internal enum GltfChannel
+{
+    /// <summary>Red as a number.</summary>
+    Red,
+
+    /// <summary>Green as a number.</summary>
+    Green,
+
+    /// <summary>Blue as a number.</summary>
+    Blue,
+
+    /// <summary>The opacity.</summary>
+    Alpha,
+
+    /// <summary>The colours, decoded from sRGB.</summary>
+    Color,
+
+    /// <summary>All three numbers as they are.</summary>
+    All,
 }

@@ -9,7 +9,28 @@ namespace RayTracer.Import;
 internal sealed class MtlLibrary(string folder)
 {
     // Statements that change nothing here without loss: ambient light is the scene's, sharpness belongs to reflection maps that are ready-made.
-    private static readonly string[] s_ignored = ["Ka", "map_Ka", "sharpness", "map_aat", "illum"];
+    private static readonly string[] s_ignored = ["Ka", "map_Ka", "sharpness", "map_aat"];
+
+    private static readonly Dictionary<string, Action<MtlMaterial, float>> s_numbers = new()
+    {
+        ["Ns"] = (m, number) => m.Exponent = number,
+        ["Ni"] = (m, number) => m.RefractiveIndex = number,
+        ["Tr"] = (m, number) => m.Transparency = number,
+        ["illum"] = (m, number) => m.Illumination = number is >= 0 and <= 10 ? (int)number : null,
+        ["Pr"] = (m, number) => m.Roughness = number,
+        ["Pm"] = (m, number) => m.Metallic = number,
+        ["Ps"] = (m, number) => m.Sheen = number,
+        ["Pc"] = (m, number) => m.Clearcoat = number,
+        ["Pcr"] = (m, number) => m.ClearcoatRoughness = number,
+        ["aniso"] = (m, number) => m.Anisotropic = number,
+    };
+
+    private static readonly Dictionary<string, Action<MtlMaterial, Rgb>> s_colors = new()
+    {
+        ["Kd"] = (m, color) => m.Diffuse = color,
+        ["Ks"] = (m, color) => m.Specular = color,
+        ["Ke"] = (m, color) => m.Emission = color,
+    };
 
     private static readonly HashSet<string> s_maps = new(["map_Kd", "map_Ke", "map_d", "map_Pr", "map_Pm", "map_Ps", "norm", "bump", "map_Bump"], StringComparer.OrdinalIgnoreCase);
 
@@ -98,7 +119,7 @@ internal sealed class MtlLibrary(string folder)
             if (keyword == "newmtl")
             {
                 material = new MtlMaterial();
-                _known[Name(ref text)] = material;
+                _known[text.RestOfLine()] = material;
                 continue;
             }
 
@@ -108,81 +129,47 @@ internal sealed class MtlLibrary(string folder)
 
     private void ReadStatement(string keyword, ref ModelText text, MtlMaterial material)
     {
-        switch (keyword)
+        if (s_numbers.TryGetValue(keyword, out Action<MtlMaterial, float>? setNumber))
         {
-            case "Kd":
-                material.Diffuse = Color(keyword, ref text, material.Diffuse);
-                break;
-            case "Ks":
-                material.Specular = Color(keyword, ref text, material.Specular);
-                break;
-            case "Ke":
-                material.Emission = Color(keyword, ref text, material.Emission);
-                break;
-            case "Ns":
-                material.Exponent = text.Number();
-                break;
-            case "Ni":
-                material.RefractiveIndex = text.Number();
-                break;
-            case "d":
-                material.Opacity = text.TryNumber() ?? (text.Word().SequenceEqual("-halo"u8) ? 1 : throw text.Expected("a number", []));
-                break;
-            case "Tr":
-                material.Transparency = text.Number();
-                break;
-            case "Tf":
-                Rgb filter = Color(keyword, ref text, Rgb.White);
-                _ = filter == Rgb.White || _leftOut.Add(keyword);
-                break;
-            case "illum":
-                float illumination = text.Number();
-                material.Illumination = illumination is >= 0 and <= 10 ? (int)illumination : null;
-                break;
-            case "Pr":
-                material.Roughness = text.Number();
-                break;
-            case "Pm":
-                material.Metallic = text.Number();
-                break;
-            case "Ps":
-                material.Sheen = text.Number();
-                break;
-            case "Pc":
-                material.Clearcoat = text.Number();
-                break;
-            case "Pcr":
-                material.ClearcoatRoughness = text.Number();
-                break;
-            case "aniso":
-                material.Anisotropic = text.Number();
-                break;
-            case var name when s_maps.Contains(name):
-                if (Picture(ref text, material) is { } picture)
-                {
-                    material.Pictures[name] = picture;
-                }
-
-                break;
-            default:
-                if (!s_ignored.Contains(keyword))
-                {
-                    _leftOut.Add(Quotation.Short(Quotation.Of(keyword)[1..^1]));
-                }
-
-                break;
+            setNumber(material, text.Number());
+        }
+        else if (s_colors.TryGetValue(keyword, out Action<MtlMaterial, Rgb>? setColor))
+        {
+            if (Color(keyword, ref text) is { } color)
+            {
+                setColor(material, color);
+            }
+        }
+        else if (keyword == "d")
+        {
+            material.Opacity = text.TryNumber() ?? (text.Word().SequenceEqual("-halo"u8) ? 1 : throw text.Expected("a number", []));
+        }
+        else if (keyword == "Tf")
+        {
+            _ = (Color(keyword, ref text) ?? Rgb.White) == Rgb.White || _leftOut.Add(keyword);
+        }
+        else if (s_maps.Contains(keyword))
+        {
+            if (Picture(ref text, material) is { } picture)
+            {
+                material.Pictures[keyword] = picture;
+            }
+        }
+        else if (!s_ignored.Contains(keyword))
+        {
+            _leftOut.Add(Quotation.Short(Quotation.Of(keyword)[1..^1]));
         }
     }
 
     // One number is grey; files of spectra, and CIE XYZ, are not read.
-    private Rgb Color(string keyword, ref ModelText text, Rgb otherwise)
+    private Rgb? Color(string keyword, ref ModelText text)
     {
         int begin = text.Position;
         ReadOnlySpan<byte> word = text.Word();
         if (word.SequenceEqual("spectral"u8) || word.SequenceEqual("xyz"u8))
         {
             _leftOut.Add($"{keyword} {ModelText.Decode(word)}");
-            return otherwise;
+            return null;
         }
 
         text.Position = begin;
@@ -212,7 +199,7 @@ internal sealed class MtlLibrary(string folder)
             texture = ReadOption(ModelText.Decode(option), ref text, texture);
         }
 
-        string name = Name(ref text);
+        string name = text.RestOfLine();
         string? path = Find(name);
         if (path is null || ImageFormat.OfName(path) is null)
         {
@@ -232,19 +219,12 @@ internal sealed class MtlLibrary(string folder)
                 return texture with { Scale = Pair(ref text, 1) };
             case "-o":
                 return texture with { Offset = Pair(ref text, 0) };
-            case "-t":
-                Pair(ref text, 0);
-                return texture;
             case "-clamp":
                 return texture with { Wrapping = text.Word().SequenceEqual("on"u8) ? Wrapping.Clamp : Wrapping.Repeat };
-            case "-mm":
-                text.Number();
-                text.Number();
-                return texture;
-            default:
-                text.Word();
-                return texture;
         }
+
+        _ = option switch { "-t" => Pair(ref text, 0).X, "-mm" => text.Number() + text.Number(), _ => text.Word().Length };
+        return texture;
     }
 
     // u, and perhaps v, and perhaps w.
@@ -254,14 +234,6 @@ internal sealed class MtlLibrary(string folder)
         float v = text.TryNumber() ?? otherwise;
         text.TryNumber();
         return new(u, v);
-    }
-
-    private static string Name(ref ModelText text)
-    {
-        int begin = text.Position;
-        string name = text.RestOfLine();
-        text.Position = begin;
-        return name;
     }
 
     // Authors work on other systems: with backslashes, with other folders, without regard to case.

@@ -3,6 +3,7 @@ using System.Numerics;
 using System.Runtime.InteropServices;
 using RayTracer.Description;
 using RayTracer.Numerics;
+using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
 
@@ -51,10 +52,7 @@ internal sealed class ObjReader
             text.SkipLine();
         }
 
-        if (reader._mesh.TriangleCount == 0)
-        {
-            throw new ModelException($"there are no faces in it ({reader._mesh.Positions.Count} vertices)");
-        }
+        Require(reader._mesh.TriangleCount != 0, $"there are no faces in it ({reader._mesh.Positions.Count} vertices)");
 
         reader.NoteWhatIsLeft(text);
         IReadOnlyList<MaterialDescription> materials = reader._library.Materials(reader._notes);
@@ -82,7 +80,7 @@ internal sealed class ObjReader
                 ReadSmoothing(ref text);
                 break;
             case [(byte)'o'] or [(byte)'g']:
-                _name = text.IsAtLineEnd() ? "" : Name(ref text);
+                _name = text.IsAtLineEnd() ? "" : text.RestOfLine();
                 break;
             case []:
                 break;
@@ -97,10 +95,10 @@ internal sealed class ObjReader
         switch (keyword)
         {
             case "usemtl":
-                _material = text.IsAtLineEnd() ? ObjMesh.NoMaterial : _library.Use(Name(ref text));
+                _material = text.IsAtLineEnd() ? ObjMesh.NoMaterial : _library.Use(text.RestOfLine());
                 break;
             case "mtllib":
-                _library.Read(text.IsAtLineEnd() ? "" : Name(ref text));
+                _library.Read(text.IsAtLineEnd() ? "" : text.RestOfLine());
                 break;
             case "l" or "p":
                 _leftOut.Add("lines and points");
@@ -117,15 +115,6 @@ internal sealed class ObjReader
                 _stranger ??= $"{Quotation.Of(keyword)} in line {text.Line} and other lines that are not OBJ statements";
                 break;
         }
-    }
-
-    // The rest of the line, of which the line's end stays.
-    private static string Name(ref ModelText text)
-    {
-        int begin = text.Position;
-        string name = text.RestOfLine();
-        text.Position = begin;
-        return name;
     }
 
     // x y z, perhaps w; perhaps red, green and blue.

@@ -17,7 +17,7 @@ test("while one request is under way, only the newest waits", async () => {
   expect(sent).toEqual([1, 4]);
 });
 
-test("a failed request is told, and the next one is sent all the same", async () => {
+test("a failed request is reported, and the next one is sent all the same", async () => {
   const failures: unknown[] = [];
   const latest = new Latest<number>((n) => (n === 1 ? Promise.reject(new Error("no")) : Promise.resolve()), (e) => failures.push(e));
   latest.push(1);

@@ -28,7 +28,7 @@ describe("a camera", () => {
     expect(projectLine(camera, [0, 0, 6], [0, 0, 7])).toBeNull();
   });
 
-  test("stands where it is told around a point, with axes at right angles", () => {
+  test("stands where it is placed around a point, with axes at right angles", () => {
     const orbit = orbitCamera([1, 2, 3], 0.7, 0.4, 9, 300, 200);
     const middle = project(orbit, [1, 2, 3])!;
     expect(middle.x).toBeCloseTo(150);

@@ -24,7 +24,7 @@ internal sealed unsafe class InstanceTable
     private readonly int[]? _spaces;
     private readonly Motion?[] _motions;
     private readonly ShapeDescription?[] _sources;
-    private readonly LightLabel?[] _labels;
+    private readonly LightGroupLabel?[] _labels;
     private readonly Space[] _all;
     private readonly InstanceTree _tree;
 
@@ -87,7 +87,7 @@ internal sealed unsafe class InstanceTable
     }
 
     /// <summary>By what the light of an instance is told from that of others, where its contents do not say that.</summary>
-    public LightLabel? LabelOf(int instance) => _labels.Length > 0 ? _labels[instance - 1] : null;
+    public LightGroupLabel? LabelOf(int instance) => _labels.Length > 0 ? _labels[instance - 1] : null;
 
     /// <summary>What an instance shows.</summary>
     /// <param name="instance">Its number, from 1.</param>

@@ -15,7 +15,7 @@ public static class Plugins
     /// <summary>The assemblies that were added.</summary>
     public static IReadOnlyList<Assembly> Added => s_added;
 
-    /// <summary>Adds what a program defines itself, before the first scene is read or built. Any thread may do so.</summary>
+    /// <summary>Adds all that an assembly defines, or nothing, before the first scene is read or built. Any thread may do so.</summary>
     /// <param name="assembly">The assembly. Of its public classes, all that have a constructor without arguments are looked at.</param>
     /// <exception cref="PluginException">It has nothing to add, a name is taken, or it was made for another version of the core.</exception>
     public static void Add(Assembly assembly)
@@ -25,29 +25,19 @@ public static class Plugins
             CheckVersion(assembly);
             Type[] types = [.. assembly.GetExportedTypes().Where(t => t is { IsClass: true, IsAbstract: false } && t.GetConstructor([]) is not null)];
             (TypeFamily Family, RecordType Type)[] records =
-                [.. types.SelectMany(t => SceneTypes.Families.Where(f => f.Holds(t)).Select(f => (f, Described(t))))];
-            (object Registry, Type Type)[] things = [.. types.Select(t => (Registry: RegistryOf(t)!, t)).Where(t => t.Registry is not null)];
-            if (records.Length + things.Length == 0)
-            {
-                throw new PluginException($"{assembly.GetName().Name} has no types for scenes: it needs public records with [SceneType], or classes that a registry takes");
-            }
-
-            foreach ((TypeFamily family, RecordType type) in records)
-            {
-                if (family.Find(type.Name) is not null || records.Count(r => r.Family == family && r.Type.Name == type.Name) > 1)
-                {
-                    throw new PluginException($"the {family.Noun} {Quotation.Of(type.Name)} of {assembly.GetName().Name} needs another name: there is one already");
-                }
-            }
-
-            Array.ForEach(things, t => Register(t.Registry, Activator.CreateInstance(t.Type)!));
+                [.. types.SelectMany(t => SceneTypes.Families.Where(f => f.Holds(t)).Select(f => (f, Made(t, RecordType.Of))))];
+            (IRegistry Registry, object Thing)[] things =
+                [.. types.Where(t => RegistryOf(t) is not null).Select(t => (RegistryOf(t)!, Made(t, type => Activator.CreateInstance(type)!)))];
+            CheckNames(assembly, records, things);
+            Array.ForEach(things, t => t.Registry.Add(t.Thing));
             Array.ForEach(records, r => r.Family.Add(r.Type));
             s_added = s_added.Add(assembly);
         }
     }
 
-    /// <summary>Returns the name and version of the assembly that a type came from where it is not the program's.</summary>
-    internal static string? OriginOf(Type type) =>
+    /// <summary>Returns the name and version of the added assembly that a type is of; null where it is of none.</summary>
+    /// <param name="type">The type of a record or of a thing in a registry.</param>
+    public static string? OriginOf(Type type) =>
         s_added.Contains(type.Assembly) && type.Assembly.GetName() is var name ? $"{name.Name} {name.Version}" : null;
 
     private static void CheckVersion(Assembly assembly)
@@ -59,42 +49,61 @@ public static class Plugins
         }
     }
 
-    private static RecordType Described(Type type)
+    // All names, before the first thing is added.
+    private static void CheckNames(Assembly assembly, (TypeFamily Family, RecordType Type)[] records, (IRegistry Registry, object Thing)[] things)
     {
-        try
+        string? name = assembly.GetName().Name;
+        if (records.Length + things.Length == 0)
         {
-            return RecordType.Of(type);
+            throw new PluginException($"{name} has no types for scenes: it needs public records with [SceneType], or classes that a registry takes");
         }
-        catch (NotSupportedException e)
+
+        foreach ((TypeFamily family, RecordType type) in records)
         {
-            throw new PluginException($"{type.FullName}: {e.Message.TrimEnd('.')}", e);
+            if (family.Find(type.Name) is not null || records.Count(r => r.Family == family && r.Type.Name == type.Name) > 1)
+            {
+                throw new PluginException($"the {family.Noun} {Quotation.Of(type.Name)} of {name} needs another name: there is one already");
+            }
+        }
+
+        foreach (IGrouping<IRegistry, object> group in things.GroupBy(t => t.Registry, t => t.Thing))
+        {
+            try
+            {
+                group.Key.Check(group);
+            }
+            catch (ArgumentException e)
+            {
+                throw new PluginException($"{name}: {e.Message}", e);
+            }
         }
     }
 
     // The registry of a base class, whichever assembly that is in.
-    private static object? RegistryOf(Type type)
+    private static IRegistry? RegistryOf(Type type)
     {
         for (Type? ancestor = type.BaseType; ancestor is not null; ancestor = ancestor.BaseType)
         {
             if (ancestor.GetProperty("Known", BindingFlags.Public | BindingFlags.Static | BindingFlags.DeclaredOnly) is { } known
                 && known.PropertyType == typeof(Registry<>).MakeGenericType(ancestor))
             {
-                return known.GetValue(null);
+                return (IRegistry?)known.GetValue(null);
             }
         }
 
         return null;
     }
 
-    private static void Register(object registry, object thing)
+    // What the constructor of a plug-in refuses is the plug-in's fault.
+    private static T Made<T>(Type type, Func<Type, T> make)
     {
         try
         {
-            registry.GetType().GetMethod(nameof(Registry<>.Add))!.Invoke(registry, BindingFlags.DoNotWrapExceptions, null, [thing], null);
+            return make(type);
         }
-        catch (ArgumentException e)
+        catch (TargetInvocationException e)
         {
-            throw new PluginException($"{thing.GetType().FullName}: {e.Message}", e);
+            throw new PluginException($"{type.FullName}: {e.InnerException!.Message}", e);
         }
     }
 }

@@ -2,7 +2,6 @@ using System.Numerics;
 using System.Reflection;
 using System.Text.Json;
 using RayTracer.Numerics;
-using RayTracer.Shapes;
 using RayTracer.Textures;
 
 namespace RayTracer.Description;
@@ -10,9 +9,13 @@ namespace RayTracer.Description;
 /// <summary>One parameter of a <see cref="RecordType"/>: a property of a description record that has a <see cref="ParameterAttribute"/>.</summary>
 public sealed class RecordParameter
 {
+    private const BindingFlags AllFields = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
+
     private readonly PropertyInfo _property;
     private readonly ParameterAttribute _attribute;
     private readonly NamedValues? _values;
+    private readonly Type _part;
+    private readonly bool _hasParameters;
 
     internal RecordParameter(PropertyInfo property, ParameterAttribute attribute, object? defaults)
     {
@@ -20,13 +23,10 @@ public sealed class RecordParameter
         _attribute = attribute;
         Key = JsonNamingPolicy.CamelCase.ConvertName(property.Name);
         ValueType = Nullable.GetUnderlyingType(property.PropertyType) ?? property.PropertyType;
-        Kind = KindOf(ValueType, attribute.IsFile);
-        RecordType = Kind switch
-        {
-            ParameterKind.Record => ValueType,
-            ParameterKind.Records => ValueType.GetGenericArguments()[0],
-            _ => null,
-        };
+        Type? generic = ValueType.IsGenericType ? ValueType.GetGenericTypeDefinition() : null;
+        (IsList, HasNames) = (generic == typeof(IReadOnlyList<>), generic == typeof(IReadOnlyDictionary<,>));
+        _part = IsList || HasNames ? ValueType.GetGenericArguments()[^1] : ValueType;
+        _hasParameters = _part.GetProperties().Any(p => p.IsDefined(typeof(ParameterAttribute)));
         _values = NamedValues.Of(ValueType);
         Default = defaults is null ? null : property.GetValue(defaults);
     }
@@ -58,32 +58,37 @@ public sealed class RecordParameter
     /// <summary>True where a number may stand in place of a texture; or a number or a colour in place of a list of numbers.</summary>
     public bool IsNumber => _attribute.IsNumber;
 
-    /// <summary>The form of its value.</summary>
-    public ParameterKind Kind { get; }
+    /// <summary>True where the text is the path of a file, relative to the scene file's folder.</summary>
+    public bool IsFile => _attribute.IsFile;
+
+    /// <summary>True for a whole number.</summary>
+    public bool IsInteger => ValueType == typeof(int) || ValueType == typeof(long);
+
+    /// <summary>True where its value is a list.</summary>
+    public bool IsList { get; }
+
+    /// <summary>True where its value is a map from names to things.</summary>
+    public bool HasNames { get; }
+
+    /// <summary>True where its value is an object of parameters, without a type.</summary>
+    public bool IsRecord => RecordType is not null && !IsList;
+
+    /// <summary>True where its value consists of things or records: a list of them, or a map from names.</summary>
+    public bool HoldsRecords => (IsList || HasNames) && (Family is not null || RecordType is not null);
 
     /// <summary>The C# type of the value, without the question mark of one that may be missing.</summary>
     public Type ValueType { get; }
 
     /// <summary>The C# type of the record, or of each record of the list; null for other values.</summary>
-    public Type? RecordType { get; }
+    public Type? RecordType => _hasParameters && Family is null ? _part : null;
 
     /// <summary>The value that a new record has; null where it may be missing.</summary>
     public object? Default { get; }
 
     /// <summary>The things of which its value is one, or has several; null for other values.</summary>
-    public TypeFamily? Family => Kind switch
-    {
-        ParameterKind.Texture or ParameterKind.NamedTextures => SceneTypes.Textures,
-        ParameterKind.Material or ParameterKind.Materials or ParameterKind.NamedMaterials => SceneTypes.Materials,
-        ParameterKind.Shape or ParameterKind.Shapes or ParameterKind.NamedShapes => SceneTypes.Shapes,
-        ParameterKind.Environment => SceneTypes.Environments,
-        _ => null,
-    };
+    public TypeFamily? Family => SceneTypes.Families.FirstOrDefault(f => f.Base == _part);
 
-    /// <summary>True where its value is a map from names to things.</summary>
-    public bool HasNames => Kind is ParameterKind.NamedTextures or ParameterKind.NamedMaterials or ParameterKind.NamedShapes;
-
-    /// <summary>The words that a <see cref="ParameterKind.Choice"/> is made from; otherwise empty.</summary>
+    /// <summary>The words that a choice is made from; otherwise empty.</summary>
     public IReadOnlyList<string> Choices => _values?.Names ?? [];
 
     /// <summary>The allowed range in words ("at least 0", "from 0 to 1"); empty where every number is allowed.</summary>
@@ -139,7 +144,7 @@ public sealed class RecordParameter
         IReadOnlyDictionary<string, MaterialDescription> named => named.Values,
         IReadOnlyDictionary<string, ShapeDescription> named => named.Values,
         IEnumerable<object> list => list,
-        _ => Kind is ParameterKind.Record || Family is not null ? [value] : [],
+        _ => IsRecord || Family is not null ? [value] : [],
     };
 
     /// <summary>Gives a record that is being made the parameter's value.</summary>
@@ -153,9 +158,8 @@ public sealed class RecordParameter
             return $"must be {(Range.Length > 0 ? Range : "a finite number")}, but is {written}";
         }
 
-        bool isInteger = Kind == ParameterKind.Integer;
-        double minimum = isInteger ? Minimum : (float)Minimum;
-        double maximum = isInteger ? Maximum : (float)Maximum;
+        double minimum = IsInteger ? Minimum : (float)Minimum;
+        double maximum = IsInteger ? Maximum : (float)Maximum;
         if ((MinimumIsExclusive ? value > minimum : value >= minimum) && value <= maximum)
         {
             return null;
@@ -179,50 +183,14 @@ public sealed class RecordParameter
         Vector3 v => [v.X, v.Y, v.Z],
         Rgb c => [c.R, c.G, c.B],
         TextureDescription t => WithParts(t, new(ReferenceEqualityComparer.Instance)).OfType<SolidTextureDescription>().SelectMany(s => Numbers(s.Color)),
+        not null when value.GetType() is { IsValueType: true, IsPrimitive: false, IsEnum: false } type => type.GetFields(AllFields).SelectMany(f => Numbers(f.GetValue(value))),
         _ => [],
     };
 
     // Each texture once, however many paths lead to it: there may be exponentially many.
-    private static IEnumerable<object> WithParts(object texture, HashSet<object> seen) => !seen.Add(texture) ? [] : Description.RecordType.Of(texture.GetType()).Parameters
-        .Where(p => p.Kind == ParameterKind.Texture)
-        .SelectMany(p => WithParts(p.Get(texture)!, seen))
-        .Prepend(texture);
-
-    private static ParameterKind KindOf(Type type, bool isFile)
-    {
-        if (type == typeof(string))
-        {
-            return isFile ? ParameterKind.File : ParameterKind.Text;
-        }
-
-        return type switch
-        {
-            _ when NamedValues.Of(type) is not null => ParameterKind.Choice,
-            _ when type == typeof(float) => ParameterKind.Number,
-            _ when type == typeof(int) || type == typeof(long) => ParameterKind.Integer,
-            _ when type == typeof(bool) => ParameterKind.Boolean,
-            _ when type == typeof(Vector2) => ParameterKind.Vector2,
-            _ when type == typeof(Vector3) => ParameterKind.Vector3,
-            _ when type == typeof(Rgb) => ParameterKind.Color,
-            _ when type == typeof(TextureDescription) => ParameterKind.Texture,
-            _ when type == typeof(MaterialDescription) => ParameterKind.Material,
-            _ when type == typeof(EnvironmentDescription) => ParameterKind.Environment,
-            _ when type == typeof(ShapeDescription) => ParameterKind.Shape,
-            _ when type == typeof(IReadOnlyList<ShapeDescription>) => ParameterKind.Shapes,
-            _ when type == typeof(IReadOnlyDictionary<string, TextureDescription>) => ParameterKind.NamedTextures,
-            _ when type == typeof(IReadOnlyDictionary<string, MaterialDescription>) => ParameterKind.NamedMaterials,
-            _ when type == typeof(IReadOnlyDictionary<string, ShapeDescription>) => ParameterKind.NamedShapes,
-            _ when type == typeof(IReadOnlyList<MaterialDescription>) => ParameterKind.Materials,
-            _ when type == typeof(IReadOnlyList<float>) => ParameterKind.Numbers,
-            _ when type == typeof(IReadOnlyList<int>) => ParameterKind.Integers,
-            _ when type == typeof(IReadOnlyList<Vector2>) => ParameterKind.Vector2s,
-            _ when type == typeof(IReadOnlyList<Vector3>) => ParameterKind.Vector3s,
-            _ when type == typeof(IReadOnlyList<TriangleIndices>) => ParameterKind.Triangles,
-            { IsGenericType: true } when type.GetGenericTypeDefinition() == typeof(IReadOnlyList<>) && HasParameters(type.GetGenericArguments()[0]) => ParameterKind.Records,
-            _ when HasParameters(type) => ParameterKind.Record,
-            _ => throw new NotSupportedException($"Scene files have no form for a parameter of type {type}."),
-        };
-    }
-
-    private static bool HasParameters(Type type) => type.GetProperties().Any(p => p.IsDefined(typeof(ParameterAttribute)));
+    private static IEnumerable<object> WithParts(object texture, HashSet<object> seen) => !seen.Add(texture) ? []
+        : Description.RecordType.Of(texture.GetType()).Parameters
+            .Where(p => p.ValueType == typeof(TextureDescription))
+            .SelectMany(p => WithParts(p.Get(texture)!, seen))
+            .Prepend(texture);
 }

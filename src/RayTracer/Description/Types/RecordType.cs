@@ -35,9 +35,6 @@ public sealed class RecordType
     /// <summary>The summary of the type; empty for a record without a type.</summary>
     public string Summary { get; }
 
-    /// <summary>The name and version of the assembly that it came from; null for the program's own.</summary>
-    public string? Origin => Plugins.OriginOf(_type);
-
     /// <summary>True where it is a light by itself, whatever its material.</summary>
     public bool IsLight => _type.IsSubclassOf(typeof(PunctualLightDescription));
 

@@ -27,6 +27,9 @@ public static class SceneTypes
     public static IReadOnlyList<RecordType> Parts =>
         [.. WithParts(Scene).Concat(Families.SelectMany(f => f.Types).SelectMany(t => WithParts(t).Skip(1))).Distinct()];
 
+    /// <summary>All records: the scene and its parts, then the families' types.</summary>
+    public static IEnumerable<RecordType> All => Parts.Concat(Families.SelectMany(f => f.Types));
+
     internal static RecordParameter SolidColor { get; } =
         RecordType.Of(typeof(SolidTextureDescription)).Parameters.First(p => p.PropertyName == nameof(SolidTextureDescription.Color));
 

@@ -6,13 +6,12 @@ namespace RayTracer.Description;
 /// <summary>The record types that may stand in the same places.</summary>
 public sealed class TypeFamily
 {
-    private readonly Type _base;
     private ImmutableList<RecordType> _types;
 
     internal TypeFamily(string noun, Type ancestor)
     {
         Noun = noun;
-        _base = ancestor;
+        Base = ancestor;
         _types = Sorted(ancestor.Assembly.GetTypes().Where(Holds).Select(RecordType.Of));
     }
 
@@ -28,7 +27,9 @@ public sealed class TypeFamily
     /// <summary>The type of a name; null where there is none.</summary>
     public RecordType? Find(string name) => _types.Find(t => t.Name == name);
 
-    internal bool Holds(Type type) => type.IsSubclassOf(_base) && type.IsDefined(typeof(SceneTypeAttribute));
+    internal Type Base { get; }
+
+    internal bool Holds(Type type) => type.IsSubclassOf(Base) && type.IsDefined(typeof(SceneTypeAttribute));
 
     internal void Add(RecordType type) => _types = Sorted(_types.Append(type));
 

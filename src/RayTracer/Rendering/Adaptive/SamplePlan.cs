@@ -23,6 +23,9 @@ public sealed record SamplePlan(Tile Area, IReadOnlyList<Tile> Blocks, IReadOnly
     /// <summary>Samples of all pixels together.</summary>
     public long TotalSamples => Blocks.Zip(Samples, (block, samples) => (long)block.Pixels * samples).Sum();
 
+    /// <summary>The mean number of samples of a pixel.</summary>
+    public double MeanSamples => (double)TotalSamples / Area.Pixels;
+
     /// <summary>The least samples of a pixel.</summary>
     public int Fewest => Samples.Min();
 

@@ -24,7 +24,7 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
     /// <summary>Says whether time is so short that what was found so far must do, asked before deciding samples are doubled; null where there is time enough.</summary>
     public Func<bool>? IsShortOfTime { get; init; }
 
-    /// <summary>Where to go on from; null to begin anew. Not for adaptive pictures.</summary>
+    /// <summary>The state to continue from; null to start from scratch. Not for adaptive pictures.</summary>
     public DecidingState? Begun { get; init; }
 
     /// <summary>Told now and then, by the thread that decides, how far that has come; may be null. Not for adaptive pictures. What is told has no part in the decision.</summary>

@@ -213,7 +213,7 @@ public class ObjReaderTests
         Assert.StartsWith(message, Assert.Throws<ModelException>(() => Parse(file)).Message, StringComparison.Ordinal);
 
     [Fact]
-    public void Faults_of_material_files_are_told_with_their_file_and_line()
+    public void Faults_of_material_files_are_reported_with_their_file_and_line()
     {
         using TemporaryFolder folder = new();
         File.WriteAllText(folder["a.mtl"], "newmtl m\nKd red");

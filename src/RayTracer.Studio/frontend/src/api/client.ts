@@ -69,7 +69,7 @@ export async function upload<T>(path: string, query: Query, bytes: Blob): Promis
   return (await (await send(address(path, query), { method: "POST", body: bytes, headers })).json()) as T;
 }
 
-/** Tells the server that the window closes; beacons cannot carry headers, so the secret goes in the body. */
+/** Reports to the server that the window closes; beacons cannot carry headers, so the secret goes in the body. */
 export function sayGoodbye(): void {
   navigator.sendBeacon("/api/bye", token);
 }

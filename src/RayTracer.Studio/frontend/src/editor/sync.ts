@@ -73,7 +73,7 @@ export class TextSync {
     while (this.working) await this.working;
   }
 
-  // After a failure nothing is tried until something is typed or the server tells of a change.
+  // After a failure nothing is tried until something is typed or the server reports a change.
   private work(): Promise<void> {
     this.working ??= this.run()
       .catch(this.failed)

@@ -7,7 +7,7 @@ import type { DockTab } from "../shell/Dock";
 const css = (color: Vec3) => `rgb(${color.map((c) => Math.round(255 * c)).join(" ")})`;
 const gradient = (scale: Vec3[]) => `linear-gradient(90deg, ${scale.map(css).join(", ")})`;
 
-/** What the picture can show instead of the light, and what that tells. */
+/** The maps that the picture can show instead of the light, with their meaning. */
 function MapsTab() {
   return (
     <div class="maps" role="radiogroup" aria-label={texts.heat.label}>

@@ -1,4 +1,4 @@
-/** A tolerant parser of JSON with comments: for a text that is just being typed, it tells what stands where. */
+/** A tolerant parser of JSON with comments: for a text that is just being typed, it gives each value's place. */
 
 export interface JsonNode {
   kind: "object" | "array" | "string" | "number" | "word" | "missing";

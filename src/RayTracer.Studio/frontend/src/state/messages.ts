@@ -27,7 +27,7 @@ export function dismiss(id: number): void {
   messages.value = messages.value.filter((m) => m.id !== id);
 }
 
-/** Shows why the server said no. Lost connections are not shown here: the banner tells them. */
+/** Shows why the server said no. Lost connections are not shown here: the banner shows them. */
 export function complain(error: unknown): void {
   if (error instanceof Refusal) say("error", error.message);
   else if (!(error instanceof TypeError) && !(error instanceof DOMException)) throw error;
@@ -44,7 +44,7 @@ export function reportFaults(): void {
     say("error", texts.messages.pageError(text.split("\n")[0] ?? ""));
     post("log", { text }).catch(() => undefined);
   };
-  const tell = (error: unknown, fallback: string) => report(error instanceof Error ? `${error.message}\n${error.stack ?? ""}` : fallback);
-  window.addEventListener("error", (e) => tell(e.error, e.message));
-  window.addEventListener("unhandledrejection", (e) => tell(e.reason, String(e.reason)));
+  const reportError = (error: unknown, fallback: string) => report(error instanceof Error ? `${error.message}\n${error.stack ?? ""}` : fallback);
+  window.addEventListener("error", (e) => reportError(e.error, e.message));
+  window.addEventListener("unhandledrejection", (e) => reportError(e.reason, String(e.reason)));
 }

@@ -13,7 +13,7 @@ const resizePause = 150;
 function followFrames(canvas: HTMLCanvasElement): () => void {
   const context = canvas.getContext("2d", { alpha: false })!;
   const worker = new Worker(new URL("./frames.worker.ts", import.meta.url), { type: "module" });
-  const tell = (message: ToWorker) => worker.postMessage(message);
+  const post = (message: ToWorker) => worker.postMessage(message);
 
   let painted = 0;
   const painter = new Painter<ArrayBuffer>((paint) => requestAnimationFrame(paint), (bytes) => {
@@ -25,21 +25,21 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
     }
     // For whoever measures how quickly pictures follow what is done.
     Object.assign(canvas.dataset, { painted: String(++painted), version: String(frame.version), samples: String(frame.samples), preview: String(frame.isPreview) });
-    tell({ kind: "painted" });
+    post({ kind: "painted" });
   });
   worker.onmessage = (event: MessageEvent<ArrayBuffer>) => painter.push(event.data);
 
-  const watch = () => tell({ kind: "watch", isVisible: !document.hidden });
+  const watch = () => post({ kind: "watch", isVisible: !document.hidden });
   let resizing = 0;
   const resized = effect(() => {
     const { width, height } = picture.value;
     const scale = Math.min(1, placement.value.scale * devicePixelRatio);
     clearTimeout(resizing);
-    resizing = window.setTimeout(() => tell({ kind: "size", width: Math.ceil(width * scale), height: Math.ceil(height * scale) }), resizePause);
+    resizing = window.setTimeout(() => post({ kind: "size", width: Math.ceil(width * scale), height: Math.ceil(height * scale) }), resizePause);
   });
   document.addEventListener("visibilitychange", watch);
   watch();
-  tell({ kind: "start", token });
+  post({ kind: "start", token });
   return () => {
     document.removeEventListener("visibilitychange", watch);
     resized();

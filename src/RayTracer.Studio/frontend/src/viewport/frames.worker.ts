@@ -1,5 +1,5 @@
 /**
- * Fetches frames. The request for the next one is sent before this one is painted, and itself tells the server that there is
+ * Fetches frames. The request for the next one is sent before this one is painted, and itself shows the server that there is
  * room for it; only if painting lags by a whole frame does it wait.
  */
 
@@ -37,7 +37,7 @@ async function follow(token: string): Promise<never> {
       postMessage(bytes, { transfer: [bytes] });
     } catch {
       if (asking.signal.aborted) continue;
-      // The page's own poll tells the user that the connection is lost.
+      // The page's own poll reports a lost connection to the user.
       version = 0;
       await new Promise((resolve) => setTimeout(resolve, retryAfter));
     }

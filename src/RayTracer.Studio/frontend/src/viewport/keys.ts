@@ -17,13 +17,13 @@ let flight = "";
 function advance(seconds: number): void {
   const way = flySpeed * seconds;
   const sum = [...held].map((key) => flyDirections[key]!).reduce((a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
-  move("fly", flight, sum[0] * way, sum[1] * way, sum[2] * way);
+  move("translate", flight, sum[0] * way, sum[1] * way, sum[2] * way);
 }
 
 function fly(before: number): void {
   requestAnimationFrame((now) => {
     if (held.size === 0) {
-      endMove("fly", flight);
+      endMove("translate", flight);
       flight = "";
       return;
     }

@@ -1,4 +1,4 @@
-export type MoveKind = "orbit" | "pan" | "zoom" | "dolly" | "fly" | "look";
+export type MoveKind = "orbit" | "pan" | "zoom" | "dolly" | "translate" | "rotate";
 
 /** One step of a gesture; dx and dy are fractions of the picture's height. */
 export interface Move {

@@ -22,7 +22,7 @@ function actionOf(e: PointerEvent): Action {
   const camera = (kind: MoveKind): Action => ({ kind: "camera", move: kind, gesture: newGesture() });
   if (e.button === 0 && (spaceHeld.value || e.altKey)) return { kind: "shift" };
   if (e.button === 1 || (e.button === 0 && e.shiftKey)) return camera("pan");
-  if (e.button === 2) return camera("look");
+  if (e.button === 2) return camera("rotate");
   return tool.value === "region" ? { kind: "region", start: { x: 0, y: 0 } } : camera("orbit");
 }
 

@@ -1,0 +1,62 @@
+using RayTracer.Description;
+using RayTracer.Rendering;
+
+namespace RayTracer.Jobs;
+
+/// <summary>What a job renders into: the film, auxiliary images, layers of light, and the halves that a denoised picture is made of.</summary>
+internal sealed class JobFilms
+{
+    /// <summary>Prepares them.</summary>
+    /// <param name="job">What to render.</param>
+    /// <param name="scene">Its scene.</param>
+    /// <param name="hasPasses">Whether it is rendered in passes, which have a film more.</param>
+    /// <exception cref="JobException">They cannot be had, or there is not enough memory.</exception>
+    public JobFilms(RenderJob job, Scene scene, bool hasPasses)
+    {
+        Film = job.Resumed?.Film ?? FilmOf(job, scene, hasPasses);
+        if ((Film.Width, Film.Height) != (scene.Render.Width, scene.Render.Height))
+        {
+            throw LoadedJob.OtherScene(job.Scene);
+        }
+
+        Light = job.Layers.Count > 0 ? LightOf(job, scene, Film) : null;
+        Auxiliary = new(Film, job.Aovs);
+        Denoising = job.Denoise ? Denoising.Create(scene) : null;
+    }
+
+    /// <summary>The film.</summary>
+    public Film Film { get; }
+
+    /// <summary>The layers of light; null where none are wanted.</summary>
+    public LightPathAovFilm? Light { get; }
+
+    /// <summary>The auxiliary images.</summary>
+    public AovFilm Auxiliary { get; }
+
+    /// <summary>The halves of the samples; null where no denoised picture is wanted.</summary>
+    public Denoising? Denoising { get; }
+
+    private static Film FilmOf(RenderJob job, Scene scene, bool hasPasses)
+    {
+        (int width, int height) = (scene.Render.Width, scene.Render.Height);
+        long bytes = FilmMemory.Bytes(width, height) + AovFilm.Bytes(job.Aovs, width, height) + LightPathAovFilm.Bytes(job.Layers, scene)
+            + (job.Denoise ? Denoising.Bytes(width, height) : hasPasses ? FilmMemory.Bytes(width, height) : 0);
+        long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
+        return bytes <= available && (long)width * height <= Film.MaxPixels ? new(width, height) : throw new JobException(
+            JobFault.File, $"a film of {width}×{height} pixels takes {FilmMemory.Text(bytes)} of memory, more than is available ({FilmMemory.Text(available)})");
+    }
+
+    private static LightPathAovFilm LightOf(RenderJob job, Scene scene, Film film)
+    {
+        try
+        {
+            return new(film, scene, job.Layers);
+        }
+        catch (ArgumentException e)
+        {
+            string hint = scene.Render.Integrator.Has(IntegratorTraits.Layers) ? "give several of them one \"lightGroup\"" : "choose another --integrator";
+            string reason = e.Message.Split(" (Parameter '")[0].TrimEnd('.');
+            throw new JobException(JobFault.Request, $"--aov: {char.ToLowerInvariant(reason[0])}{reason[1..]}: {hint}");
+        }
+    }
+}

@@ -1,0 +1,74 @@
+using RayTracer.Description;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+
+namespace RayTracer.Jobs;
+
+/// <summary>A job whose scene is loaded: what the stages of rendering share.</summary>
+/// <param name="Job">What to render.</param>
+/// <param name="Scene">Its scene.</param>
+/// <param name="Description">The description that the scene was built from.</param>
+/// <param name="Options">How to compute it.</param>
+/// <param name="Progress">Takes the progress; may be null.</param>
+/// <param name="Cancellation">Ends it early.</param>
+internal sealed record LoadedJob(
+    RenderJob Job, Scene Scene, SceneDescription Description, RenderOptions Options, IProgress<RenderProgress>? Progress, CancellationToken Cancellation)
+{
+    // The content of a scene with large models takes its time.
+    private readonly Lazy<string> _content = new(() => ContentHash.Of(Description, Job.Scene, Options.Crop));
+
+    /// <summary>The samples to render.</summary>
+    public SampleRange Samples => Options.Samples!.Value;
+
+    /// <summary>The job with other samples; null for the same.</summary>
+    public LoadedJob With(SampleRange? samples) => samples is null ? this : this with { Options = Options with { Samples = samples } };
+
+    /// <summary>What a film file says of a film without samples.</summary>
+    public FilmHeader NewHeader() => new()
+    {
+        Width = Scene.Render.Width,
+        Height = Scene.Render.Height,
+        Content = _content.Value,
+        Samples = [],
+        Wanted = Samples,
+        Total = Job.Samples is null && Job.Part is null ? Samples.End : Scene.Render.SamplesPerPixel,
+        Crop = Options.Crop,
+        Scene = Path.GetFullPath(Job.Scene),
+        Settings = Job.FilmSettings,
+        Software = ProgramName.Text,
+    };
+
+    /// <summary>What a film file says of the film that is resumed, or of a new one.</summary>
+    /// <exception cref="JobException">The resumed film is of another picture, or of other samples.</exception>
+    public FilmHeader Header()
+    {
+        FilmHeader header = NewHeader();
+        if (Job.Resumed is not { } film)
+        {
+            return header;
+        }
+
+        FilmHeader old = OldFilms.Current(film.Header, Description, Job.Scene, header.Crop);
+        if (old.Content != header.Content)
+        {
+            throw OtherFilm(old);
+        }
+
+        bool isBegin = old.Samples is [] || (old.Samples is [var held] && held.First == header.Wanted.First && held.End <= header.Wanted.End);
+        return isBegin ? header with { Samples = old.Samples, Settings = header.Wanted == old.Wanted ? old.Settings : header.Settings } : throw new JobException(
+            JobFault.File, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of the requested {FilmHeader.Text(header.Wanted)}");
+    }
+
+    /// <summary>The complaint about a scene that a film is not of.</summary>
+    public static JobException OtherScene(string path) =>
+        new(JobFault.File, $"the film is not of '{path}': the scene, a file that it names, its settings, a plug-in or the program are others than they were");
+
+    private JobException OtherFilm(FilmHeader header)
+    {
+        RenderDescription render = Scene.Render;
+        return !render.Sampler.DependsOnCount || render.SamplesPerPixel == header.Total ? OtherScene(Job.Scene) : new(
+            JobFault.Request,
+            $"--spp {render.SamplesPerPixel}: the places of the {render.Sampler.ToString().ToLowerInvariant()} sampler's samples depend on how many there are, "
+            + $"so that a film of {header.Total} cannot be given more or fewer: render it from scratch, or with --sampler sobol");
+    }
+}

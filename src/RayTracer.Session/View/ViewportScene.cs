@@ -1,0 +1,60 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+using RayTracer.Shapes;
+
+namespace RayTracer.Session;
+
+/// <summary>The scene that the view shows.</summary>
+/// <param name="Good">The document's content that it comes from.</param>
+/// <param name="Scene">The scene as it is rendered: with the camera as it is moved at the moment, and the samples that the user wants.</param>
+/// <param name="Camera">That camera.</param>
+/// <param name="Picture">The picture's number.</param>
+public sealed record ViewportScene(GoodScene Good, Scene Scene, CameraDescription Camera, long Picture)
+{
+    private readonly Dictionary<object, string?> _pointers = new(ReferenceEqualityComparer.Instance);
+    private readonly Lazy<(Vector3, float)> _extent = new(() =>
+    {
+        Bounds all = new SceneStatistics(Scene).FiniteBounds;
+        float size = ((all.Maximum - all.Minimum) * 0.5f).Norm();
+        return all.IsFinite && size > 0 ? ((all.Minimum + all.Maximum) * 0.5f, size) : (Vector3.Zero, 1);
+    });
+
+    /// <summary>The scene's description.</summary>
+    public SceneDescription Description => Good.Read.Description!;
+
+    /// <summary>Width of the picture over its height.</summary>
+    public float Aspect => (float)Scene.Render.Width / Scene.Render.Height;
+
+    /// <summary>The middle of all that has an end, and half the diagonal of the box around it; the origin and 1 where there is nothing.</summary>
+    public (Vector3 Middle, float Size) Extent => _extent.Value;
+
+    /// <summary>The pointer to a record in the text; null where it is not from the text.</summary>
+    public string? PointerOf(object? record)
+    {
+        if (record is null)
+        {
+            return null;
+        }
+
+        lock (_pointers)
+        {
+            if (!_pointers.TryGetValue(record, out string? pointer))
+            {
+                JsonNode? node = Good.Read.SourceMap.Find(record);
+                pointer = node is null || Good.Read.Root is not { } root ? null : JsonPointer.To(root, node);
+                _pointers.Add(record, pointer);
+            }
+
+            return pointer;
+        }
+    }
+
+    /// <summary>The pointer of what a surface was made from; null for nothing.</summary>
+    public string? PointerOf(SurfaceName surface) => surface == SurfaceName.None ? null : PointerOf(Scene.SourceOf(surface.Primitive, surface.Instance));
+
+    /// <summary>The pointer of a surface's material; null for nothing, and where the material is not from the text.</summary>
+    public string? MaterialOf(SurfaceName surface) => surface == SurfaceName.None ? null : PointerOf(Scene.MaterialSourceOf(surface.Primitive));
+}

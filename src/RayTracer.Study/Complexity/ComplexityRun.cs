@@ -1,0 +1,25 @@
+namespace RayTracer.Study;
+
+/// <summary><c>raytracer reproduce complexity</c>: measures, and writes chart and pages.</summary>
+/// <param name="plan">The numbers of triangles.</param>
+/// <param name="folder">The folder to write to; made if it is missing.</param>
+/// <param name="output">Takes each result.</param>
+internal sealed class ComplexityRun(ComplexityPlan plan, string folder, TextWriter output)
+{
+    /// <summary>Does everything.</summary>
+    /// <exception cref="Jobs.JobException">The folder cannot be used.</exception>
+    /// <exception cref="OperationCanceledException">It was stopped; nothing was written.</exception>
+    public void Run(CancellationToken cancellation)
+    {
+        OutputFolder files = new(folder, output);
+        files.Prepare(ComplexityPage.ChartFile);
+        ComplexityStudy study = new(plan);
+        study.Run(Report, cancellation);
+        ComplexityPage page = new(plan, study);
+        files.Write(ComplexityPage.ChartFile, SvgChart.Draw([page.Panel]));
+        files.WritePages(ComplexityPage.Title, page.Write);
+    }
+
+    private void Report(Method method, ComplexityPoint point) =>
+        output.WriteLine($"{point.Triangles} triangles, {method.Name}: {point.NanosecondsPerRay:F0} ns a ray, built in {point.BuildSeconds:F3} s");
+}

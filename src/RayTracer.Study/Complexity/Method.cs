@@ -1,0 +1,33 @@
+using System.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Study;
+
+/// <summary>Something that traces rays through triangles.</summary>
+internal interface ITracer
+{
+    /// <summary>Memory beside the triangles' corners and indices, in bytes.</summary>
+    long MemoryBytes { get; }
+
+    /// <summary>Finds the triangle that each ray meets first; −1 for none.</summary>
+    void Trace(ReadOnlySpan<(Vector3 Origin, Vector3 Direction)> rays, Span<int> hits);
+}
+
+/// <summary>A way to trace rays that is measured.</summary>
+/// <param name="Name">Its name.</param>
+/// <param name="Colour">Its colour in the chart, as in CSS.</param>
+/// <param name="Law">The expected growth of its time a ray, as it is written in a formula.</param>
+/// <param name="Growth">The same as a function.</param>
+/// <param name="Build">Builds it for some triangles.</param>
+internal sealed record Method(string Name, string Colour, string Law, Func<double, double> Growth, Func<MeshData, ITracer> Build)
+{
+    /// <summary>All that are measured.</summary>
+    public static IReadOnlyList<Method> All { get; } =
+    [
+        new("plain loop", "#c1440e", "n", n => n, m => new PlainLoop(m)),
+        new("uniform grid", "#8e5ba6", "∛n", Math.Cbrt, m => new UniformGrid(m)),
+        new("kd-tree", "#2e7d32", "log₂ n", Math.Log2, m => new KdTree(m)),
+        new("BVH, single rays", "#1f5fa8", "log₂ n", Math.Log2, m => new BvhTracer(m, streams: false)),
+        new("BVH, streams", "#0b8f9c", "log₂ n", Math.Log2, m => new BvhTracer(m, streams: true)),
+    ];
+}

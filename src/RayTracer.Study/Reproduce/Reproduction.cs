@@ -1,0 +1,126 @@
+using RayTracer.Description;
+using RayTracer.Imaging;
+using RayTracer.Jobs;
+using RayTracer.Rendering;
+using RayTracer.Sampling;
+using RayTracer.Scenes;
+
+namespace RayTracer.Study;
+
+/// <summary>Renders and measures what the report's section 6.3 shows, and writes pictures, chart and pages into a folder.</summary>
+/// <param name="plan">The sizes of pictures.</param>
+/// <param name="folder">The folder to write to; made if it is missing.</param>
+/// <param name="output">Takes each result.</param>
+/// <param name="watch">Takes what the renderings report.</param>
+internal sealed class Reproduction(ReproductionPlan plan, string folder, TextWriter output, IJobWatch watch)
+{
+    private const int WarmUpSamples = 16;
+    private readonly OutputFolder _files = new(folder, output);
+    private readonly Dictionary<(ReportScene Scene, int Samples, int Threads), Measurement> _best = [];
+    private readonly List<ReproducedScene> _scenes = [];
+
+    /// <summary>Does everything.</summary>
+    /// <exception cref="JobException">The folder cannot be used, or the scenes are not there.</exception>
+    /// <exception cref="ImageWriteException">A file cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">It was stopped: pictures may be there, but no pages.</exception>
+    public void Run(CancellationToken cancellation)
+    {
+        PrepareFolder();
+        _scenes.AddRange(ReportScene.All.Select(Read));
+        for (int round = 0; round < plan.Rounds; round++)
+        {
+            _scenes.ForEach(scene => MeasureScene(scene.Scene, isFirst: round == 0, cancellation));
+        }
+
+        _scenes.ForEach(Collect);
+        _files.Write(ReproductionPage.ChartFile, GrowthChart.Draw(_scenes));
+        _files.WritePages(ReproductionPage.Title, new ReproductionPage(plan, _scenes).Write);
+    }
+
+    private void PrepareFolder()
+    {
+        _files.Prepare(ReproductionPage.ChartFile);
+        foreach (string picture in ReportScene.All.SelectMany(s => s.Pictures.Select(s.PictureFile)))
+        {
+            JobFiles.Check(_files[picture]);
+        }
+    }
+
+    private ReproducedScene Read(ReportScene report)
+    {
+        SceneLoadResult loaded = new RenderJob { Scene = ReportScenes.PathOf(report) }.Load();
+        watch.Read(loaded.Diagnostics);
+        return loaded is { Scene: not null, Description: { } scene }
+            ? new(report, scene.Shapes.Count, scene.Lights.Count, scene.Render.Width, scene.Render.Height)
+            : throw new JobException($"{ReportScenes.PathOf(report)} has errors");
+    }
+
+    private void MeasureScene(ReportScene report, bool isFirst, CancellationToken cancellation)
+    {
+        int threads = Environment.ProcessorCount;
+        if (isFirst)
+        {
+            // The first rendering also compiles the program; its time does not count.
+            Measure(report, WarmUpSamples, threads, null, cancellation);
+            _best.Remove((report, WarmUpSamples, threads));
+        }
+
+        foreach (ReportPicture picture in report.Pictures)
+        {
+            int samples = plan.Samples(picture);
+            string file = report.PictureFile(picture);
+            Measure(report, samples, threads, isFirst ? file : null, cancellation);
+            Measure(report, samples, 1, null, cancellation);
+            double seconds = All(report, samples).Seconds;
+            output.WriteLine($"{file}: {plan.Size(report)}×{plan.Size(report)} pixels, {samples} samples each, best time {seconds:F3} s");
+        }
+
+        foreach (int samples in plan.ChartSamples.Except(report.Pictures.Select(plan.Samples)))
+        {
+            Measure(report, samples, threads, null, cancellation);
+        }
+    }
+
+    private Measurement All(ReportScene report, int samples) => _best[(report, samples, Environment.ProcessorCount)];
+
+    private void Collect(ReproducedScene scene)
+    {
+        foreach (ReportPicture picture in scene.Scene.Pictures)
+        {
+            int samples = plan.Samples(picture);
+            scene.Pictures.Add(new(scene.Scene, picture, All(scene.Scene, samples), _best[(scene.Scene, samples, 1)]));
+        }
+
+        scene.Growth.AddRange(plan.ChartSamples.Select(samples => All(scene.Scene, samples)));
+    }
+
+    private void Measure(ReportScene report, int samples, int threads, string? file, CancellationToken cancellation)
+    {
+        int size = plan.Size(report);
+        RenderJob job = new RenderJob
+        {
+            Scene = ReportScenes.PathOf(report),
+            Threads = threads,
+            Outputs = file is null ? [] : [_files[file]],
+            IsOfSequence = true,
+        }.With([$"render.width={size}", $"render.height={size}", $"render.samplesPerPixel={samples}", "render.sampler=jittered"]);
+        JobResult result = new JobRun(job, watch).Run(cancellation) ?? throw new JobException($"{job.Scene} has changed and cannot be read any more");
+        if (result.Statistics.Cancelled)
+        {
+            throw new OperationCanceledException(cancellation);
+        }
+
+        if (!result.IsWritten)
+        {
+            throw new ImageWriteException($"The pictures cannot be written to '{folder}'.");
+        }
+
+        if (file is not null)
+        {
+            result.WarnOfClamped(watch);
+        }
+
+        Measurement measured = new(report, size, samples, threads, result.Seconds, result.Statistics.Rays);
+        _best[(report, samples, threads)] = _best.TryGetValue((report, samples, threads), out Measurement? best) && best.Seconds <= measured.Seconds ? best : measured;
+    }
+}

@@ -1,0 +1,149 @@
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+
+namespace RayTracer.Jobs.Tests;
+
+/// <summary><see cref="JobRun"/>, as a program calls it.</summary>
+public sealed class JobRunTests : IDisposable
+{
+    private const string Scene = """
+        {
+          "camera": { "position": [0, 1, 5], "lookAt": [0, 0.5, 0] },
+          "render": { "width": 12, "height": 8, "samplesPerPixel": 4 },
+          "background": "skyblue",
+          "shapes": [{ "type": "sphere", "center": [0, 0.5, 0], "radius": 0.5 }],
+          "lights": [{ "type": "sphere", "center": [2, 4, 1], "radius": 0.3, "material": { "type": "luminaire", "multiplier": 30 } }]
+        }
+        """;
+
+    private readonly TemporaryFolder _folder = new();
+    private readonly Watch _watch = new();
+    private readonly RenderJob _job;
+
+    public JobRunTests()
+    {
+        File.WriteAllText(_folder["scene.json"], Scene);
+        _job = new() { Scene = _folder["scene.json"], Threads = 2 };
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [InlineData("", "a.png")]
+    [InlineData("time=3600s,render.samplesPerPixel=4", "a.png")]
+    [InlineData("aov=depth", "a.png,a.depth.png")]
+    [InlineData("aov=emission", "a.png,a.emission.png")]
+    [InlineData("denoise=true", "a.png,a.denoised.png")]
+    public void The_bits_are_those_of_the_renderer_however_it_is_rendered(string settings, string files)
+    {
+        RenderJob job = _job.With(settings.Split(',', StringSplitOptions.RemoveEmptyEntries));
+        JobResult result = new JobRun(job with { Outputs = [_folder["a.png"]] }, _watch).Run(CancellationToken.None)!;
+        Assert.Equal(Hash(), result.Hash);
+        Assert.True(result.IsWritten, string.Join('\n', _watch.Lines));
+        Assert.Equal(files.Split(',').Select(f => _folder[f]), result.Files);
+        Dictionary<string, string> texts = new(ImageFile.ReadText(_folder["a.png"]));
+        Assert.Equal((result.Hash, "4"), (texts["FilmHash"], texts["Samples"].Split(' ')[0]));
+    }
+
+    [Fact]
+    public void Stages_end_in_their_order()
+    {
+        new JobRun(_job with { Outputs = [_folder["a.pfm"]] }, _watch).Run(CancellationToken.None);
+        Assert.Equal([JobStage.Load, JobStage.Build, JobStage.Render, JobStage.Write], _watch.Stages);
+    }
+
+    [Fact]
+    public void Parts_merge_to_the_bits_of_the_whole()
+    {
+        string[] files = [_folder["1.rtfilm"], _folder["2.rtfilm"], _folder["3.rtfilm"]];
+        for (int i = 0; i < 3; i++)
+        {
+            Assert.True(new JobRun(_job with { Outputs = [files[i]], Part = (i + 1, 3) }, _watch).Run(CancellationToken.None)!.IsWritten);
+        }
+
+        FilmMerge merge = FilmMerge.Of(files);
+        Assert.Null(merge.Missing);
+        Assert.Equal(Hash(), merge.Add().ComputeHash());
+        Assert.Equal("samples 1..1 are missing of 4", FilmMerge.Of([files[0], files[2]]).Missing);
+        JobException twice = Assert.Throws<JobException>(() => FilmMerge.Of([files[0], files[0]]));
+        Assert.Contains("are in both", twice.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_film_is_resumed_and_one_of_another_scene_is_refused()
+    {
+        string film = _folder["a.rtfilm"];
+        new JobRun(_job.WithSamples(2) with { Outputs = [film] }, _watch).Run(CancellationToken.None);
+        RenderJob more = _job.WithSamples(4) with { Outputs = [film], Resumed = HeldFilm.Read(film) };
+        Assert.Equal(Hash(), new JobRun(more, _watch).Run(CancellationToken.None)!.Hash);
+        File.WriteAllText(_job.Scene, Scene.Replace("skyblue", "black", StringComparison.Ordinal));
+        JobException other = Assert.Throws<JobException>(() => new JobRun(more with { Resumed = HeldFilm.Read(film) }, _watch).Run(CancellationToken.None));
+        Assert.StartsWith("the film is not of", other.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(false, true)]
+    [InlineData(true, false)]
+    public void A_stopped_picture_is_written_unless_it_is_one_of_several(bool isOfSequence, bool isThere)
+    {
+        RenderJob job = _job.WithSamples(4_000_000) with { Outputs = [_folder["a.png"]], IsOfSequence = isOfSequence };
+        using CancellationTokenSource stop = new();
+        _watch.Progress = stop.Cancel;
+        JobResult result = new JobRun(job, _watch).Run(stop.Token)!;
+        Assert.Equal((true, isThere, isThere), (result.Statistics.Cancelled, result.IsWritten, File.Exists(_folder["a.png"])));
+    }
+
+    [Theory]
+    [InlineData("crop=8,0,8,8", "--crop 8,0,8,8: is not within the picture of 12×8 pixels")]
+    [InlineData("part=1/5", "--part 1/5: 4 samples make at most 4 parts")]
+    [InlineData("samples=2..9", "--samples 2..9: the pixels have only samples 0 to 3")]
+    [InlineData("render.sampler=jittered\nnoise=0.1", "--noise: the pattern of the jittered sampler needs the number of samples in advance")]
+    [InlineData("denoise=true\nrender.samplesPerPixel=1", "--denoise compares two halves of the samples")]
+    public void What_the_scene_does_not_have_is_refused_before_the_work(string settings, string message)
+    {
+        RenderJob job = _job.With(settings.Split('\n')) with { Outputs = [_folder["a.png"]] };
+        JobException fault = Assert.Throws<JobException>(() => new JobRun(job, _watch).Run(CancellationToken.None));
+        Assert.StartsWith(message, fault.Message, StringComparison.Ordinal);
+        Assert.Equal(JobFault.Request, fault.Fault);
+        Assert.False(File.Exists(_folder["a.png"]));
+    }
+
+    [Fact]
+    public void Two_images_for_one_file_are_refused()
+    {
+        JobException fault = Assert.Throws<JobException>(() => new PictureFiles(_job with { Outputs = ["a.png", "a.depth.png"], Aovs = [AuxiliaryImage.Known.Find("depth")!] }));
+        Assert.Equal("--aov depth writes to 'a.depth.png' beside 'a.png', but another image goes there", fault.Message);
+    }
+
+    [Fact]
+    public void A_wrong_scene_is_reported_and_has_no_result()
+    {
+        File.WriteAllText(_job.Scene, "{ \"shapes\": 3 }");
+        Assert.Null(new JobRun(_job with { Outputs = [_folder["a.png"]] }, _watch).Run(CancellationToken.None));
+        Assert.NotEmpty(_watch.Lines);
+    }
+
+    private string Hash() => new RTracer(SceneLoader.Load(_job.Scene).Scene!).Render().Film.ComputeHash();
+
+    private sealed class Watch : IJobWatch, IProgress<RenderProgress>
+    {
+        public List<string> Lines { get; } = [];
+
+        public List<JobStage> Stages { get; } = [];
+
+        public Action? Progress { get; set; }
+
+        public void Warn(string message) => Lines.Add(message);
+
+        public void Fail(string message) => Lines.Add(message);
+
+        public void Read(IReadOnlyList<Diagnostic> diagnostics) => Lines.AddRange(diagnostics.Select(d => d.Message));
+
+        public void End(JobStage stage) => Stages.Add(stage);
+
+        public IProgress<RenderProgress> Begin() => this;
+
+        public void Report(RenderProgress value) => Progress?.Invoke();
+    }
+}
