@@ -7,7 +7,7 @@ namespace RayTracer.Scenes.Tests;
 public sealed class SceneLoaderTests : IDisposable
 {
     private const string Textured = """
-        { "render": { "samplesPerPixel": 16, "sampler": "jittered" },
+        { "render": { "integrator": "report", "samplesPerPixel": 16, "sampler": "jittered" },
           "materials": { "m": { "type": "diffuse", "color": { "type": "image", "file": "sub/marble.png", "raw": true } },
                          "n": { "type": "diffuse", "color": { "type": "image", "file": "sub/marble.png", "raw": true } } },
           "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": "m" }, { "type": "sphere", "center": [0, 0, 0], "material": "n" }] }
@@ -67,7 +67,7 @@ public sealed class SceneLoaderTests : IDisposable
     [Fact]
     public void What_an_override_made_wrong_is_reported_without_a_line()
     {
-        string path = Write("""{ "render": { "sampler": "jittered", "samplesPerPixel": 16 } }""");
+        string path = Write("""{ "render": { "integrator": "report", "sampler": "jittered", "samplesPerPixel": 16 } }""");
         SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { SamplesPerPixel = 15 } });
         Assert.Equal($"{path}: error: the jittered sampler needs a square number of samples, but 15 is not one: use 9 or 16", Assert.Single(result.Diagnostics).ToString());
         Assert.Null(result.Scene);
@@ -76,7 +76,7 @@ public sealed class SceneLoaderTests : IDisposable
     [Fact]
     public void What_the_file_made_wrong_keeps_its_line_when_something_else_is_overridden()
     {
-        string path = Write("""{ "render": { "sampler": "jittered", "samplesPerPixel": 15 } }""");
+        string path = Write("""{ "render": { "integrator": "report", "sampler": "jittered", "samplesPerPixel": 15 } }""");
         SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { Width = 7 } });
         Assert.StartsWith($"{path}:1:57: error: the jittered", Assert.Single(result.Diagnostics).ToString(), StringComparison.Ordinal);
     }

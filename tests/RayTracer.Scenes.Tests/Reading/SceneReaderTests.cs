@@ -16,7 +16,7 @@ public class SceneReaderTests
         SceneDescription scene = Read("""
             {
               "camera": { "position": [1, 2.5, -3e1], "fieldOfView": 33, "fieldOfViewAxis": "larger", "lens": { "shape": "eyeJitter" } },
-              "render": { "width": 6e1, "samplesPerPixel": 9, "sampler": "regular", "seed": 4294967295 },
+              "render": { "integrator": "report", "width": 6e1, "samplesPerPixel": 9, "sampler": "regular", "seed": 4294967295 },
               "background": "#fff",
               "ambient": [0.25, 0, 7],
               "textures": { "wood": { "type": "image", "file": "wood.png", "raw": true, "interpolation": "bicubic", "scale": [2, -1] } },
