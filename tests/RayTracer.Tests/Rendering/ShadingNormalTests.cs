@@ -130,7 +130,7 @@ public class ShadingNormalTests
                 $$"""
                 {
                   "camera": { "position": [0, {{height}}, 0], "lookAt": [0, 0, 0], "up": [0, 0, 1], "fieldOfView": 12 },
-                  "render": { "integrator": "report", "width": 16, "height": 16, "samplesPerPixel": 16, {{render}} },
+                  "render": { "width": 16, "height": 16, "samplesPerPixel": 16, {{render}} },
                   "shapes": [
                     { "type": "mesh", "positions": [[-1, 0, -1], [-1, 0, 1], [1, 0, 1], [1, 0, -1]], "normals": [{{normals}}],
                       "uv": [[0, 0], [0, 1], [1, 1], [1, 0]], "triangles": [[0, 1, 2], [0, 2, 3]], "material": {{material}} },
