@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Scenes;
 
 namespace RayTracer.Import;
 
@@ -6,10 +7,15 @@ namespace RayTracer.Import;
 internal static class ModelBytes
 {
     /// <summary>The content of a file.</summary>
-    /// <exception cref="ModelException">It has more than 2 GiB.</exception>
+    /// <exception cref="ModelException">There is no such file, it is not an ordinary one, or it has more than 2 GiB.</exception>
     /// <exception cref="IOException">It cannot be opened.</exception>
     public static byte[] Read(string path)
     {
+        if (FileSearch.Complaint(path) is { } complaint)
+        {
+            throw new ModelException(complaint);
+        }
+
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
         if (stream.Length > Array.MaxLength)
         {

@@ -245,6 +245,13 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         TextureInputs outer = _inputs;
         _inputs = TextureInputs.None;
         Material material = description.Build(this);
+        if (material.Parts > Materials.Material.MostParts)
+        {
+            // A few nested mixes of one another are millions, and each ray would ask them all.
+            Error(description, null, $"the material consists of more than {Materials.Material.MostParts} others, each counted as often as it is a part");
+            material = new DiffuseMaterial(new SolidTexture(Rgb.Black));
+        }
+
         material.Inputs = _inputs;
         _inputs = outer;
         _parts--;

@@ -17,6 +17,9 @@ public abstract class TwoPartMaterial(Material first, Material second) : Materia
     /// <inheritdoc/>
     public override MaterialTraits Traits => (first.Traits | second.Traits) with { Emits = false };
 
+    /// <inheritdoc/>
+    internal override int Parts { get; } = Math.Min(MostParts + 1, first.Parts + second.Parts);
+
     /// <summary>The one part.</summary>
     protected Material First => first;
 

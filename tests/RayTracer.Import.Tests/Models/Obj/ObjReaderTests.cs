@@ -219,7 +219,7 @@ public class ObjReaderTests
         File.WriteAllText(folder["a.mtl"], "newmtl m\nKd red");
         Assert.Equal("a.mtl: line 2: expected a number instead of \"red\"", Assert.Throws<ModelException>(() => Parse("mtllib a.mtl", folder.Path)).Message);
         File.WriteAllText(folder["a.mtl"], "Kd 1 0 0");
-        Assert.Equal("a.mtl: line 1: \"Kd\" comes before the first newmtl", Assert.Throws<ModelException>(() => Parse("mtllib a.mtl", folder.Path)).Message);
+        Assert.Equal("a.mtl: line 1: a statement comes before the first newmtl", Assert.Throws<ModelException>(() => Parse("mtllib a.mtl", folder.Path)).Message);
     }
 
     [Fact]
