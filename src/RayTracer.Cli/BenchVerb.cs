@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Diagnostics;
 using System.Numerics;
+using System.Text.Json.Nodes;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -18,17 +19,22 @@ internal static class BenchVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string[]> scenes = new("SCENE") { Description = $"Scene files; without any, those of {ReportScenes.Folder}, and the Cornell box.", Arity = ArgumentArity.ZeroOrMore };
-        JobOptionSet samples = new([JobOptions.Find("--spp")!]);
+        Argument<string[]> scenes = new("SCENE")
+        {
+            Description = $"Scene files; without any, those of {ReportScenes.Folder}, and the Cornell box.",
+            Arity = ArgumentArity.ZeroOrMore,
+        };
         ParsedOption<long?> repeat = OptionValues.Integer("--repeat", "How often each scene is rendered; the best counts. 3 without it.", 1, 1000);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(scenes);
-        command.Options.Add(samples.Symbols.Single());
-        command.Options.Add(repeat.Symbol);
-        command.Options.Add(json);
-        SettingOption settings = new(command);
+        command.AddOptions(repeat, json);
+        JobOptionSet settings = new(command, [JobOptions.Find("--spp")!, JobOptions.Set]);
         VerboseOption verbose = new(command);
-        command.SetAction(result => Run(result.GetValue(scenes)!, [.. settings.Values(result), .. samples.Given(result).Settings], (int)(repeat.Value(result) ?? 3), result.GetValue(json), verbose.Times(result, streams), streams));
+        command.SetAction(result =>
+        {
+            int rounds = (int)(repeat.Value(result) ?? 3);
+            return Run(result.GetValue(scenes)!, settings.Given(result).Settings, rounds, result.GetValue(json), verbose.Times(result, streams), streams);
+        });
     }
 
     private static int Run(string[] scenes, IReadOnlyList<SceneSetting> settings, int repeat, bool json, StageTimes stages, Streams streams)
@@ -42,17 +48,12 @@ internal static class BenchVerb
 
         foreach (string path in paths)
         {
-            Scene? scene = SceneFile.Load(path, streams, s =>
-            {
-                stages.EndLoad();
-                return s;
-            }, settings);
-            if (scene is null)
+            SceneLoadResult loaded = SceneFile.Load(path, stages, settings: settings);
+            streams.Read(loaded.Diagnostics);
+            if (loaded.Scene is not { } scene)
             {
                 return SceneFile.FailureStatus(path);
             }
-
-            stages.EndBuild();
 
             Measurement one = Best(path, scene, 1, repeat);
             Measurement many = Best(path, scene, Environment.ProcessorCount, repeat);
@@ -60,13 +61,14 @@ internal static class BenchVerb
             all.AddRange(one, many);
             if (!json)
             {
-                streams.Output.WriteLine($"{path,-32}{one.RaysPerSecond / 1e6,12:F1}{many.RaysPerSecond / 1e6,12:F1}{many.RaysPerSecond / one.RaysPerSecond,8:F2}");
+                double ratio = many.RaysPerSecond / one.RaysPerSecond;
+                streams.Output.WriteLine($"{path,-32}{one.RaysPerSecond / 1e6,12:F1}{many.RaysPerSecond / 1e6,12:F1}{ratio,8:F2}");
             }
         }
 
         if (json)
         {
-            WriteJson(all, streams);
+            JsonText.Write(streams, Json(all));
         }
 
         stages.EndAll();
@@ -89,24 +91,19 @@ internal static class BenchVerb
         return best!;
     }
 
-    private static void WriteJson(IEnumerable<Measurement> measurements, Streams streams) => JsonText.Write(streams, json =>
+    private static JsonObject Json(IEnumerable<Measurement> measurements) => new()
     {
-        json.WriteNumber("lanes", Vector<float>.Count);
-        json.WriteStartArray("runs");
-        foreach (Measurement m in measurements)
+        ["lanes"] = Vector<float>.Count,
+        ["runs"] = JsonText.List(measurements.Select(m => new JsonObject
         {
-            json.WriteStartObject();
-            json.WriteString("scene", m.Path);
-            json.WriteNumber("width", m.Scene.Render.Width);
-            json.WriteNumber("height", m.Scene.Render.Height);
-            json.WriteNumber("samplesPerPixel", m.Scene.Render.SamplesPerPixel);
-            json.WriteNumber("threads", m.Threads);
-            json.WriteNumber("renderSeconds", m.Seconds);
-            json.WriteNumber("rays", m.Rays);
-            json.WriteNumber("raysPerSecond", m.RaysPerSecond);
-            json.WriteEndObject();
-        }
-
-        json.WriteEndArray();
-    });
+            ["scene"] = m.Path,
+            ["width"] = m.Scene.Render.Width,
+            ["height"] = m.Scene.Render.Height,
+            ["samplesPerPixel"] = m.Scene.Render.SamplesPerPixel,
+            ["threads"] = m.Threads,
+            ["renderSeconds"] = m.Seconds,
+            ["rays"] = m.Rays,
+            ["raysPerSecond"] = m.RaysPerSecond,
+        })),
+    };
 }

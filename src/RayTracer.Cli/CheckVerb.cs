@@ -1,5 +1,6 @@
 using System.CommandLine;
-using System.Text.Json;
+using System.Text.Json.Nodes;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
@@ -12,10 +13,10 @@ internal static class CheckVerb
         Argument<string[]> scenes = new("SCENE") { Description = "Scene files.", Arity = ArgumentArity.OneOrMore };
         ParsedOption<CheckFormat?> format = OptionValues.Choice<CheckFormat>("--format", "Output format: one line per problem (at most 20 per file), or everything as one JSON object or SARIF 2.1.0. Default: text.");
         command.Arguments.Add(scenes);
-        command.Options.Add(format.Symbol);
-        SettingOption settings = new(command);
+        command.Options.Add(format);
+        JobOptionSet settings = new(command, [JobOptions.Set]);
         VerboseOption verbose = new(command);
-        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Values(result), format.Value(result) ?? CheckFormat.Text, verbose.Times(result, streams), streams));
+        command.SetAction(result => Run(result.GetValue(scenes)!, settings.Given(result).Settings, format.Value(result) ?? CheckFormat.Text, verbose.Times(result, streams), streams));
     }
 
     private static int Run(string[] paths, IReadOnlyList<SceneSetting> settings, CheckFormat format, StageTimes stages, Streams streams)
@@ -32,46 +33,53 @@ internal static class CheckVerb
             }
         }
 
-        if (format == CheckFormat.Json)
+        if (format != CheckFormat.Text)
         {
-            JsonText.Write(streams, json => WriteJson(json, all));
-        }
-        else if (format == CheckFormat.Sarif)
-        {
-            JsonText.Write(streams, json => SarifLog.Write(json, all));
+            JsonText.Write(streams, format == CheckFormat.Json ? Json(all) : SarifLog.Of(all));
         }
 
         stages.EndAll();
         return all.Max(s => s.Status);
     }
 
-    private static void WriteJson(Utf8JsonWriter json, List<CheckedScene> scenes)
+    private static JsonObject Json(List<CheckedScene> scenes) => new()
     {
-        json.WriteNumber("errors", scenes.Sum(s => s.Diagnostics.Count(d => d.Severity == Severity.Error)));
-        json.WriteNumber("warnings", scenes.Sum(s => s.Diagnostics.Count(d => d.Severity == Severity.Warning)));
-        json.WriteStartArray("files");
-        foreach (CheckedScene scene in scenes)
+        ["errors"] = scenes.Sum(s => s.Diagnostics.Count(d => d.Severity == Severity.Error)),
+        ["warnings"] = scenes.Sum(s => s.Diagnostics.Count(d => d.Severity == Severity.Warning)),
+        ["files"] = JsonText.List(scenes.Select(s => new JsonObject
         {
-            json.WriteStartObject();
-            json.WriteString("path", scene.Path);
-            json.WriteBoolean("fine", scene.Diagnostics.Count == 0);
-            json.WriteStartArray("diagnostics");
-            foreach (Diagnostic diagnostic in scene.Diagnostics)
-            {
-                json.WriteStartObject();
-                json.WriteString("severity", diagnostic.Severity == Severity.Error ? "error" : "warning");
-                json.WriteString("rule", diagnostic.Rule.Id);
-                json.WriteString("file", diagnostic.File);
-                json.WriteNumber("line", diagnostic.Line);
-                json.WriteNumber("column", diagnostic.Column);
-                json.WriteString("message", diagnostic.Message);
-                json.WriteEndObject();
-            }
+            ["path"] = s.Path,
+            ["fine"] = s.Diagnostics.Count == 0,
+            ["diagnostics"] = JsonText.List(s.Diagnostics.Select(Json)),
+        })),
+    };
 
-            json.WriteEndArray();
-            json.WriteEndObject();
-        }
+    private static JsonObject Json(Diagnostic diagnostic) => new()
+    {
+        ["severity"] = diagnostic.Severity == Severity.Error ? "error" : "warning",
+        ["rule"] = diagnostic.Rule.Id,
+        ["file"] = diagnostic.File,
+        ["line"] = diagnostic.Line,
+        ["column"] = diagnostic.Column,
+        ["message"] = diagnostic.Message,
+    };
 
-        json.WriteEndArray();
+    /// <summary>The form of what <c>raytracer check</c> prints.</summary>
+    private enum CheckFormat
+    {
+        /// <summary>A line each, as compilers write them.</summary>
+        Text,
+
+        /// <summary>A JSON object.</summary>
+        Json,
+
+        /// <summary>SARIF 2.1.0, which code hosts and editors show.</summary>
+        Sarif,
     }
 }
+
+/// <summary>A scene file that was checked.</summary>
+/// <param name="Path">The file.</param>
+/// <param name="Diagnostics">All that is wrong, by position.</param>
+/// <param name="Status">One of <see cref="ExitStatus"/>.</param>
+internal sealed record CheckedScene(string Path, IReadOnlyList<Diagnostic> Diagnostics, int Status);

@@ -26,10 +26,7 @@ internal sealed class ClusterVerb
         command.Arguments.Add(_scene);
         _writing = new(command);
         _overrides = new(command, [.. JobOptions.OfScenes, JobOptions.Crop, JobOptions.Frames]);
-        foreach (Option option in _writing.Looks.Concat([_tasks.Symbol, _threads.Symbol, _partition, _time, _memory, _lines, _retries.Symbol, _folder, _program, _submit, _quiet]))
-        {
-            command.Options.Add(option);
-        }
+        command.AddOptions([.. _writing.Looks, _tasks, _threads, _partition, _time, _memory, _lines, _retries, _folder, _program, _submit, _quiet]);
     }
 
     public static void Build(Command command, Streams streams)

@@ -1,5 +1,5 @@
 using System.CommandLine;
-using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Textures;
@@ -19,12 +19,7 @@ internal static class CompareVerb
         ParsedOption<double?> tolerance = OptionValues.Number("--tolerance", "The largest root mean squared difference (linear light) that still counts as equal. Default: 0.", 0, double.MaxValue);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(images);
-        command.Options.Add(output);
-        command.Options.Add(map);
-        command.Options.Add(sheet);
-        command.Options.Add(density.Symbol);
-        command.Options.Add(tolerance.Symbol);
-        command.Options.Add(json);
+        command.AddOptions(output, map, sheet, density, tolerance, json);
         VerboseOption verbose = new(command);
         command.SetAction(result => Compare(
             result.GetValue(images)!,
@@ -63,7 +58,7 @@ internal static class CompareVerb
         bool isDifferent = tolerance is { } limit && !(comparison.Rmse <= limit && comparison.NotFinite == 0);
         if (json)
         {
-            WriteJson(comparison, flip, isDifferent, streams);
+            JsonText.Write(streams, Json(comparison, flip, isDifferent));
         }
         else
         {
@@ -96,20 +91,20 @@ internal static class CompareVerb
         }
     }
 
-    private static void WriteJson(ImageComparison comparison, FlipError flip, bool isDifferent, Streams streams) => JsonText.Write(streams, json =>
+    private static JsonObject Json(ImageComparison comparison, FlipError flip, bool isDifferent) => new()
     {
-        JsonText.Number(json, "rmse", comparison.Rmse);
-        JsonText.Number(json, "relativeMse", comparison.RelativeMse);
-        JsonText.Number(json, "psnr", comparison.Psnr);
-        JsonText.Number(json, "ssim", comparison.Ssim);
-        JsonText.Number(json, "flip", flip.Mean);
-        JsonText.Number(json, "largestDifference", comparison.LargestDifference);
-        json.WriteNumber("largestX", comparison.LargestX);
-        json.WriteNumber("largestY", comparison.LargestY);
-        json.WriteNumber("largestChannel", comparison.LargestChannel);
-        json.WriteNumber("notFinite", comparison.NotFinite);
-        json.WriteBoolean("differs", isDifferent);
-    });
+        ["rmse"] = JsonText.Number(comparison.Rmse),
+        ["relativeMse"] = JsonText.Number(comparison.RelativeMse),
+        ["psnr"] = JsonText.Number(comparison.Psnr),
+        ["ssim"] = JsonText.Number(comparison.Ssim),
+        ["flip"] = JsonText.Number(flip.Mean),
+        ["largestDifference"] = JsonText.Number(comparison.LargestDifference),
+        ["largestX"] = comparison.LargestX,
+        ["largestY"] = comparison.LargestY,
+        ["largestChannel"] = comparison.LargestChannel,
+        ["notFinite"] = comparison.NotFinite,
+        ["differs"] = isDifferent,
+    };
 
     /// <summary>The files to write; null for none.</summary>
     /// <param name="Difference">The absolute difference.</param>

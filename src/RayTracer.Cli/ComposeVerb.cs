@@ -25,10 +25,7 @@ internal static class ComposeVerb
         ParsedOption<double?> others = OptionValues.Number("--others", "The factor for all lights that are not named. Default: 1.", 0, 1e6);
         WritingOptions output = new(command, $"The image file: {ImageFormat.Endings()}. Repeatable.");
         command.Arguments.Add(image);
-        foreach (Option option in new Option[] { lights, others.Symbol }.Concat(output.Looks))
-        {
-            command.Options.Add(option);
-        }
+        command.AddOptions([lights, others, .. output.Looks]);
 
         VerboseOption verbose = new(command);
         command.SetAction(result =>

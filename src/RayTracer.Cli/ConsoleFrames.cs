@@ -1,5 +1,5 @@
 using System.Diagnostics;
-using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Jobs;
 
 namespace RayTracer.Cli;
@@ -44,7 +44,7 @@ internal sealed class ConsoleFrames(RenderJob job, Display display, Streams stre
 
         if (display.Json)
         {
-            JsonText.Write(streams, json => Write(json, frames, total.Elapsed.TotalSeconds));
+            JsonText.Write(streams, Json(frames, total.Elapsed.TotalSeconds));
         }
 
         return isWhole || status is not (ExitStatus.Fine or ExitStatus.Noisy) ? status : ExitStatus.InputOutput;
@@ -58,26 +58,23 @@ internal sealed class ConsoleFrames(RenderJob job, Display display, Streams stre
         }
     }
 
-    private static void Write(Utf8JsonWriter json, FrameRun frames, double seconds)
+    private static JsonObject Json(FrameRun frames, double seconds) => new()
     {
-        json.WriteStartArray("frames");
-        foreach (RenderedFrame frame in frames.Done)
-        {
-            json.WriteStartObject();
-            json.WriteNumber("frame", frame.Number);
-            json.WriteBoolean("rendered", frame.Result is not null);
-            if (frame.Result is { } result)
-            {
-                json.WriteNumber("renderSeconds", result.Seconds);
-                json.WriteString("filmHash", result.Hash);
-            }
+        ["frames"] = JsonText.List(frames.Done.Select(Json)),
+        ["outputs"] = JsonText.List(frames.Animations),
+        ["totalSeconds"] = seconds,
+    };
 
-            JsonText.Strings(json, "outputs", frame.Files);
-            json.WriteEndObject();
+    private static JsonObject Json(RenderedFrame frame)
+    {
+        JsonObject json = new() { ["frame"] = frame.Number, ["rendered"] = frame.Result is not null };
+        if (frame.Result is { } result)
+        {
+            json["renderSeconds"] = result.Seconds;
+            json["filmHash"] = result.Hash;
         }
 
-        json.WriteEndArray();
-        JsonText.Strings(json, "outputs", frames.Animations);
-        json.WriteNumber("totalSeconds", seconds);
+        json["outputs"] = JsonText.List(frame.Files);
+        return json;
     }
 }

@@ -20,7 +20,7 @@ internal sealed class ConvertVerb
     private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>(
         "--exr-type", $"{ImageFormat.Names(ImageFeatures.PixelType)}: the type of its numbers. Default: float, which loses nothing.",
         ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
-    private readonly SettingOption _settings;
+    private readonly JobOptionSet _settings;
     private readonly WritingOptions _writing;
     private readonly VerboseOption _verbose;
 
@@ -29,12 +29,9 @@ internal sealed class ConvertVerb
         command.Arguments.Add(_from);
         command.Arguments.Add(_to);
         _writing = new();
-        foreach (Option option in new Option[] { _output }.Concat(_writing.Looks).Concat([_exrType.Symbol, _writing.ExrFilm, _width.Symbol, _height.Symbol]))
-        {
-            command.Options.Add(option);
-        }
+        command.AddOptions([_output, .. ForImages]);
 
-        _settings = new(command);
+        _settings = new(command, [JobOptions.Set]);
         _verbose = new(command);
     }
 
@@ -43,6 +40,8 @@ internal sealed class ConvertVerb
         ConvertVerb verb = new(command);
         command.SetAction(result => verb.Run(result, streams));
     }
+
+    private IEnumerable<Option> ForImages => [.. _writing.Looks, _exrType, _writing.ExrFilm, _width, _height];
 
     private int Run(ParseResult result, Streams streams)
     {
@@ -55,13 +54,13 @@ internal sealed class ConvertVerb
                 : $"scenes are written as .json files, not as {Quotation.Of(to)} (\"raytracer render\" makes images of them)");
         }
 
-        foreach (Option option in _writing.Looks.Concat([_exrType.Symbol, _writing.ExrFilm, _width.Symbol, _height.Symbol]).Where(o => isScene && result.GetResult(o) is { Implicit: false }))
+        foreach (Option option in ForImages.Where(o => isScene && result.GetResult(o) is { Implicit: false }))
         {
             throw new CommandException(ExitStatus.Usage, $"{option.Name} is for images: a scene's values are set as in --set render.width=800");
         }
 
         StageTimes stages = _verbose.Times(result, streams);
-        int status = isScene ? ConvertScene(from, to, _settings.Values(result), stages, streams) : ConvertImage(from, to, result, stages, streams);
+        int status = isScene ? ConvertScene(from, to, _settings.Given(result).Settings, stages, streams) : ConvertImage(from, to, result, stages, streams);
         stages.EndAll();
         return status;
     }
@@ -76,7 +75,7 @@ internal sealed class ConvertVerb
     private static int ConvertScene(string path, string target, IReadOnlyList<SceneSetting> settings, StageTimes stages, Streams streams)
     {
         SceneLoadResult result = SceneFile.Load(path, stages, settings: settings);
-        SceneFile.Show(result, streams);
+        streams.Read(result.Diagnostics);
         if (result.Scene is null)
         {
             return SceneFile.FailureStatus(path);
@@ -91,14 +90,14 @@ internal sealed class ConvertVerb
 
     private int ConvertImage(string path, string target, ParseResult result, StageTimes stages, Streams streams)
     {
-        if (_settings.Values(result) is [var setting, ..])
+        if (_settings.Given(result).Settings is [var setting, ..])
         {
-            throw new CommandException(ExitStatus.Usage, $"{SettingOption.Name} {setting.Text}: images have no settings");
+            throw new CommandException(ExitStatus.Usage, $"--set {setting.Text}: images have no settings");
         }
 
         JobFiles.CheckFilm(target);
         _writing.WarnOfUnused(result, [target], streams);
-        WritingOptions.WarnOfUnused(result, _exrType.Symbol, ImageFeatures.PixelType, [target], streams);
+        WritingOptions.WarnOfUnused(result, _exrType, ImageFeatures.PixelType, [target], streams);
         ImageWriteOptions writing = _writing.Writing(result, [target]) with { ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float };
         if (writing.TakesFilm(target))
         {
@@ -121,7 +120,7 @@ internal sealed class ConvertVerb
 
     private int ConvertFilm(string path, string target, ImageWriteOptions writing, ParseResult result, StageTimes stages)
     {
-        if (new[] { _width.Symbol, _height.Symbol }.FirstOrDefault(o => result.GetResult(o) is { Implicit: false }) is { } scaled)
+        if (new[] { _width, _height }.FirstOrDefault(o => result.GetResult(o) is { Implicit: false }) is { } scaled)
         {
             throw new CommandException(ExitStatus.Usage, $"{scaled.Name} is for images: a film cannot be scaled");
         }

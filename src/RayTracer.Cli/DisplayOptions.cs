@@ -13,7 +13,7 @@ internal sealed record Display(bool Preview = false, bool Quiet = false, bool Ve
     public string[] Options => [.. Preview ? new[] { "--preview" } : [], .. Json ? new[] { "--json" } : []];
 }
 
-/// <summary>The options of verbs that render, about what they report meanwhile and at the end.</summary>
+/// <summary>The options of verbs that make pictures, about what they report meanwhile and at the end.</summary>
 internal sealed class DisplayOptions
 {
     private readonly Option<bool> _preview = new("--preview") { Description = "Shows the picture in the terminal while it renders, as view does." };
@@ -22,16 +22,17 @@ internal sealed class DisplayOptions
     private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object of numbers." };
 
     /// <summary>Gives a command the options.</summary>
-    public DisplayOptions(Command command)
+    /// <param name="command">The command.</param>
+    /// <param name="hasPreview">Whether it shows its picture while it renders.</param>
+    public DisplayOptions(Command command, bool hasPreview = true)
     {
-        foreach (Option option in new Option[] { _preview, _quiet, _json })
-        {
-            command.Options.Add(option);
-        }
-
+        command.AddOptions(hasPreview ? [_preview, _quiet, _json] : [_quiet, _json]);
         _verbose = new(command);
     }
 
     /// <summary>What was asked for.</summary>
     public Display Of(ParseResult result) => new(result.GetValue(_preview), result.GetValue(_quiet), _verbose.Value(result), result.GetValue(_json));
+
+    /// <summary>The times to report, if they were asked for, from now on.</summary>
+    public StageTimes Times(ParseResult result, Streams streams) => _verbose.Times(result, streams);
 }

@@ -1,32 +1,30 @@
-using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
 
-/// <summary>What <c>info</c> tells about a film.</summary>
+/// <summary>The films of <c>info</c>.</summary>
 internal static class FilmInfo
 {
-    /// <summary>Tells it.</summary>
+    /// <summary>Prints what there is to say of a film.</summary>
     /// <param name="path">The film.</param>
     /// <param name="withHash">Whether all of it is read, for its hash; this finds damages, too.</param>
-    /// <param name="json">As one JSON object.</param>
+    /// <param name="isJson">As one JSON object.</param>
     /// <param name="streams">Where to write.</param>
-    public static void Show(string path, bool withHash, bool json, Streams streams)
+    public static void Show(string path, bool withHash, bool isJson, Streams streams)
     {
         (FilmHeader header, string? hash) = Read(path, withHash);
         long bytes = new FileInfo(path).Length;
-        if (json)
+        if (isJson)
         {
-            JsonText.Write(streams, writer =>
-            {
-                writer.WriteString("kind", "film");
-                writer.WriteNumber("width", header.Width);
-                writer.WriteNumber("height", header.Height);
-                writer.WriteNumber("fileBytes", bytes);
-                WriteJson(writer, header, hash);
-            });
+            JsonObject json = Json(header, hash);
+            json.Insert(0, "kind", "film");
+            json.Insert(1, "width", header.Width);
+            json.Insert(2, "height", header.Height);
+            json.Insert(3, "fileBytes", bytes);
+            JsonText.Write(streams, json);
         }
         else
         {
@@ -36,7 +34,7 @@ internal static class FilmInfo
         }
     }
 
-    /// <summary>What a film file, or an image that carries its film, says of the film, and the film's hash where that is wanted.</summary>
+    /// <summary>Returns what a film file, or an image that carries its film, says of the film, and the film's hash where that is wanted.</summary>
     public static (FilmHeader Header, string? Hash) Read(string path, bool withHash)
     {
         (FilmHeader header, Film? film) = withHash ? CarriedFilm.Read(path) : (CarriedFilm.ReadHeader(path), null);
@@ -45,7 +43,7 @@ internal static class FilmInfo
 
     private static int Held(FilmHeader header) => header.Samples.Sum(r => r.Count);
 
-    /// <summary>Tells all but the size for people.</summary>
+    /// <summary>Prints all but the size for people.</summary>
     public static void Write(FilmHeader header, string? hash, TextWriter output)
     {
         output.WriteLine($"samples    {header.SamplesText}: {Held(header)} of {header.Wanted.Count} wanted ({FilmHeader.Text(header.Wanted)}), {(header.IsComplete ? "complete" : "not complete")}");
@@ -69,37 +67,28 @@ internal static class FilmInfo
         }
     }
 
-    /// <summary>Tells all but the size for programs, as members of an object.</summary>
-    public static void WriteJson(Utf8JsonWriter json, FilmHeader header, string? hash)
+    /// <summary>Returns all but the size for programs.</summary>
+    public static JsonObject Json(FilmHeader header, string? hash)
     {
-        json.WriteString("samples", header.SamplesText);
-        json.WriteNumber("heldSamples", Held(header));
-        json.WriteString("wanted", FilmHeader.Text(header.Wanted));
-        json.WriteNumber("wantedSamples", header.Wanted.Count);
-        json.WriteNumber("totalSamples", header.Total);
-        json.WriteBoolean("complete", header.IsComplete);
-        if (header.Crop is { } crop)
+        JsonObject json = new()
         {
-            json.WriteStartArray("crop");
-            foreach (int number in new[] { crop.X, crop.Y, crop.Width, crop.Height })
-            {
-                json.WriteNumberValue(number);
-            }
-
-            json.WriteEndArray();
-        }
-        else
-        {
-            json.WriteNull("crop");
-        }
-
-        json.WriteString("scene", header.Scene);
-        JsonText.Strings(json, "settings", OldFilms.Settings(header));
-        json.WriteString("software", header.Software);
-        json.WriteString("contentHash", header.Content);
+            ["samples"] = header.SamplesText,
+            ["heldSamples"] = Held(header),
+            ["wanted"] = FilmHeader.Text(header.Wanted),
+            ["wantedSamples"] = header.Wanted.Count,
+            ["totalSamples"] = header.Total,
+            ["complete"] = header.IsComplete,
+            ["crop"] = header.Crop is { } crop ? new JsonArray(crop.X, crop.Y, crop.Width, crop.Height) : null,
+            ["scene"] = header.Scene,
+            ["settings"] = JsonText.List(OldFilms.Settings(header)),
+            ["software"] = header.Software,
+            ["contentHash"] = header.Content,
+        };
         if (hash is not null)
         {
-            json.WriteString("filmHash", hash);
+            json["filmHash"] = hash;
         }
+
+        return json;
     }
 }

@@ -1,13 +1,13 @@
-using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 
 namespace RayTracer.Cli;
 
-/// <summary>What <c>info</c> tells about a picture.</summary>
+/// <summary>The pictures of <c>info</c>.</summary>
 internal static class ImageInfo
 {
-    /// <summary>Tells it.</summary>
+    /// <summary>Prints what there is to say of a picture.</summary>
     /// <param name="path">The picture's file.</param>
     /// <param name="withHash">Whether the film that it carries is read, for its hash.</param>
     /// <param name="json">As one JSON object.</param>
@@ -18,16 +18,13 @@ internal static class ImageInfo
         (FilmHeader Header, string? Hash)? film = FilmExr.Is(path) ? FilmInfo.Read(path, withHash) : null;
         if (json)
         {
-            JsonText.Write(streams, writer =>
+            JsonObject members = Json(image);
+            if (film is { } carried)
             {
-                WriteJson(writer, image);
-                if (film is { } carried)
-                {
-                    writer.WriteStartObject("film");
-                    FilmInfo.WriteJson(writer, carried.Header, carried.Hash);
-                    writer.WriteEndObject();
-                }
-            });
+                members["film"] = FilmInfo.Json(carried.Header, carried.Hash);
+            }
+
+            JsonText.Write(streams, members);
         }
         else
         {
@@ -57,35 +54,18 @@ internal static class ImageInfo
         }
     }
 
-    private static void WriteJson(Utf8JsonWriter json, ImageDescription image)
+    private static JsonObject Json(ImageDescription image) => new()
     {
-        json.WriteString("kind", "image");
-        json.WriteString("format", image.Format);
-        json.WriteNumber("width", image.Width);
-        json.WriteNumber("height", image.Height);
-        json.WriteNumber("frames", image.Frames);
-        json.WriteNumber("fileBytes", image.FileBytes);
-        json.WriteString("compression", image.Compression);
-        json.WriteStartArray("channels");
-        foreach (ImageChannel channel in image.Channels)
-        {
-            json.WriteStartObject();
-            json.WriteString("layer", channel.Layer);
-            json.WriteString("name", channel.ShortName);
-            json.WriteString("type", channel.Type);
-            json.WriteNumber("bits", channel.Bits);
-            json.WriteEndObject();
-        }
-
-        json.WriteEndArray();
+        ["kind"] = "image",
+        ["format"] = image.Format,
+        ["width"] = image.Width,
+        ["height"] = image.Height,
+        ["frames"] = image.Frames,
+        ["fileBytes"] = image.FileBytes,
+        ["compression"] = image.Compression,
+        ["channels"] = JsonText.List(image.Channels.Select(c => new JsonObject { ["layer"] = c.Layer, ["name"] = c.ShortName, ["type"] = c.Type, ["bits"] = c.Bits })),
 
         // Keys may be there more than once.
-        json.WriteStartObject("texts");
-        foreach (IGrouping<string, string> text in image.Texts.GroupBy(t => t.Key, t => t.Value))
-        {
-            json.WriteString(text.Key, string.Join('\n', text));
-        }
-
-        json.WriteEndObject();
-    }
+        ["texts"] = new JsonObject(image.Texts.GroupBy(t => t.Key, t => t.Value).Select(t => KeyValuePair.Create(t.Key, (JsonNode?)string.Join('\n', t)))),
+    };
 }

@@ -1,6 +1,6 @@
 using System.CommandLine;
 using System.Diagnostics;
-using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Acceleration;
 using RayTracer.Description;
 using RayTracer.Imaging;
@@ -10,6 +10,7 @@ using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
 using RayTracer.Textures;
+using JsonNode = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Cli;
 
@@ -24,9 +25,8 @@ internal static class InfoVerb
         Option<bool> hash = new("--hash") { Description = "For a film: reads all of it and prints its hash, or what is damaged." };
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(file);
-        command.Options.Add(hash);
-        command.Options.Add(json);
-        SettingOption settings = new(command);
+        command.AddOptions(hash, json);
+        JobOptionSet settings = new(command, [JobOptions.Set]);
         VerboseOption verbose = new(command);
         command.SetAction(result =>
         {
@@ -34,9 +34,9 @@ internal static class InfoVerb
             ImageFormat? format = ImageFile.FormatOf(path);
             bool isFilm = format is FilmFormat || FilmFile.IsNamed(path);
             bool isImage = !isFilm && (format ?? ImageFormat.OfName(path)) is not null;
-            if ((isFilm || isImage) && settings.Values(result) is [var setting, ..])
+            if ((isFilm || isImage) && settings.Given(result).Settings is [var setting, ..])
             {
-                throw new CommandException(ExitStatus.Usage, $"{SettingOption.Name} {setting.Text}: films and images have no settings");
+                throw new CommandException(ExitStatus.Usage, $"--set {setting.Text}: films and images have no settings");
             }
 
             if (result.GetValue(hash) && !isFilm && !FilmExr.Is(path))
@@ -58,7 +58,7 @@ internal static class InfoVerb
             }
             else
             {
-                status = Show(path, settings.Values(result), result.GetValue(json), stages, streams);
+                status = Show(path, settings.Given(result).Settings, result.GetValue(json), stages, streams);
             }
 
             stages.EndAll();
@@ -75,7 +75,7 @@ internal static class InfoVerb
             pictures[file] = sizeof(float) * picture.Pixels.LongLength;
             return picture;
         }, settings: settings);
-        SceneFile.Show(result, streams);
+        streams.Read(result.Diagnostics);
         if (result.Scene is not { } scene)
         {
             return SceneFile.FailureStatus(path);
@@ -87,7 +87,7 @@ internal static class InfoVerb
         SceneStatistics statistics = new(scene);
         if (json)
         {
-            WriteJson(scene, content, statistics, textures, streams);
+            JsonText.Write(streams, Json(scene, content, statistics, textures));
         }
         else
         {
@@ -146,74 +146,48 @@ internal static class InfoVerb
 
     private static Bounds? FiniteBounds(SceneStatistics statistics) => statistics.FiniteBounds is { IsFinite: true } box ? box : null;
 
-    private static void WriteJson(Scene scene, SceneContent content, SceneStatistics statistics, long textures, Streams streams) => JsonText.Write(streams, json =>
+    private static JsonObject Json(Scene scene, SceneContent content, SceneStatistics statistics, long textures)
     {
-        json.WriteString("kind", "scene");
-        WriteCounts(json, "shapes", content.Shapes);
-        WriteCounts(json, "materials", content.Materials);
-        WriteCounts(json, "textures", content.Textures);
-        json.WriteNumber("lights", scene.Lights.Count);
         Bounds? box = FiniteBounds(statistics);
-        WriteCorner(json, "boundsMinimum", box?.Minimum);
-        WriteCorner(json, "boundsMaximum", box?.Maximum);
-        json.WriteNumber("width", scene.Render.Width);
-        json.WriteNumber("height", scene.Render.Height);
-        json.WriteNumber("samplesPerPixel", scene.Render.SamplesPerPixel);
-        json.WriteNumber("meshes", statistics.Meshes);
-        json.WriteNumber("triangles", statistics.Triangles);
-        json.WriteNumber("trianglesShown", statistics.TrianglesShown);
-        json.WriteNumber("instances", statistics.Instances);
+        JsonObject json = new()
+        {
+            ["kind"] = "scene",
+            ["shapes"] = Json(content.Shapes),
+            ["materials"] = Json(content.Materials),
+            ["textures"] = Json(content.Textures),
+            ["lights"] = scene.Lights.Count,
+            ["boundsMinimum"] = Corner(box?.Minimum),
+            ["boundsMaximum"] = Corner(box?.Maximum),
+            ["width"] = scene.Render.Width,
+            ["height"] = scene.Render.Height,
+            ["samplesPerPixel"] = scene.Render.SamplesPerPixel,
+            ["meshes"] = statistics.Meshes,
+            ["triangles"] = statistics.Triangles,
+            ["trianglesShown"] = statistics.TrianglesShown,
+            ["instances"] = statistics.Instances,
+        };
         foreach ((string kind, long bytes) in Memory(scene.Render, statistics, textures))
         {
-            json.WriteNumber($"{kind.TrimEnd('s')}Bytes", bytes);
+            json[$"{kind.TrimEnd('s')}Bytes"] = bytes;
         }
 
-        json.WriteStartArray("trees");
-        foreach (SceneTree tree in statistics.Trees)
-        {
-            WriteTree(json, tree);
-        }
-
-        json.WriteEndArray();
-    });
-
-    private static void WriteTree(Utf8JsonWriter json, SceneTree tree)
-    {
-        json.WriteStartObject();
-        json.WriteString("holds", tree.Holds);
-        json.WriteNumber("primitives", tree.Statistics.Primitives);
-        json.WriteNumber("nodes", tree.Statistics.Nodes);
-        json.WriteNumber("leaves", tree.Statistics.Leaves);
-        json.WriteNumber("depth", tree.Statistics.Depth);
-        json.WriteNumber("sahCost", tree.Statistics.SahCost);
-        json.WriteNumber("bytes", tree.Statistics.MemoryBytes);
-        json.WriteNumber("buildSeconds", BuildSeconds(tree));
-        json.WriteEndObject();
+        json["trees"] = JsonText.List(statistics.Trees.Select(Json));
+        return json;
     }
 
-    private static void WriteCounts(Utf8JsonWriter json, string key, IReadOnlyDictionary<string, int> counts)
+    private static JsonObject Json(SceneTree tree) => new()
     {
-        json.WriteStartObject(key);
-        foreach ((string kind, int count) in counts)
-        {
-            json.WriteNumber(kind, count);
-        }
+        ["holds"] = tree.Holds,
+        ["primitives"] = tree.Statistics.Primitives,
+        ["nodes"] = tree.Statistics.Nodes,
+        ["leaves"] = tree.Statistics.Leaves,
+        ["depth"] = tree.Statistics.Depth,
+        ["sahCost"] = tree.Statistics.SahCost,
+        ["bytes"] = tree.Statistics.MemoryBytes,
+        ["buildSeconds"] = BuildSeconds(tree),
+    };
 
-        json.WriteEndObject();
-    }
+    private static JsonObject Json(IReadOnlyDictionary<string, int> counts) => new(counts.Select(c => KeyValuePair.Create(c.Key, (JsonNode?)c.Value)));
 
-    private static void WriteCorner(Utf8JsonWriter json, string key, System.Numerics.Vector3? corner)
-    {
-        if (corner is not { } point)
-        {
-            json.WriteNull(key);
-            return;
-        }
-
-        json.WriteStartArray(key);
-        json.WriteNumberValue(point.X);
-        json.WriteNumberValue(point.Y);
-        json.WriteNumberValue(point.Z);
-        json.WriteEndArray();
-    }
+    private static JsonArray? Corner(System.Numerics.Vector3? corner) => corner is { } point ? new(point.X, point.Y, point.Z) : null;
 }

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Text.Json.Nodes;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
@@ -10,21 +11,15 @@ internal sealed class MergeVerb
 {
     private readonly Argument<string[]> _parts = new("PART") { Description = "The films: .rtfilm files, or .exr images that carry them (--exr-film).", Arity = new ArgumentArity(1, 100_000) };
     private readonly Option<bool> _partial = new("--partial") { Description = "Allows missing samples." };
-    private readonly Option<bool> _quiet = new("--quiet") { Description = "Prints errors and warnings only." };
-    private readonly Option<bool> _json = new("--json") { Description = "Prints one JSON object." };
     private readonly WritingOptions _writing;
-    private readonly VerboseOption _verbose;
+    private readonly DisplayOptions _display;
 
     private MergeVerb(Command command)
     {
         command.Arguments.Add(_parts);
         _writing = new(command);
-        foreach (Option option in _writing.Looks.Concat([_writing.ExrFilm, _partial, _quiet, _json]))
-        {
-            command.Options.Add(option);
-        }
-
-        _verbose = new(command);
+        command.AddOptions([.. _writing.Looks, _writing.ExrFilm, _partial]);
+        _display = new(command, hasPreview: false);
     }
 
     public static void Build(Command command, Streams streams)
@@ -35,19 +30,9 @@ internal sealed class MergeVerb
 
     private int Run(ParseResult result, Streams streams)
     {
-        IReadOnlyList<string> outputs = _writing.Files(result);
-        if (outputs.Count == 0 && !result.GetValue(_json))
-        {
-            throw new CommandException(ExitStatus.Usage, "where to? Give -o FILE (or --json alone for the film's hash)");
-        }
-
-        foreach (string output in outputs)
-        {
-            JobFiles.CheckFilm(output);
-        }
-
+        IReadOnlyList<string> outputs = _writing.Files(result, _display.Of(result), "the film's hash", JobFiles.CheckFilm);
         _writing.WarnOfUnused(result, outputs, streams);
-        StageTimes stages = _verbose.Times(result, streams);
+        StageTimes stages = _display.Times(result, streams);
         FilmMerge merge = FilmMerge.Of(result.GetValue(_parts)!);
         if (DecisionCheckpoint.Is(merge.Header))
         {
@@ -78,37 +63,29 @@ internal sealed class MergeVerb
         string hash = film.ComputeHash();
         int samples = header.Samples.Sum(r => r.Count);
         IReadOnlyList<string> written = JobFiles.Write(outputs, film, header, _writing.Writing(result) with { Metadata = PictureTexts.Of(header, hash) }, streams);
-        if (result.GetValue(_json))
+        Display display = _display.Of(result);
+        if (display.Json)
         {
-            WriteJson(header, samples, hash, written, streams);
+            JsonText.Write(streams, Json(header, samples, hash, written));
         }
-        else if (!result.GetValue(_quiet))
+        else if (!display.Quiet)
         {
             streams.Output.WriteLine($"{header.Width}×{header.Height} pixels, samples {header.SamplesText}");
             streams.Output.WriteLine($"film {hash}");
-            foreach (string path in written)
-            {
-                streams.Output.WriteLine($"wrote {path}");
-            }
+            streams.Wrote(written);
         }
 
         return written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
 
-    private static void WriteJson(FilmHeader header, int samples, string hash, IReadOnlyList<string> written, Streams streams) => JsonText.Write(streams, json =>
+    private static JsonObject Json(FilmHeader header, int samples, string hash, IReadOnlyList<string> written) => new()
     {
-        json.WriteNumber("width", header.Width);
-        json.WriteNumber("height", header.Height);
-        json.WriteNumber("samplesPerPixel", samples);
-        json.WriteString("samples", header.SamplesText);
-        json.WriteBoolean("complete", header.IsComplete);
-        json.WriteString("filmHash", hash);
-        json.WriteStartArray("outputs");
-        foreach (string path in written)
-        {
-            json.WriteStringValue(path);
-        }
-
-        json.WriteEndArray();
-    });
+        ["width"] = header.Width,
+        ["height"] = header.Height,
+        ["samplesPerPixel"] = samples,
+        ["samples"] = header.SamplesText,
+        ["complete"] = header.IsComplete,
+        ["filmHash"] = hash,
+        ["outputs"] = JsonText.List(written),
+    };
 }

@@ -1,3 +1,4 @@
+using System.CommandLine;
 using RayTracer.Jobs;
 
 namespace RayTracer.Cli;
@@ -5,11 +6,16 @@ namespace RayTracer.Cli;
 /// <summary>Makes options whose wrong values get messages that name the option and what was expected.</summary>
 internal static class OptionValues
 {
+    /// <summary>Gives a command options.</summary>
+    public static void AddOptions(this Command command, params IEnumerable<Option> options) => options.ToList().ForEach(command.Options.Add);
+
     /// <summary>A whole number within a range.</summary>
-    public static ParsedOption<long?> Integer(string name, string description, long minimum, long maximum) => new(name, "N", description, word => OptionWords.Integer(word, minimum, maximum));
+    public static ParsedOption<long?> Integer(string name, string description, long minimum, long maximum) =>
+        new(name, "N", description, word => OptionWords.Integer(word, minimum, maximum));
 
     /// <summary>A number within a range.</summary>
-    public static ParsedOption<double?> Number(string name, string description, double minimum, double maximum) => new(name, "X", description, word => OptionWords.Number(word, minimum, maximum));
+    public static ParsedOption<double?> Number(string name, string description, double minimum, double maximum) =>
+        new(name, "X", description, word => OptionWords.Number(word, minimum, maximum));
 
     /// <summary>One word of an enumeration, however it is capitalised.</summary>
     public static ParsedOption<TEnum?> Choice<TEnum>(string name, string description)

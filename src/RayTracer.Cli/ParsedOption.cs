@@ -5,30 +5,28 @@ namespace RayTracer.Cli;
 
 /// <summary>
 /// An option whose value is read from one word by a function. (The parser's own options of each type of value are compiled
-/// anew for it, which takes longer than a small picture.)
+/// for it, which takes longer than a small picture.)
 /// </summary>
 /// <typeparam name="T">A type with null for an option that is not given.</typeparam>
-internal sealed class ParsedOption<T>
+internal sealed class ParsedOption<T> : Option<string?>
 {
     private readonly Func<string, T> _parse;
 
     /// <summary>Makes an option.</summary>
     /// <param name="name">Its name.</param>
-    /// <param name="form">What its value looks like.</param>
-    /// <param name="description">What it means.</param>
+    /// <param name="form">The form of its value.</param>
+    /// <param name="description">Its meaning.</param>
     /// <param name="parse">Reads the value; throws <see cref="FormatException"/> with what was expected.</param>
     public ParsedOption(string name, string form, string description, Func<string, T> parse)
+        : base(name)
     {
         _parse = parse;
-        Symbol = new(name) { Description = description, HelpName = form };
-        Symbol.Validators.Add(Check);
+        (Description, HelpName) = (description, form);
+        Validators.Add(Check);
     }
 
-    /// <summary>What a command is given.</summary>
-    public Option<string?> Symbol { get; }
-
     /// <summary>The value.</summary>
-    public T? Value(ParseResult result) => result.GetValue(Symbol) is { } word ? _parse(word) : default;
+    public T? Value(ParseResult result) => result.GetValue(this) is { } word ? _parse(word) : default;
 
     private void Check(OptionResult result)
     {
@@ -43,7 +41,7 @@ internal sealed class ParsedOption<T>
         }
         catch (FormatException e)
         {
-            result.AddError($"{Symbol.Name} {word}: {e.Message}");
+            result.AddError($"{Name} {word}: {e.Message}");
         }
     }
 }

@@ -1,3 +1,4 @@
+using System.Text.Json.Nodes;
 using RayTracer.Jobs;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
@@ -14,7 +15,7 @@ internal static class PixelReport
         uint count = result.Film.SampleCount(x, y);
         if (json)
         {
-            WriteJson(job, result, mean, streams);
+            JsonText.Write(streams, Json(job, result, mean));
         }
         else if (count > 0)
         {
@@ -33,22 +34,18 @@ internal static class PixelReport
     // Floats are written with as many digits as tell them from every other float.
     private static string Text(Rgb color) => $"radiance {color.R} {color.G} {color.B}, luminance {color.Luminance}";
 
-    private static void WriteJson(RenderJob job, JobResult result, Rgb mean, Streams streams) => JsonText.Write(streams, json =>
+    private static JsonObject Json(RenderJob job, JobResult result, Rgb mean)
     {
-        json.WriteNumber("x", job.Pixel!.Value.X);
-        json.WriteNumber("y", job.Pixel.Value.Y);
+        JsonObject json = new() { ["x"] = job.Pixel!.Value.X, ["y"] = job.Pixel.Value.Y };
         if (job.Sample is { } sample)
         {
-            json.WriteNumber("sample", sample);
+            json["sample"] = sample;
         }
 
-        json.WriteNumber("samples", result.Film.TotalSamples);
-        json.WriteStartArray("radiance");
-        json.WriteNumberValue(mean.R);
-        json.WriteNumberValue(mean.G);
-        json.WriteNumberValue(mean.B);
-        json.WriteEndArray();
-        json.WriteNumber("luminance", mean.Luminance);
-        json.WriteNumber("nonFiniteSamples", result.Statistics.NonFiniteSamples);
-    });
+        json["samples"] = result.Film.TotalSamples;
+        json["radiance"] = new JsonArray(mean.R, mean.G, mean.B);
+        json["luminance"] = mean.Luminance;
+        json["nonFiniteSamples"] = result.Statistics.NonFiniteSamples;
+        return json;
+    }
 }

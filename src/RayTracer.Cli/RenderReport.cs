@@ -1,4 +1,4 @@
-using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
@@ -22,11 +22,12 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
     {
         if (display.Json)
         {
-            WriteJson(streams);
+            JsonText.Write(streams, Json());
         }
         else if (!display.Quiet)
         {
             WriteSummary(streams.Output);
+            streams.Wrote(result.Files);
         }
 
         if (result.Plan?.Error > job.Noise)
@@ -80,72 +81,61 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
         }
 
         output.WriteLine($"film {result.Hash}");
-        foreach (string path in result.Files)
-        {
-            output.WriteLine($"wrote {path}");
-        }
     }
 
-    private void WriteJson(Streams streams) => JsonText.Write(streams, json =>
+    private JsonObject Json()
     {
-        json.WriteNumber("width", _render.Width);
-        json.WriteNumber("height", _render.Height);
-        json.WriteNumber("samplesPerPixel", result.MeanSamples);
-        WriteNoise(json);
-        json.WriteNumber("threads", result.Threads);
-        json.WriteNumber("loadSeconds", stages.Load);
-        json.WriteNumber("buildSeconds", stages.Build);
-        json.WriteNumber("renderSeconds", result.Seconds);
-        json.WriteNumber("writeSeconds", stages.Write);
-        json.WriteNumber("totalSeconds", totalSeconds);
+        JsonObject json = new() { ["width"] = _render.Width, ["height"] = _render.Height, ["samplesPerPixel"] = result.MeanSamples };
+        AddNoise(json);
+        json["threads"] = result.Threads;
+        json["loadSeconds"] = stages.Load;
+        json["buildSeconds"] = stages.Build;
+        json["renderSeconds"] = result.Seconds;
+        json["writeSeconds"] = stages.Write;
+        json["totalSeconds"] = totalSeconds;
         if (StageTimes.PeakMemory is { } bytes)
         {
-            json.WriteNumber("peakMemoryBytes", bytes);
+            json["peakMemoryBytes"] = bytes;
         }
 
-        json.WriteNumber("paths", _statistics.Paths);
-        json.WriteNumber("closestHitRays", _statistics.ClosestHitRays);
-        json.WriteNumber("shadowRays", _statistics.ShadowRays);
-        json.WriteNumber("raysPerSecond", result.RaysPerSecond);
-        json.WriteString("filmHash", result.Hash);
+        json["paths"] = _statistics.Paths;
+        json["closestHitRays"] = _statistics.ClosestHitRays;
+        json["shadowRays"] = _statistics.ShadowRays;
+        json["raysPerSecond"] = result.RaysPerSecond;
+        json["filmHash"] = result.Hash;
         if (result.Header is { } header)
         {
-            json.WriteString("samples", header.SamplesText);
-            json.WriteBoolean("complete", header.IsComplete);
+            json["samples"] = header.SamplesText;
+            json["complete"] = header.IsComplete;
         }
 
         if (result.Checkpoints is { } checkpoints)
         {
-            json.WriteNumber("checkpoints", checkpoints.Count);
-            json.WriteNumber("checkpointSeconds", checkpoints.Spent.TotalSeconds);
+            json["checkpoints"] = checkpoints.Count;
+            json["checkpointSeconds"] = checkpoints.Spent.TotalSeconds;
         }
 
-        json.WriteNumber("nonFiniteSamples", _statistics.NonFiniteSamples);
-        json.WriteBoolean("cancelled", _statistics.Cancelled);
-        json.WriteStartArray("outputs");
-        foreach (string path in result.Files)
-        {
-            json.WriteStringValue(path);
-        }
+        json["nonFiniteSamples"] = _statistics.NonFiniteSamples;
+        json["cancelled"] = _statistics.Cancelled;
+        json["outputs"] = JsonText.List(result.Files);
+        return json;
+    }
 
-        json.WriteEndArray();
-    });
-
-    private void WriteNoise(Utf8JsonWriter json)
+    private void AddNoise(JsonObject json)
     {
         if (result.Plan is not { } plan)
         {
             return;
         }
 
-        json.WriteNumber("fewestSamples", plan.Fewest);
-        json.WriteNumber("mostSamples", plan.Most);
-        json.WriteNumber("estimatedError", plan.Error);
-        json.WriteNumber("decidingPaths", plan.Statistics.Paths);
+        json["fewestSamples"] = plan.Fewest;
+        json["mostSamples"] = plan.Most;
+        json["estimatedError"] = plan.Error;
+        json["decidingPaths"] = plan.Statistics.Paths;
         if (job.Noise is { } wanted)
         {
-            json.WriteNumber("wantedError", wanted);
-            json.WriteBoolean("reached", plan.Error <= wanted);
+            json["wantedError"] = wanted;
+            json["reached"] = plan.Error <= wanted;
         }
     }
 }

@@ -19,8 +19,7 @@ internal static class ReproduceVerb
         Option<string?> output = new("-o", "--output") { Description = "The folder for pictures, charts and pages; created if it is missing.", HelpName = "FOLDER" };
         Option<bool> quick = new("--quick") { Description = "Smaller pictures, fewer samples and triangles: takes seconds." };
         command.Arguments.Add(what);
-        command.Options.Add(output);
-        command.Options.Add(quick);
+        command.AddOptions(output, quick);
         command.SetAction(result =>
         {
             string word = result.GetValue(what)!;

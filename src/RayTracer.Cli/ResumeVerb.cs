@@ -26,10 +26,7 @@ internal sealed class ResumeVerb
         command.Arguments.Add(_file);
         _writing = new(command);
         _options = new(command, [s_samples, JobOptions.Threads]);
-        foreach (Option option in _writing.Looks.Prepend(_scene).Append(_writing.ExrFilm))
-        {
-            command.Options.Add(option);
-        }
+        command.AddOptions([_scene, .. _writing.Looks, _writing.ExrFilm]);
 
         _long = new(command, JobOptions.OfLongRenders.Select(o => o.Name == "--checkpoint" ? o with { Description = "Writes the film to this file now and then; without it, to FILE." } : o));
         _display = new(command);

@@ -1,4 +1,4 @@
-using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
@@ -6,107 +6,56 @@ namespace RayTracer.Cli;
 /// <summary>Diagnostics in the Static Analysis Results Interchange Format (OASIS SARIF 2.1.0).</summary>
 internal static class SarifLog
 {
-    /// <summary>Writes the members of the log.</summary>
-    public static void Write(Utf8JsonWriter json, IReadOnlyList<CheckedScene> scenes)
+    /// <summary>Returns the log.</summary>
+    public static JsonObject Of(IReadOnlyList<CheckedScene> scenes) => new()
     {
-        json.WriteString("$schema", "https://json.schemastore.org/sarif-2.1.0.json");
-        json.WriteString("version", "2.1.0");
-        json.WriteStartArray("runs");
-        json.WriteStartObject();
-        WriteTool(json);
-        json.WriteString("columnKind", "utf16CodeUnits");
-        WriteFiles(json, scenes);
-        json.WriteStartArray("results");
-        foreach ((CheckedScene scene, int index) in scenes.Select((s, i) => (s, i)))
+        ["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json",
+        ["version"] = "2.1.0",
+        ["runs"] = new JsonArray(new JsonObject
         {
-            foreach (Diagnostic diagnostic in scene.Diagnostics)
-            {
-                WriteResult(json, scene, index, diagnostic);
-            }
-        }
+            ["tool"] = new JsonObject { ["driver"] = Tool() },
+            ["columnKind"] = "utf16CodeUnits",
+            ["artifacts"] = JsonText.List(scenes.Select(s => new JsonObject { ["location"] = new JsonObject { ["uri"] = UriOf(s.Path) } })),
+            ["results"] = JsonText.List(scenes.SelectMany((s, i) => s.Diagnostics.Select(d => Result(s, i, d)))),
+        }),
+    };
 
-        json.WriteEndArray();
-        json.WriteEndObject();
-        json.WriteEndArray();
-    }
-
-    private static void WriteTool(Utf8JsonWriter json)
+    private static JsonObject Tool() => new()
     {
-        json.WriteStartObject("tool");
-        json.WriteStartObject("driver");
-        json.WriteString("name", "raytracer");
-        json.WriteString("version", typeof(SarifLog).Assembly.GetName().Version!.ToString(3));
-        json.WriteStartArray("rules");
-        foreach (DiagnosticRule rule in DiagnosticRule.All)
-        {
-            json.WriteStartObject();
-            json.WriteString("id", rule.Id);
-            WriteText(json, "shortDescription", rule.Summary);
-            json.WriteEndObject();
-        }
+        ["name"] = "raytracer",
+        ["version"] = typeof(SarifLog).Assembly.GetName().Version!.ToString(3),
+        ["rules"] = JsonText.List(DiagnosticRule.All.Select(r => new JsonObject { ["id"] = r.Id, ["shortDescription"] = Text(r.Summary) })),
+    };
 
-        json.WriteEndArray();
-        json.WriteEndObject();
-        json.WriteEndObject();
-    }
-
-    private static void WriteFiles(Utf8JsonWriter json, IReadOnlyList<CheckedScene> scenes)
+    private static JsonObject Result(CheckedScene scene, int index, Diagnostic diagnostic)
     {
-        json.WriteStartArray("artifacts");
-        foreach (CheckedScene scene in scenes)
-        {
-            json.WriteStartObject();
-            json.WriteStartObject("location");
-            json.WriteString("uri", UriOf(scene.Path));
-            json.WriteEndObject();
-            json.WriteEndObject();
-        }
-
-        json.WriteEndArray();
-    }
-
-    private static void WriteResult(Utf8JsonWriter json, CheckedScene scene, int index, Diagnostic diagnostic)
-    {
-        json.WriteStartObject();
-        json.WriteString("ruleId", diagnostic.Rule.Id);
-        json.WriteNumber("ruleIndex", DiagnosticRule.All.ToList().IndexOf(diagnostic.Rule));
-        json.WriteString("level", diagnostic.Severity == Severity.Error ? "error" : "warning");
         bool isOption = diagnostic is { Line: 0, Column: > 0 };
-        WriteText(json, "message", isOption ? $"{diagnostic.File}, column {diagnostic.Column}: {diagnostic.Message}" : diagnostic.Message);
-        json.WriteStartArray("locations");
-        json.WriteStartObject();
-        json.WriteStartObject("physicalLocation");
         bool isScene = isOption || diagnostic.File == scene.Path || diagnostic.Line == 0;
-        json.WriteStartObject("artifactLocation");
-        json.WriteString("uri", UriOf(isScene ? scene.Path : diagnostic.File));
+        JsonObject file = new() { ["uri"] = UriOf(isScene ? scene.Path : diagnostic.File) };
         if (isScene)
         {
-            json.WriteNumber("index", index);
+            file["index"] = index;
         }
 
-        json.WriteEndObject();
+        JsonObject location = new() { ["artifactLocation"] = file };
         if (diagnostic.Line > 0)
         {
-            json.WriteStartObject("region");
-            json.WriteNumber("startLine", diagnostic.Line);
-            json.WriteNumber("startColumn", diagnostic.Column);
-            json.WriteEndObject();
+            location["region"] = new JsonObject { ["startLine"] = diagnostic.Line, ["startColumn"] = diagnostic.Column };
         }
 
-        json.WriteEndObject();
-        json.WriteEndObject();
-        json.WriteEndArray();
-        json.WriteEndObject();
+        return new()
+        {
+            ["ruleId"] = diagnostic.Rule.Id,
+            ["ruleIndex"] = DiagnosticRule.All.ToList().IndexOf(diagnostic.Rule),
+            ["level"] = diagnostic.Severity == Severity.Error ? "error" : "warning",
+            ["message"] = Text(isOption ? $"{diagnostic.File}, column {diagnostic.Column}: {diagnostic.Message}" : diagnostic.Message),
+            ["locations"] = new JsonArray(new JsonObject { ["physicalLocation"] = location }),
+        };
     }
 
-    private static void WriteText(Utf8JsonWriter json, string key, string text)
-    {
-        json.WriteStartObject(key);
-        json.WriteString("text", text);
-        json.WriteEndObject();
-    }
+    private static JsonObject Text(string text) => new() { ["text"] = text };
 
-    // Relative paths stay so: whoever reads the log knows from where.
+    // Relative paths stay so: the reader of the log knows from where.
     private static string UriOf(string path)
     {
         string escaped = string.Join('/', path.Split(Path.DirectorySeparatorChar, Path.AltDirectorySeparatorChar).Select(Uri.EscapeDataString));

@@ -53,7 +53,7 @@ internal sealed record SlurmJob
     public int Run(bool submit, bool quiet, Streams streams)
     {
         SceneLoadResult scene = (Job.Frames is { } frames ? Job with { Frames = new(frames.First, frames.First, 1) } : Job).Load();
-        SceneFile.Show(scene, streams);
+        streams.Read(scene.Diagnostics);
         if (scene.Scene is null)
         {
             return SceneFile.FailureStatus(Job.Scene);

@@ -15,6 +15,9 @@ internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerm
     /// <param name="term">The variable TERM.</param>
     public static bool IsTerminal(bool isRedirected, string? term) => !isRedirected && term != "dumb";
 
+    /// <summary>Writes a line for each file that was written.</summary>
+    public void Wrote(IEnumerable<string> files) => files.ToList().ForEach(f => Output.WriteLine($"wrote {f}"));
+
     /// <summary>Writes one line that says what went wrong.</summary>
     public void Fail(string message) => Error.WriteLine($"raytracer: error: {message}");
 

@@ -16,8 +16,7 @@ internal static class StudioVerb
         ParsedOption<long?> port = OptionValues.Integer("--port", "The port to listen on. Default: a free one.", 0, 65535);
         Option<bool> noBrowser = new("--no-browser") { Description = "Opens no window; only prints the address." };
         command.Arguments.Add(scene);
-        command.Options.Add(port.Symbol);
-        command.Options.Add(noBrowser);
+        command.AddOptions(port, noBrowser);
         command.SetAction(result =>
         {
             List<string> words = [];

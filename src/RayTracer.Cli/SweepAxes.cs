@@ -3,7 +3,7 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
 
-/// <summary>What <c>raytracer sweep</c> goes through: of the settings, those with several values, with commas between them.</summary>
+/// <summary>The values that <c>raytracer sweep</c> goes through: of the settings, those with several values, with commas between them.</summary>
 internal sealed class SweepAxes
 {
     private const int Most = 3;
@@ -11,7 +11,7 @@ internal sealed class SweepAxes
     private readonly List<SheetAxis> _axes = [];
     private readonly List<SceneSetting> _fixed = [];
 
-    /// <summary>Tells axes from settings of one value.</summary>
+    /// <summary>Separates axes from settings of one value.</summary>
     /// <exception cref="CommandException">There is no axis, or more than can be shown.</exception>
     public SweepAxes(IReadOnlyList<SceneSetting> settings)
     {
@@ -31,7 +31,7 @@ internal sealed class SweepAxes
         if (_axes.Count is 0 or > Most)
         {
             throw new CommandException(ExitStatus.Usage, _axes.Count == 0
-                ? $"what should change? Give {SettingOption.Name} PATH=VALUE,VALUE,… with the values to try"
+                ? $"what should change? Give --set PATH=VALUE,VALUE,… with the values to try"
                 : $"a sheet shows at most {Most} lists of values: as columns, as rows and as blocks of rows, but there are {_axes.Count}");
         }
     }
@@ -83,3 +83,6 @@ internal sealed class SweepAxes
         return parts;
     }
 }
+
+/// <summary>A place in the grid of a sweep, from 0.</summary>
+internal readonly record struct SweepCell(int Column, int Row, int Block);

@@ -19,10 +19,7 @@ internal static class VerifyVerb
         ParsedOption<long?> threads = OptionValues.Integer("--threads", "Number of threads. Default: one per core.", 1, 1024);
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(file);
-        foreach (Option option in new Option[] { scene, threads.Symbol, json })
-        {
-            command.Options.Add(option);
-        }
+        command.AddOptions(scene, threads, json);
 
         VerboseOption verbose = new(command);
 
@@ -66,12 +63,7 @@ internal static class VerifyVerb
         bool same = hash == claim.Hash;
         if (json)
         {
-            JsonText.Write(streams, writer =>
-            {
-                writer.WriteBoolean("same", same);
-                writer.WriteString("filmHash", claim.Hash);
-                writer.WriteString("renderedHash", hash);
-            });
+            JsonText.Write(streams, new() { ["same"] = same, ["filmHash"] = claim.Hash, ["renderedHash"] = hash });
         }
         else
         {

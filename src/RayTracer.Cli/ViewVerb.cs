@@ -16,10 +16,7 @@ internal static class ViewVerb
         ParsedOption<double?> exposure = OptionValues.Number("--exposure", "Exposure in stops (each doubles the light).", -100, 100);
         ParsedOption<ToneMap?> toneMap = OptionValues.Choice<ToneMap>("--tonemap", "How bright light is compressed into what a screen can show; clamp cuts it off.");
         command.Arguments.Add(image);
-        foreach (Option option in new Option[] { columns.Symbol, graphics.Symbol, exposure.Symbol, toneMap.Symbol })
-        {
-            command.Options.Add(option);
-        }
+        command.AddOptions(columns, graphics, exposure, toneMap);
 
         command.SetAction(result =>
         {

@@ -33,6 +33,23 @@ internal sealed class WritingOptions
     /// <summary>The files.</summary>
     public IReadOnlyList<string> Files(ParseResult result) => result.GetValue(_outputs) ?? [];
 
+    /// <summary>The files, of which there must be one where no JSON object is printed.</summary>
+    /// <param name="result">What was given.</param>
+    /// <param name="display">What is printed.</param>
+    /// <param name="alone">What the object is good for without files.</param>
+    /// <param name="check">Finds out before the work whether a file can be written after it.</param>
+    public IReadOnlyList<string> Files(ParseResult result, Display display, string alone, Action<string> check)
+    {
+        IReadOnlyList<string> files = Files(result);
+        if (files.Count == 0 && !display.Json)
+        {
+            throw new CommandException(ExitStatus.Usage, $"where to? Give -o FILE (or --json alone for {alone})");
+        }
+
+        files.ToList().ForEach(check);
+        return files;
+    }
+
     /// <summary>Warns of options of how pictures look that were given, but change none of the files.</summary>
     /// <param name="result">What was given.</param>
     /// <param name="files">The files to write.</param>

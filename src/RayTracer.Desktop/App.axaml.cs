@@ -44,5 +44,6 @@ internal sealed class App : Application
         return window;
     }
 
-    private static ThemeVariant VariantOf(string theme) => theme switch { "light" => ThemeVariant.Light, "dark" => ThemeVariant.Dark, _ => ThemeVariant.Default };
+    private static ThemeVariant VariantOf(string theme) =>
+        theme switch { "light" => ThemeVariant.Light, "dark" => ThemeVariant.Dark, _ => ThemeVariant.Default };
 }

@@ -68,5 +68,6 @@ internal static class Program
     [MethodImpl(MethodImplOptions.NoInlining)]
     private static AppBuilder Platform() => AppBuilder.Configure<App>().UsePlatformDetect();
 
-    private static string NameOf(Exception e) => e is FileNotFoundException { FileName: { } name } ? name.Split(',')[0] : e.Message.TrimEnd('.');
+    private static string NameOf(Exception e) =>
+        e is FileNotFoundException { FileName: { } name } ? name.Split(',')[0] : e.Message.TrimEnd('.');
 }

@@ -6,7 +6,7 @@ namespace RayTracer.Imaging;
 /// Files that are there whole or not at all: written under a temporary name in the same folder, flushed to the disk,
 /// then renamed over the old file. After a failure the old file is untouched and nothing is left behind.
 /// </summary>
-public static class AtomicFile
+internal static class AtomicFile
 {
     private const string Ending = ".tmp";
     private const int GuidLength = 32;

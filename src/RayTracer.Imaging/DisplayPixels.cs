@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Imaging;
 
 /// <summary>Linear light as the bytes that a screen takes: exactly those of a PNG of 8 bits a channel.</summary>
-public static class DisplayPixels
+internal static class DisplayPixels
 {
     /// <summary>Converts pixels.</summary>
     /// <param name="linear">Red, green and blue of each pixel.</param>

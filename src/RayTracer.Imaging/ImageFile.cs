@@ -18,7 +18,7 @@ public static class ImageFile
 
     /// <summary>Reads a picture file that is in memory; its format is recognized by its first bytes.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="raw">Whether a PNG's or JPEG's values are data (0 to 1) rather than sRGB-encoded colours.</param>
+    /// <param name="raw">True where a PNG's or JPEG's values are data (0 to 1) rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB.</returns>
     /// <exception cref="PictureException">
     /// The file is of no known format, damaged or too large; the message is a clause to follow the file's name and a colon.

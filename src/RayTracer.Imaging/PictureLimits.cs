@@ -43,7 +43,7 @@ public static class PictureLimits
     /// <summary>Makes the picture.</summary>
     /// <param name="width">Width in pixels.</param>
     /// <param name="height">Height in pixels.</param>
-    /// <param name="filled">Whether every pixel will be set, so that it need not be black before.</param>
+    /// <param name="filled">True where every pixel will be set, so that it need not be black before.</param>
     /// <exception cref="PictureException">There is not enough memory.</exception>
     internal static Picture Allocate(int width, int height, bool filled = false)
     {

@@ -3,7 +3,7 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>An image made smaller: each pixel is the mean, in linear light, of those that lie in its rectangle.</summary>
-public static class ScaledRows
+internal static class ScaledRows
 {
     /// <summary>Makes it.</summary>
     /// <param name="image">Linear RGB.</param>

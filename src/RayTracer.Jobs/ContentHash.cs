@@ -58,7 +58,7 @@ public class ContentHash : IDisposable
         return Convert.ToHexStringLower(_hash.GetHashAndReset());
     }
 
-    /// <summary>Whether a value counts: one that is as it is without being given has no effect.</summary>
+    /// <summary>Returns true for a value that counts: one that is as it is without being given has no effect.</summary>
     private protected virtual bool Counts(RecordParameter parameter, object? value) => value switch
     {
         null => false,

@@ -47,14 +47,22 @@ public static class JobOptions
     private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightPathAov>()];
     private static readonly string[] s_aovNames = [.. s_aovs.Select(a => a is AuxiliaryImage image ? image.Name : $"{a}".ToLowerInvariant())];
 
+    /// <summary>A value of the scene.</summary>
+    public static JobOption Set { get; } = new(
+        "--set",
+        "PATH=VALUE",
+        "Puts a value in the place of the scene's, with the same checks: --set camera.fieldOfView=35, --set shapes[2].radius=1, "
+            + "--set materials.glass.color=red. May be given several times.",
+        (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse(w)] },
+        _ => null) { IsRepeated = true };
+
     /// <summary>Those that replace what the scene says.</summary>
     public static IReadOnlyList<JobOption> OfScenes { get; } =
     [
         Short("--width", "width"), Short("--height", "height"), Short("--spp", "samplesPerPixel"), Short("--seed", "seed"),
         Short("--sampler", "sampler"), Short("--integrator", "integrator"),
         Short("--max-depth", "maxDepth"), Short("--max-diffuse-depth", "maxDiffuseDepth"), Short("--max-specular-depth", "maxSpecularDepth"),
-        new("--set", "PATH=VALUE", "Puts a value in the place of the scene's, with the same checks: --set camera.fieldOfView=35, --set shapes[2].radius=1, "
-            + "--set materials.glass.color=red. May be given several times.", (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse(w)] }, _ => null) { IsRepeated = true },
+        Set,
     ];
 
     /// <summary>Those of how pictures look.</summary>

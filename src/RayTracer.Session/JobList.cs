@@ -13,16 +13,7 @@ public sealed class JobList(NoticeBoard notices) : IDisposable
     public event EventHandler? Changed;
 
     /// <summary>The jobs that are running.</summary>
-    public IReadOnlyList<Job> Running
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return [.. _running.Values.Select(r => r.Job)];
-            }
-        }
-    }
+    public IReadOnlyList<Job> Running => _lock.Read(() => _running.Values.Select(r => r.Job).ToArray());
 
     /// <summary>Starts a job.</summary>
     /// <param name="text">What is done, in a few words.</param>

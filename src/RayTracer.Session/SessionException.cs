@@ -54,5 +54,6 @@ public static class Complaint
         _ => null,
     };
 
-    private static string Sentence(string clause) => clause.Length > 0 ? $"{char.ToUpperInvariant(clause[0])}{clause[1..].TrimEnd('.')}." : clause;
+    private static string Sentence(string clause) =>
+        clause.Length > 0 ? $"{char.ToUpperInvariant(clause[0])}{clause[1..].TrimEnd('.')}." : clause;
 }

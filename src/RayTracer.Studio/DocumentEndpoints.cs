@@ -95,5 +95,6 @@ internal static class DocumentEndpoints
             : edits.Set(pointer, System.Text.Json.Nodes.JsonNode.Parse(set.Value.GetRawText()), set.Gesture);
     }
 
-    private static IResult Pointed((int Revision, string Pointer) edit) => Results.Json(new { revision = edit.Revision, pointer = edit.Pointer });
+    private static IResult Pointed((int Revision, string Pointer) edit) =>
+        Results.Json(new { revision = edit.Revision, pointer = edit.Pointer });
 }

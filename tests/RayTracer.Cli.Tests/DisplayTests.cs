@@ -79,7 +79,7 @@ public sealed class DisplayTests : IDisposable
         using StringWriter error = new();
         Streams streams = new(TextWriter.Null, error);
         RenderJob job = new() { Scene = _scene, Frames = new(7, 7, 1), IsOfSequence = true };
-        JobResult result = new(SceneFile.Load(_scene, streams)!, new(1, 1), new() { Cancelled = true }, 1, 0);
+        JobResult result = new(job.Load().Scene!, new(1, 1), new() { Cancelled = true }, 1, 0);
         new RenderReport(job, result, new(Quiet: true), new(null), 0).Write(streams);
         Assert.Equal("raytracer: warning: frame 7 was stopped after 0 paths; no image was written", error.ToString().TrimEnd());
     }

@@ -22,7 +22,7 @@ public sealed class ClosingTests
         UnsavedViewModel question = Assert.IsType<UnsavedViewModel>(test.Main.Dialog);
         Assert.Contains("test.json", question.Text, StringComparison.Ordinal);
         question.Cancel.Execute(null);
-        Assert.False(test.Main.IsAsking);
+        Assert.Null(test.Main.Dialog);
         Assert.False(test.IsClosed);
         test.Window.Close();
         Assert.IsType<UnsavedViewModel>(test.Main.Dialog).Discard.Execute(null);
@@ -51,7 +51,7 @@ public sealed class ClosingTests
         using TestWindow test = await Changed();
         string text = test.Session.Document.Text;
         test.Main.Gallery.Groups[0].Items[0].Open.Execute(null);
-        await test.Until(() => test.Main.IsAsking);
+        await test.Until(() => test.Main.Dialog is not null);
         Assert.Equal(text, test.Session.Document.Text);
         Assert.IsType<UnsavedViewModel>(test.Main.Dialog).Discard.Execute(null);
         await test.Until(() => test.Main.DocumentName == "one.json" && !test.Main.IsDirty);
@@ -61,9 +61,9 @@ public sealed class ClosingTests
     public void What_an_earlier_session_left_is_offered() => Ui.Run(async () =>
     {
         using TestWindow test = await TestWindow.Open();
-        await test.Until(() => test.Main.HasRecovery);
+        await test.Until(() => test.Main.Recovery is not null);
         test.Main.Recovery!.Open.Execute(null);
-        await test.Until(() => test.Session.Document.Text.StartsWith("// kept", StringComparison.Ordinal) && !test.Main.HasRecovery && test.Main.IsDirty);
+        await test.Until(() => test.Session.Document.Text.StartsWith("// kept", StringComparison.Ordinal) && test.Main.Recovery is null && test.Main.IsDirty);
     });
 
     private static async Task<TestWindow> Changed()

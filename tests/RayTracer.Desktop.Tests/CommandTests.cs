@@ -48,7 +48,7 @@ public sealed class CommandTests
                 dialog.Rename.Execute(null);
                 await test.Until(() => main.Properties.Thing?.Title == "copy" && main.Outliner.Chosen?.Name == "copy");
             },
-            ["delete"] = () => test.Until(() => main.Properties.IsNothing && !document.Text.Contains("copy", StringComparison.Ordinal)),
+            ["delete"] = () => test.Until(() => main.Properties.Thing is null && !document.Text.Contains("copy", StringComparison.Ordinal)),
             ["undo"] = () => test.Until(() => document.Text.Contains("copy", StringComparison.Ordinal) && main.Commands["redo"].IsEnabled),
             ["redo"] = async () =>
             {
@@ -56,7 +56,7 @@ public sealed class CommandTests
                 test.Session.Selection.Select("/shapes/1");
                 await test.Until(() => main.Outliner.Chosen?.Pointer == "/shapes/1");
             },
-            ["deselect"] = () => test.Until(() => test.Session.Selection.Pointer is null && main.Properties.IsNothing),
+            ["deselect"] = () => test.Until(() => test.Session.Selection.Pointer is null && main.Properties.Thing is null),
         };
     }
 
@@ -139,7 +139,7 @@ public sealed class CommandTests
         where T : DialogViewModel
     {
         Assert.IsType<T>(main.Dialog).Cancel.Execute(null);
-        Assert.False(main.IsAsking);
+        Assert.Null(main.Dialog);
         return Task.CompletedTask;
     }
 

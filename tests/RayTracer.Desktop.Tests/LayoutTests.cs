@@ -47,7 +47,7 @@ public sealed class LayoutTests
         MainViewModel main = test.Main;
         main.Paths.Inspect(30, 20);
         test.Session.Selection.Select("/shapes/0");
-        await test.Until(() => main.Paths.IsChosen && main.HasRecovery && main.Properties.Thing is not null);
+        await test.Until(() => main.Paths.IsChosen && main.Recovery is not null && main.Properties.Thing is not null);
         await main.Convergence.Load();
         foreach (string tab in new[] { "scene", "gallery", "files" })
         {
@@ -74,7 +74,7 @@ public sealed class LayoutTests
             main.Ask(dialog);
             yield return dialog.GetType().Name;
             dialog.Cancel.Execute(null);
-            Assert.False(main.IsAsking);
+            Assert.Null(main.Dialog);
         }
 
     }

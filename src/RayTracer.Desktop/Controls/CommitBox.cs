@@ -11,7 +11,8 @@ namespace RayTracer.Desktop.Controls;
 internal sealed class CommitBox : TextBox
 {
     /// <summary>The text that counts.</summary>
-    public static readonly StyledProperty<string> ValueProperty = AvaloniaProperty.Register<CommitBox, string>(nameof(Value), "", defaultBindingMode: BindingMode.TwoWay);
+    public static readonly StyledProperty<string> ValueProperty =
+        AvaloniaProperty.Register<CommitBox, string>(nameof(Value), "", defaultBindingMode: BindingMode.TwoWay);
 
     /// <summary>Steps a number; its parameter is by how many steps.</summary>
     public static readonly StyledProperty<ICommand?> StepProperty = AvaloniaProperty.Register<CommitBox, ICommand?>(nameof(Step));

@@ -7,13 +7,14 @@ using Avalonia.Interactivity;
 namespace RayTracer.Desktop.Controls;
 
 /// <summary>
-/// A slider whose number only the user changes. Avalonia's own moves its value into its range, and so writes into whatever it happens to be bound to
-/// while it gets its parts, or is bound to something else.
+/// A slider whose number only the user changes. Avalonia's own moves its value into its range, and so writes into whatever it happens to be
+/// bound to while it gets its parts, or is bound to something else.
 /// </summary>
 internal sealed class NumberSlider : Slider
 {
     /// <summary>The number.</summary>
-    public static readonly StyledProperty<double> NumberProperty = AvaloniaProperty.Register<NumberSlider, double>(nameof(Number), defaultBindingMode: BindingMode.TwoWay);
+    public static readonly StyledProperty<double> NumberProperty =
+        AvaloniaProperty.Register<NumberSlider, double>(nameof(Number), defaultBindingMode: BindingMode.TwoWay);
 
     private bool _isHeld;
 

@@ -17,32 +17,28 @@ internal sealed class CommandTable
         (_layout, _viewport) = (main.Layout, main.Viewport);
         Dictionary<string, Action> actions = new([.. FileActions(main), .. EditActions(main), .. ViewActions(main), .. ToolActions(main)], StringComparer.Ordinal);
         _commands = SessionCommand.All.ToDictionary(c => c.Id, c => new CommandViewModel(c, Marking(actions[c.Id])), StringComparer.Ordinal);
-        Menus = [.. SessionTexts.Keys("groups").Select(g => new CommandGroup(SessionTexts.Of($"groups.{g}"), [.. SessionCommand.All.Where(c => c.Group == g).Select(c => _commands[c.Id])]))];
-        Bar = Of("save", "undo", "redo", "pause", "stop", "restart", "export");
-        Panes = Of("showScene", "showDock", "showPanel", "theme");
-        Tools = Of("toolSelect", "toolMove", "toolRotate", "toolScale", "toolFocus", "toolInspect", "toolRegion");
-        ZoomBar = Of("fit", "actualSize", "zoomIn", "zoomOut", "snapshot");
-        ThingBar = Of("rename", "duplicate", "delete");
         Mark();
     }
 
     /// <summary>All commands in menus.</summary>
-    public IReadOnlyList<CommandGroup> Menus { get; }
+    public IReadOnlyList<CommandGroup> Menus => field ??=
+        [.. SessionTexts.Keys("groups").Select(g => new CommandGroup(SessionTexts.Of($"groups.{g}"), [.. SessionCommand.All.Where(c => c.Group == g).Select(c => _commands[c.Id])]))];
 
     /// <summary>Those of the row at the top.</summary>
-    public IReadOnlyList<CommandViewModel> Bar { get; }
+    public IReadOnlyList<CommandViewModel> Bar => field ??= Of("save", "undo", "redo", "pause", "stop", "restart", "export");
 
     /// <summary>Those that show panes.</summary>
-    public IReadOnlyList<CommandViewModel> Panes { get; }
+    public IReadOnlyList<CommandViewModel> Panes => field ??= Of("showScene", "showDock", "showPanel", "theme");
 
     /// <summary>Those that choose what the pointer does.</summary>
-    public IReadOnlyList<CommandViewModel> Tools { get; }
+    public IReadOnlyList<CommandViewModel> Tools =>
+        field ??= Of("toolSelect", "toolMove", "toolRotate", "toolScale", "toolFocus", "toolInspect", "toolRegion");
 
     /// <summary>Those of the picture's size.</summary>
-    public IReadOnlyList<CommandViewModel> ZoomBar { get; }
+    public IReadOnlyList<CommandViewModel> ZoomBar => field ??= Of("fit", "actualSize", "zoomIn", "zoomOut", "snapshot");
 
     /// <summary>Those of the selected thing.</summary>
-    public IReadOnlyList<CommandViewModel> ThingBar { get; }
+    public IReadOnlyList<CommandViewModel> ThingBar => field ??= Of("rename", "duplicate", "delete");
 
     /// <summary>A command by its id.</summary>
     public CommandViewModel this[string id] => _commands[id];

@@ -55,7 +55,8 @@ internal sealed class FileCommands(SessionDispatcher dispatcher, IWindowServices
     }
 
     /// <summary>Saves the document; returns whether it is saved.</summary>
-    public async Task<bool> Save() => Document?.Path is null ? await SaveAs() : await Writing((s, overwrite) => s.Files.Save(null, overwrite));
+    public async Task<bool> Save() =>
+        Document?.Path is null ? await SaveAs() : await Writing((s, overwrite) => s.Files.Save(null, overwrite));
 
     /// <summary>Asks where to, and saves the document.</summary>
     public async Task<bool> SaveAs() =>

@@ -9,7 +9,9 @@ internal interface IWindowServices
     /// <param name="extensions">The extensions that may be chosen, without dots.</param>
     Task<string?> ChooseFile(string title, string? folder, IReadOnlyList<string> extensions);
 
-    /// <summary>Asks where to save; null where nothing was chosen. Whoever chooses a file that there is has been asked whether it may be replaced.</summary>
+    /// <summary>
+    /// Asks where to save; null where nothing was chosen. Whoever chooses a file that there is has been asked whether it may be replaced.
+    /// </summary>
     /// <param name="title">What the dialog is called.</param>
     /// <param name="folder">Where it begins; null for where the system likes.</param>
     /// <param name="name">The name that is offered.</param>

@@ -6,48 +6,24 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The whole window: a session, and all that shows it.</summary>
-internal sealed class MainViewModel : Observable, IDisposable
+/// <param name="session">The session.</param>
+/// <param name="window">The services that only the system's window has.</param>
+internal sealed class MainViewModel(StudioSession session, IWindowServices window) : Observable, IDisposable
 {
     private static readonly TimeSpan ShortestPause = TimeSpan.FromMilliseconds(100);
-    private readonly StudioSession _session;
     private readonly CancellationTokenSource _stop = new();
     private DocumentStatus? _document;
     private DocumentSnapshot? _shown;
     private int _noticeId;
 
-    /// <summary>The window of a session.</summary>
-    /// <param name="session">The session.</param>
-    /// <param name="window">What only the system's window can do.</param>
-    public MainViewModel(StudioSession session, IWindowServices window)
-    {
-        _session = session;
-        Dispatcher = new(session, Messages);
-        Context = new(Dispatcher, window) { ShowSource = ShowSource };
-        Files = new(Dispatcher, window, Ask) { Flush = () => Dispatcher.Idle };
-        Properties = new(Context, new(Dispatcher, Context));
-        Things = new(Dispatcher, Context, ShowTab);
-        Properties.Environment.Add = type => Things.Add("environment", type);
-        Outliner = new(Choose);
-        Gallery = new(Dispatcher, id => _ = Files.OpenGallery(id));
-        Recent = new(() => _ = Files.Open(), path => _ = Files.OpenFile(path));
-        Source = new(Dispatcher);
-        Viewport = new(Dispatcher) { Inspect = Inspect, Selected = () => Properties.Open("object") };
-        Status = new(Dispatcher);
-        Paths = new(Dispatcher);
-        Convergence = new(Dispatcher);
-        Times = new(Dispatcher);
-        Commands = new(this);
-        Layout.PropertyChanged += (_, _) => Convergence.IsOpen = Layout.ShowsConvergence;
-    }
-
     /// <summary>Carries the user's wishes to the session.</summary>
-    public SessionDispatcher Dispatcher { get; }
+    public SessionDispatcher Dispatcher => field ??= new(session, Messages);
 
     /// <summary>The rest of the window, as editors of parameters use it.</summary>
-    public PanelContext Context { get; }
+    public PanelContext Context => field ??= new(Dispatcher, window) { ShowSource = ShowSource };
 
     /// <summary>Everything that a menu, a button or a key can do.</summary>
-    public CommandTable Commands { get; }
+    public CommandTable Commands => field ??= new(this);
 
     /// <summary>The panes and tabs that are shown.</summary>
     public Layout Layout { get; } = new();
@@ -56,73 +32,50 @@ internal sealed class MainViewModel : Observable, IDisposable
     public MessagesViewModel Messages { get; } = new();
 
     /// <summary>Opens, saves and shares.</summary>
-    public FileCommands Files { get; }
+    public FileCommands Files => field ??= new(Dispatcher, window, Ask) { Flush = () => Dispatcher.Idle };
 
     /// <summary>Adds and changes things.</summary>
-    public ThingsViewModel Things { get; }
+    public ThingsViewModel Things => field ??= new(Dispatcher, Context, ShowTab);
 
     /// <summary>The tree of things.</summary>
-    public OutlinerViewModel Outliner { get; }
+    public OutlinerViewModel Outliner => field ??= new(Choose);
 
     /// <summary>The shipped scenes.</summary>
-    public GalleryViewModel Gallery { get; }
+    public GalleryViewModel Gallery => field ??= new(Dispatcher, id => _ = Files.OpenGallery(id));
 
     /// <summary>The files that were opened last.</summary>
-    public FilesViewModel Recent { get; }
+    public FilesViewModel Recent => field ??= new(() => _ = Files.Open(), path => _ = Files.OpenFile(path));
 
     /// <summary>The properties.</summary>
-    public PropertyPanelViewModel Properties { get; }
+    public PropertyPanelViewModel Properties => field ??= new(Context, new(Dispatcher, Context), type => Things.Add("environment", type));
 
     /// <summary>The text.</summary>
-    public SourceViewModel Source { get; }
+    public SourceViewModel Source => field ??= new(Dispatcher);
 
     /// <summary>The picture.</summary>
-    public ViewportViewModel Viewport { get; }
+    public ViewportViewModel Viewport => field ??= new(Dispatcher) { Inspect = Inspect, Selected = () => Properties.Open("object") };
 
     /// <summary>The progress of the rendering.</summary>
-    public StatusViewModel Status { get; }
+    public StatusViewModel Status => field ??= new(Dispatcher);
 
     /// <summary>Light paths of a pixel.</summary>
-    public PathsViewModel Paths { get; }
+    public PathsViewModel Paths => field ??= new(Dispatcher);
 
     /// <summary>The error against samples.</summary>
-    public ConvergenceViewModel Convergence { get; }
+    public ConvergenceViewModel Convergence => field ??= new(Dispatcher, () => Layout.ShowsConvergence);
 
     /// <summary>The report's times.</summary>
-    public TimesViewModel Times { get; }
+    public TimesViewModel Times => field ??= new(Dispatcher);
 
     /// <summary>The question over the window; null where there is none.</summary>
-    public DialogViewModel? Dialog
-    {
-        get;
-        private set
-        {
-            if (SetProperty(ref field, value))
-            {
-                OnPropertyChanged(nameof(IsAsking));
-            }
-        }
-    }
-
-    public bool IsAsking => Dialog is not null;
+    public DialogViewModel? Dialog { get; private set => SetProperty(ref field, value); }
 
     /// <summary>Work of an earlier session that was not saved; null where there is none.</summary>
-    public RecoveryViewModel? Recovery
-    {
-        get;
-        private set
-        {
-            if (SetProperty(ref field, value))
-            {
-                OnPropertyChanged(nameof(HasRecovery));
-            }
-        }
-    }
-
-    public bool HasRecovery => Recovery is not null;
+    public RecoveryViewModel? Recovery { get; private set => SetProperty(ref field, value); }
 
     /// <summary>The window's title.</summary>
-    public string Title => $"{(_document?.IsDirty == true ? "• " : "")}{_document?.Name ?? SessionTexts.Of("untitled")} – {SessionTexts.Of("product")}";
+    public string Title =>
+        $"{(_document?.IsDirty == true ? "• " : "")}{_document?.Name ?? SessionTexts.Of("untitled")} – {SessionTexts.Of("product")}";
 
     public string DocumentName => _document?.Name ?? SessionTexts.Of("untitled");
 
@@ -135,9 +88,9 @@ internal sealed class MainViewModel : Observable, IDisposable
         {
             await Task.Run(() => TypeCatalogue.Instance, _stop.Token);
             Things.Load();
-            Gallery.Show(_session.Gallery.Groups);
+            Gallery.Show(session.Gallery.Groups);
             Report(nameof(Things), nameof(Gallery));
-            await Task.WhenAll(FollowState(), Viewport.FollowFrames(_session.View, _stop.Token), Convergence.Follow(_stop.Token), Gallery.LoadPictures(_stop.Token));
+            await Task.WhenAll(FollowState(), Viewport.FollowFrames(session.View, _stop.Token), Convergence.Follow(_stop.Token), Gallery.LoadPictures(_stop.Token));
         }
         catch (OperationCanceledException)
         {
@@ -153,7 +106,8 @@ internal sealed class MainViewModel : Observable, IDisposable
     }
 
     /// <summary>Asks for the selected thing's new name.</summary>
-    public void AskForName() => Things.With(pointer => Ask(new RenameViewModel(Properties.Thing?.Title ?? "", name => Things.Rename(pointer, name))));
+    public void AskForName() =>
+        Things.With(pointer => Ask(new RenameViewModel(Properties.Thing?.Title ?? "", name => Things.Rename(pointer, name))));
 
     /// <summary>Ends following. The session lives on.</summary>
     public void Dispose()
@@ -165,7 +119,7 @@ internal sealed class MainViewModel : Observable, IDisposable
     private async Task FollowState()
     {
         long version = -1;
-        while (await _session.Changes.WaitBeyond(version, _stop.Token))
+        while (await session.Changes.WaitBeyond(version, _stop.Token))
         {
             // Read by a thread of the pool: what is locked for a moment holds nobody up.
             (SessionState state, DocumentSnapshot? shown, IReadOnlyList<string> recent) = await Task.Run(Read, _stop.Token);
@@ -179,9 +133,9 @@ internal sealed class MainViewModel : Observable, IDisposable
 
     private (SessionState State, DocumentSnapshot? Shown, IReadOnlyList<string> Recent) Read()
     {
-        SessionState state = SessionState.Of(_session);
+        SessionState state = SessionState.Of(session);
         bool isNew = _shown is null || state.Document.Revision != _shown.Revision || state.Selection != _shown.Selection;
-        return (state, isNew ? DocumentSnapshot.Of(_session) : null, isNew ? _session.Files.Recent : []);
+        return (state, isNew ? DocumentSnapshot.Of(session) : null, isNew ? session.Files.Recent : []);
     }
 
     private void Show(SessionState state, DocumentSnapshot? shown, IReadOnlyList<string> recent)
@@ -252,7 +206,8 @@ internal sealed class RecoveryViewModel(RecoveryEntry entry, Action open, Action
 {
     public string Id => entry.Id;
 
-    public string Text => SessionTexts.Of("recovery.text", entry.Name, entry.Time.ToLocalTime().ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture));
+    public string Text =>
+        SessionTexts.Of("recovery.text", entry.Name, entry.Time.ToLocalTime().ToString("yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture));
 
     /// <summary>Opens it.</summary>
     public ICommand Open { get; } = new RelayCommand(open);

@@ -9,28 +9,23 @@ namespace RayTracer.Desktop.ViewModels;
 /// <param name="choose">Takes the line that was chosen.</param>
 internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 {
-    private static readonly Dictionary<string, string> Tabs = new(StringComparer.Ordinal)
-    {
-        ["camera"] = "camera",
-        ["render"] = "render",
-        ["background"] = "world",
-        ["environment"] = "world",
-        ["ambient"] = "world",
-    };
+    private static readonly (string Kind, string Tab, string Icon, Func<Outline, OutlineNode> Node)[] Sections =
+    [
+        ("camera", "camera", "camera", o => o.Camera),
+        ("render", "render", "render", o => o.Render),
+        ("background", "world", "background", o => o.Background),
+        ("environment", "world", "background", o => o.Environment),
+        ("ambient", "world", "light", o => o.Ambient),
+    ];
 
-    private static readonly Dictionary<string, string> Icons = new(StringComparer.Ordinal)
-    {
-        ["camera"] = "camera",
-        ["render"] = "render",
-        ["background"] = "background",
-        ["environment"] = "background",
-        ["ambient"] = "light",
-        ["shapes"] = "sphere",
-        ["lights"] = "light",
-        ["materials"] = "material",
-        ["textures"] = "texture",
-        ["objects"] = "scene",
-    };
+    private static readonly (string Kind, string Icon, Func<Outline, IReadOnlyList<OutlineNode>> Nodes)[] Groups =
+    [
+        ("shapes", "sphere", o => o.Shapes),
+        ("lights", "light", o => o.Lights),
+        ("materials", "material", o => o.Materials),
+        ("textures", "texture", o => o.Textures),
+        ("objects", "scene", o => o.Objects),
+    ];
 
     private readonly HashSet<string> _closed = new(StringComparer.Ordinal);
     private Outline? _outline;
@@ -97,18 +92,21 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 
         List<OutlineRow> rows = [];
         bool isSurrounded = outline.Environment.Summary != "none";
-        foreach ((string kind, OutlineNode node) in Sections(outline).Where(s => Filter.Length == 0 && !(s.Kind == "background" && isSurrounded)))
+        foreach ((string kind, string tab, string icon, Func<Outline, OutlineNode> node) in Filter.Length == 0 ? Sections : [])
         {
-            rows.Add(Section(kind, node));
+            if (kind != "background" || !isSurrounded)
+            {
+                rows.Add(Section(kind, tab, icon, node(outline)));
+            }
         }
 
-        foreach ((string kind, IReadOnlyList<OutlineNode> nodes) in Groups(outline))
+        foreach ((string kind, string icon, Func<Outline, IReadOnlyList<OutlineNode>> nodes) in Groups)
         {
-            AddGroup(rows, kind, Filtered(nodes));
+            AddGroup(rows, kind, icon, Filtered(nodes(outline)));
         }
 
         // Lines that are as they were stay, so that the view does not start from scratch.
-        if (!rows.SequenceEqual(Rows, RowComparer.Instance))
+        if (!rows.SequenceEqual(Rows))
         {
             Rows = rows;
         }
@@ -118,20 +116,14 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
         Report(nameof(Chosen), nameof(IsEmpty));
     }
 
-    private static (string Kind, OutlineNode Node)[] Sections(Outline o) =>
-        [("camera", o.Camera), ("render", o.Render), ("background", o.Background), ("environment", o.Environment), ("ambient", o.Ambient)];
+    private OutlineRow Section(string kind, string tab, string icon, OutlineNode node) => new(
+        node.Pointer, SessionTexts.Of($"outliner.{kind}"), kind == "environment" ? node.Summary : "", node.Summary, 0, node.Color ?? "", IconOf(icon, node))
+    {
+        Tab = tab,
+        Toggle = Toggle,
+    };
 
-    private static (string Kind, IReadOnlyList<OutlineNode> Nodes)[] Groups(Outline o) =>
-        [("shapes", o.Shapes), ("lights", o.Lights), ("materials", o.Materials), ("textures", o.Textures), ("objects", o.Objects)];
-
-    private OutlineRow Section(string kind, OutlineNode node) =>
-        new(node.Pointer, SessionTexts.Of($"outliner.{kind}"), kind == "environment" ? node.Summary : "", node.Summary, 0, node.Color ?? "", IconOf(kind, node))
-        {
-            Tab = Tabs[kind],
-            Toggle = Toggle(node.Pointer),
-        };
-
-    private void AddGroup(List<OutlineRow> rows, string kind, List<OutlineNode> nodes)
+    private void AddGroup(List<OutlineRow> rows, string kind, string icon, List<OutlineNode> nodes)
     {
         if (nodes.Count == 0 && (Filter.Length > 0 || kind == "objects"))
         {
@@ -141,31 +133,32 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
         string pointer = $"/{kind}";
         string count = nodes.Count == 0 ? SessionTexts.Of("outliner.empty") : nodes.Count.ToString(CultureInfo.InvariantCulture);
         bool isOpen = !_closed.Contains(pointer);
-        rows.Add(new(pointer, SessionTexts.Of($"outliner.{kind}"), count, "", 0, "", "") { IsHeading = true, IsOpen = isOpen, Toggle = Toggle(pointer) });
+        rows.Add(new(pointer, SessionTexts.Of($"outliner.{kind}"), count, "", 0, "", "") { IsHeading = true, IsOpen = isOpen, Toggle = Toggle });
         foreach (OutlineNode node in isOpen ? nodes : [])
         {
-            Add(rows, kind, node, 1);
+            Add(rows, kind, icon, node, 1);
         }
     }
 
-    private void Add(List<OutlineRow> rows, string kind, OutlineNode node, int level)
+    private void Add(List<OutlineRow> rows, string kind, string icon, OutlineNode node, int level)
     {
         bool? isOpen = node.Children.Count == 0 ? null : !_closed.Contains(node.Pointer);
         string about = node.IsLight && kind != "lights" ? $"{SessionTexts.Of("outliner.shines")} · {node.Type}" : node.Type;
-        rows.Add(new(node.Pointer, node.Name, about, node.Summary, level, node.Color ?? "", IconOf(kind, node)) { IsOpen = isOpen, Toggle = Toggle(node.Pointer) });
+        rows.Add(new(node.Pointer, node.Name, about, node.Summary, level, node.Color ?? "", IconOf(icon, node)) { IsOpen = isOpen, Toggle = Toggle });
         foreach (OutlineNode child in isOpen == true ? node.Children : [])
         {
-            Add(rows, kind, child, level + 1);
+            Add(rows, kind, icon, child, level + 1);
         }
     }
 
-    private static string IconOf(string kind, OutlineNode node) => node.Color is null ? SessionCommand.IconOf(Icons[kind]) : "";
+    private static string IconOf(string icon, OutlineNode node) => node.Color is null ? SessionCommand.IconOf(icon) : "";
 
-    private RelayCommand Toggle(string pointer) => new(() =>
+    // One for all rows, so that rows are equal where nothing else differs.
+    private RelayCommand<string> Toggle => field ??= new(pointer =>
     {
-        if (!_closed.Remove(pointer))
+        if (!_closed.Remove(pointer!))
         {
-            _closed.Add(pointer);
+            _closed.Add(pointer!);
         }
 
         Build();
@@ -176,16 +169,6 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
         string wanted = Filter.Trim();
         return wanted.Length == 0 ? [.. nodes] : [.. nodes.Select(n => n with { Children = Filtered(n.Children) })
             .Where(n => n.Children.Count > 0 || $"{n.Name} {n.Type}".Contains(wanted, StringComparison.OrdinalIgnoreCase))];
-    }
-
-    // What is to be seen of a line is what counts, not its command.
-    private sealed class RowComparer : IEqualityComparer<OutlineRow>
-    {
-        public static RowComparer Instance { get; } = new();
-
-        public bool Equals(OutlineRow? x, OutlineRow? y) => x is not null && y is not null && x with { Toggle = y.Toggle } == y;
-
-        public int GetHashCode(OutlineRow row) => row.Pointer.GetHashCode(StringComparison.Ordinal);
     }
 }
 
@@ -209,10 +192,6 @@ internal sealed record OutlineRow(string Pointer, string Name, string About, str
 
     /// <summary>Shows or hides what it holds.</summary>
     public required ICommand Toggle { get; init; }
-
-    public bool CanToggle => IsOpen is not null;
-
-    public bool HasColor => Color.Length > 0;
 
     /// <summary>The indentation in pixels.</summary>
     public double Indent => 14 * Level;

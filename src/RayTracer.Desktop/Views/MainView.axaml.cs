@@ -14,7 +14,7 @@ internal sealed partial class MainView : UserControl
     protected override void OnKeyDown(KeyEventArgs e)
     {
         base.OnKeyDown(e);
-        if (e.Handled || DataContext is not MainViewModel { IsAsking: false } main)
+        if (e.Handled || DataContext is not MainViewModel { Dialog: null } main)
         {
             return;
         }

@@ -3,7 +3,7 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>Denoised pictures as files and layers of files.</summary>
-public static class DenoisedFiles
+internal static class DenoisedFiles
 {
     private const string Name = "denoised";
 

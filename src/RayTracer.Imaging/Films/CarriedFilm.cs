@@ -7,7 +7,7 @@ namespace RayTracer.Imaging;
 /// Films in any file that carries one: film files (<see cref="FilmFile"/>), and OpenEXR images with the sums as layers
 /// (<see cref="FilmExr"/>).
 /// </summary>
-public static class CarriedFilm
+internal static class CarriedFilm
 {
     private static readonly Lock s_reading = new();
 

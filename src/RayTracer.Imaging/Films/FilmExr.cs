@@ -84,7 +84,7 @@ public static class FilmExr
         });
     }
 
-    /// <summary>Why larger pictures are refused, as a clause.</summary>
+    /// <summary>The reason why larger pictures are refused, as a clause.</summary>
     public static string TooLarge => $"an OpenEXR image carries films of at most {MaxPixels} pixels; an .rtfilm file has no such limit";
 
     /// <summary>Reads what a file says about its film.</summary>

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
@@ -37,7 +38,7 @@ public sealed record FilmHeader
     /// <summary>The values that replace what the scene's file says, each written <c>path=value</c>.</summary>
     public IReadOnlyList<string> Settings { get; init; } = [];
 
-    /// <summary>What a file of the first format holds in place of settings: words of a command line; null in any other.</summary>
+    /// <summary>The words of a command line that a file of the first format holds in place of settings; null in any other.</summary>
     public IReadOnlyList<string>? Words { get; init; }
 
     /// <summary>The program that wrote it.</summary>
@@ -55,34 +56,24 @@ public sealed record FilmHeader
     /// <summary>Writes it as JSON.</summary>
     internal byte[] ToBytes()
     {
-        using MemoryStream stream = new();
-        using (Utf8JsonWriter json = new(stream))
+        JsonObject json = new()
         {
-            json.WriteStartObject();
-            json.WriteNumber("width", Width);
-            json.WriteNumber("height", Height);
-            json.WriteString("content", Content);
-            Numbers(json, "samples", Samples.SelectMany(r => new[] { r.First, r.End }));
-            Numbers(json, "wanted", [Wanted.First, Wanted.End]);
-            json.WriteNumber("total", Total);
-            if (Crop is { } crop)
-            {
-                Numbers(json, "crop", [crop.X, crop.Y, crop.Width, crop.Height]);
-            }
-
-            json.WriteString("scene", Scene);
-            json.WriteStartArray(Words is null ? SettingsKey : WordsKey);
-            foreach (string text in Words ?? Settings)
-            {
-                json.WriteStringValue(text);
-            }
-
-            json.WriteEndArray();
-            json.WriteString("software", Software);
-            json.WriteEndObject();
+            ["width"] = Width,
+            ["height"] = Height,
+            ["content"] = Content,
+            ["samples"] = List(Samples.SelectMany(r => new[] { r.First, r.End })),
+            ["wanted"] = List([Wanted.First, Wanted.End]),
+            ["total"] = Total,
+        };
+        if (Crop is { } crop)
+        {
+            json["crop"] = List([crop.X, crop.Y, crop.Width, crop.Height]);
         }
 
-        return stream.ToArray();
+        json["scene"] = Scene;
+        json[Words is null ? SettingsKey : WordsKey] = List(Words ?? Settings);
+        json["software"] = Software;
+        return JsonSerializer.SerializeToUtf8Bytes(json);
     }
 
     /// <summary>Reads it.</summary>
@@ -126,14 +117,5 @@ public sealed record FilmHeader
 
     private static int[] Numbers(JsonElement list) => [.. list.EnumerateArray().Select(n => n.GetInt32())];
 
-    private static void Numbers(Utf8JsonWriter json, string key, IEnumerable<int> numbers)
-    {
-        json.WriteStartArray(key);
-        foreach (int number in numbers)
-        {
-            json.WriteNumberValue(number);
-        }
-
-        json.WriteEndArray();
-    }
+    private static JsonArray List<T>(IEnumerable<T> values) => new([.. values.Select(v => (JsonNode?)JsonValue.Create(v))]);
 }

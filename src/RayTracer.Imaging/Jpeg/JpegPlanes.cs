@@ -22,7 +22,7 @@ internal sealed class JpegPlanes
 
     /// <summary>Computes the coefficients.</summary>
     /// <param name="image">Linear RGB.</param>
-    /// <param name="chroma">Whether differences of colour are kept for every pixel.</param>
+    /// <param name="chroma">True where differences of colour are kept for every pixel.</param>
     /// <param name="steps">The steps of each component, row by row.</param>
     public JpegPlanes(IImageRows image, JpegChroma chroma, byte[][] steps)
     {

@@ -10,7 +10,7 @@ namespace RayTracer.Imaging;
 /// grey, YCbCr, RGB, CMYK and YCCK. Colours are taken to be sRGB: ICC profiles are ignored, and so is the orientation that Exif
 /// may hold, as glTF 2.0 (section 3.8.3) demands.
 /// </summary>
-public static class JpegReader
+internal static class JpegReader
 {
     // Encoders make some ten or twenty; very many, over a large picture of few bytes, would take hours.
     private const int MostScans = 500;
@@ -25,7 +25,7 @@ public static class JpegReader
 
     /// <summary>Reads a picture.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="raw">Whether the values are data, to be divided by 255, rather than sRGB-encoded colours.</param>
+    /// <param name="raw">True where the values are data, to be divided by 255, rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB from 0 to 1, or the raw values from 0 to 1; grey has three equal channels.</returns>
     /// <exception cref="PictureException">
     /// The file is no JPEG, is damaged, of a kind that is not read, or beyond <see cref="PictureLimits"/>.

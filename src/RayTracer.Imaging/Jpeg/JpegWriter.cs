@@ -7,7 +7,7 @@ namespace RayTracer.Imaging;
 /// Writes JPEG files (ITU-T T.81, baseline, with the best Huffman codes for each image; ITU-T T.871, JFIF): sRGB-encoded, the same bytes on
 /// every machine.
 /// </summary>
-public static class JpegWriter
+internal static class JpegWriter
 {
     /// <summary>The quality that is written where none is asked for.</summary>
     public const int StandardQuality = 90;
@@ -136,7 +136,7 @@ internal static class JpegQuantization
 
     /// <summary>The steps, row by row, from 1 to 255.</summary>
     /// <param name="quality">1 to 100.</param>
-    /// <param name="isLuminance">Whether of luminance, not of differences of colour.</param>
+    /// <param name="isLuminance">True for luminance, not for differences of colour.</param>
     public static byte[] Steps(int quality, bool isLuminance)
     {
         int percent = quality < 50 ? 5000 / quality : 200 - (2 * quality);

@@ -8,7 +8,7 @@ namespace RayTracer.Imaging;
 /// Writes OpenEXR files: one part, rows from top to bottom, channels B, G and R, Rec. 709 primaries (the format's default), and further
 /// layers beside them.
 /// </summary>
-public static class ExrWriter
+internal static class ExrWriter
 {
     /// <summary>Writes an image, a block of at most 16 rows at a time: no more is in memory.</summary>
     /// <param name="output">Where to; it must be able to seek, for the table of blocks before the pixels.</param>

@@ -7,7 +7,7 @@ using static RayTracer.Imaging.PictureLimits;
 namespace RayTracer.Imaging;
 
 /// <summary>Reads portable float maps (Debevec's PFM): colour (PF) and grey (Pf), either byte order, rows from bottom to top.</summary>
-public static class PfmReader
+internal static class PfmReader
 {
     private const int LongestWord = 32;
 

@@ -6,12 +6,12 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>Writes portable float maps (Debevec's PFM): 32-bit floats, rows from bottom to top.</summary>
-public static class PfmWriter
+internal static class PfmWriter
 {
     /// <summary>Writes an image as it is, bit for bit; its rows are read from the last to the first.</summary>
     /// <param name="output">Where to.</param>
     /// <param name="image">Linear RGB.</param>
-    /// <param name="grey">Whether to write luminance alone (Pf) instead of colour (PF).</param>
+    /// <param name="grey">True to write luminance alone (Pf) instead of colour (PF).</param>
     /// <param name="bigEndian">Byte order; most readers know both.</param>
     public static void Write(Stream output, IImageRows image, bool grey = false, bool bigEndian = false)
     {

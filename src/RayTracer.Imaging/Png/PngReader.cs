@@ -9,14 +9,14 @@ namespace RayTracer.Imaging;
 /// Reads PNG files (W3C PNG specification, third edition): every colour type, bit depth and interlacing. Transparency is
 /// ignored (the colour under it is what counts) unless it is asked for, and so are gAMA, cHRM and iCCP: colours are taken to be sRGB.
 /// </summary>
-public static class PngReader
+internal static class PngReader
 {
     /// <summary>The eight bytes that a PNG file begins with.</summary>
     public static ReadOnlySpan<byte> Signature => [0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A];
 
     /// <summary>Reads a picture.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="raw">Whether the values are data, to be divided by the largest code, rather than sRGB-encoded colours.</param>
+    /// <param name="raw">True where the values are data, to be divided by the largest code, rather than sRGB-encoded colours.</param>
     /// <returns>Linear RGB from 0 to 1, or the raw values from 0 to 1; grey has three equal channels.</returns>
     /// <exception cref="PictureException">The file is no PNG, is damaged, or is beyond <see cref="PictureLimits"/>.</exception>
     public static Picture Read(ReadOnlySpan<byte> file, bool raw = false) => Read(file, raw, ofAlpha: false);

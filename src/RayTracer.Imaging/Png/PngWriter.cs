@@ -7,7 +7,7 @@ using RayTracer.Textures;
 namespace RayTracer.Imaging;
 
 /// <summary>Writes PNG files (W3C PNG specification, third edition): RGB with 8 or 16 bits a channel, sRGB-encoded.</summary>
-public static class PngWriter
+internal static class PngWriter
 {
     /// <summary>Writes an image, row by row: no more than a few rows are in memory.</summary>
     /// <param name="output">Where to.</param>

@@ -9,7 +9,7 @@ namespace RayTracer.Imaging;
 /// Reads Radiance pictures (.hdr, .pic; Ward 1991): red, green and blue of eight bits each with a common exponent, plain or run-length
 /// coded in either way. A value is its mantissa · 2^(exponent − 136), as most programs read it; exposures in the header are undone.
 /// </summary>
-public static class HdrReader
+internal static class HdrReader
 {
     /// <summary>Bytes of the longest line of a header, with its end.</summary>
     internal const int LongestLine = 1 << 16;

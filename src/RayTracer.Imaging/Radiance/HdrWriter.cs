@@ -8,7 +8,7 @@ namespace RayTracer.Imaging;
 /// value is off by at most 1/256 of the pixel's largest. Rounded to the nearest; what is below 0 or no number is 0, and what is too bright
 /// is the brightest there is.
 /// </summary>
-public static class HdrWriter
+internal static class HdrWriter
 {
     // Mantissas are whole numbers of eight bits, in units of 2^(exponent − 136).
     private const int Bias = 136;

@@ -30,7 +30,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
 
     /// <summary>The material that a thing is.</summary>
     /// <param name="bsdf">The thing.</param>
-    /// <param name="isTwoSided">Whether it is seen from both sides.</param>
+    /// <param name="isTwoSided">True where it is seen from both sides.</param>
     public MaterialDescription Read(MitsubaObject bsdf, bool isTwoSided = false)
     {
         if (_made.TryGetValue((bsdf, isTwoSided), out MaterialDescription? made))

@@ -18,7 +18,7 @@ internal static class MitsubaColors
     /// <param name="thing">What has the property.</param>
     /// <param name="name">The property.</param>
     /// <param name="standard">What holds where it is not given, or wrong.</param>
-    /// <param name="isLight">Whether it is of light, and not of what reflects it.</param>
+    /// <param name="isLight">True where it is of light, and not of what reflects it.</param>
     /// <param name="maximum">The most that a channel may be.</param>
     public static Rgb Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false, float maximum = float.PositiveInfinity)
     {
@@ -55,54 +55,41 @@ internal static class MitsubaColors
     }
 
     /// <summary>The colour of an element; null, after an error, where it is none.</summary>
-    public static Rgb? Read(MitsubaElement property, bool isLight, MitsubaObject thing)
+    public static Rgb? Read(MitsubaElement property, bool isLight, MitsubaObject thing) => property.Name switch
     {
-        MitsubaLog log = thing.Log;
-        switch (property.Name)
-        {
-            case "rgb":
-                return Rgb(property, log);
-            case "float" or "integer":
-                return MitsubaNumbers.Float(property, "value", log) is { } grey ? new(grey, grey, grey) : null;
-            case "spectrum":
-                return Spectrum(property, isLight, thing);
-            default:
-                log.Error(property.Place, $"expected a colour (<rgb>, <spectrum> or <float>) for {Quotation.Of(property.Attribute("name") ?? "")}, but found <{property.Name}>");
-                return null;
-        }
-    }
+        "rgb" => Rgb(property, thing.Log),
+        "float" or "integer" => MitsubaNumbers.Float(property, "value", thing.Log) is { } grey ? new(grey, grey, grey) : null,
+        "spectrum" => Spectrum(property, isLight, thing),
+        _ => thing.Log.Fail<Rgb?>(
+            property.Place,
+            $"expected a colour (<rgb>, <spectrum> or <float>) for {Quotation.Of(property.Attribute("name") ?? "")}, but found <{property.Name}>"),
+    };
 
     /// <summary>The colour of a spectrum that is a separate object.</summary>
     public static Rgb Plugin(MitsubaObject plugin, Rgb standard, bool isLight)
     {
-        Rgb color = standard;
-        switch (plugin.Type)
+        Rgb? color = plugin.Type switch
         {
-            case "uniform":
-                float value = plugin.Float("value", 1);
-                color = isLight ? s_equalEnergy * value : new(value, value, value);
-                break;
-            case "d65":
-                float scale = plugin.Float("scale", 1);
-                color = Read(plugin, "color", Numerics.Rgb.White) * scale;
-                break;
-            case "rgb" or "srgb":
-                color = Read(plugin, plugin.Type == "rgb" ? "value" : "color", standard);
-                break;
-            case "blackbody":
-                color = Color(Scenes.Spectrum.BlackBody(plugin.Float("temperature", 5000, 1), plugin.Float("wavelength_min", CieTables.First), plugin.Float("wavelength_max", CieTables.Last)), isLight);
-                break;
-            case "regular" or "irregular":
-                color = Sampled(plugin) is { } sampled ? Color(sampled, isLight) : standard;
-                break;
-            default:
-                plugin.UnknownType("spectra", "uniform", "d65", "rgb", "srgb", "regular", "irregular", "blackbody");
-                return standard;
+            "uniform" => (isLight ? s_equalEnergy : Numerics.Rgb.White) * plugin.Float("value", 1),
+            "d65" => Read(plugin, "color", Numerics.Rgb.White) * plugin.Float("scale", 1),
+            "rgb" => Read(plugin, "value", standard),
+            "srgb" => Read(plugin, "color", standard),
+            "blackbody" => Color(BlackBody(plugin), isLight),
+            "regular" or "irregular" => Sampled(plugin) is { } sampled ? Color(sampled, isLight) : standard,
+            _ => null,
+        };
+        if (color is null)
+        {
+            plugin.UnknownType("spectra", "uniform", "d65", "rgb", "srgb", "regular", "irregular", "blackbody");
+            return standard;
         }
 
         plugin.Finish();
-        return color;
+        return color.Value;
     }
+
+    private static Spectrum BlackBody(MitsubaObject plugin) => Scenes.Spectrum.BlackBody(
+        plugin.Float("temperature", 5000, 1), plugin.Float("wavelength_min", CieTables.First), plugin.Float("wavelength_max", CieTables.Last));
 
     private static Rgb? Rgb(MitsubaElement property, MitsubaLog log)
     {
@@ -114,8 +101,7 @@ internal static class MitsubaColors
                 return new((number >> 16) / 255f, ((number >> 8) & 255) / 255f, (number & 255) / 255f);
             }
 
-            log.Error(property.PlaceOf("value"), $"{Quotation.Of(hex)} is not a colour: expected # and six hexadecimal digits");
-            return null;
+            return log.Fail<Rgb?>(property.PlaceOf("value"), $"{Quotation.Of(hex)} is not a colour: expected # and six hexadecimal digits");
         }
 
         return MitsubaNumbers.Floats(property, "value", log, 1, 3) is not { } v ? null
@@ -141,8 +127,7 @@ internal static class MitsubaColors
         string[][] pairs = [.. words.Select(w => w.Split(':'))];
         if (pairs.Length == 0 || pairs.Any(p => p.Length != 2))
         {
-            log.Error(property.PlaceOf("value"), "expected one number, or wavelengths in nm with their numbers, as in 400:0.1, 700:0.5");
-            return null;
+            return log.Fail<Rgb?>(property.PlaceOf("value"), "expected one number, or wavelengths in nm with their numbers, as in 400:0.1, 700:0.5");
         }
 
         return Sampled([.. pairs.Select(p => p[0])], [.. pairs.Select(p => p[1])], property.PlaceOf("value"), log) is { } sampled ? Color(sampled, isLight) : null;
@@ -153,8 +138,7 @@ internal static class MitsubaColors
     {
         if (wavelengths.Length != values.Length || wavelengths.Length is 0 or > MostSamples)
         {
-            log.Error(place, $"expected as many wavelengths as numbers, at most {MostSamples}, but found {wavelengths.Length} and {values.Length}");
-            return null;
+            return log.Fail<Spectrum>(place, $"expected as many wavelengths as numbers, at most {MostSamples}, but found {wavelengths.Length} and {values.Length}");
         }
 
         float?[] at = [.. wavelengths.Select(w => MitsubaNumbers.Float(w, place, log))];
@@ -164,13 +148,8 @@ internal static class MitsubaColors
             return null;
         }
 
-        if (at.Zip(at.Skip(1)).Any(p => !(p.First < p.Second)))
-        {
-            log.Error(place, "the wavelengths of a spectrum must rise");
-            return null;
-        }
-
-        return new([.. at.Select(v => v!.Value)], [.. numbers.Select(v => v!.Value)]);
+        return at.Zip(at.Skip(1)).Any(p => !(p.First < p.Second)) ? log.Fail<Spectrum>(place, "the wavelengths of a spectrum must rise")
+            : new([.. at.Select(v => v!.Value)], [.. numbers.Select(v => v!.Value)]);
     }
 
     private static Spectrum? Sampled(MitsubaObject plugin)
@@ -206,23 +185,20 @@ internal static class SpectrumFile
             string? complaint = FileSearch.Complaint(path) ?? (new FileInfo(path).Length > LargestBytes ? "it is too large for a spectrum" : null);
             if (complaint is not null)
             {
-                thing.Log.Error(place, $"cannot read {Quotation.Of(name)}: {complaint}");
-                return null;
+                return thing.Log.Fail<Spectrum>(place, $"cannot read {Quotation.Of(name)}: {complaint}");
             }
 
             string[][] lines = [.. File.ReadLines(path).Select(l => MitsubaNumbers.Words(l.Split('#')[0])).Where(w => w.Length > 0)];
             if (Array.FindIndex(lines, w => w.Length != 2) is var bad and >= 0)
             {
-                thing.Log.Error(place, $"{Quotation.Of(name)} is not a spectrum: expected a wavelength and a number per line, but one has {lines[bad].Length} words");
-                return null;
+                return thing.Log.Fail<Spectrum>(place, $"{Quotation.Of(name)} is not a spectrum: expected a wavelength and a number per line, but one has {lines[bad].Length} words");
             }
 
             return MitsubaColors.Sampled([.. lines.Select(w => w[0])], [.. lines.Select(w => w[1])], place, thing.Log);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            thing.Log.Error(place, $"cannot read {Quotation.Of(name)}: {e.Message.TrimEnd('.')}");
-            return null;
+            return thing.Log.Fail<Spectrum>(place, $"cannot read {Quotation.Of(name)}: {e.Message.TrimEnd('.')}");
         }
     }
 }

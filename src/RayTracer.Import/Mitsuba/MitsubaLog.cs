@@ -18,6 +18,20 @@ internal sealed class MitsubaLog
     /// <summary>Takes an error: the picture would be another one.</summary>
     public void Error(SourcePlace place, string message) => Add(place.At(Severity.Error, message));
 
+    /// <summary>Takes an error, and returns nothing in place of what could not be read.</summary>
+    public T? Fail<T>(SourcePlace place, string message)
+    {
+        Error(place, message);
+        return default;
+    }
+
+    /// <summary>As the other one, and returns nothing in place of what could not be read.</summary>
+    public T? Unknown<T>(SourcePlace place, string message, string word, params string[] known)
+    {
+        Unknown(place, message, word, known);
+        return default;
+    }
+
     /// <summary>Takes a warning: the picture is right, but something is not as it says there.</summary>
     public void Warn(SourcePlace place, string message) => Add(place.At(Severity.Warning, message));
 

@@ -93,19 +93,13 @@ internal static class MitsubaMedia
 
     private static float Anisotropy(MitsubaObject phase)
     {
-        float g = 0;
-        switch (phase.Type)
+        if (phase.Type is not ("isotropic" or "hg"))
         {
-            case "isotropic":
-                break;
-            case "hg":
-                g = phase.Float("g", 0.8f, -0.99f, 0.99f);
-                break;
-            default:
-                phase.Log.Unknown(phase.TypePlace, $"phase functions of type {Quotation.Of(phase.Type)} are not supported", phase.Type, ["isotropic", "hg"]);
-                return 0;
+            phase.UnknownType("phase functions", "isotropic", "hg");
+            return 0;
         }
 
+        float g = phase.Type == "hg" ? phase.Float("g", 0.8f, -0.99f, 0.99f) : 0;
         phase.Finish();
         return g;
     }

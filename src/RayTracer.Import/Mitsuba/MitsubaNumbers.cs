@@ -20,8 +20,7 @@ internal static class MitsubaNumbers
     {
         if (!float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) || !float.IsFinite(value))
         {
-            log.Error(place, $"expected a number, but found {Quotation.Of(word.Trim())}");
-            return null;
+            return log.Fail<float?>(place, $"expected a number, but found {Quotation.Of(word.Trim())}");
         }
 
         return value;
@@ -37,8 +36,7 @@ internal static class MitsubaNumbers
 
         if (!int.TryParse(text, NumberStyles.Integer, CultureInfo.InvariantCulture, out int value))
         {
-            log.Error(element.PlaceOf(attribute), $"expected a whole number, but found {Quotation.Of(text.Trim())}");
-            return null;
+            return log.Fail<int?>(element.PlaceOf(attribute), $"expected a whole number, but found {Quotation.Of(text.Trim())}");
         }
 
         return value;
@@ -56,8 +54,7 @@ internal static class MitsubaNumbers
         string[] words = Words(text);
         if (!counts.Contains(words.Length))
         {
-            log.Error(element.PlaceOf(attribute), $"expected {string.Join(" or ", counts.ToArray())} numbers for {Quotation.Of(attribute)}, but found {words.Length}");
-            return null;
+            return log.Fail<float[]>(element.PlaceOf(attribute), $"expected {string.Join(" or ", counts.ToArray())} numbers for {Quotation.Of(attribute)}, but found {words.Length}");
         }
 
         float?[] values = [.. words.Select(w => Float(w, element.PlaceOf(attribute), log))];
@@ -101,7 +98,6 @@ internal static class MitsubaNumbers
     private static T? Missing<T>(MitsubaElement element, string attribute, MitsubaLog log)
         where T : struct
     {
-        log.Error(element.Place, $"<{element.Name}> needs the attribute {Quotation.Of(attribute)}");
-        return null;
+        return log.Fail<T?>(element.Place, $"<{element.Name}> needs the attribute {Quotation.Of(attribute)}");
     }
 }

@@ -182,8 +182,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
             return files.Find(text);
         }
 
-        log.Error(PlaceOf(name), $"{Describe()} needs {Quotation.Of(name)}, the path of a file");
-        return null;
+        return log.Fail<string>(PlaceOf(name), $"{Describe()} needs {Quotation.Of(name)}, the path of a file");
     }
 
     /// <summary>The path of a file that is read at once.</summary>

@@ -124,7 +124,7 @@ internal static class CubeMesh
     ];
 
     /// <summary>The cube.</summary>
-    /// <param name="hasUv">Whether its corners have uv: on each face from 0 to 1.</param>
+    /// <param name="hasUv">True where its corners have uv: on each face from 0 to 1.</param>
     public static MeshDescription Create(bool hasUv)
     {
         List<Vector3> positions = [];

@@ -104,8 +104,7 @@ internal static class MitsubaSurfaces
         float radius = shape.Float("radius", 1);
         if (place.UniformScale() is not { } scale)
         {
-            shape.Log.Error(shape.PlaceOf("to_world"), "a sphere that is scaled differently along its axes, or sheared, is not supported");
-            return null;
+            return shape.Log.Fail<SphereDescription>(shape.PlaceOf("to_world"), "a sphere that is scaled differently along its axes, or sheared, is not supported");
         }
 
         if (isTurned)

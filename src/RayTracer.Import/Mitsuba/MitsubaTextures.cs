@@ -26,7 +26,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <param name="thing">What has it.</param>
     /// <param name="name">Its name there.</param>
     /// <param name="standard">What it is where it is not given.</param>
-    /// <param name="isLight">Whether it is of light, and not of what reflects it.</param>
+    /// <param name="isLight">True where it is of light, and not of what reflects it.</param>
     public TextureDescription Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false) =>
         thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, standard, isLight, isLight ? float.PositiveInfinity : 1));
 
@@ -58,20 +58,18 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <summary>The same colour everywhere.</summary>
     public static TextureDescription Solid(Rgb color) => new SolidTextureDescription { Color = color };
 
-    private TextureDescription Make(MitsubaObject texture)
+    private TextureDescription Make(MitsubaObject texture) => texture.Type switch
     {
-        switch (texture.Type)
-        {
-            case "bitmap":
-                return Bitmap(texture);
-            case "checkerboard":
-                return Checkerboard(texture);
-            case "mesh_attribute":
-                return Attribute(texture);
-            default:
-                texture.UnknownType("textures", "bitmap", "checkerboard", "mesh_attribute");
-                return Solid(new(0.5f, 0.5f, 0.5f));
-        }
+        "bitmap" => Bitmap(texture),
+        "checkerboard" => Checkerboard(texture),
+        "mesh_attribute" => Attribute(texture),
+        _ => Unknown(texture),
+    };
+
+    private static TextureDescription Unknown(MitsubaObject texture)
+    {
+        texture.UnknownType("textures", "bitmap", "checkerboard", "mesh_attribute");
+        return Solid(new(0.5f, 0.5f, 0.5f));
     }
 
     private TextureDescription Bitmap(MitsubaObject texture)

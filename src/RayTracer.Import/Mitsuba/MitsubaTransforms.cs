@@ -29,25 +29,15 @@ internal static class MitsubaTransforms
         return all;
     }
 
-    private static Transform? Step(MitsubaElement step, MitsubaLog log)
+    private static Transform? Step(MitsubaElement step, MitsubaLog log) => step.Name switch
     {
-        switch (step.Name)
-        {
-            case "translate":
-                return MitsubaNumbers.Vector(step, 0, log) is { } by ? Transform.Translation(by) : null;
-            case "scale":
-                return MitsubaNumbers.Vector(step, 1, log) is { } factors ? Transform.Scaling(factors) : null;
-            case "rotate":
-                return Rotation(step, log);
-            case "lookat":
-                return LookAt(step, log);
-            case "matrix":
-                return Matrix(step, log);
-            default:
-                log.Unknown(step.Place, $"<{step.Name}> is not a transform step", step.Name, ["translate", "scale", "rotate", "lookat", "matrix"]);
-                return null;
-        }
-    }
+        "translate" => MitsubaNumbers.Vector(step, 0, log) is { } by ? Transform.Translation(by) : null,
+        "scale" => MitsubaNumbers.Vector(step, 1, log) is { } factors ? Transform.Scaling(factors) : null,
+        "rotate" => Rotation(step, log),
+        "lookat" => LookAt(step, log),
+        "matrix" => Matrix(step, log),
+        _ => log.Unknown<Transform?>(step.Place, $"<{step.Name}> is not a transform step", step.Name, "translate", "scale", "rotate", "lookat", "matrix"),
+    };
 
     private static Transform? Rotation(MitsubaElement step, MitsubaLog log)
     {
@@ -58,8 +48,7 @@ internal static class MitsubaTransforms
 
         if (!(axis.Norm() > 0) || !axis.Unit().IsFinite())
         {
-            log.Error(step.Place, "a rotation needs an axis: x, y or z must be given, and not be 0");
-            return null;
+            return log.Fail<Transform?>(step.Place, "a rotation needs an axis: x, y or z must be given, and not be 0");
         }
 
         if (float.Abs(axis.Norm() - 1) > 1e-3f)
@@ -85,16 +74,14 @@ internal static class MitsubaTransforms
         Vector3 forward = (Vector(target) - eye).Unit();
         if (!forward.IsFinite())
         {
-            log.Error(step.Place, "origin and target of a lookat must be different points");
-            return null;
+            return log.Fail<Transform?>(step.Place, "origin and target of a lookat must be different points");
         }
 
         Vector3 upward = Vector(up) == Vector3.Zero ? AnyPerpendicular(forward) : Vector(up);
         Vector3 left = upward.Cross(forward).Unit();
         if (!left.IsFinite())
         {
-            log.Error(step.PlaceOf("up"), "the up direction of a lookat must not point from origin to target");
-            return null;
+            return log.Fail<Transform?>(step.PlaceOf("up"), "the up direction of a lookat must not point from origin to target");
         }
 
         Vector3 top = forward.Cross(left);
@@ -116,8 +103,7 @@ internal static class MitsubaTransforms
 
         if (!m.AsSpan(12).SequenceEqual([0, 0, 0, 1]))
         {
-            log.Error(step.PlaceOf("value"), "the last row of a matrix must be 0 0 0 1");
-            return null;
+            return log.Fail<Transform?>(step.PlaceOf("value"), "the last row of a matrix must be 0 0 0 1");
         }
 
         return new Transform(new(m[0], m[1], m[2], m[3]), new(m[4], m[5], m[6], m[7]), new(m[8], m[9], m[10], m[11]));

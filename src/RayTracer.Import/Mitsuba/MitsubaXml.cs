@@ -21,15 +21,13 @@ internal static class MitsubaXml
         {
             if (FileSearch.Complaint(path) is { } complaint)
             {
-                log.Error(file, complaint);
-                return null;
+                return log.Fail<MitsubaElement>(file, complaint);
             }
 
             using FileStream stream = File.OpenRead(path);
             if (stream.Length > SceneReader.MaximumBytes)
             {
-                log.Error(file, $"larger than {SceneReader.MaximumBytes >> 20} MiB");
-                return null;
+                return log.Fail<MitsubaElement>(file, $"larger than {SceneReader.MaximumBytes >> 20} MiB");
             }
 
             XmlReaderSettings settings = new()
@@ -70,8 +68,7 @@ internal static class MitsubaXml
                 case XmlNodeType.Element:
                     if (open.Count == MaximumNesting)
                     {
-                        log.Error(Place(reader, path), $"elements are nested more than {MaximumNesting} deep");
-                        return null;
+                        return log.Fail<MitsubaElement>(Place(reader, path), $"elements are nested more than {MaximumNesting} deep");
                     }
 
                     bool isClosed = reader.IsEmptyElement;

@@ -6,6 +6,7 @@ using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
+using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
 
@@ -46,10 +47,7 @@ internal sealed class SerializedReader
         }
 
         int version = BinaryPrimitives.ReadUInt16LittleEndian(_file.AsSpan(2));
-        if (version is not (3 or 4))
-        {
-            throw new ModelException($"byte 2: the versions 3 and 4 are read, but it is of version {version}");
-        }
+        Require(version is (3 or 4), $"byte 2: the versions 3 and 4 are read, but it is of version {version}");
 
         long[] begins = Begins(version);
         List<ShapeDescription> shapes = [];
@@ -119,10 +117,7 @@ internal sealed class SerializedReader
         Vector2[]? uv = (flags & HasUv) != 0 ? values.Vector2s(count, isDouble) : null;
         Rgb[]? colors = (flags & HasColors) != 0 ? [.. values.Vector3s(count, isDouble).Select(c => new Rgb(c.X, c.Y, c.Z))] : null;
         int[] indices = values.Indices(3 * (int)triangles, count);
-        if (indices.Length == 0)
-        {
-            throw new ModelException($"there are no triangles in it ({count} corners)");
-        }
+        Require(indices.Length != 0, $"there are no triangles in it ({count} corners)");
 
         MeshData data = new(positions, indices) { Normals = (flags & IsFlat) != 0 ? null : normals, Uv = uv, Colors = colors };
         return new MeshDescription
@@ -155,10 +150,7 @@ internal sealed class SerializedReader
             List<byte> name = [];
             for (int c = Byte(); c != 0; c = Byte())
             {
-                if (name.Count == LongestName)
-                {
-                    throw new ModelException($"a mesh has a name of more than {LongestName} bytes");
-                }
+                Require(name.Count != LongestName, $"a mesh has a name of more than {LongestName} bytes");
 
                 name.Add((byte)c);
             }

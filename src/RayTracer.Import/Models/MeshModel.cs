@@ -3,6 +3,7 @@ using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
 using RayTracer.Textures;
+using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
 
@@ -16,10 +17,7 @@ internal static class MeshModel
     /// <exception cref="ModelException">There are no triangles.</exception>
     public static ImportedModel Of(string path, MeshData mesh, IReadOnlyList<string> notes)
     {
-        if (mesh.TriangleCount == 0)
-        {
-            throw new ModelException($"there are no triangles in it ({mesh.Positions.Length} corners)");
-        }
+        Require(mesh.TriangleCount != 0, $"there are no triangles in it ({mesh.Positions.Length} corners)");
 
         MaterialDescription material = mesh.Colors is null ? ShapeDescription.DefaultMaterial : White;
         MeshDescription shape = new() { Name = Path.GetFileNameWithoutExtension(path), Data = mesh, Material = material };

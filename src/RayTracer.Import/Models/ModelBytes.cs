@@ -1,5 +1,7 @@
+using System.Diagnostics.CodeAnalysis;
 using RayTracer.Description;
 using RayTracer.Scenes;
+using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
 
@@ -17,10 +19,7 @@ internal static class ModelBytes
         }
 
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
-        if (stream.Length > Array.MaxLength)
-        {
-            throw new ModelException($"it has {stream.Length} bytes, and models can have at most 2 GiB");
-        }
+        Require(stream.Length <= Array.MaxLength, $"it has {stream.Length} bytes, and models can have at most 2 GiB");
 
         byte[] content = GC.AllocateUninitializedArray<byte>((int)stream.Length);
         stream.ReadExactly(content);
@@ -57,5 +56,32 @@ internal sealed class ModelMemory
 
         _used += bytes;
         return true;
+    }
+}
+
+/// <summary>Refuses files.</summary>
+internal static class ModelCheck
+{
+    /// <summary>Refuses a file in which something does not hold.</summary>
+    /// <exception cref="ModelException">The condition is false.</exception>
+    public static void Require([DoesNotReturnIf(false)] bool condition, string otherwise)
+    {
+        if (!condition)
+        {
+            throw new ModelException(otherwise);
+        }
+    }
+
+    /// <summary>Returns the value of a key, which is made when it is first asked for.</summary>
+    public static TValue Remember<TKey, TValue>(this Dictionary<TKey, TValue> known, TKey key, Func<TValue> make)
+        where TKey : notnull
+    {
+        if (!known.TryGetValue(key, out TValue? value))
+        {
+            value = make();
+            known.Add(key, value);
+        }
+
+        return value;
     }
 }

@@ -28,7 +28,7 @@ internal ref struct ModelText
 
     /// <summary>Begins at the first byte, or behind a byte order mark.</summary>
     /// <param name="text">The file.</param>
-    /// <param name="hasContinuations">Whether a backslash joins lines.</param>
+    /// <param name="hasContinuations">True where a backslash joins lines.</param>
     public ModelText(ReadOnlySpan<byte> text, bool hasContinuations = false)
     {
         _text = text;

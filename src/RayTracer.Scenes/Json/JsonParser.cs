@@ -98,21 +98,15 @@ public sealed class JsonParser
     private JsonNode? Value(int depth)
     {
         int start = _at;
-        switch (Peek())
+        return Peek() switch
         {
-            case '{' or '[' when depth > MaximumDepth:
-                return Fail<JsonNode>(start, $"nested more than {MaximumDepth} deep");
-            case '{':
-                return Object(depth);
-            case '[':
-                return Array(depth);
-            case '"':
-                return String() is { } text ? new(JsonKind.String, start, _at, text) : null;
-            case '-' or '+' or '.' or (>= '0' and <= '9'):
-                return Number();
-            default:
-                return Word();
-        }
+            '{' or '[' when depth > MaximumDepth => Fail<JsonNode>(start, $"nested more than {MaximumDepth} deep"),
+            '{' => Object(depth),
+            '[' => Array(depth),
+            '"' => String() is { } text ? new(JsonKind.String, start, _at, text) : null,
+            '-' or '+' or '.' or (>= '0' and <= '9') => Number(),
+            _ => Word(),
+        };
     }
 
     private JsonNode? Object(int depth)

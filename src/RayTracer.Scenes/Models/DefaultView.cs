@@ -9,7 +9,7 @@ using RayTracer.Textures;
 namespace RayTracer.Scenes;
 
 /// <summary>Makes up what a model file does not have and a picture needs: a camera that sees all of it, and light.</summary>
-public static class DefaultView
+internal static class DefaultView
 {
     private const float FieldOfViewDegrees = 35;
 

@@ -43,6 +43,15 @@ internal sealed class ModelNotes
     /// <summary>The notes in the order in which they first came up, with how often where it was more than once.</summary>
     public IReadOnlyList<string> All => [.. _notes.Select(n => _counts[n] > 1 ? $"{n} ({_counts[n]} times)" : n)];
 
+    /// <summary>Takes a note where a condition holds.</summary>
+    public void AddIf(bool condition, string note)
+    {
+        if (condition)
+        {
+            Add(note);
+        }
+    }
+
     /// <summary>Takes a note: a clause without a final stop.</summary>
     public void Add(string note)
     {

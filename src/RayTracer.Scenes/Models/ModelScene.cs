@@ -4,7 +4,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Scenes;
 
 /// <summary>Makes a scene of a model file alone: what it lacks to be seen, a camera or light, is made up, and said.</summary>
-public static class ModelScene
+internal static class ModelScene
 {
     /// <summary>The scene that shows a model, which it names by its file.</summary>
     /// <param name="model">What the file holds.</param>

@@ -6,7 +6,7 @@ namespace RayTracer.Scenes;
 /// <summary>Puts the values that tracks of an animation have at a time into a scene's text.</summary>
 internal static class AnimationTrack
 {
-    /// <summary>Why a property cannot be animated; null where it can.</summary>
+    /// <summary>The reason why a property cannot be animated; null where it can.</summary>
     public static string? Complaint(PropertyPlace place) =>
         place.Parameter is { } parameter && ParameterForm.Of(parameter).IsNumeric(place.Node) ? null
         : place.Parameter is { IsRecord: true } || place.Node is { Kind: JsonKind.Object } ? Whole(place)

@@ -18,15 +18,23 @@ internal sealed class DiagnosticBag(SourceText source)
 
     public void Error(int at, string message, DiagnosticRule? rule = null) => Diagnostics.Add(source.Error(at, message) with { Rule = rule ?? DiagnosticRule.Content });
 
-    public void Expected(JsonNode at, string expected, string key) =>
-        Error(at, $"expected {expected}{(key.Length > 0 ? $" for {Quotation.Of(key)}" : "")}, but found {Describe(at)}", DiagnosticRule.WrongKind);
+    /// <summary>Takes an error, and returns nothing in place of what could not be read.</summary>
+    public T? Fail<T>(JsonNode at, string message, DiagnosticRule? rule = null)
+    {
+        Error(at, message, rule);
+        return default;
+    }
+
+    /// <summary>Reports a value of another kind, and returns nothing in its place.</summary>
+    public T? Expected<T>(JsonNode at, string expected, string key) =>
+        Fail<T>(at, $"expected {expected}{(key.Length > 0 ? $" for {Quotation.Of(key)}" : "")}, but found {Describe(at)}", DiagnosticRule.WrongKind);
 
     /// <summary>Reports a word that is unknown, with the nearest of those that are allowed, or else all of them.</summary>
-    public void Unknown(int at, string message, string word, IEnumerable<string> candidates, string listTitle)
+    public T? Unknown<T>(JsonNode word, string message, IEnumerable<string> candidates, string listTitle = "")
     {
-        string hint = GivesHints ? Spelling.DidYouMean(word, candidates) : "";
+        string hint = GivesHints ? Spelling.DidYouMean(word.Text, candidates) : "";
         string list = hint.Length == 0 && listTitle.Length > 0 ? $": {listTitle} {string.Join(", ", candidates)}" : "";
-        Error(at, message + hint + list, DiagnosticRule.UnknownWord);
+        return Fail<T>(word, message + hint + list, DiagnosticRule.UnknownWord);
     }
 
     private static string Describe(JsonNode node) => node.Kind switch

@@ -5,7 +5,7 @@ namespace RayTracer.Scenes;
 /// <summary>Says why a file cannot be opened.</summary>
 internal static class FileSearch
 {
-    /// <summary>Why a scene cannot read a file: there is none, with the most similar name beside it, or it is none that ends; else null.</summary>
+    /// <summary>The reason why a scene cannot read a file: there is none, with the most similar name beside it, or it is none that ends; else null.</summary>
     /// <param name="path">The file's path.</param>
     /// <param name="isStream">True where a pipe or a device will do.</param>
     public static string? Complaint(string path, bool isStream = false)

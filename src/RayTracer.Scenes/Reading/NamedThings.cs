@@ -40,14 +40,12 @@ internal sealed class NamedThings<T>(string noun, DiagnosticBag bag, JsonNode? d
         if (first >= 0)
         {
             string circle = string.Join(" → ", _open.Skip(first).Append(name).Select(Quotation.Of));
-            bag.Error(reference, $"the {noun} {Quotation.Of(name)} contains itself: {circle}");
-            return null;
+            return bag.Fail<T>(reference, $"the {noun} {Quotation.Of(name)} contains itself: {circle}");
         }
 
         if (_open.Count == RecordReader.MaximumNesting)
         {
-            bag.Error(reference, $"{noun}s are nested more than {RecordReader.MaximumNesting} deep");
-            return null;
+            return bag.Fail<T>(reference, $"{noun}s are nested more than {RecordReader.MaximumNesting} deep");
         }
 
         _open.Add(name);

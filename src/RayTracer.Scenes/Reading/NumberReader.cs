@@ -12,27 +12,13 @@ internal sealed class NumberReader(DiagnosticBag bag)
 
     public object? Integer(RecordParameter parameter, JsonNode node)
     {
-        if (node.Kind != JsonKind.Number)
-        {
-            bag.Expected(node, "a whole number", parameter.Key);
-            return null;
-        }
-
-        double value = double.Parse(node.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
+        string key = Quotation.Of(parameter.Key);
         bool isInt = parameter.ValueType == typeof(int);
-        if (Math.Abs(value) > (isInt ? int.MaxValue : 1L << 53))
-        {
-            bag.Error(node, $"{Quotation.Of(parameter.Key)} is too large: {Quotation.Short(node.Text)}", DiagnosticRule.OutOfRange);
-            return null;
-        }
-
-        if (value != Math.Floor(value))
-        {
-            bag.Error(node, $"expected a whole number for {Quotation.Of(parameter.Key)}, but found {Quotation.Short(node.Text)}", DiagnosticRule.WrongKind);
-            return null;
-        }
-
-        return !IsInRange(parameter.Key, node, value, parameter) ? null : isInt ? (int)value : (object)(long)value;
+        return Double(parameter.Key, node) is not { } value ? null
+            : Math.Abs(value) > (isInt ? int.MaxValue : 1L << 53) ? TooLarge<object>(node, key, "")
+            : value != Math.Floor(value) ? NotWhole<object>(node, key)
+            : !IsInRange(parameter.Key, node, value, parameter) ? null
+            : isInt ? (int)value : (object)(long)value;
     }
 
     /// <summary>Reads three whole numbers.</summary>
@@ -48,71 +34,44 @@ internal sealed class NumberReader(DiagnosticBag bag)
     }
 
     /// <summary>Reads an element of a list of whole numbers.</summary>
-    public int? WholeNumber(string key, JsonNode node)
-    {
-        if (node.Kind != JsonKind.Number)
-        {
-            bag.Expected(node, "a whole number", key);
-            return null;
-        }
+    public int? WholeNumber(string key, JsonNode node) => Double(key, node) is not { } value ? null
+        : value != Math.Floor(value) || Math.Abs(value) > int.MaxValue ? NotWhole<int?>(node, Quotation.Of(key))
+        : (int)value;
 
-        double value = double.Parse(node.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
-        if (value != Math.Floor(value) || Math.Abs(value) > int.MaxValue)
-        {
-            bag.Error(node, $"expected a whole number for {Quotation.Of(key)}, but found {Quotation.Short(node.Text)}", DiagnosticRule.WrongKind);
-            return null;
-        }
+    private double? Double(string key, JsonNode node) => node.Kind != JsonKind.Number ? bag.Expected<double?>(node, "a whole number", key)
+        : double.Parse(node.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
 
-        return (int)value;
-    }
+    private T? NotWhole<T>(JsonNode node, string key) =>
+        bag.Fail<T>(node, $"expected a whole number for {key}, but found {Quotation.Short(node.Text)}", DiagnosticRule.WrongKind);
+
+    private T? TooLarge<T>(JsonNode node, string key, string beyond) =>
+        bag.Fail<T>(node, $"{key} is too large: {Quotation.Short(node.Text)}{beyond}", DiagnosticRule.OutOfRange);
 
     /// <summary>Reads a colour.</summary>
     /// <param name="key">What the colour is for, in messages.</param>
     /// <param name="node">The colour.</param>
     /// <param name="bounds">The parameters whose ranges it must keep to.</param>
-    public Rgb? Color(string key, JsonNode node, params ReadOnlySpan<RecordParameter> bounds)
+    public Rgb? Color(string key, JsonNode node, params ReadOnlySpan<RecordParameter> bounds) => node.Kind switch
     {
-        switch (node.Kind)
-        {
-            case JsonKind.String when CssColors.Find(node.Text) is { } named:
-                return named;
-            case JsonKind.String when node.Text.StartsWith('#'):
-                return Hex(node);
-            case JsonKind.String:
-                bag.Unknown(node.Start, $"unknown colour {Quotation.Of(node.Text)}", node.Text, CssColors.Names, "");
-                return null;
-            case JsonKind.Array:
-                return Elements(key, node, 3, bounds) is { } c ? new Rgb(c[0], c[1], c[2]) : null;
-            default:
-                bag.Expected(node, "a colour", key);
-                return null;
-        }
-    }
-
-    private Rgb? Hex(JsonNode node)
-    {
-        Rgb? color = CssColors.FromHex(node.Text);
-        if (color is null)
-        {
-            bag.Error(node, $"{Quotation.Of(node.Text)} is not a colour: expected # and three or six hexadecimal digits");
-        }
-
-        return color;
-    }
+        JsonKind.String when CssColors.Find(node.Text) is { } named => named,
+        JsonKind.String when node.Text.StartsWith('#') => CssColors.FromHex(node.Text)
+            ?? bag.Fail<Rgb?>(node, $"{Quotation.Of(node.Text)} is not a colour: expected # and three or six hexadecimal digits"),
+        JsonKind.String => bag.Unknown<Rgb?>(node, $"unknown colour {Quotation.Of(node.Text)}", CssColors.Names),
+        JsonKind.Array => Elements(key, node, 3, bounds) is { } c ? new Rgb(c[0], c[1], c[2]) : null,
+        _ => bag.Expected<Rgb?>(node, "a colour", key),
+    };
 
     /// <summary>Reads so many numbers in brackets.</summary>
     public float[]? Elements(string key, JsonNode node, int count, params ReadOnlySpan<RecordParameter> bounds)
     {
         if (node.Kind != JsonKind.Array)
         {
-            bag.Expected(node, $"an array of {count} numbers", key);
-            return null;
+            return bag.Expected<float[]>(node, $"an array of {count} numbers", key);
         }
 
         if (node.Items.Count != count)
         {
-            bag.Error(node, $"expected {count} numbers for {Quotation.Of(key)}, but found {node.Items.Count}", DiagnosticRule.WrongKind);
-            return null;
+            return bag.Fail<float[]>(node, $"expected {count} numbers for {Quotation.Of(key)}, but found {node.Items.Count}", DiagnosticRule.WrongKind);
         }
 
         float[] values = new float[count];
@@ -131,15 +90,13 @@ internal sealed class NumberReader(DiagnosticBag bag)
     {
         if (node.Kind != JsonKind.Number)
         {
-            bag.Expected(node, "a number", key);
-            return null;
+            return bag.Expected<float?>(node, "a number", key);
         }
 
         float value = float.Parse(node.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
         if (!float.IsFinite(value))
         {
-            bag.Error(node, $"{Quotation.Of(key)} is too large: {Quotation.Short(node.Text)} is beyond 3.4e38", DiagnosticRule.OutOfRange);
-            return null;
+            return TooLarge<float?>(node, Quotation.Of(key), " is beyond 3.4e38");
         }
 
         foreach (RecordParameter parameter in bounds)
@@ -156,11 +113,6 @@ internal sealed class NumberReader(DiagnosticBag bag)
     private bool IsInRange(string key, JsonNode node, double value, RecordParameter bounds)
     {
         string? complaint = bounds.RangeComplaint(value, Quotation.Short(node.Text));
-        if (complaint is not null)
-        {
-            bag.Error(node, $"{Quotation.Of(key)} {complaint}", DiagnosticRule.OutOfRange);
-        }
-
-        return complaint is null;
+        return complaint is null || bag.Fail<bool>(node, $"{Quotation.Of(key)} {complaint}", DiagnosticRule.OutOfRange);
     }
 }

@@ -10,7 +10,7 @@ internal sealed class PictureFolder(string folder, Func<string, bool, Picture> r
 
     /// <summary>Loads a picture.</summary>
     /// <param name="path">The path as it is written in the scene file.</param>
-    /// <param name="raw">Whether the numbers are taken as they are.</param>
+    /// <param name="raw">True where the numbers are taken as they are.</param>
     /// <exception cref="PictureException">It cannot be read.</exception>
     public Picture Load(string path, bool raw)
     {

@@ -48,7 +48,7 @@ internal sealed class PropertyPath
 
     /// <summary>A key or name as it is written in a path.</summary>
     /// <param name="word">The key or name.</param>
-    /// <param name="isFirst">Whether the path begins with it.</param>
+    /// <param name="isFirst">True where the path begins with it.</param>
     public static string Word(string word, bool isFirst) =>
         word.Length == 0 || word.AsSpan().ContainsAny(Signs) || word.All(char.IsAsciiDigit) ? $"[\"{word}\"]" : isFirst ? word : $".{word}";
 

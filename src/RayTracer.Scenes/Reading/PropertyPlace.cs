@@ -15,7 +15,7 @@ internal sealed class PropertyPlace
     /// <summary>The keys and numbers of elements that lead there.</summary>
     public IReadOnlyList<PlaceStep> Steps => _steps;
 
-    /// <summary>Why there is no such property; null where there is one.</summary>
+    /// <summary>The reason why there is no such property; null where there is one.</summary>
     public string? Complaint { get; private set; }
 
     /// <summary>The place in the path of the step that the complaint is about.</summary>
@@ -184,5 +184,5 @@ internal sealed class PropertyPlace
 /// <summary>One step to a <see cref="PropertyPlace"/>.</summary>
 /// <param name="Key">The key.</param>
 /// <param name="Index">The number of an element of a list, from 0; null for a key.</param>
-/// <param name="IsNamed">Whether the path calls that element by its name.</param>
+/// <param name="IsNamed">True where the path calls that element by its name.</param>
 internal readonly record struct PlaceStep(string Key, int? Index, bool IsNamed);

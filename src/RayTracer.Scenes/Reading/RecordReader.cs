@@ -34,8 +34,7 @@ public sealed class RecordReader
     {
         if (root.Kind != JsonKind.Object)
         {
-            bag.Expected(root, "a scene { … }", "");
-            return null;
+            return bag.Expected<SceneDescription>(root, "a scene { … }", "");
         }
 
         RecordReader reader = new(bag, map, root);
@@ -80,25 +79,15 @@ public sealed class RecordReader
     /// <param name="expected">The same in words, for the message.</param>
     /// <param name="key">The key that the value stands under.</param>
     /// <returns>True where it is of that kind.</returns>
-    public bool Is(JsonNode node, JsonKind kind, string expected, string key) => node.Kind == kind || Expected(node, expected, key) is not null;
+    public bool Is(JsonNode node, JsonKind kind, string expected, string key) => node.Kind == kind || _bag.Expected<bool>(node, expected, key);
 
     /// <summary>Reports what else is wrong with a value.</summary>
     public void Error(JsonNode node, string message) => Error(node, message, null);
 
     internal void Error(JsonNode node, string message, DiagnosticRule? rule) => _bag.Error(node, message, rule);
 
-    internal object? Expected(JsonNode node, string expected, string key)
-    {
-        _bag.Expected(node, expected, key);
-        return null;
-    }
-
-    // Reports a word that is unknown. Returns null, as readers do after an error.
-    internal object? Unknown(JsonNode word, string message, IEnumerable<string> known, string listTitle = "")
-    {
-        _bag.Unknown(word.Start, message, word.Text, known, listTitle);
-        return null;
-    }
+    internal object? Unknown(JsonNode word, string message, IEnumerable<string> known, string listTitle = "") =>
+        _bag.Unknown<object>(word, message, known, listTitle);
 
     // A list of those elements that could be read.
     internal IList? List(Type element, string key, JsonNode node, string things, Func<JsonNode, object?> read)
@@ -133,7 +122,7 @@ public sealed class RecordReader
             JsonKind.Object => Inline(node, family, key),
             JsonKind.String when named.Defines(node.Text) => named.Find(node.Text, node),
             JsonKind.String => Unknown(node, $"unknown {named.Noun} {Quotation.Of(node.Text)}", named.Names),
-            _ => Expected(node, $"a {family.Noun} {{ \"type\": … }} or the name of {other}", key),
+            _ => _bag.Expected<object>(node, $"a {family.Noun} {{ \"type\": … }} or the name of {other}", key),
         };
 
     // Reads { "type": …, … }.
@@ -147,8 +136,7 @@ public sealed class RecordReader
 
         if (node.Find("type") is not { } name)
         {
-            _bag.Error(node, $"{RecordType.WithArticle(family.Noun)} needs \"type\": one of {things}", DiagnosticRule.Missing);
-            return null;
+            return _bag.Fail<object>(node, $"{RecordType.WithArticle(family.Noun)} needs \"type\": one of {things}", DiagnosticRule.Missing);
         }
 
         if (!Is(name, JsonKind.String, $"one of {things}", "type"))
@@ -163,8 +151,7 @@ public sealed class RecordReader
 
         if (_nesting == MaximumNesting)
         {
-            _bag.Error(node, $"records are nested more than {_nesting} deep");
-            return null;
+            return _bag.Fail<object>(node, $"records are nested more than {_nesting} deep");
         }
 
         _nesting++;
@@ -173,17 +160,13 @@ public sealed class RecordReader
         return record;
     }
 
-    private object? UnknownType(JsonNode name, TypeFamily family)
-    {
-        TypeFamily? other = SceneTypes.Families.FirstOrDefault(f => f.Find(name.Text) is not null);
-        if (other is not null)
-        {
-            _bag.Error(name, $"{Quotation.Of(name.Text)} is {RecordType.WithArticle(other.Noun)}, but {RecordType.WithArticle(family.Noun)} is expected here", DiagnosticRule.WrongKind);
-            return null;
-        }
-
-        return Unknown(name, $"unknown {family.Noun} type {Quotation.Of(name.Text)}", family.Names, "expected one of");
-    }
+    private object? UnknownType(JsonNode name, TypeFamily family) =>
+        SceneTypes.Families.FirstOrDefault(f => f.Find(name.Text) is not null) is not { } other
+            ? Unknown(name, $"unknown {family.Noun} type {Quotation.Of(name.Text)}", family.Names, "expected one of")
+            : _bag.Fail<object>(
+                name,
+                $"{Quotation.Of(name.Text)} is {RecordType.WithArticle(other.Noun)}, but {RecordType.WithArticle(family.Noun)} is expected here",
+                DiagnosticRule.WrongKind);
 
     private TextureDescription? NamedTexture(JsonMember member)
     {

@@ -185,5 +185,5 @@ public static partial class SceneExplanation
 /// <param name="Path">How it is written.</param>
 /// <param name="Parameter">The parameter that stands there; null where it is a type.</param>
 /// <param name="Types">The types of things that may stand there, or in its elements.</param>
-/// <param name="HasNames">Whether a name or number comes before their keys.</param>
+/// <param name="HasNames">True where a name or number comes before their keys.</param>
 internal sealed record ExplainedPlace(string Path, RecordParameter? Parameter, IReadOnlyList<RecordType> Types, bool HasNames);

@@ -63,7 +63,8 @@ internal static class AnimatedProperties
         return after;
     }
 
-    private static bool StartsWith(IReadOnlyList<string> steps, string[] prefix, int count) => steps.Count >= count && steps.Take(count).SequenceEqual(prefix.Take(count), StringComparer.Ordinal);
+    private static bool StartsWith(IReadOnlyList<string> steps, string[] prefix, int count) =>
+        steps.Count >= count && steps.Take(count).SequenceEqual(prefix.Take(count), StringComparer.Ordinal);
 
     // Elements of the same list, from that of the pointer on, have other numbers.
     private static IReadOnlyList<string> Shifted(IReadOnlyList<string> steps, string[] pointer, int by)

@@ -6,8 +6,8 @@ using RayTracer.Textures;
 namespace RayTracer.Session;
 
 /// <summary>
-/// The pictures and models of a document, each read once and kept while it is used, so that an edit of something else does not read them again.
-/// A file that has changed is read again. Not thread-safe.
+/// The pictures and models of a document, each read once and kept while it is used, so that an edit of something else does not read them
+/// again. A file that has changed is read again. Not thread-safe.
 /// </summary>
 internal sealed class FileCache
 {

@@ -11,7 +11,9 @@ public static class FileNames
     internal static IEnumerable<SceneValue> All(JsonText text) => SceneValue.Scene(text.Root).WithInner()
         .Where(v => v is { Parameter.IsFile: true, Node: { Kind: JsonKind.String, Text.Length: > 0 } node } && !node.Text.Contains('\0', StringComparison.Ordinal));
 
-    /// <summary>Rewrites relative names for a text that moves to another folder, so that they name the same files. Names of no file stay.</summary>
+    /// <summary>
+    /// Rewrites relative names for a text that moves to another folder, so that they name the same files. Names of no file stay.
+    /// </summary>
     /// <param name="text">The scene.</param>
     /// <param name="from">The folder from which its names are meant.</param>
     /// <param name="to">The folder from which they are to be meant.</param>

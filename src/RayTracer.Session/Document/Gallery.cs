@@ -75,7 +75,8 @@ public sealed class Gallery : IDisposable
 
     /// <summary>The file of a scene.</summary>
     /// <exception cref="DocumentException">There is no such scene.</exception>
-    internal string PathOf(string id) => _paths.TryGetValue(id, out string? path) ? path : throw new DocumentException($"the gallery has no scene {JsonLayout.Quote(id)}");
+    internal string PathOf(string id) =>
+        _paths.TryGetValue(id, out string? path) ? path : throw new DocumentException($"the gallery has no scene {JsonLayout.Quote(id)}");
 
     private static byte[] Render(string path, CancellationToken cancellation)
     {

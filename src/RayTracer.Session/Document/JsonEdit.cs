@@ -12,7 +12,9 @@ namespace RayTracer.Session;
 /// </summary>
 public static class JsonEdit
 {
-    /// <summary>Sets or inserts a value; parents that are missing are made. In an array, the step "-" stands for the place behind the last.</summary>
+    /// <summary>
+    /// Sets or inserts a value; parents that are missing are made. In an array, the step "-" stands for the place behind the last.
+    /// </summary>
     /// <exception cref="DocumentException">A parent is neither object nor array, or an array has no such place.</exception>
     public static JsonText Set(this JsonText text, string pointer, Json? value)
     {
@@ -47,7 +49,10 @@ public static class JsonEdit
         return text.With(new TextEdit(node.Start, node.End, written));
     }
 
-    /// <summary>Removes a member of an object or an element of an array, with its comma, and with its line and the comment behind it where it has the line for itself.</summary>
+    /// <summary>
+    /// Removes a member of an object or an element of an array, with its comma, and with its line and the comment behind it where it has
+    /// the line for itself.
+    /// </summary>
     /// <exception cref="DocumentException">There is nothing there, or it is the whole text.</exception>
     public static JsonText Remove(this JsonText text, string pointer)
     {

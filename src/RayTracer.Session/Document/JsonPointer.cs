@@ -86,5 +86,6 @@ public static class JsonPointer
 
     private static bool Holds(JsonNode outer, JsonNode inner) => outer.Start <= inner.Start && inner.End <= outer.End;
 
-    private static string Escape(string step) => step.Replace("~", "~0", StringComparison.Ordinal).Replace("/", "~1", StringComparison.Ordinal);
+    private static string Escape(string step) =>
+        step.Replace("~", "~0", StringComparison.Ordinal).Replace("/", "~1", StringComparison.Ordinal);
 }

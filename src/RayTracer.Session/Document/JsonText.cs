@@ -3,7 +3,9 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
-/// <summary>A JSON text, with comments and trailing commas, and its tree. It never changes: <see cref="JsonEdit"/> makes others of it.</summary>
+/// <summary>
+/// A JSON text, with comments and trailing commas, and its tree. It never changes: <see cref="JsonEdit"/> makes others of it.
+/// </summary>
 public sealed class JsonText
 {
     private JsonText(string text, JsonNode root)
@@ -49,7 +51,8 @@ public sealed class JsonText
 
     /// <summary>The value at a pointer.</summary>
     /// <exception cref="DocumentException">There is none.</exception>
-    public JsonNode At(string pointer) => JsonPointer.Find(Root, pointer) ?? throw new DocumentException($"there is nothing at {JsonLayout.Quote(pointer)}");
+    public JsonNode At(string pointer) =>
+        JsonPointer.Find(Root, pointer) ?? throw new DocumentException($"there is nothing at {JsonLayout.Quote(pointer)}");
 
     private static DocumentException Fault(IReadOnlyList<Diagnostic> diagnostics)
     {

@@ -33,9 +33,12 @@ public static class JsonValues
     }
 
     /// <summary>A value of a description record; null for what may be missing.</summary>
-    public static Json? Of(RecordParameter parameter, object? value) => value is null ? null : Json.Parse(SceneWriter.WriteValue(parameter, value));
+    public static Json? Of(RecordParameter parameter, object? value) =>
+        value is null ? null : Json.Parse(SceneWriter.WriteValue(parameter, value));
 
-    /// <summary>A value of a description record whose numbers were computed: they are freed of the last digits that rounding left.</summary>
+    /// <summary>
+    /// A value of a description record whose numbers were computed: they are freed of the last digits that rounding left.
+    /// </summary>
     /// <exception cref="DocumentException">One is too large.</exception>
     public static Json? Rounded(RecordParameter parameter, object? value) => value switch
     {

@@ -57,5 +57,6 @@ internal abstract record Movement
         public override Movement Within(Transform outer) => Conjugate(By, outer);
     }
 
-    private static Transform About(Transform linear, Vector3 center) => Transform.Translation(center) * linear * Transform.Translation(-center);
+    private static Transform About(Transform linear, Vector3 center) =>
+        Transform.Translation(center) * linear * Transform.Translation(-center);
 }

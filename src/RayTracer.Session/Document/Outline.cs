@@ -44,7 +44,8 @@ public sealed record Outline(
     }
 
     /// <summary>A colour as #rrggbb, in sRGB.</summary>
-    internal static string Hex(Rgb color) => $"#{SrgbCurve.Encode8(color.R):x2}{SrgbCurve.Encode8(color.G):x2}{SrgbCurve.Encode8(color.B):x2}";
+    internal static string Hex(Rgb color) =>
+        $"#{SrgbCurve.Encode8(color.R):x2}{SrgbCurve.Encode8(color.G):x2}{SrgbCurve.Encode8(color.B):x2}";
 
     private static OutlineNode Section(SceneValue scene, string key, Func<SceneValue, string> summary)
     {
@@ -146,7 +147,8 @@ public sealed record OutlineNode(string Pointer, string Name, string Type, strin
 internal static class SceneReferences
 {
     /// <summary>All references to a definition.</summary>
-    public static IEnumerable<SceneValue> To(JsonNode root, TypeFamily family, string name) => All(root).Where(v => v.Family == family && v.Reference == name);
+    public static IEnumerable<SceneValue> To(JsonNode root, TypeFamily family, string name) =>
+        All(root).Where(v => v.Family == family && v.Reference == name);
 
     /// <summary>All references.</summary>
     public static IEnumerable<SceneValue> All(JsonNode root) => SceneValue.Scene(root).WithInner().Where(v => v.Reference is not null);

@@ -11,7 +11,9 @@ namespace RayTracer.Session;
 /// <param name="Message">What is wrong: one sentence without a final stop.</param>
 public sealed record PlacedDiagnostic(int Line, int Column, int From, int To, string Severity, string Message)
 {
-    /// <summary>Finds the parts of a text that its diagnostics are about: a word, a number, a string; of objects and arrays the opening bracket.</summary>
+    /// <summary>
+    /// Finds the parts of a text that its diagnostics are about: a word, a number, a string; of objects and arrays the opening bracket.
+    /// </summary>
     public static IReadOnlyList<PlacedDiagnostic> Of(SceneReadResult read, IReadOnlyList<Diagnostic> diagnostics) => [.. diagnostics.Select(d =>
     {
         string text = read.Source?.Text ?? "";

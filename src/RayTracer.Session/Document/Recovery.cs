@@ -3,8 +3,8 @@ using System.Text.Json;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Keeps a document's text while it is not saved, a moment after each change, so that it is found again after a crash. Every session has a file of its own,
-/// which it holds a lock for; only what no living session holds is offered.
+/// Keeps a document's text while it is not saved, a moment after each change, so that it is found again after a crash. Every session has a
+/// file of its own, which it holds a lock for; only what no living session holds is offered.
 /// </summary>
 public sealed class Recovery : IDisposable
 {
@@ -38,16 +38,7 @@ public sealed class Recovery : IDisposable
     public event Action? Changed;
 
     /// <summary>The texts of sessions that have ended without saving them, newest first.</summary>
-    public IReadOnlyList<RecoveryEntry> Entries
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return _entries;
-            }
-        }
-    }
+    public IReadOnlyList<RecoveryEntry> Entries => _lock.Read(() => _entries);
 
     private string OwnFile => FileOf(_id);
 

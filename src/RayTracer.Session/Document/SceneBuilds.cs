@@ -18,16 +18,7 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     private int _epoch;
 
     /// <summary>The newest content.</summary>
-    public DocumentContent Content
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return _content;
-            }
-        }
-    }
+    public DocumentContent Content => _lock.Read(() => _content);
 
     /// <summary>The number of files read in all builds.</summary>
     public int FilesRead => _files.Reads;
@@ -42,13 +33,8 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     }
 
     /// <summary>The diagnostics of a content with the parts of the text that they are about.</summary>
-    public IReadOnlyList<PlacedDiagnostic> DiagnosticsOf(DocumentContent content)
-    {
-        lock (_lock)
-        {
-            return ReferenceEquals(content, _content) ? _diagnostics : PlacedDiagnostic.Of(content.Read, content.Load.Diagnostics);
-        }
-    }
+    public IReadOnlyList<PlacedDiagnostic> DiagnosticsOf(DocumentContent content) => _lock.Read(() =>
+        ReferenceEquals(content, _content) ? _diagnostics : PlacedDiagnostic.Of(content.Read, content.Load.Diagnostics));
 
     /// <summary>Asks for a text to be built, instead of all that were asked for and not begun.</summary>
     public void Want(int revision, string text, Lazy<SceneReadResult> read, string folder)

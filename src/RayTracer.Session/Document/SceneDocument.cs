@@ -3,8 +3,8 @@ using RayTracer.Scenes;
 namespace RayTracer.Session;
 
 /// <summary>
-/// A scene's text as it is edited. Each change is one of the text, and can be undone. The scene is built behind the edits: an edit never waits for it,
-/// and a text that is no scene leaves the last good one where it is. All members may be called by any thread.
+/// A scene's text as it is edited. Each change is one of the text, and can be undone. The scene is built behind the edits: an edit never
+/// waits for it, and a text that is no scene leaves the last good one where it is. All members may be called by any thread.
 /// </summary>
 public sealed class SceneDocument : IDisposable
 {
@@ -29,7 +29,9 @@ public sealed class SceneDocument : IDisposable
         Build();
     }
 
-    /// <summary>The text, its place, what is built of it or whether it is saved has changed. Raised by the thread that changed it, without a lock.</summary>
+    /// <summary>
+    /// The text, its place, what is built of it or whether it is saved has changed. Raised by the thread that changed it, without a lock.
+    /// </summary>
     public event Action? Changed;
 
     /// <summary>The newest text that has been built, and what it came to; a moment behind <see cref="Text"/> after an edit.</summary>
@@ -42,30 +44,15 @@ public sealed class SceneDocument : IDisposable
     public string Text => Current.Text;
 
     /// <summary>The text and its revision.</summary>
-    public (int Revision, string Text) Current
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return (_revision, _text);
-            }
-        }
-    }
+    public (int Revision, string Text) Current => _lock.Read(() => (_revision, _text));
 
     /// <summary>The result of reading the current text, without building it.</summary>
-    public SceneReadResult Read
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return _read.Value;
-            }
-        }
-    }
+    public SceneReadResult Read => _lock.Read(() => _read.Value);
 
-    /// <summary>The newest text that is JSON at least, for whoever shows what stands in it: while somebody types, the text is none at every other key.</summary>
+    /// <summary>
+    /// The newest text that is JSON at least, for whoever shows what stands in it: while somebody types, the text is none at every other
+    /// key.
+    /// </summary>
     /// <exception cref="DocumentException">There was none yet.</exception>
     public (int Revision, JsonNode Root) Readable
     {
@@ -79,28 +66,10 @@ public sealed class SceneDocument : IDisposable
     }
 
     /// <summary>The document's place.</summary>
-    public DocumentPlace Place
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return _place;
-            }
-        }
-    }
+    public DocumentPlace Place => _lock.Read(() => _place);
 
     /// <summary>Returns whether there are unsaved changes.</summary>
-    public bool IsDirty
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return !_history.IsSaved;
-            }
-        }
-    }
+    public bool IsDirty => _lock.Read(() => !_history.IsSaved);
 
     /// <summary>The status of the document.</summary>
     public DocumentStatus Status
@@ -201,13 +170,7 @@ public sealed class SceneDocument : IDisposable
     }
 
     /// <summary>The text to save, with the point in its history that <see cref="MarkSaved"/> asks for.</summary>
-    internal (string Text, int Point) TextToSave()
-    {
-        lock (_lock)
-        {
-            return (_text, _history.Seal());
-        }
-    }
+    internal (string Text, int Point) TextToSave() => _lock.Read(() => (_text, _history.Seal()));
 
     /// <summary>Records that the text of a point in the history is now in a file.</summary>
     internal void MarkSaved(int point, DocumentPlace place)

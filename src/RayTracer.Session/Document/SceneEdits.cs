@@ -3,7 +3,9 @@ using Json = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Session;
 
-/// <summary>The edits of a scene's things: each is one edit of its text, and one step to undo (edits of one gesture are one step together).</summary>
+/// <summary>
+/// The edits of a scene's things: each is one edit of its text, and one step to undo (edits of one gesture are one step together).
+/// </summary>
 /// <param name="document">The document.</param>
 /// <param name="selection">What is selected: it follows things that are renamed.</param>
 /// <param name="notices">Shows what else an edit has changed.</param>
@@ -15,10 +17,12 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
     /// <param name="gesture">Of which gesture it is a part.</param>
     /// <returns>The text's revision then, as with all edits.</returns>
     /// <exception cref="DocumentException">It cannot be written there; so with all edits.</exception>
-    public int Set(string pointer, Json? value, string? gesture = null) => document.Change(JsonPointer.Last(pointer), gesture, text => text.Set(pointer, value));
+    public int Set(string pointer, Json? value, string? gesture = null) =>
+        document.Change(JsonPointer.Last(pointer), gesture, text => text.Set(pointer, value));
 
     /// <summary>Writes a value as its text stands.</summary>
-    public int SetText(string pointer, string json, string? gesture = null) => document.Change(JsonPointer.Last(pointer), gesture, text => text.SetText(pointer, json));
+    public int SetText(string pointer, string json, string? gesture = null) =>
+        document.Change(JsonPointer.Last(pointer), gesture, text => text.SetText(pointer, json));
 
     /// <summary>Takes a value out of the text, so that its default counts again.</summary>
     public int Reset(string pointer, string? gesture = null) =>

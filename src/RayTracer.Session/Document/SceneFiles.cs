@@ -5,8 +5,8 @@ using RayTracer.Scenes;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Opens and saves documents. What is not saved is not lost without a word: opening is refused unless whoever asks says that changes may go,
-/// and a file is not overwritten that is another one, or that somebody else has changed.
+/// Opens and saves documents. What is not saved is not lost without a word: opening is refused unless whoever asks says that changes may
+/// go, and a file is not overwritten that is another one, or that somebody else has changed.
 /// </summary>
 public sealed class SceneFiles
 {
@@ -36,7 +36,10 @@ public sealed class SceneFiles
     /// <summary>The whole paths of what was opened or saved lately and is still there, newest first.</summary>
     public IReadOnlyList<string> Recent => _recent.All;
 
-    /// <summary>Raised after a document was opened: with what a film or image says about its rendering, and the film that is gone on with; null for other files.</summary>
+    /// <summary>
+    /// Raised after a document was opened: with what a film or image says about its rendering, and the film that is gone on with; null for
+    /// other files.
+    /// </summary>
     internal event Action<RenderJob?, FilmStart?>? Opened;
 
     /// <summary>Returns whether a file can be opened, by its name.</summary>
@@ -58,8 +61,8 @@ public sealed class SceneFiles
     }
 
     /// <summary>
-    /// Opens a scene file, a scene of Mitsuba or a model file as a new scene that shows it, or a bundle; of a film or an image of the program the scene
-    /// that it was rendered from, as it was rendered. A film is gone on with.
+    /// Opens a scene file, a scene of Mitsuba or a model file as a new scene that shows it, or a bundle; of a film or an image of the
+    /// program the scene that it was rendered from, as it was rendered. A film is gone on with.
     /// </summary>
     /// <param name="path">The file's whole path.</param>
     /// <param name="discard">Whether changes that were not saved may go.</param>
@@ -102,7 +105,10 @@ public sealed class SceneFiles
         _recovery.Discard(id);
     }
 
-    /// <summary>Takes a file that was dropped onto the window, and opens it where it is a scene, a model or a bundle; what else a scene may name is kept beside it.</summary>
+    /// <summary>
+    /// Takes a file that was dropped onto the window, and opens it where it is a scene, a model or a bundle; what else a scene may name is
+    /// kept beside it.
+    /// </summary>
     /// <param name="name">Its name.</param>
     /// <param name="content">Its content.</param>
     /// <param name="discard">Whether changes that were not saved may go.</param>

@@ -13,7 +13,9 @@ public static class SceneThings
 {
     private static readonly string[] Lists = ["shapes", "lights", "materials", "textures", "objects"];
 
-    /// <summary>Returns whether a pointer is that of something that can be copied, deleted or renamed: a member of a list, or what has a name.</summary>
+    /// <summary>
+    /// Returns whether a pointer is that of something that can be copied, deleted or renamed: a member of a list, or what has a name.
+    /// </summary>
     public static bool IsThing(string pointer) => JsonPointer.Parse(pointer) is [var list, _, ..] && Lists.Contains(list);
 
     /// <summary>Returns whether a pointer is that of something that may be seen in the picture, and moved and turned there.</summary>
@@ -83,7 +85,9 @@ public static class SceneThings
         return (text, copy);
     }
 
-    /// <summary>Deletes things. What refers to a material or texture that is deleted gets the default; instances of a deleted object go with it.</summary>
+    /// <summary>
+    /// Deletes things. What refers to a material or texture that is deleted gets the default; instances of a deleted object go with it.
+    /// </summary>
     /// <returns>The text, and what else has changed, one sentence each.</returns>
     /// <exception cref="DocumentException">There is no such thing, or it cannot be missing.</exception>
     public static (JsonText Text, IReadOnlyList<string> Notes) Delete(JsonText text, IReadOnlyCollection<string> pointers)
@@ -175,9 +179,11 @@ public static class SceneThings
             : text.Set(reference.Pointer, reference.Family == SceneTypes.Materials ? new JsonObject { ["type"] = "diffuse" } : new JsonArray(0.5, 0.5, 0.5));
     }
 
-    private static bool Within(string pointer, string outer) => pointer == outer || pointer.StartsWith(outer + "/", StringComparison.Ordinal);
+    private static bool Within(string pointer, string outer) =>
+        pointer == outer || pointer.StartsWith(outer + "/", StringComparison.Ordinal);
 
-    private static IEnumerable<SceneValue> Shapes(JsonNode root) => SceneValue.Scene(root).WithInner().Where(v => v is { Family.Noun: "shape", Node.Kind: JsonKind.Object });
+    private static IEnumerable<SceneValue> Shapes(JsonNode root) =>
+        SceneValue.Scene(root).WithInner().Where(v => v is { Family.Noun: "shape", Node.Kind: JsonKind.Object });
 
     // In the middle of the picture, or beside another thing.
     private static SketchView Beside(JsonText text, string? near, SketchView view) =>

@@ -5,7 +5,9 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
-/// <summary>A place in a scene's text, and what the scene format says may stand there. Something may be missing there, or stand there wrongly.</summary>
+/// <summary>
+/// A place in a scene's text, and what the scene format says may stand there. Something may be missing there, or stand there wrongly.
+/// </summary>
 /// <param name="Pointer">The place.</param>
 /// <param name="Node">What stands there; null where nothing does.</param>
 /// <param name="Parameter">The parameter that it is, or that it is an element of; null for the whole scene.</param>
@@ -83,7 +85,8 @@ public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter?
     }
 
     /// <summary>Three numbers of a parameter of this record, or its default.</summary>
-    public Vector3 Vector(string key) => Child(key) is { } child ? (child.Written ?? child.Parameter!.Default) as Vector3? ?? default : default;
+    public Vector3 Vector(string key) =>
+        Child(key) is { } child ? (child.Written ?? child.Parameter!.Default) as Vector3? ?? default : default;
 
     /// <summary>A number of a parameter of this record, or its default.</summary>
     public float Number(string key) =>

@@ -7,8 +7,8 @@ using Json = System.Text.Json.Nodes.JsonNode;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Moves shapes in the world. The movement is worked into a shape's own numbers where that keeps it the same kind, else into its transform. Of what moves in time,
-/// every keyframe is moved, so that it moves as before at another place.
+/// Moves shapes in the world. The movement is worked into a shape's own numbers where that keeps it the same kind, else into its transform.
+/// Of what moves in time, every keyframe is moved, so that it moves as before at another place.
 /// </summary>
 public static class ShapePlacement
 {
@@ -103,7 +103,8 @@ public static class ShapePlacement
     }
 
     // Where the first keyframe puts a thing.
-    private static Transform AtFirst(SceneValue shape) => TransformEdit.Map(shape.Child("motion")?.Children().FirstOrDefault()?.Child("transform"));
+    private static Transform AtFirst(SceneValue shape) =>
+        TransformEdit.Map(shape.Child("motion")?.Children().FirstOrDefault()?.Child("transform"));
 
     // Whether a texture of the shape's material, or of the groups around it, varies.
     private static bool IsTextured(JsonNode root, SceneValue shape)

@@ -10,9 +10,13 @@ namespace RayTracer.Session;
 internal static class TransformEdit
 {
     /// <summary>The map of a list of steps; those that cannot be computed with are left out.</summary>
-    public static Transform Map(SceneValue? list) => (list?.Children() ?? []).Aggregate(Transform.Identity, (map, step) => MapOfStep(step) * map);
+    public static Transform Map(SceneValue? list) =>
+        (list?.Children() ?? []).Aggregate(Transform.Identity, (map, step) => MapOfStep(step) * map);
 
-    /// <summary>Moves what a list of steps moves a little further. The last step is changed where it can hold the movement; otherwise another one follows.</summary>
+    /// <summary>
+    /// Moves what a list of steps moves a little further. The last step is changed where it can hold the movement; otherwise another one
+    /// follows.
+    /// </summary>
     /// <param name="text">The text.</param>
     /// <param name="pointer">The list, which may be missing.</param>
     /// <param name="movement">The movement.</param>

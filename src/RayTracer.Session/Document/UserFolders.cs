@@ -1,6 +1,9 @@
 namespace RayTracer.Session;
 
-/// <summary>The folders of a user in which a session keeps what is not the user's own work. Each is made when it is first needed, closed to other users.</summary>
+/// <summary>
+/// The folders of a user in which a session keeps what is not the user's own work. Each is made when it is first needed, closed to other
+/// users.
+/// </summary>
 /// <param name="state">What is to be kept: recovery, the list of recent files.</param>
 /// <param name="cache">What can be made again, and uploads.</param>
 /// <param name="home">Where dialogs begin.</param>

@@ -7,18 +7,23 @@ namespace RayTracer.Session;
 /// <param name="Name">What it is called.</param>
 /// <param name="Tip">What it is for.</param>
 /// <param name="Group">The key of its group's name among the texts.</param>
-/// <param name="Keys">Its shortcut, as browsers call keys, with "Mod+", "Shift+" and "Alt+" before it; null where it has none. Mod is Ctrl, or Command on a Mac.</param>
+/// <param name="Keys">
+/// Its shortcut, as browsers call keys, with "Mod+", "Shift+" and "Alt+" before it; null where it has none. Mod is Ctrl, or Command on a
+/// Mac.
+/// </param>
 /// <param name="Icon">Its icon's lines in a square of 16 × 16, as SVG paths are written; null where it has none.</param>
 public sealed record SessionCommand(string Id, string Name, string Tip, string Group, string? Keys, string? Icon)
 {
     private static readonly JsonObject Icons = SessionTexts.Read("icons");
 
     /// <summary>All commands, but those that only the Studio's pages have. They are built with the same list.</summary>
-    public static IReadOnlyList<SessionCommand> All { get; } = [.. SessionTexts.Read("commands").Where(c => c.Value!["pages"] is null).Select(c => Of(c.Key, c.Value!.AsObject()))];
+    public static IReadOnlyList<SessionCommand> All { get; } =
+        [.. SessionTexts.Read("commands").Where(c => c.Value!["pages"] is null).Select(c => Of(c.Key, c.Value!.AsObject()))];
 
     /// <summary>An icon's lines.</summary>
     /// <exception cref="KeyNotFoundException">There is no such icon.</exception>
-    public static string IconOf(string name) => Icons[name]?.GetValue<string>() ?? throw new KeyNotFoundException($"There is no icon {name}.");
+    public static string IconOf(string name) =>
+        Icons[name]?.GetValue<string>() ?? throw new KeyNotFoundException($"There is no icon {name}.");
 
     /// <summary>"Mod+Shift+S" as it is printed on keyboards; null where there are no keys.</summary>
     public string? KeysText => Keys is null ? null : string.Join('+', Keys.Split('+').Select(Printed));

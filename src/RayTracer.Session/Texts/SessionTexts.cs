@@ -10,7 +10,8 @@ public static class SessionTexts
 
     /// <summary>A text by its place, such as "viewport.exposure" or "commands.save.1".</summary>
     /// <exception cref="KeyNotFoundException">There is none.</exception>
-    public static string Of(string place) => Find(place) as JsonValue is { } text ? text.GetValue<string>() : throw new KeyNotFoundException($"There is no text {place}.");
+    public static string Of(string place) =>
+        Find(place) as JsonValue is { } text ? text.GetValue<string>() : throw new KeyNotFoundException($"There is no text {place}.");
 
     /// <summary>A text in which values take the places that are in braces, in their order.</summary>
     /// <exception cref="KeyNotFoundException">There is none.</exception>
@@ -40,7 +41,8 @@ public static class SessionTexts
 
     /// <summary>A list of texts, or of the first and second of pairs.</summary>
     /// <exception cref="KeyNotFoundException">There is no such list.</exception>
-    public static int Count(string place) => Find(place) as JsonArray is { } list ? list.Count : throw new KeyNotFoundException($"There is no list of texts {place}.");
+    public static int Count(string place) =>
+        Find(place) as JsonArray is { } list ? list.Count : throw new KeyNotFoundException($"There is no list of texts {place}.");
 
     /// <summary>One of the files beside the texts.</summary>
     internal static JsonObject Read(string name)

@@ -5,8 +5,8 @@ using RayTracer.Numerics;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Moves cameras as hands do. Movements across the picture are fractions of its height, to the right and downwards. A camera with a transform is moved
-/// in the coordinates of its own.
+/// Moves cameras as hands do. Movements across the picture are fractions of its height, to the right and downwards. A camera with a
+/// transform is moved in the coordinates of its own.
 /// </summary>
 public static class CameraMotion
 {
@@ -50,7 +50,8 @@ public static class CameraMotion
         ?? throw new SessionException("This camera sees all directions: there is no field of view to change.");
 
     /// <summary>
-    /// Moves the camera towards the point that it looks at (upwards) or away from it; it never gets there. Of an orthographic one, nearness is what it shows.
+    /// Moves the camera towards the point that it looks at (upwards) or away from it; it never gets there. Of an orthographic one, nearness
+    /// is what it shows.
     /// </summary>
     public static CameraDescription Dolly(CameraDescription camera, float dy) => camera.Projection.IsParallel
         ? Zoom(camera, dy)
@@ -80,7 +81,8 @@ public static class CameraMotion
     /// <param name="camera">The camera.</param>
     /// <param name="distance">How far away the plane is.</param>
     /// <param name="aspect">Width of the picture over its height.</param>
-    public static float HeightAt(CameraDescription camera, float distance, float aspect) => camera.Projection.HeightAt(camera, distance, aspect);
+    public static float HeightAt(CameraDescription camera, float distance, float aspect) =>
+        camera.Projection.HeightAt(camera, distance, aspect);
 
     private static CameraDescription Moved(CameraDescription camera, Vector3 by) =>
         camera with { Position = camera.Position + by, LookAt = camera.LookAt + by };

@@ -9,20 +9,13 @@ namespace RayTracer.Session;
 /// <param name="Dz">Forward.</param>
 /// <param name="Gesture">Of which gesture it is a part: they are undone together.</param>
 /// <param name="End">Whether the gesture ends with it.</param>
-public sealed record CameraMove(CameraMoveKind Kind, float Dx = 0, float Dy = 0, float Dz = 0, string? Gesture = null, bool End = false)
-{
-    /// <summary>For <see cref="CameraMoveKind.Set"/>: where the eye is; null leaves it.</summary>
-    public Vector3? Position { get; init; }
-
-    /// <summary>For <see cref="CameraMoveKind.Set"/>: the point looked at; null leaves it.</summary>
-    public Vector3? LookAt { get; init; }
-
-    /// <summary>For <see cref="CameraMoveKind.Set"/>: what is up; null leaves it.</summary>
-    public Vector3? Up { get; init; }
-
-    /// <summary>For <see cref="CameraMoveKind.Set"/>: the field of view in degrees; null leaves it.</summary>
-    public float? FieldOfView { get; init; }
-}
+/// <param name="Position">For <see cref="CameraMoveKind.Set"/>: the position of the eye; null leaves it.</param>
+/// <param name="LookAt">For <see cref="CameraMoveKind.Set"/>: the point looked at; null leaves it.</param>
+/// <param name="Up">For <see cref="CameraMoveKind.Set"/>: the upward direction; null leaves it.</param>
+/// <param name="FieldOfView">For <see cref="CameraMoveKind.Set"/>: the field of view in degrees; null leaves it.</param>
+public sealed record CameraMove(
+    CameraMoveKind Kind, float Dx = 0, float Dy = 0, float Dz = 0, string? Gesture = null, bool End = false,
+    Vector3? Position = null, Vector3? LookAt = null, Vector3? Up = null, float? FieldOfView = null);
 
 /// <summary>The kinds of camera movements; see <see cref="CameraMotion"/>.</summary>
 public enum CameraMoveKind

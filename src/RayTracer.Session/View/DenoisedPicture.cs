@@ -7,8 +7,9 @@ using RayTracer.Textures;
 namespace RayTracer.Session;
 
 /// <summary>
-/// The picture without most of its noise, in the end as the command makes it. It takes two halves of the samples, which the film does not keep apart: they are rendered
-/// once more, whenever the film has twice as many as they. Then both become the first half, so that in all it takes about as long as the film.
+/// The picture without most of its noise, in the end as the command makes it. It takes two halves of the samples, which the film does not
+/// keep apart: they are rendered once more, whenever the film has twice as many as they. Then both become the first half, so that in all it
+/// takes about as long as the film.
 /// </summary>
 public sealed class DenoisedPicture
 {
@@ -82,7 +83,8 @@ public sealed class DenoisedPicture
         new FirstHitPass(order.Scene, Options(order, samples)).Render(half.Features, cancellation);
     }
 
-    private static RenderOptions Options(RenderOrder order, SampleRange samples) => new() { Threads = order.Threads, Crop = order.Region, Samples = samples };
+    private static RenderOptions Options(RenderOrder order, SampleRange samples) =>
+        new() { Threads = order.Threads, Crop = order.Region, Samples = samples };
 
     private (HalfRender First, HalfRender Second) Halves(RenderDescription render)
     {

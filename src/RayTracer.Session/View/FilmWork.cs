@@ -5,7 +5,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
-/// <summary>The work on one picture after the other, step by step; all on the render loop's thread. Films and pictures are used again.</summary>
+/// <summary>
+/// The work on one picture after the other, step by step; all on the render loop's thread. Films and pictures are used again.
+/// </summary>
 /// <param name="frames">Where frames hang.</param>
 internal sealed class FilmWork(FrameBoard frames)
 {
@@ -49,7 +51,9 @@ internal sealed class FilmWork(FrameBoard frames)
         order.Picture != Order?.Picture || order.Map != _shown || _previews.Scale > 1 || _maps.Needs(order) || NeedsDenoising(order)
         || (order.Mode == RenderMode.Running && _plan.Samples < order.Samples) || (_isStale && frames.IsWatched);
 
-    /// <summary>Returns whether the next step must be completed whatever happens: else somebody who moves fast would never see anything.</summary>
+    /// <summary>
+    /// Returns whether the next step must be completed whatever happens: else somebody who moves fast would never see anything.
+    /// </summary>
     public bool IsUrgent(RenderOrder order) => order.Picture != Order?.Picture || _previews.IsFirst;
 
     /// <summary>Makes a step.</summary>
@@ -264,7 +268,8 @@ internal sealed class FilmWork(FrameBoard frames)
     }
 
     // A paused picture is not rendered a second time behind the user's back.
-    private bool NeedsDenoising(RenderOrder order) => order.Picture == Order?.Picture && order.Mode != RenderMode.Paused && _denoised.Needs(order, _plan.Samples);
+    private bool NeedsDenoising(RenderOrder order) =>
+        order.Picture == Order?.Picture && order.Mode != RenderMode.Paused && _denoised.Needs(order, _plan.Samples);
 
     private void Publish(RenderOrder order, bool isPreview, Action<LinearPicture> draw)
     {
@@ -300,7 +305,9 @@ public static class NoiseEstimate
 {
     private const int MostPixels = 1 << 15;
 
-    /// <summary>Standard error of the pixels' luminance, mean over some pixels, relative to their mean luminance; null where it is not known.</summary>
+    /// <summary>
+    /// Standard error of the pixels' luminance, mean over some pixels, relative to their mean luminance; null where it is not known.
+    /// </summary>
     /// <param name="film">The picture.</param>
     /// <param name="area">Its pixels that have samples.</param>
     public static double? Of(Film film, Tile area)

@@ -2,7 +2,9 @@ using RayTracer.Imaging;
 
 namespace RayTracer.Session;
 
-/// <summary>Frames as bytes for a screen: those of a PNG of the same picture, unless the screen has less than half as many pixels.</summary>
+/// <summary>
+/// Frames as bytes for a screen: those of a PNG of the same picture, unless the screen has less than half as many pixels.
+/// </summary>
 public static class FramePixels
 {
     /// <summary>By how much a frame is made smaller for a screen: so that it is not much larger than that.</summary>

@@ -17,7 +17,8 @@ internal sealed class GizmoDrag(CameraFrame camera, Vector3 center)
     /// <param name="from">The first point, in pixels.</param>
     /// <param name="to">The second point.</param>
     /// <returns>The change; null where it is undefined, because the axis points at the eye, say.</returns>
-    public Placement? Between(GizmoKind kind, int? axis, Vector2 from, Vector2 to) => axis is { } i ? Along(kind, Axes[i], from, to) : Freely(kind, from, to);
+    public Placement? Between(GizmoKind kind, int? axis, Vector2 from, Vector2 to) =>
+        axis is { } i ? Along(kind, Axes[i], from, to) : Freely(kind, from, to);
 
     /// <summary>The same handle after a change.</summary>
     public GizmoDrag After(Placement change) => new(camera, center + (change.Translate ?? default));
@@ -57,7 +58,8 @@ internal sealed class GizmoDrag(CameraFrame camera, Vector3 center)
             : a * b > 0 ? new(Scale: Vector3.One + (axis * ((b / a) - 1))) : null;
     }
 
-    private static float Degrees(Vector3 axis, Vector3 from, Vector3 to) => LaneMath.Atan2(axis.Dot(from.Cross(to)), from.Dot(to)) * (180 / float.Pi);
+    private static float Degrees(Vector3 axis, Vector3 from, Vector3 to) =>
+        LaneMath.Atan2(axis.Dot(from.Cross(to)), from.Dot(to)) * (180 / float.Pi);
 
     // The place along an axis through the middle that is nearest to a pixel's ray.
     private float? AlongAxis(Vector2 pixel, Vector3 axis)

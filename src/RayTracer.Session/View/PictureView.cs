@@ -36,7 +36,9 @@ public sealed class PictureView : IDisposable
         Follow();
     }
 
-    /// <summary>Raised when what is known about the picture has changed; <see cref="Frames"/> reports changes of the picture itself.</summary>
+    /// <summary>
+    /// Raised when what is known about the picture has changed; <see cref="Frames"/> reports changes of the picture itself.
+    /// </summary>
     public event Action? Changed;
 
     /// <summary>Raised when the document's scene is not what a film is of, with a sentence that says so.</summary>
@@ -49,43 +51,19 @@ public sealed class PictureView : IDisposable
     public RenderLoop Loop { get; }
 
     /// <summary>The scene that is shown; null where there is none.</summary>
-    public ViewportScene? Shown
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return _shown;
-            }
-        }
-    }
+    public ViewportScene? Shown => _lock.Read(() => _shown);
 
     /// <summary>The camera that the document had when it was opened; null where there is nothing to be seen.</summary>
     public CameraDescription? Home { get; private set; }
 
     /// <summary>The user's settings.</summary>
-    public ViewSettings Settings
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return _settings;
-            }
-        }
-    }
+    public ViewSettings Settings => _lock.Read(() => _settings);
 
     /// <summary>The exposure and tone map of the screen. A change needs no rendering.</summary>
     /// <exception cref="SessionException">The exposure is out of range.</exception>
     public Tone Tone
     {
-        get
-        {
-            lock (_lock)
-            {
-                return _tone;
-            }
-        }
+        get => _lock.Read(() => _tone);
 
         set
         {
@@ -159,12 +137,14 @@ public sealed class PictureView : IDisposable
     }
 
     /// <summary>The hash of everything that decides the value of a sample.</summary>
-    internal static string ContentOf(GoodScene good, RenderOrder order, string folder) => ContentHash.Of(Ordered(good, order), ScenePath(folder), order.Region);
+    internal static string ContentOf(GoodScene good, RenderOrder order, string folder) =>
+        ContentHash.Of(Ordered(good, order), ScenePath(folder), order.Region);
 
     private static bool IsOf(FilmHeader header, GoodScene good, RenderOrder order, string folder) =>
         OldFilms.Current(header, Ordered(good, order), ScenePath(folder), order.Region).Content == ContentOf(good, order, folder);
 
-    private static SceneDescription Ordered(GoodScene good, RenderOrder order) => good.Read.Description! with { Camera = order.Camera, Render = order.Scene.Render };
+    private static SceneDescription Ordered(GoodScene good, RenderOrder order) =>
+        good.Read.Description! with { Camera = order.Camera, Render = order.Scene.Render };
 
     private static string ScenePath(string folder) => Path.Combine(folder, "scene.json");
 
@@ -282,17 +262,8 @@ public sealed class PictureView : IDisposable
             _pictures++;
         }
 
-        RenderOrder order = new()
-        {
-            Scene = shown.Scene,
-            Camera = shown.Camera,
-            Picture = _pictures,
-            Region = _settings.Region,
-            Threads = _settings.Threads,
-            Map = _settings.Map,
-            Mode = _settings.Mode,
-        };
-        order = WithStart(order, good);
+        ViewSettings s = _settings;
+        RenderOrder order = WithStart(new(shown.Scene, shown.Camera, _pictures, s.Region, s.Threads, s.Map, s.Mode), good);
         _shown = shown with { Picture = order.Picture };
         Loop.Show(order);
         return true;

@@ -1,8 +1,8 @@
 namespace RayTracer.Session;
 
 /// <summary>
-/// The coarse pictures that are seen first: one that is made at once and always to its end, then finer ones. How coarse the first one is depends on how
-/// long the last ones took.
+/// The coarse pictures that are seen first: one that is made at once and always to its end, then finer ones. How coarse the first one is
+/// depends on how long the last ones took.
 /// </summary>
 public sealed class PreviewPlan
 {

@@ -4,8 +4,8 @@ using RayTracer.Rendering;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Renders the newest order on threads of its own. Whoever gives orders never waits: what is being rendered for an older picture ends by itself
-/// after a few milliseconds, but its first preview, which is always made and shown.
+/// Renders the newest order on threads of its own. Whoever gives orders never waits: what is being rendered for an older picture ends by
+/// itself after a few milliseconds, but its first preview, which is always made and shown.
 /// </summary>
 public sealed class RenderLoop : IDisposable
 {
@@ -60,7 +60,9 @@ public sealed class RenderLoop : IDisposable
         }
     }
 
-    /// <summary>Has the loop's thread look at the picture between two steps, when it is of one order: at once, or after a part of a second.</summary>
+    /// <summary>
+    /// Has the loop's thread look at the picture between two steps, when it is of one order: at once, or after a part of a second.
+    /// </summary>
     /// <param name="read">Reads the film, its order and its number of samples; should not take long.</param>
     /// <exception cref="SessionException">There is no picture.</exception>
     public Task<T> ReadFilm<T>(Func<Film, RenderOrder, int, T> read)
@@ -75,7 +77,10 @@ public sealed class RenderLoop : IDisposable
         return done.Task;
     }
 
-    /// <summary>The samples that some pixels of the film have and others lack, to be read within <see cref="ReadFilm{T}"/>; null where all have the same samples.</summary>
+    /// <summary>
+    /// The samples that some pixels of the film have and others lack, to be read within <see cref="ReadFilm{T}"/>; null where all have the
+    /// same samples.
+    /// </summary>
     internal Slice? Rest => _work.Rest;
 
     /// <summary>The error of the picture against its samples.</summary>

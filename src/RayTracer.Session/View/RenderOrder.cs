@@ -4,32 +4,17 @@ using RayTracer.Rendering;
 namespace RayTracer.Session;
 
 /// <summary>The scene to render, and how to render it.</summary>
-public sealed record RenderOrder
+/// <param name="Scene">The scene, as it is rendered in the end.</param>
+/// <param name="Camera">Its camera.</param>
+/// <param name="Picture">The number of the picture: orders with the same number continue its samples.</param>
+/// <param name="Region">The part to render; null for all of it.</param>
+/// <param name="Threads">The number of threads.</param>
+/// <param name="Map">The map that is shown.</param>
+/// <param name="Mode">The state that the user wants of the rendering.</param>
+/// <param name="Start">The film whose samples the picture begins with; null for none.</param>
+public sealed record RenderOrder(
+    Scene Scene, CameraDescription Camera, long Picture, Tile? Region, int Threads, ViewMap Map, RenderMode Mode, FilmStart? Start = null)
 {
-    /// <summary>The scene, as it is rendered in the end.</summary>
-    public required Scene Scene { get; init; }
-
-    /// <summary>Its camera.</summary>
-    public required CameraDescription Camera { get; init; }
-
-    /// <summary>The number of the picture: orders with the same number continue its samples.</summary>
-    public required long Picture { get; init; }
-
-    /// <summary>The part to render; null for all of it.</summary>
-    public Tile? Region { get; init; }
-
-    /// <summary>Number of threads.</summary>
-    public int Threads { get; init; } = 1;
-
-    /// <summary>The map that is shown.</summary>
-    public ViewMap Map { get; init; } = ViewMap.Light;
-
-    /// <summary>The state that the user wants of the rendering.</summary>
-    public RenderMode Mode { get; init; }
-
-    /// <summary>The film whose samples the picture begins with; null for none.</summary>
-    public FilmStart? Start { get; init; }
-
     /// <summary>The first sample that pixels get: more than 0 where the picture goes on with a part of one.</summary>
     public int First => Start?.Held.First ?? 0;
 

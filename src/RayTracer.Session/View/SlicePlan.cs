@@ -3,8 +3,9 @@ using RayTracer.Rendering;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Cuts the work on a picture into slices: short ones at first, so that much is seen and a change of mind costs little, then longer ones, which waste less.
-/// Where a single sample of every pixel takes long, slices are strips of the picture. Whatever the cut, the film comes to the same bits.
+/// Cuts the work on a picture into slices: short ones at first, so that much is seen and a change of mind costs little, then longer ones,
+/// which waste less. Where a single sample of every pixel takes long, slices are strips of the picture. Whatever the cut, the film comes to
+/// the same bits.
 /// </summary>
 /// <param name="area">The pixels to render.</param>
 /// <param name="samples">Samples that each pixel gets.</param>
@@ -21,7 +22,8 @@ public sealed class SlicePlan(Tile area, int samples)
     public int Samples { get; private set; }
 
     /// <summary>The samples that some pixels have and others lack; null where all have the same samples.</summary>
-    public Slice? Rest => IsUneven ? new(new(area.X, area.Y + _rows, area.Width, area.Height - _rows), new(Samples, Samples + _samplesOfRows)) : null;
+    public Slice? Rest =>
+        IsUneven ? new(new(area.X, area.Y + _rows, area.Width, area.Height - _rows), new(Samples, Samples + _samplesOfRows)) : null;
 
     /// <summary>Returns whether some pixels have more samples than others.</summary>
     public bool IsUneven => _rows > 0;

@@ -17,16 +17,7 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
     public event Action? Changed;
 
     /// <summary>The pictures, the oldest first.</summary>
-    public IReadOnlyList<Snapshot> All
-    {
-        get
-        {
-            lock (_lock)
-            {
-                return [.. _kept.Select(k => k.Snapshot)];
-            }
-        }
-    }
+    public IReadOnlyList<Snapshot> All => _lock.Read(() => _kept.Select(k => k.Snapshot).ToArray());
 
     /// <summary>Keeps the picture as it is, with its exposure and tone map.</summary>
     /// <exception cref="SessionException">There is no picture yet.</exception>

@@ -4,22 +4,16 @@ using RayTracer.Rendering;
 namespace RayTracer.Session;
 
 /// <summary>The user's settings of the view, beside those of the scene.</summary>
-public sealed record ViewSettings
+/// <param name="Mode">The state that the user wants of the rendering.</param>
+/// <param name="Region">The part of the picture to render; null for all of it.</param>
+/// <param name="Samples">The samples instead of those that the scene asks for; null for those.</param>
+public sealed record ViewSettings(RenderMode Mode = RenderMode.Running, Tile? Region = null, int? Samples = null)
 {
-    /// <summary>The state that the user wants of the rendering.</summary>
-    public RenderMode Mode { get; init; }
-
-    /// <summary>Number of threads. One core is left to the user by default.</summary>
+    /// <summary>The number of threads. One core is left to the user by default.</summary>
     public int Threads { get; init; } = Math.Max(1, Environment.ProcessorCount - 1);
 
     /// <summary>The map that is shown.</summary>
     public ViewMap Map { get; init; } = ViewMap.Light;
-
-    /// <summary>The part of the picture to render; null for all of it.</summary>
-    public Tile? Region { get; init; }
-
-    /// <summary>Samples instead of those that the scene asks for; null for those.</summary>
-    public int? Samples { get; init; }
 
     /// <summary>The same in words; null where there are none for it.</summary>
     public RenderQuality? Quality => Samples is { } samples && Enum.IsDefined((RenderQuality)samples) ? (RenderQuality)samples : null;

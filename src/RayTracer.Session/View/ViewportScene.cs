@@ -9,7 +9,9 @@ namespace RayTracer.Session;
 
 /// <summary>The scene that the view shows.</summary>
 /// <param name="Good">The document's content that it comes from.</param>
-/// <param name="Scene">The scene as it is rendered: with the camera as it is moved at the moment, and the samples that the user wants.</param>
+/// <param name="Scene">
+/// The scene as it is rendered: with the camera as it is moved at the moment, and the samples that the user wants.
+/// </param>
 /// <param name="Camera">That camera.</param>
 /// <param name="Picture">The picture's number.</param>
 public sealed record ViewportScene(GoodScene Good, Scene Scene, CameraDescription Camera, long Picture)
@@ -28,7 +30,9 @@ public sealed record ViewportScene(GoodScene Good, Scene Scene, CameraDescriptio
     /// <summary>Width of the picture over its height.</summary>
     public float Aspect => (float)Scene.Render.Width / Scene.Render.Height;
 
-    /// <summary>The middle of all that has an end, and half the diagonal of the box around it; the origin and 1 where there is nothing.</summary>
+    /// <summary>
+    /// The middle of all that has an end, and half the diagonal of the box around it; the origin and 1 where there is nothing.
+    /// </summary>
     public (Vector3 Middle, float Size) Extent => _extent.Value;
 
     /// <summary>The pointer to a record in the text; null where it is not from the text.</summary>
@@ -53,8 +57,10 @@ public sealed record ViewportScene(GoodScene Good, Scene Scene, CameraDescriptio
     }
 
     /// <summary>The pointer of what a surface was made from; null for nothing.</summary>
-    public string? PointerOf(SurfaceName surface) => surface == SurfaceName.None ? null : PointerOf(Scene.SourceOf(surface.Primitive, surface.Instance));
+    public string? PointerOf(SurfaceName surface) =>
+        surface == SurfaceName.None ? null : PointerOf(Scene.SourceOf(surface.Primitive, surface.Instance));
 
     /// <summary>The pointer of a surface's material; null for nothing, and where the material is not from the text.</summary>
-    public string? MaterialOf(SurfaceName surface) => surface == SurfaceName.None ? null : PointerOf(Scene.MaterialSourceOf(surface.Primitive));
+    public string? MaterialOf(SurfaceName surface) =>
+        surface == SurfaceName.None ? null : PointerOf(Scene.MaterialSourceOf(surface.Primitive));
 }

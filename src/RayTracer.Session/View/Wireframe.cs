@@ -5,7 +5,10 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Session;
 
-/// <summary>Draws scenes as lines, for views from elsewhere. There are never more than some thousand lines: of large meshes, and of too many things, boxes.</summary>
+/// <summary>
+/// Draws scenes as lines, for views from elsewhere. There are never more than some thousand lines: of large meshes, and of too many things,
+/// boxes.
+/// </summary>
 public static class Wireframe
 {
     private const int MostPoints = 200_000;
@@ -53,7 +56,8 @@ public static class Wireframe
         return new[] { a, b, c, a };
     });
 
-    private static Bounds MeshBounds(MeshData mesh) => mesh.Indices.Aggregate(Bounds.Empty, (all, i) => all.Union(new(mesh.Positions[i], mesh.Positions[i])));
+    private static Bounds MeshBounds(MeshData mesh) =>
+        mesh.Indices.Aggregate(Bounds.Empty, (all, i) => all.Union(new(mesh.Positions[i], mesh.Positions[i])));
 }
 
 /// <summary>A thing as lines.</summary>

@@ -6,7 +6,9 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Studio;
 
-/// <summary>The options of JSON: camelCase, words for choices, arrays for vectors and colours, null for numbers that are not finite.</summary>
+/// <summary>
+/// The options of JSON: camelCase, words for choices, arrays for vectors and colours, null for numbers that are not finite.
+/// </summary>
 internal static class ApiJson
 {
     /// <summary>The conventions.</summary>
@@ -31,7 +33,8 @@ internal static class ApiJson
             JsonSerializer.Deserialize<float[]>(ref reader, options) is { } numbers && numbers.Length == length ? read(numbers)
                 : throw new JsonException($"{length} numbers are expected");
 
-        public override void Write(Utf8JsonWriter writer, T value, JsonSerializerOptions options) => JsonSerializer.Serialize(writer, write(value), options);
+        public override void Write(Utf8JsonWriter writer, T value, JsonSerializerOptions options) =>
+            JsonSerializer.Serialize(writer, write(value), options);
     }
 
     private sealed class DoubleConverter : JsonConverter<double>

@@ -2,10 +2,13 @@ using System.Collections.Frozen;
 using System.Reflection;
 using System.Security.Cryptography;
 using System.Text.RegularExpressions;
+using Microsoft.AspNetCore.StaticFiles;
 
 namespace RayTracer.Studio;
 
-/// <summary>The pages, which are within the program. They are found by their exact names only: there is no path that could lead elsewhere.</summary>
+/// <summary>
+/// The pages, which are within the program. They are found by their exact names only: there is no path that could lead elsewhere.
+/// </summary>
 internal sealed partial class EmbeddedAssets
 {
     private const string Prefix = "wwwroot/";
@@ -66,16 +69,8 @@ internal sealed partial class EmbeddedAssets
         [GeneratedRegex(@"-[A-Za-z0-9_]{8,}\.\w+$")]
         private static partial Regex HashInName { get; }
 
-        private static string TypeOf(string extension) => extension switch
-        {
-            ".html" => "text/html; charset=utf-8",
-            ".js" => "text/javascript; charset=utf-8",
-            ".css" => "text/css; charset=utf-8",
-            ".json" or ".map" => "application/json",
-            ".svg" => "image/svg+xml",
-            ".png" => "image/png",
-            ".woff2" => "font/woff2",
-            _ => "application/octet-stream",
-        };
+        private static string TypeOf(string extension) => new FileExtensionContentTypeProvider().Mappings.TryGetValue(extension, out string? type)
+            ? type.StartsWith("text/", StringComparison.Ordinal) ? $"{type}; charset=utf-8" : type
+            : "application/octet-stream";
     }
 }

@@ -16,7 +16,9 @@ internal sealed class LocalGuard(string token)
     /// <summary>The path of the data. All else are the pages, which are no secret.</summary>
     public const string Api = "/api";
 
-    /// <summary>The one request whose secret is in its body, because a page that is going away cannot set a header: its handler looks.</summary>
+    /// <summary>
+    /// The one request whose secret is in its body, because a page that is going away cannot set a header: its handler looks.
+    /// </summary>
     public const string Farewell = Api + "/bye";
 
     private readonly byte[] _token = Digest(token);

@@ -1,7 +1,7 @@
 namespace RayTracer.Acceleration;
 
 /// <summary>Many rays, one array a quantity. The pointers need no alignment; the caller keeps the memory where it is.</summary>
-public unsafe struct RayStream
+internal unsafe struct RayStream
 {
     /// <summary>Where the rays start.</summary>
     public float* OriginX;

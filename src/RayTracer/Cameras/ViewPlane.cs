@@ -3,7 +3,7 @@ using RayTracer.Description;
 namespace RayTracer.Cameras;
 
 /// <summary>The part of a plane across the view that a picture shows.</summary>
-public static class ViewPlane
+internal static class ViewPlane
 {
     /// <summary>The extent of a picture that a field of view measures.</summary>
     /// <param name="axis">Which extent.</param>

@@ -5,7 +5,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Description;
 
 /// <summary>The extent of descriptions of shapes, without building them: enough to place a camera.</summary>
-public static class ModelExtent
+internal static class ModelExtent
 {
     /// <summary>A box around all shapes that have an end, when the shutter opens at time 0; empty where there are none.</summary>
     /// <param name="shapes">The shapes. Files that they name are not read.</param>

@@ -4,7 +4,7 @@ namespace RayTracer.Description;
 /// <param name="Subject">The record complained about.</param>
 /// <param name="Property">The name of its C# property, or null for the record as a whole.</param>
 /// <param name="Message">What is wrong and what was expected, in one sentence without a final stop.</param>
-/// <param name="IsError">Whether the scene cannot be rendered; otherwise it is a warning.</param>
+/// <param name="IsError">True where the scene cannot be rendered; otherwise it is a warning.</param>
 public sealed record SceneComplaint(object Subject, string? Property, string Message, bool IsError)
 {
     /// <summary>True where a value is outside of its parameter's range.</summary>

@@ -53,7 +53,7 @@ public abstract record ShapeDescription
 
 /// <summary>A map that an editor works into the numbers of a <see cref="ShapeDescription"/>.</summary>
 /// <param name="Map">The map.</param>
-/// <param name="ShowsUv">Whether a texture shows how uv lies on the surface.</param>
+/// <param name="ShowsUv">True where a texture shows how uv lies on the surface.</param>
 public readonly record struct ShapeMove(Transform Map, bool ShowsUv)
 {
     /// <summary>True where the axes keep their directions.</summary>

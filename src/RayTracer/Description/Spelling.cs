@@ -60,7 +60,7 @@ internal static class Spelling
 }
 
 /// <summary>The distance between two words, on which "did you mean" is based.</summary>
-public static class EditDistance
+internal static class EditDistance
 {
     /// <summary>
     /// The least number of insertions, deletions, changes and swaps of neighbours between two words, where no part is

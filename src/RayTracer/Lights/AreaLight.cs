@@ -8,7 +8,7 @@ namespace RayTracer.Lights;
 /// <summary>A shape that shines, as a source to be sampled.</summary>
 /// <param name="shape">The shape, of finite area.</param>
 /// <param name="primitive">Its number among the scene's primitives, so that it does not shadow itself.</param>
-public sealed class AreaLight(Shape shape, int primitive) : LightSource(0, primitive)
+internal sealed class AreaLight(Shape shape, int primitive) : LightSource(0, primitive)
 {
     private readonly LuminaireMaterial _luminaire = (LuminaireMaterial)shape.Material;
 

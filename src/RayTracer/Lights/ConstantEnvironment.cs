@@ -23,7 +23,7 @@ public sealed record ConstantEnvironmentDescription : EnvironmentDescription
 
 /// <summary>The same light from all directions, which are chosen uniformly.</summary>
 /// <param name="light">The radiance.</param>
-public sealed class ConstantEnvironment(Rgb light) : EnvironmentLight
+internal sealed class ConstantEnvironment(Rgb light) : EnvironmentLight
 {
     /// <inheritdoc/>
     public override void Evaluate(in Vec3W direction, out RgbW radiance) => radiance = light;

@@ -38,7 +38,7 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
 /// <param name="direction">Where it travels in its own space, of any length above zero.</param>
 /// <param name="irradiance">Irradiance on a surface that faces it: power per area.</param>
 /// <param name="motion">Where its own space is in the world.</param>
-public sealed class DirectionalLight(Vector3 direction, Rgb irradiance, Motion motion) : PunctualLight(Vector3.Zero, direction.Unit(), motion)
+internal sealed class DirectionalLight(Vector3 direction, Rgb irradiance, Motion motion) : PunctualLight(Vector3.Zero, direction.Unit(), motion)
 {
     /// <inheritdoc/>
     public override LightExtent Extent((double Open, double Close) shutter) => new(Bounds.Infinite, irradiance.Luminance);

@@ -61,7 +61,7 @@ public sealed record ImageEnvironmentDescription : EnvironmentDescription
 /// with a density in proportion to luminance as if that were linear in the cosine with the axis, too.
 /// </para>
 /// </summary>
-public sealed unsafe class ImageEnvironment : EnvironmentLight
+internal sealed unsafe class ImageEnvironment : EnvironmentLight
 {
     /// <summary>The largest radiance that can be computed with.</summary>
     public const float Brightest = 1e30f;

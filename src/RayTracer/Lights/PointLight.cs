@@ -41,7 +41,7 @@ public sealed record PointLightDescription : PunctualLightDescription
 /// <param name="position">Where it stands in its own space.</param>
 /// <param name="intensity">Radiant intensity: power per steradian.</param>
 /// <param name="motion">Where its own space is in the world.</param>
-public sealed class PointLight(Vector3 position, Rgb intensity, Motion motion) : PunctualLight(position, Vector3.UnitZ, motion)
+internal sealed class PointLight(Vector3 position, Rgb intensity, Motion motion) : PunctualLight(position, Vector3.UnitZ, motion)
 {
     /// <inheritdoc/>
     public override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), intensity.Luminance);

@@ -68,7 +68,7 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
 }
 
 /// <summary>A sky, and a sun of even radiance before it. Directions are chosen from either.</summary>
-public sealed class SkyEnvironment : EnvironmentLight
+internal sealed class SkyEnvironment : EnvironmentLight
 {
     /// <summary>Rows of the sky's picture; the horizon is one.</summary>
     internal const int Rows = 257;

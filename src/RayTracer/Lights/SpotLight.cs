@@ -61,7 +61,7 @@ public sealed record SpotLightDescription : PunctualLightDescription
 }
 
 /// <summary>A light at a point that shines into a cone.</summary>
-public sealed class SpotLight : PunctualLight
+internal sealed class SpotLight : PunctualLight
 {
     // Instead of infinity where the beam reaches up to the edge: finite, so that nothing times it is nothing.
     private const float Steepest = 1e9f;

@@ -37,7 +37,7 @@ public sealed record BumpMapMaterialDescription : MaterialDescription
 /// <param name="inner">What scatters light.</param>
 /// <param name="map">The heights; the red channel counts.</param>
 /// <param name="scale">Factor on the heights.</param>
-public sealed class BumpMapMaterial(Material inner, Texture map, float scale) : PerturbedMaterial(inner)
+internal sealed class BumpMapMaterial(Material inner, Texture map, float scale) : PerturbedMaterial(inner)
 {
     // Half the distance of what is subtracted, in uv.
     private const float Step = 1f / 4096;

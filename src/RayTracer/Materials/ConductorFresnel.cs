@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Materials;
 
 /// <summary>The reflectance of a smooth conductor.</summary>
-public sealed class ConductorFresnel
+internal sealed class ConductorFresnel
 {
     private readonly Rgb _eta;
     private readonly Rgb _k;

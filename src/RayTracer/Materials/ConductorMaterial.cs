@@ -16,7 +16,7 @@ public sealed record ConductorMaterialDescription : MetalDescription
 /// <summary>A mirror of metal.</summary>
 /// <param name="fresnel">How much it reflects.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
-public sealed class ConductorMaterial(ConductorFresnel fresnel, Texture reflectance) : Material
+internal sealed class ConductorMaterial(ConductorFresnel fresnel, Texture reflectance) : Material
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits { get; } = new() { Specular = SpecularLobe.Delta, UsesUv = reflectance.Constant is null };

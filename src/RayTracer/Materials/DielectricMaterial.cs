@@ -67,7 +67,7 @@ public sealed record DielectricMaterialDescription : GlassDescription
 /// <param name="interior">What fills the inside besides; null for nothing.</param>
 /// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does not.</param>
 /// <param name="nesting">How the inside goes with others that overlap it, whose extinction then counts in place of <paramref name="extinction"/>; null for an index relative to what is around.</param>
-public sealed class DielectricMaterial(
+internal sealed class DielectricMaterial(
     float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null, Medium? interior = null,
     Dispersion? dispersion = null, Nesting? nesting = null) : Material
 {

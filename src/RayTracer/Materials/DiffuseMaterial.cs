@@ -19,7 +19,7 @@ public sealed record DiffuseMaterialDescription : MaterialDescription
 
 /// <summary>Lambertian reflection: BRDF = colour/π on the ray's side (report, section 4.2.2).</summary>
 /// <param name="texture">Fraction of the light that is reflected.</param>
-public sealed class DiffuseMaterial(Texture texture) : Material
+internal sealed class DiffuseMaterial(Texture texture) : Material
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits { get; } = new() { IsLit = true, KeepsEnergy = true, UsesUv = texture.Constant is null };

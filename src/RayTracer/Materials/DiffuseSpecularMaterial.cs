@@ -45,7 +45,7 @@ public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
 /// <param name="diffuse">The part that is chosen with probability 1 − R.</param>
 /// <param name="specular">The part that is chosen with probability R.</param>
 /// <param name="r0">R at normal incidence, 0 to 1.</param>
-public sealed class DiffuseSpecularMaterial(Material diffuse, Material specular, float r0) : TwoPartMaterial(diffuse, specular)
+internal sealed class DiffuseSpecularMaterial(Material diffuse, Material specular, float r0) : TwoPartMaterial(diffuse, specular)
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits => base.Traits with

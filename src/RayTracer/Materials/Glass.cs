@@ -38,7 +38,7 @@ public enum Glass
 }
 
 /// <summary>The refractive indices of glasses.</summary>
-public static class GlassTable
+internal static class GlassTable
 {
     /// <summary>
     /// How a glass's index depends on the wavelength: fused quartz by Malitson 1965, eq. 1; sapphire by Malitson 1962, table I; diamond by Peter 1923; water by

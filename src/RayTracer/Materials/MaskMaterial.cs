@@ -31,7 +31,7 @@ public sealed record MaskMaterialDescription : MaterialDescription
 /// <param name="inner">The other material.</param>
 /// <param name="opacity">The share that meets it; its red channel counts.</param>
 /// <param name="interior">What fills the inside; null for nothing. What the other material says comes first.</param>
-public sealed class MaskMaterial(Material inner, Texture opacity, Medium? interior = null) : WrapperMaterial(inner)
+internal sealed class MaskMaterial(Material inner, Texture opacity, Medium? interior = null) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits => base.Traits with

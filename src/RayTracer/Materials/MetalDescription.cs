@@ -24,7 +24,7 @@ public abstract record MetalDescription : MaterialDescription
     public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>The reflectance of the metal that is named, or whose index is given.</summary>
-    protected ConductorFresnel BuildFresnel(SceneBuilder builder)
+    private protected ConductorFresnel BuildFresnel(SceneBuilder builder)
     {
         if (Metal is not null && (Eta ?? K) is not null)
         {

@@ -41,7 +41,7 @@ public sealed record MixMaterialDescription : MaterialDescription
 /// <param name="first">Met with probability 1 − weight.</param>
 /// <param name="second">Met with probability weight.</param>
 /// <param name="weight">The weight; its red channel counts.</param>
-public sealed class MixMaterial(Material first, Material second, Texture weight) : TwoPartMaterial(first, second)
+internal sealed class MixMaterial(Material first, Material second, Texture weight) : TwoPartMaterial(first, second)
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits => base.Traits with { UsesUv = base.Traits.UsesUv || weight.Constant is null };

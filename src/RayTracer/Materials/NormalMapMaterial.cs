@@ -48,7 +48,7 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
 /// <param name="inner">What scatters light.</param>
 /// <param name="map">The normals.</param>
 /// <param name="strength">Factor on the slopes.</param>
-public sealed class NormalMapMaterial(Material inner, Texture map, float strength) : PerturbedMaterial(inner)
+internal sealed class NormalMapMaterial(Material inner, Texture map, float strength) : PerturbedMaterial(inner)
 {
     /// <summary>Green points to where v grows, and not always to the left of where u grows.</summary>
     public bool GreenAlongV { get; init; }

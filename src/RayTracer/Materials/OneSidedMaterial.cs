@@ -18,7 +18,7 @@ public sealed record OneSidedMaterialDescription : MaterialDescription
 
 /// <summary>Black from behind.</summary>
 /// <param name="inner">What is seen from outside.</param>
-public sealed class OneSidedMaterial(Material inner) : WrapperMaterial(inner)
+internal sealed class OneSidedMaterial(Material inner) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits => base.Traits with { KeepsEnergy = false, IsBoundary = false };

@@ -23,7 +23,7 @@ public enum TurnedNormal
 /// would leak through the surface that is really there is dropped by the integrators, as with interpolated normals.
 /// </summary>
 /// <param name="inner">The other material.</param>
-public abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
+internal abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits

@@ -47,7 +47,7 @@ public sealed record PhongMaterialDescription : MaterialDescription
 /// <param name="diffuse">Fraction of the light that is reflected alike in all directions.</param>
 /// <param name="specular">Fraction of the light that is reflected around the mirror direction.</param>
 /// <param name="exponent">Exponent of the lobe, at least 0.</param>
-public sealed class PhongMaterial(Texture? ambient, Texture diffuse, Texture specular, float exponent) : Material
+internal sealed class PhongMaterial(Texture? ambient, Texture diffuse, Texture specular, float exponent) : Material
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits { get; } = new()

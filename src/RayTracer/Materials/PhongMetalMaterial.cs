@@ -27,7 +27,7 @@ public sealed record PhongMetalMaterialDescription : MaterialDescription
 /// </summary>
 /// <param name="texture">Fraction of the light that is reflected.</param>
 /// <param name="exponent">Exponent of the lobe, at least 0.</param>
-public sealed class PhongMetalMaterial(Texture texture, float exponent) : Material
+internal sealed class PhongMetalMaterial(Texture texture, float exponent) : Material
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits { get; } = new()

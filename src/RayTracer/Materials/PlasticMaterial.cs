@@ -43,7 +43,7 @@ public sealed record PlasticMaterialDescription : CoatedDescription
 /// <param name="refractiveIndex">Index of the coat over that of the outside, at least 1.</param>
 /// <param name="nonlinear">Whether the colour counts in each reflection inside, or only once.</param>
 /// <param name="reflectance">Factor on what the coat reflects.</param>
-public sealed class PlasticMaterial(Texture @base, float refractiveIndex, bool nonlinear, Texture reflectance) : Material
+internal sealed class PlasticMaterial(Texture @base, float refractiveIndex, bool nonlinear, Texture reflectance) : Material
 {
     private readonly float _inverse = 1 / refractiveIndex;
     private readonly float _inner = Fresnel.DiffuseReflectance(refractiveIndex);

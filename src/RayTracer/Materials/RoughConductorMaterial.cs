@@ -51,7 +51,7 @@ public sealed record RoughConductorMaterialDescription : MetalDescription
 /// <param name="roughness">How they are tilted.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
 /// <param name="multipleScattering">Whether what microfacets reflect onto each other is made up for; then the roughness is the same everywhere.</param>
-public sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness roughness, Texture reflectance, bool multipleScattering = false) : Material
+internal sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness roughness, Texture reflectance, bool multipleScattering = false) : Material
 {
     private readonly RoughLoss? _loss = multipleScattering ? new(roughness) : null;
 

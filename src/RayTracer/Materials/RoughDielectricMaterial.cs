@@ -67,7 +67,7 @@ public sealed record RoughDielectricMaterialDescription : GlassDescription
 /// <param name="interior">What fills the inside besides; null for nothing.</param>
 /// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does not.</param>
 /// <param name="nesting">How the inside goes with others that overlap it; null for an index relative to what is around.</param>
-public sealed class RoughDielectricMaterial(
+internal sealed class RoughDielectricMaterial(
     float refractiveIndex, Roughness roughness, Texture reflectance, Texture transmittance, Medium? interior = null, Dispersion? dispersion = null, Nesting? nesting = null) : Material
 {
     private const float LeastDifference = 1e-3f;

@@ -32,7 +32,7 @@ public sealed record RoughPlasticMaterialDescription : CoatedDescription
 /// <param name="reflectance">Factor on what the coat reflects.</param>
 /// <param name="distribution">How the microfacets' normals are distributed.</param>
 /// <param name="alpha">Roughness of the coat.</param>
-public sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, bool nonlinear, Texture reflectance, MicrofacetDistribution distribution, float alpha) : Material
+internal sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, bool nonlinear, Texture reflectance, MicrofacetDistribution distribution, float alpha) : Material
 {
     private readonly float _inverse = 1 / refractiveIndex;
     private readonly RoughTransmittance _coat = new(distribution, alpha, refractiveIndex);

@@ -8,7 +8,7 @@ namespace RayTracer.Materials;
 /// <param name="distribution">How the microfacets' normals are distributed.</param>
 /// <param name="alphaU">Roughness along u; its red channel counts.</param>
 /// <param name="alphaV">Roughness along v; its red channel counts.</param>
-public sealed class Roughness(MicrofacetDistribution distribution, Texture alphaU, Texture alphaV)
+internal sealed class Roughness(MicrofacetDistribution distribution, Texture alphaU, Texture alphaV)
 {
     /// <summary>The roughness depends on uv.</summary>
     public bool UsesUv => alphaU.Constant is null || alphaV.Constant is null;

@@ -39,7 +39,7 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
 /// <param name="reflectance">Factor on what is reflected.</param>
 /// <param name="transmittance">Factor on what goes through.</param>
 /// <param name="interior">What fills the inside; null for nothing.</param>
-public sealed class ThinDielectricMaterial(float refractiveIndex, Texture reflectance, Texture transmittance, Medium? interior = null) : Material
+internal sealed class ThinDielectricMaterial(float refractiveIndex, Texture reflectance, Texture transmittance, Medium? interior = null) : Material
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits { get; } = new()

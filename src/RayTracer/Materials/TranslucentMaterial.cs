@@ -40,7 +40,7 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
 /// <param name="above">Fraction of the light that is reflected.</param>
 /// <param name="below">Fraction of the light that is let through.</param>
 /// <param name="interior">What fills the inside; null for nothing.</param>
-public sealed class TranslucentMaterial(Texture above, Texture below, Medium? interior = null) : Material
+internal sealed class TranslucentMaterial(Texture above, Texture below, Medium? interior = null) : Material
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits { get; } = new()

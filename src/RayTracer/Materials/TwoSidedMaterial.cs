@@ -38,7 +38,7 @@ public sealed record TwoSidedMaterialDescription : MaterialDescription
 /// <summary>One material for rays from outside and one for rays from behind; each of them takes its rays for rays from outside.</summary>
 /// <param name="front">For rays from outside.</param>
 /// <param name="back">For rays from behind.</param>
-public sealed class TwoSidedMaterial(Material front, Material back) : TwoPartMaterial(front, back)
+internal sealed class TwoSidedMaterial(Material front, Material back) : TwoPartMaterial(front, back)
 {
     private readonly bool _turnsNormal = (front.Traits | back.Traits).TurnsNormal;
 

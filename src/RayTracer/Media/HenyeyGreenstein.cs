@@ -6,7 +6,7 @@ namespace RayTracer.Media;
 /// The phase function of Henyey and Greenstein (1941, eq. 2): how light is spread over directions where a medium scatters it. It integrates to one over
 /// the sphere, so it is its own pdf.
 /// </summary>
-public static class HenyeyGreenstein
+internal static class HenyeyGreenstein
 {
     /// <summary>The fraction of the light that is scattered by an angle, per steradian.</summary>
     /// <param name="cosine">Cosine of the angle between the directions of travel before and after.</param>

@@ -6,7 +6,7 @@ namespace RayTracer.Media;
 /// The media that a path is in, in one integer: three numbers of eight bits, the innermost one lowest, 0 for none; and above them how many boundaries
 /// the path has crossed since it last scattered.
 /// </summary>
-public static class MediumStack
+internal static class MediumStack
 {
     /// <summary>The most media of a scene.</summary>
     public const int MaxMedia = 255;

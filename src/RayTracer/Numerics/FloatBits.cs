@@ -1,7 +1,7 @@
 namespace RayTracer.Numerics;
 
 /// <summary>Floats named by their place among the floats.</summary>
-public static class FloatBits
+internal static class FloatBits
 {
     /// <summary>The largest float below 1.</summary>
     public const float OneMinusEpsilon = 0.99999994f;

@@ -4,7 +4,7 @@ namespace RayTracer.Numerics;
 /// Colours for numbers from 0 to 1: black, violet, red, orange, yellowish white. They grow lighter all the way, so that a grey print shows the
 /// same order.
 /// </summary>
-public static class HeatMap
+internal static class HeatMap
 {
     /// <summary>The colours in words, from the smallest number to the largest.</summary>
     public const string Legend = "black, violet, red, orange, white";

@@ -7,7 +7,7 @@ namespace RayTracer.Numerics;
 /// as long as this object.
 /// </summary>
 /// <typeparam name="T">A number, or a struct of registers.</typeparam>
-public sealed unsafe class PinnedBuffer<T>
+internal sealed unsafe class PinnedBuffer<T>
     where T : unmanaged
 {
     private const int Alignment = 64;

@@ -82,7 +82,7 @@ public sealed class Scene
     public Sampler Sampler { get; }
 
     /// <summary>Places samples around the middle of their pixel; null for the mean over the pixel's own square.</summary>
-    public PixelFilter? Filter { get; }
+    internal PixelFilter? Filter { get; }
 
     /// <summary>Radiance where nothing is hit, unless there is an <see cref="Environment"/>.</summary>
     public Rgb Background { get; }
@@ -107,7 +107,7 @@ public sealed class Scene
     public IReadOnlyList<ShapeBatch> Batches { get; }
 
     /// <summary>Meets rays with those shapes.</summary>
-    public PrimitiveList Primitives { get; }
+    internal PrimitiveList Primitives { get; }
 
     /// <summary>Everything that rays can meet.</summary>
     internal World World { get; }

@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Sampling;
 
 /// <summary>The curve of a pixel filter along one axis, up to a factor. It is symmetric.</summary>
-public sealed class FilterCurve
+internal sealed class FilterCurve
 {
     private readonly FilterDescription _filter;
     private readonly float _deviation;

@@ -6,7 +6,7 @@ namespace RayTracer.Sampling;
 
 /// <summary>Independent random numbers: the yardstick for the others. The variance of a mean falls as 1/N.</summary>
 /// <param name="samplesPerPixel">The number of samples that a pixel will have.</param>
-public sealed class IndependentSampler(int samplesPerPixel) : Sampler(samplesPerPixel)
+internal sealed class IndependentSampler(int samplesPerPixel) : Sampler(samplesPerPixel)
 {
     /// <inheritdoc/>
     public override void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points)

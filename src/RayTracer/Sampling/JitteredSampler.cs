@@ -10,7 +10,7 @@ namespace RayTracer.Sampling;
 /// cells in its own order, a hashed permutation of the pixel, so that the pairs are independent of one another and any
 /// first part of the samples is an unbiased picture.
 /// </summary>
-public class JitteredSampler : Sampler
+internal class JitteredSampler : Sampler
 {
     private readonly uint _count;
     private readonly uint _bits;

@@ -9,7 +9,7 @@ namespace RayTracer.Sampling;
 /// its <see cref="Weight"/>: nothing is written into other pixels, and films stay sums. The curve is replaced by straight lines between
 /// <see cref="Cells"/> + 1 places, and the weights are those of the straight lines: white stays white.
 /// </summary>
-public sealed unsafe class PixelFilter
+internal sealed unsafe class PixelFilter
 {
     private const uint Cells = 256;
     private const int CellsBeforeChange = 192;

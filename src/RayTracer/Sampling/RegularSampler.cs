@@ -7,7 +7,7 @@ namespace RayTracer.Sampling;
 /// (aliasing). Only the position in the pixel is regular; all other dimensions are jittered, for light would alias too.
 /// </summary>
 /// <param name="samplesPerPixel">The number of samples that a pixel will have: a square.</param>
-public sealed class RegularSampler(int samplesPerPixel) : JitteredSampler(samplesPerPixel)
+internal sealed class RegularSampler(int samplesPerPixel) : JitteredSampler(samplesPerPixel)
 {
     /// <inheritdoc/>
     public override void Begin(in UIntW pixelKey, in UIntW sample, uint group, out SamplePoints points)

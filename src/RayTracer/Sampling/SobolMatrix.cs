@@ -4,7 +4,7 @@ namespace RayTracer.Sampling;
 /// Generator matrices of Sobol's sequence. Direction numbers: Joe &amp; Kuo, Constructing Sobol sequences with better
 /// two-dimensional projections (SIAM J. Sci. Comput. 30, 2008), the first four dimensions of "new-joe-kuo-6".
 /// </summary>
-public static class SobolMatrix
+internal static class SobolMatrix
 {
     // Degree s and coefficients a of the primitive polynomial, and the first s direction numbers, from dimension 1 on.
     private static readonly (int Degree, uint Coefficients, uint[] Initial)[] s_polynomials =

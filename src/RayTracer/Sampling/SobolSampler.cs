@@ -13,7 +13,7 @@ namespace RayTracer.Sampling;
 /// two groups share (<see cref="Dimensions.SecondOfFour"/>), and every pair of it in its own scrambling (Burley, Practical
 /// hash-based Owen scrambling, JCGT 2020).
 /// </summary>
-public sealed unsafe class SobolSampler : Sampler
+internal sealed unsafe class SobolSampler : Sampler
 {
     /// <summary>Pairs of dimensions that come from one sequence: pixel and lens are stratified together.</summary>
     public const int TabledPairs = 2;

@@ -50,7 +50,7 @@ public sealed record BoxDescription : ShapeDescription
 /// <param name="name">A name for messages.</param>
 /// <param name="a">One corner.</param>
 /// <param name="b">The opposite corner.</param>
-public sealed class Box(Material material, string name, Vector3 a, Vector3 b) : Shape(material, name)
+internal sealed class Box(Material material, string name, Vector3 a, Vector3 b) : Shape(material, name)
 {
     private readonly Vector3 _size = Vector3.Abs(b - a);
 

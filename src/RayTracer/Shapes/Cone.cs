@@ -56,7 +56,7 @@ public sealed record ConeDescription : ShapeDescription
 /// <param name="radius">The radius of the bottom, above zero.</param>
 /// <param name="topRadius">The radius of the top, not below zero.</param>
 /// <param name="caps">Whether the ends are closed.</param>
-public sealed class Cone(Material material, string name, Vector3 bottom, Vector3 top, float radius, float topRadius, bool caps)
+internal sealed class Cone(Material material, string name, Vector3 bottom, Vector3 top, float radius, float topRadius, bool caps)
     : ConicalShape(material, name, bottom, top, radius, topRadius, caps)
 {
     /// <inheritdoc/>

@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>A frustum of a cone, with cylinder and cone as its limits.</summary>
-public abstract class ConicalShape : Shape
+internal abstract class ConicalShape : Shape
 {
     private readonly float _slant;
 

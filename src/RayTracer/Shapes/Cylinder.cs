@@ -50,7 +50,7 @@ public sealed record CylinderDescription : ShapeDescription
 /// <param name="top">The middle of the top.</param>
 /// <param name="radius">The radius, above zero.</param>
 /// <param name="caps">Whether the ends are closed.</param>
-public sealed class Cylinder(Material material, string name, Vector3 bottom, Vector3 top, float radius, bool caps)
+internal sealed class Cylinder(Material material, string name, Vector3 bottom, Vector3 top, float radius, bool caps)
     : ConicalShape(material, name, bottom, top, radius, radius, caps)
 {
     /// <inheritdoc/>

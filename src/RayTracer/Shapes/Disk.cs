@@ -51,7 +51,7 @@ public sealed record DiskDescription : ShapeDescription
 /// <param name="center">The centre.</param>
 /// <param name="normal">Unit normal of the front.</param>
 /// <param name="radius">The radius, above zero.</param>
-public sealed unsafe class Disk(Material material, string name, Vector3 center, Vector3 normal, float radius) : FlatShape(material, name)
+internal sealed unsafe class Disk(Material material, string name, Vector3 center, Vector3 normal, float radius) : FlatShape(material, name)
 {
     // The square around it has the axes and the uv.
     private readonly Plane _square = new(material, name, center, normal, new Vector2(2 * radius));

@@ -6,7 +6,7 @@ namespace RayTracer.Shapes;
 /// <summary>A part of a plane: what <see cref="FlatBatch"/> meets with rays.</summary>
 /// <param name="material">What it is made of.</param>
 /// <param name="name">A name for messages.</param>
-public abstract unsafe class FlatShape(Material material, string name) : Shape(material, name)
+internal abstract unsafe class FlatShape(Material material, string name) : Shape(material, name)
 {
     /// <inheritdoc/>
     public override ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes) => new FlatBatch(shapes);

@@ -51,7 +51,7 @@ public sealed record PlaneDescription : ShapeDescription
 }
 
 /// <summary>A plane (report, section 3.3.5), or a rectangle of it.</summary>
-public sealed unsafe class Plane : FlatShape
+internal sealed unsafe class Plane : FlatShape
 {
     /// <summary>From a point and a normal.</summary>
     /// <param name="material">What it is made of.</param>

@@ -57,7 +57,7 @@ public sealed record RectangleDescription : ShapeDescription
 /// <param name="corner">The corner where uv is (0, 0).</param>
 /// <param name="edgeU">From there to where uv is (1, 0).</param>
 /// <param name="edgeV">From there to where uv is (0, 1).</param>
-public sealed unsafe class Rectangle(Material material, string name, Vector3 corner, Vector3 edgeU, Vector3 edgeV) : FlatShape(material, name)
+internal sealed unsafe class Rectangle(Material material, string name, Vector3 corner, Vector3 edgeU, Vector3 edgeV) : FlatShape(material, name)
 {
     /// <summary>The corner where uv is (0, 0).</summary>
     public Vector3 Corner => corner;

@@ -39,7 +39,7 @@ public sealed record SphereDescription : ShapeDescription
 /// <param name="name">A name for messages.</param>
 /// <param name="center">The centre.</param>
 /// <param name="radius">The radius, above zero.</param>
-public sealed class Sphere(Material material, string name, Vector3 center, float radius) : Shape(material, name)
+internal sealed class Sphere(Material material, string name, Vector3 center, float radius) : Shape(material, name)
 {
     /// <summary>The centre.</summary>
     public Vector3 Center => center;

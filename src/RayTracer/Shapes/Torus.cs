@@ -63,7 +63,7 @@ public sealed record TorusDescription : ShapeDescription
 /// <param name="axis">The direction through the hole.</param>
 /// <param name="radius">From the centre to the middle of the tube.</param>
 /// <param name="tubeRadius">The tube's own radius, above zero and less than <paramref name="radius"/>.</param>
-public sealed class Torus(Material material, string name, Vector3 center, Vector3 axis, float radius, float tubeRadius) : Shape(material, name)
+internal sealed class Torus(Material material, string name, Vector3 center, Vector3 axis, float radius, float tubeRadius) : Shape(material, name)
 {
     /// <summary>The centre.</summary>
     public Vector3 Center => center;

@@ -65,7 +65,7 @@ public sealed record TriangleDescription : ShapeDescription
 }
 
 /// <summary>A triangle (report, sections 3.3.3 and 3.3.5); uv is interpolated between its corners.</summary>
-public sealed unsafe class Triangle(Material material, string name, Vector3 a, Vector3 b, Vector3 c, Vector2 uvA, Vector2 uvB, Vector2 uvC)
+internal sealed unsafe class Triangle(Material material, string name, Vector3 a, Vector3 b, Vector3 c, Vector2 uvA, Vector2 uvB, Vector2 uvC)
     : FlatShape(material, name)
 {
     /// <summary>First corner.</summary>

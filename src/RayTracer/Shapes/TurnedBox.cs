@@ -11,7 +11,7 @@ namespace RayTracer.Shapes;
 /// <param name="center">The middle.</param>
 /// <param name="axes">Three unit vectors, perpendicular to each other, along its edges: where the axes of the box went.</param>
 /// <param name="half">Half the lengths of the edges.</param>
-public sealed class TurnedBox(Material material, string name, Vector3 center, (Vector3 X, Vector3 Y, Vector3 Z) axes, Vector3 half) : Shape(material, name)
+internal sealed class TurnedBox(Material material, string name, Vector3 center, (Vector3 X, Vector3 Y, Vector3 Z) axes, Vector3 half) : Shape(material, name)
 {
     // The same box parallel to the axes around the origin: light does not care.
     private readonly Box _upright = new(material, name, -half, half);

@@ -5,7 +5,7 @@ namespace RayTracer.Spectra;
 /// <summary>
 /// The colour matching functions of the 2° observer (CIE 1931) and the daylight D65 (CIE 15:2004), from 360 to 830 nm in steps of 5 nm.
 /// </summary>
-public static class CieTables
+internal static class CieTables
 {
     private static readonly double[][] s_columns = Columns(EmbeddedTable.Read(typeof(CieTables), "cie.txt"));
 

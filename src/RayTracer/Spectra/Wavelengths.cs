@@ -8,7 +8,7 @@ namespace RayTracer.Spectra;
 /// place of wavelengths), and over all wavelengths each has the mean 1: light that does not depend on the wavelength keeps its colour exactly.
 /// A channel's response is linear sRGB's to light of a single wavelength (IEC 61966-2-1:1999, section 5.2), without what is negative there, and normalised.
 /// </summary>
-public sealed unsafe class Wavelengths
+internal sealed unsafe class Wavelengths
 {
     /// <summary>Steps of equal probability, in each of which the weights are the same.</summary>
     public const int Steps = 1024;

@@ -6,7 +6,7 @@ namespace RayTracer.Textures;
 /// <param name="inputs">What the amount depends on.</param>
 /// <param name="first">The texture where the amount is 0.</param>
 /// <param name="second">The texture where it is 1.</param>
-public abstract class BlendTexture(TextureInputs inputs, Texture first, Texture second) : Texture(inputs | first.Inputs | second.Inputs)
+internal abstract class BlendTexture(TextureInputs inputs, Texture first, Texture second) : Texture(inputs | first.Inputs | second.Inputs)
 {
     /// <summary>The texture where the amount is 0.</summary>
     protected Texture First => first;

@@ -34,7 +34,7 @@ public sealed record CheckerTextureDescription : TextureDescription
 /// <param name="odd">Texture of the fields beside it.</param>
 /// <param name="scale">Factors on u and v.</param>
 /// <param name="offset">Added after scaling.</param>
-public sealed class CheckerTexture(Texture even, Texture odd, Vector2 scale, Vector2 offset) : Texture(TextureInputs.Uv | even.Inputs | odd.Inputs)
+internal sealed class CheckerTexture(Texture even, Texture odd, Vector2 scale, Vector2 offset) : Texture(TextureInputs.Uv | even.Inputs | odd.Inputs)
 {
     /// <inheritdoc/>
     public override long MemoryBytes => even.MemoryBytes + odd.MemoryBytes;

@@ -8,7 +8,7 @@ namespace RayTracer.Textures;
 /// Smooth random functions of space: Perlin's improved noise (Improving noise, 2002), with hashes in place of his table of 256 permuted
 /// numbers, so that it repeats only after 65,536 units. It is 0 at points of the grid, has the mean 0 and stays within ±1.036.
 /// </summary>
-public static class GradientNoise
+internal static class GradientNoise
 {
     private const float Period = 65536;
     private const float OctaveShift = 17.375f;

@@ -40,7 +40,7 @@ public sealed record GradientTextureDescription : TextureDescription
 /// <param name="shape">Along what it grows.</param>
 /// <param name="first">The texture at its beginning.</param>
 /// <param name="second">The texture at its end.</param>
-public sealed class GradientTexture(GradientShape shape, Texture first, Texture second) : BlendTexture(TextureInputs.Uv, first, second)
+internal sealed class GradientTexture(GradientShape shape, Texture first, Texture second) : BlendTexture(TextureInputs.Uv, first, second)
 {
     /// <inheritdoc/>
     protected override void Amount(in TexturePointW at, out FloatW amount)

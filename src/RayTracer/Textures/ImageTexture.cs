@@ -75,7 +75,7 @@ public sealed record ImageTextureDescription : TextureDescription
 /// A picture on a surface (the report's class of that name, with its three interpolations). Texel centres lie at
 /// (i + ½)/n; the picture's bottom row is at v = 0.
 /// </summary>
-public sealed unsafe class ImageTexture : Texture
+internal sealed unsafe class ImageTexture : Texture
 {
     private readonly PinnedBuffer<float> _memory;
     private readonly float* _texels;

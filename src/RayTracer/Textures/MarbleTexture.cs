@@ -45,7 +45,7 @@ public sealed record MarbleTextureDescription : SpaceTextureDescription
 /// <param name="second">The veins.</param>
 /// <param name="scale">Layers in a unit.</param>
 /// <param name="turbulence">How much they are bent, in layers.</param>
-public sealed class MarbleTexture(TexturePlace place, Texture first, Texture second, float scale, float turbulence) : SpaceTexture(place, first, second)
+internal sealed class MarbleTexture(TexturePlace place, Texture first, Texture second, float scale, float turbulence) : SpaceTexture(place, first, second)
 {
     /// <summary>Number of octaves of the noise.</summary>
     public int Octaves { get; init; } = 6;

@@ -27,7 +27,7 @@ public sealed record MixTextureDescription : TextureDescription
 /// <param name="first">The texture where the weight is 0.</param>
 /// <param name="second">The texture where it is 1.</param>
 /// <param name="weight">Its red channel is the weight; it is cut off at 0 and 1.</param>
-public sealed class MixTexture(Texture first, Texture second, Texture weight) : BlendTexture(weight.Inputs, first, second)
+internal sealed class MixTexture(Texture first, Texture second, Texture weight) : BlendTexture(weight.Inputs, first, second)
 {
     /// <inheritdoc/>
     public override Rgb? Constant => First.Constant is { } a && Second.Constant is { } b && weight.Constant is { } w

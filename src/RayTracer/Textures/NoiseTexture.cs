@@ -44,7 +44,7 @@ public sealed record NoiseTextureDescription : SpaceTextureDescription
 /// <param name="place">Where the noise stands.</param>
 /// <param name="first">The texture where it is low.</param>
 /// <param name="second">The texture where it is high.</param>
-public sealed class NoiseTexture(TexturePlace place, Texture first, Texture second) : SpaceTexture(place, first, second)
+internal sealed class NoiseTexture(TexturePlace place, Texture first, Texture second) : SpaceTexture(place, first, second)
 {
     /// <summary>Cells of the first octave in a unit.</summary>
     public float Scale { get; init; } = 1;

@@ -46,7 +46,7 @@ public sealed record PlacedTextureDescription : TextureDescription
 /// <param name="scale">Factors on u and v.</param>
 /// <param name="rotate">Angle by which the scaled uv is turned counter-clockwise about its origin, in degrees.</param>
 /// <param name="offset">Added last.</param>
-public sealed class PlacedTexture(Texture texture, Vector2 scale, float rotate, Vector2 offset) : Texture(texture.Inputs)
+internal sealed class PlacedTexture(Texture texture, Vector2 scale, float rotate, Vector2 offset) : Texture(texture.Inputs)
 {
     private readonly (float Sin, float Cos) _turn = Turn(rotate);
 

@@ -17,7 +17,7 @@ public sealed record PolarTextureDescription : TextureDescription
 
 /// <summary>Another texture in polar coordinates around (½, ½).</summary>
 /// <param name="texture">The other texture.</param>
-public sealed class PolarTexture(Texture texture) : Texture(texture.Inputs)
+internal sealed class PolarTexture(Texture texture) : Texture(texture.Inputs)
 {
     /// <inheritdoc/>
     public override Rgb? Constant => texture.Constant;

@@ -22,7 +22,7 @@ public sealed record ProductTextureDescription : TextureDescription
 /// <summary>Two textures multiplied, channel by channel.</summary>
 /// <param name="first">One factor.</param>
 /// <param name="second">The other factor.</param>
-public sealed class ProductTexture(Texture first, Texture second) : Texture(first.Inputs | second.Inputs)
+internal sealed class ProductTexture(Texture first, Texture second) : Texture(first.Inputs | second.Inputs)
 {
     /// <inheritdoc/>
     public override Rgb? Constant => first.Constant * second.Constant;

@@ -31,13 +31,13 @@ public abstract record SpaceTextureDescription : TextureDescription
 /// <summary>The coordinates that a texture in space uses.</summary>
 /// <param name="Space">Whose coordinates are used.</param>
 /// <param name="Transform">How it is moved in them.</param>
-public readonly record struct TexturePlace(TextureSpace Space, Transform Transform);
+internal readonly record struct TexturePlace(TextureSpace Space, Transform Transform);
 
 /// <summary>A texture that fills space: what a surface cuts out of a block.</summary>
 /// <param name="place">Where it stands.</param>
 /// <param name="first">The texture where its amount is 0.</param>
 /// <param name="second">The texture where its amount is 1.</param>
-public abstract class SpaceTexture(TexturePlace place, Texture first, Texture second)
+internal abstract class SpaceTexture(TexturePlace place, Texture first, Texture second)
     : BlendTexture(place.Space == TextureSpace.World ? TextureInputs.WorldPoint : TextureInputs.ObjectPoint, first, second)
 {
     private readonly bool _isMoved = !place.Transform.IsIdentity;

@@ -12,7 +12,7 @@ public sealed record VertexColorTextureDescription : TextureDescription
 }
 
 /// <summary>The colours of a mesh's corners.</summary>
-public sealed class VertexColorTexture() : Texture(TextureInputs.VertexColor)
+internal sealed class VertexColorTexture() : Texture(TextureInputs.VertexColor)
 {
     /// <inheritdoc/>
     public override void Evaluate(in TexturePointW at, out RgbW color) => color = at.VertexColor;

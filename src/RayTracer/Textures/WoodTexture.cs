@@ -43,7 +43,7 @@ public sealed record WoodTextureDescription : SpaceTextureDescription
 /// <param name="rings">Rings in a unit.</param>
 /// <param name="turbulence">How much they are distorted, in rings.</param>
 /// <param name="scale">Cells of the noise in a unit.</param>
-public sealed class WoodTexture(TexturePlace place, Texture first, Texture second, float rings, float turbulence, float scale) : SpaceTexture(place, first, second)
+internal sealed class WoodTexture(TexturePlace place, Texture first, Texture second, float rings, float turbulence, float scale) : SpaceTexture(place, first, second)
 {
     private const float Stretch = 10;
 

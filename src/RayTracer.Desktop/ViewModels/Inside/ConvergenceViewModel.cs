@@ -5,7 +5,8 @@ namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The error against the number of samples, both axes logarithmic, beside the theory's slope.</summary>
 /// <param name="dispatcher">Asks the session.</param>
-internal sealed class ConvergenceViewModel(SessionDispatcher dispatcher) : Observable
+/// <param name="isVisible">Returns whether it is visible: only then does it follow the picture.</param>
+internal sealed class ConvergenceViewModel(SessionDispatcher dispatcher, Func<bool> isVisible) : Observable
 {
     private const double Left = 60;
     private const double Bottom = 26;
@@ -31,15 +32,12 @@ internal sealed class ConvergenceViewModel(SessionDispatcher dispatcher) : Obser
     /// <summary>The slope in words; empty where it is not known.</summary>
     public string Slope => _slope is { } slope ? SessionTexts.Of("convergence.slope", Figures.Short(slope, 3)) : "";
 
-    /// <summary>Returns whether it is visible: only then does it follow the picture.</summary>
-    public bool IsOpen { get; set; }
-
     /// <summary>Follows the picture until it is stopped.</summary>
     public async Task Follow(CancellationToken stop)
     {
         while (!stop.IsCancellationRequested)
         {
-            if (IsOpen)
+            if (isVisible())
             {
                 await Load();
             }
@@ -98,7 +96,8 @@ internal sealed class ConvergenceViewModel(SessionDispatcher dispatcher) : Obser
         OnPropertyChanged("");
     }
 
-    private static double Part(double value, double low, double high) => high > low ? (Log(value) - Log(low)) / (Log(high) - Log(low)) : 0.5;
+    private static double Part(double value, double low, double high) =>
+        high > low ? (Log(value) - Log(low)) / (Log(high) - Log(low)) : 0.5;
 
     private static double Log(double value) => LaneMath.Log((float)value);
 }

@@ -114,7 +114,8 @@ internal sealed class VertexRow(int number, InspectedVertex vertex, Action<strin
     public string Event => SessionTexts.Of($"paths.events.{vertex.Event}");
 
     /// <summary>The meaning of the event.</summary>
-    public string EventTip => SessionTexts.Keys("paths.eventsWhy").Contains(vertex.Event) ? SessionTexts.Of($"paths.eventsWhy.{vertex.Event}") : Event;
+    public string EventTip =>
+        SessionTexts.Keys("paths.eventsWhy").Contains(vertex.Event) ? SessionTexts.Of($"paths.eventsWhy.{vertex.Event}") : Event;
 
     /// <summary>The thing that was hit, and its material.</summary>
     public string Thing => vertex.Material.Length > 0 ? $"{vertex.Name}, {vertex.Material}" : vertex.Name;

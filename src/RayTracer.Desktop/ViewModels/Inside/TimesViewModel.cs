@@ -44,7 +44,8 @@ internal sealed record TimeRow(ReportTime Time)
     public string Report => Figures.Duration(Time.ReportSeconds);
 
     /// <summary>This machine's time.</summary>
-    public string Here => Time.Seconds < 1 ? SessionTexts.Of("times.milliseconds", Figures.Short(Time.Seconds * 1000, 3)) : Figures.Duration(Time.Seconds);
+    public string Here =>
+        Time.Seconds < 1 ? SessionTexts.Of("times.milliseconds", Figures.Short(Time.Seconds * 1000, 3)) : Figures.Duration(Time.Seconds);
 
     public string Ratio => SessionTexts.Of("times.times", Figures.Short(Time.Factor, 3));
 }

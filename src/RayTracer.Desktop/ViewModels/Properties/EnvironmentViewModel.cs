@@ -4,7 +4,9 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The environment of the scene: only its background, or light from all directions.</summary>
-internal sealed class EnvironmentViewModel(PanelContext context) : Observable
+/// <param name="context">The rest of the window, as editors use it.</param>
+/// <param name="add">Adds an environment that needs a file, and asks for that.</param>
+internal sealed class EnvironmentViewModel(PanelContext context, Action<CatalogueType> add) : Observable
 {
     private const string Pointer = "/environment";
     private JsonNode? _value;
@@ -28,9 +30,6 @@ internal sealed class EnvironmentViewModel(PanelContext context) : Observable
     /// <summary>Its parameters; null where there is none.</summary>
     public RecordViewModel? Record { get; private set; }
 
-    /// <summary>Adds an environment; set by the window, which asks for a file where one is needed.</summary>
-    public Action<CatalogueType> Add { get; set; } = _ => { };
-
     /// <summary>Shows what is written.</summary>
     public void Show(PropertyValues? values)
     {
@@ -53,7 +52,7 @@ internal sealed class EnvironmentViewModel(PanelContext context) : Observable
         }
         else
         {
-            Add(type);
+            add(type);
         }
     }
 }

@@ -90,7 +90,8 @@ internal abstract class FieldViewModel(PanelContext context, CatalogueParameter 
 }
 
 /// <summary>On or off.</summary>
-internal sealed class SwitchFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+internal sealed class SwitchFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer)
+    : FieldViewModel(context, parameter, pointer)
 {
     private bool _isOn;
 
@@ -111,7 +112,8 @@ internal sealed class SwitchFieldViewModel(PanelContext context, CatalogueParame
 }
 
 /// <summary>A text, or the name of a file.</summary>
-internal sealed class TextFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+internal sealed class TextFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer)
+    : FieldViewModel(context, parameter, pointer)
 {
     /// <summary>The text.</summary>
     public string Text
@@ -133,7 +135,8 @@ internal sealed class TextFieldViewModel(PanelContext context, CatalogueParamete
 }
 
 /// <summary>Something long, which is better edited as text.</summary>
-internal sealed class SourceFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+internal sealed class SourceFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer)
+    : FieldViewModel(context, parameter, pointer)
 {
     public bool IsWritten => Written is not null;
 
@@ -142,10 +145,12 @@ internal sealed class SourceFieldViewModel(PanelContext context, CatalogueParame
 }
 
 /// <summary>One of several words.</summary>
-internal sealed class ChoiceFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+internal sealed class ChoiceFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer)
+    : FieldViewModel(context, parameter, pointer)
 {
     /// <summary>The words.</summary>
-    public IReadOnlyList<Choice> Choices { get; } = [new("", SessionTexts.Of("panel.noneYet")), .. parameter.Choices.Select(c => new Choice(c, Figures.Spaced(c)))];
+    public IReadOnlyList<Choice> Choices { get; } =
+        [new("", SessionTexts.Of("panel.noneYet")), .. parameter.Choices.Select(c => new Choice(c, Figures.Spaced(c)))];
 
     /// <summary>The chosen word.</summary>
     public Choice? Chosen

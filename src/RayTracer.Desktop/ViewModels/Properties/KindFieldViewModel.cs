@@ -5,8 +5,11 @@ using RayTracer.Session;
 
 namespace RayTracer.Desktop.ViewModels;
 
-/// <summary>A texture or a material: a number or a colour where they may stand for one, one of the named ones, or one that is written in place.</summary>
-internal sealed class KindFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+/// <summary>
+/// A texture or a material: a number or a colour where they may stand for one, one of the named ones, or one that is written in place.
+/// </summary>
+internal sealed class KindFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer)
+    : FieldViewModel(context, parameter, pointer)
 {
     private const string PlainNumber = "number";
     private const string PlainColor = "color";

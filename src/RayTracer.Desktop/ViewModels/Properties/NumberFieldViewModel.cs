@@ -6,7 +6,8 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>A number, with a slider where its range is small, and the report's substances where it is a refractive index.</summary>
-internal sealed class NumberFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer) : FieldViewModel(context, parameter, pointer)
+internal sealed class NumberFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer)
+    : FieldViewModel(context, parameter, pointer)
 {
     private readonly Gesture _sliding = new();
     private readonly bool _isInteger = parameter.Kind == "integer";
@@ -52,7 +53,8 @@ internal sealed class NumberFieldViewModel(PanelContext context, CatalogueParame
     public double Maximum => HasSlider ? Math.Max(Parameter.Maximum!.Value, _value) : 1;
 
     /// <summary>Adds steps, as many as the parameter says.</summary>
-    public ICommand Step => field ??= new RelayCommand<object?>(steps => Value = Stepped(_value, Convert.ToDouble(steps, CultureInfo.InvariantCulture)));
+    public ICommand Step =>
+        field ??= new RelayCommand<object?>(steps => Value = Stepped(_value, Convert.ToDouble(steps, CultureInfo.InvariantCulture)));
 
     /// <summary>Substances of known refractive index; none for other numbers.</summary>
     public IReadOnlyList<Choice> Substances { get; } = parameter.Key != "refractiveIndex" ? []

@@ -11,24 +11,28 @@ namespace RayTracer.Desktop.ViewModels;
 internal static class ParameterValues
 {
     /// <summary>A number; null where it is none.</summary>
-    public static double? Number(JsonNode? value) => value is JsonValue v && v.GetValueKind() == JsonValueKind.Number ? v.Deserialize<double>() : null;
+    public static double? Number(JsonNode? value) =>
+        value is JsonValue v && v.GetValueKind() == JsonValueKind.Number ? v.Deserialize<double>() : null;
 
     /// <summary>A string; null where it is none.</summary>
-    public static string? Text(JsonNode? value) => value is JsonValue v && v.GetValueKind() == JsonValueKind.String ? v.GetValue<string>() : null;
+    public static string? Text(JsonNode? value) =>
+        value is JsonValue v && v.GetValueKind() == JsonValueKind.String ? v.GetValue<string>() : null;
 
     /// <summary>A list of so many numbers; null where it is none.</summary>
     public static double[]? Numbers(JsonNode? value, int count) =>
         value is JsonArray list && list.Count == count && list.All(i => Number(i) is not null) ? [.. list.Select(i => Number(i)!.Value)] : null;
 
     /// <summary>A number, or the one that all channels of a colour are; null where it is neither.</summary>
-    public static double? Grey(JsonNode? value) => Number(value) ?? (Numbers(value, 3) is { } c && c[0] == c[1] && c[1] == c[2] ? c[0] : null);
+    public static double? Grey(JsonNode? value) =>
+        Number(value) ?? (Numbers(value, 3) is { } c && c[0] == c[1] && c[1] == c[2] ? c[0] : null);
 
     /// <summary>A written colour as linear numbers; null where it is none, such as a texture's name.</summary>
     public static double[]? Color(JsonNode? value) => Numbers(value, 3)
         ?? (Text(value) is { } name && (CssColors.Find(name) ?? CssColors.FromHex(name)) is { } color ? [color.R, color.G, color.B] : null);
 
     /// <summary>A linear colour as #rrggbb.</summary>
-    public static string Hex(double[] c) => $"#{SrgbCurve.Encode8((float)c[0]):x2}{SrgbCurve.Encode8((float)c[1]):x2}{SrgbCurve.Encode8((float)c[2]):x2}";
+    public static string Hex(double[] c) =>
+        $"#{SrgbCurve.Encode8((float)c[0]):x2}{SrgbCurve.Encode8((float)c[1]):x2}{SrgbCurve.Encode8((float)c[2]):x2}";
 
     /// <summary>Numbers as JSON.</summary>
     public static JsonArray List(IEnumerable<double> numbers) => [.. numbers.Select(n => (JsonNode)JsonValue.Create(n))];
@@ -76,7 +80,8 @@ internal static class ParameterValues
         && (now.Kind != "texture" || now.IsNumber || Number(value) is null)
         && AllNumbers(value).All(n => n >= (now.Minimum ?? double.NegativeInfinity) && n <= (now.Maximum ?? double.PositiveInfinity));
 
-    private static IEnumerable<double> AllNumbers(JsonNode? value) => Number(value) is { } n ? [n] : value is JsonArray list ? list.SelectMany(AllNumbers) : [];
+    private static IEnumerable<double> AllNumbers(JsonNode? value) =>
+        Number(value) is { } n ? [n] : value is JsonArray list ? list.SelectMany(AllNumbers) : [];
 
     private static JsonNode Plain(string kind) => kind switch
     {

@@ -32,7 +32,8 @@ internal sealed class RecordViewModel(PanelContext context, CatalogueType type, 
 }
 
 /// <summary>A record within a record, such as the lens of a camera.</summary>
-internal sealed class RecordFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer, CatalogueType type) : FieldViewModel(context, parameter, pointer)
+internal sealed class RecordFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer, CatalogueType type)
+    : FieldViewModel(context, parameter, pointer)
 {
     /// <summary>Its parameters.</summary>
     public RecordViewModel Record { get; } = new(context, type, pointer);
@@ -42,7 +43,8 @@ internal sealed class RecordFieldViewModel(PanelContext context, CatalogueParame
 }
 
 /// <summary>A list of records, such as the steps of a transform.</summary>
-internal sealed class StepsFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer, CatalogueType type) : FieldViewModel(context, parameter, pointer)
+internal sealed class StepsFieldViewModel(PanelContext context, CatalogueParameter parameter, string pointer, CatalogueType type)
+    : FieldViewModel(context, parameter, pointer)
 {
     /// <summary>The records.</summary>
     public IReadOnlyList<StepViewModel> Steps { get; private set; } = [];

@@ -8,7 +8,8 @@ namespace RayTracer.Desktop.ViewModels;
 /// <summary>The settings of the rendering, with presets.</summary>
 internal sealed class RenderViewModel(SessionDispatcher dispatcher, PanelContext context) : Observable
 {
-    private static readonly (int Width, int Height)[] Sizes = [(300, 300), (400, 300), (600, 600), (800, 600), (1024, 768), (1280, 720), (1920, 1080), (3840, 2160)];
+    private static readonly (int Width, int Height)[] Sizes =
+        [(300, 300), (400, 300), (600, 600), (800, 600), (1024, 768), (1280, 720), (1920, 1080), (3840, 2160)];
     private SessionState? _state;
 
     /// <summary>Presets of samples, the last of them as many as the scene says.</summary>

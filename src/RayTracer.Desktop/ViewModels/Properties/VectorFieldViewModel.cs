@@ -68,7 +68,8 @@ internal sealed class ColorFieldViewModel(PanelContext context, CatalogueParamet
     public string Hex => ParameterValues.Hex(Numbers);
 
     /// <inheritdoc/>
-    protected override JsonNode Start => ParameterValues.List(Enumerable.Repeat(Math.Max(Parameter.Minimum ?? 0, Math.Min(0.5, Parameter.Maximum ?? 1)), 3));
+    protected override JsonNode Start =>
+        ParameterValues.List(Enumerable.Repeat(Math.Max(Parameter.Minimum ?? 0, Math.Min(0.5, Parameter.Maximum ?? 1)), 3));
 
     /// <inheritdoc/>
     protected override double[]? Read(JsonNode? value) => ParameterValues.Color(value);

@@ -13,7 +13,8 @@ internal sealed class CameraDrive(SessionDispatcher dispatcher)
     private Latest<IReadOnlyList<CameraMove>> Moves => _latest ??= new(Send, Merge);
 
     /// <summary>A part of a gesture.</summary>
-    public void Move(CameraMoveKind kind, string gesture, double dx, double dy, double dz = 0) => Moves.Push([new(kind, (float)dx, (float)dy, (float)dz, gesture)]);
+    public void Move(CameraMoveKind kind, string gesture, double dx, double dy, double dz = 0) =>
+        Moves.Push([new(kind, (float)dx, (float)dy, (float)dz, gesture)]);
 
     /// <summary>A gesture ends.</summary>
     public void End(CameraMoveKind kind, string gesture) => Moves.Push([new(kind, Gesture: gesture, End: true)]);

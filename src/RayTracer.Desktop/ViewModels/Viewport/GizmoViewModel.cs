@@ -98,7 +98,8 @@ internal sealed class GizmoViewModel(SessionDispatcher dispatcher) : Observable
 internal sealed record HandleViewModel(int? Axis, IReadOnlyList<Spot> Points, string Color, string Name)
 {
     /// <summary>The distance of a point of the screen from it.</summary>
-    public double DistanceTo(Spot point) => Points.Zip(Points.Skip(1)).Select(s => Distance(point, s.First, s.Second)).DefaultIfEmpty(double.PositiveInfinity).Min();
+    public double DistanceTo(Spot point) =>
+        Points.Zip(Points.Skip(1)).Select(s => Distance(point, s.First, s.Second)).DefaultIfEmpty(double.PositiveInfinity).Min();
 
     private static double Distance(Spot point, Spot a, Spot b)
     {

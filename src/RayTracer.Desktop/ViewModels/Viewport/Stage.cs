@@ -33,7 +33,8 @@ internal sealed record Stage(int PictureWidth, int PictureHeight, double Width, 
     public Spot ToScreen(Spot point) => new(Place.Left + (point.X * Scale), Place.Top + (point.Y * Scale));
 
     /// <summary>The place of some of the picture's pixels.</summary>
-    public Box ToScreen(Rendering.Tile pixels) => new(Place.Left + (pixels.X * Scale), Place.Top + (pixels.Y * Scale), pixels.Width * Scale, pixels.Height * Scale);
+    public Box ToScreen(Rendering.Tile pixels) =>
+        new(Place.Left + (pixels.X * Scale), Place.Top + (pixels.Y * Scale), pixels.Width * Scale, pixels.Height * Scale);
 
     /// <summary>The pixel under a point of the part; null beside the picture.</summary>
     public Spot? PixelAt(Spot point)
@@ -66,7 +67,8 @@ internal sealed record Stage(int PictureWidth, int PictureHeight, double Width, 
     public Stage ZoomedBy(double factor) => ZoomedBy(factor, new(Width / 2, Height / 2));
 
     /// <summary>Moved on the screen.</summary>
-    public Stage ShiftedBy(double dx, double dy) => this with { Zoom = Scale, Shift = new(Zoom is null ? dx : Shift.X + dx, Zoom is null ? dy : Shift.Y + dy) };
+    public Stage ShiftedBy(double dx, double dy) =>
+        this with { Zoom = Scale, Shift = new(Zoom is null ? dx : Shift.X + dx, Zoom is null ? dy : Shift.Y + dy) };
 }
 
 /// <summary>A rectangle on the screen.</summary>

@@ -7,13 +7,13 @@ namespace RayTracer.Desktop.ViewModels;
 internal sealed partial class ViewportViewModel
 {
     private static readonly Choice NoComparison = new("", SessionTexts.Of("viewport.noCompare"));
-    private Choice _compared;
+    private Choice _compared = NoComparison;
     private (string? Pointer, long Picture, int Revision)? _outlined;
     private Spot? _regionStart;
     private Spot _regionEnd;
 
     /// <summary>The kept pictures to compare with.</summary>
-    public IReadOnlyList<Choice> Comparisons { get; private set; }
+    public IReadOnlyList<Choice> Comparisons { get; private set; } = [NoComparison];
 
     public bool HasComparisons => Comparisons.Count > 1;
 
@@ -83,15 +83,16 @@ internal sealed partial class ViewportViewModel
     }
 
     /// <summary>The place of the inspected pixel.</summary>
-    public Box Mark => Inspected is { } pixel && Tool == Tool.Inspect ? Stage.ToScreen(new Rendering.Tile((int)pixel.X, (int)pixel.Y, 1, 1)) : Box.None;
+    public Box Mark =>
+        Inspected is { } pixel && Tool == Tool.Inspect ? Stage.ToScreen(new Rendering.Tile((int)pixel.X, (int)pixel.Y, 1, 1)) : Box.None;
 
     /// <summary>The text beside it.</summary>
     public string MarkText => Inspected is { } pixel ? SessionTexts.Of("viewport.inspected", (int)pixel.X, (int)pixel.Y) : "";
 
     /// <summary>Keeps the picture, and compares later ones with it.</summary>
-    public void Keep() => _ = _dispatcher.Attempt(async () =>
+    public void Keep() => _ = dispatcher.Attempt(async () =>
     {
-        Snapshot kept = await _dispatcher.Aside(s => s.Snapshots.Capture());
+        Snapshot kept = await dispatcher.Aside(s => s.Snapshots.Capture());
         Choice choice = new(kept.Id.ToString(CultureInfo.InvariantCulture), kept.Label);
         if (!Comparisons.Contains(choice))
         {
@@ -117,21 +118,21 @@ internal sealed partial class ViewportViewModel
         Report(nameof(Comparisons), nameof(HasComparisons));
     }
 
-    private async Task LoadKept(Choice choice) => await _dispatcher.Attempt(async () =>
-        Kept = choice.Value.Length == 0 ? null : await _dispatcher.Ask(s => s.Snapshots.Png(int.Parse(choice.Value, CultureInfo.InvariantCulture))));
+    private async Task LoadKept(Choice choice) => await dispatcher.Attempt(async () =>
+        Kept = choice.Value.Length == 0 ? null : await dispatcher.Ask(s => s.Snapshots.Png(int.Parse(choice.Value, CultureInfo.InvariantCulture))));
 
     // The outline is found again where another thing is selected, or it may look otherwise.
     private async Task FollowSelection(SessionState state)
     {
         string? pointer = state.Selection is { } p && SceneThings.IsSeen(p) ? p : null;
-        (long picture, int revision) = await _dispatcher.Ask(s => (s.View.Shown?.Picture ?? 0, state.Document.BuiltRevision));
+        (long picture, int revision) = await dispatcher.Ask(s => (s.View.Shown?.Picture ?? 0, state.Document.BuiltRevision));
         if (_outlined == (pointer, picture, revision))
         {
             return;
         }
 
         _outlined = (pointer, picture, revision);
-        PixelFrame? outline = pointer is null ? null : await _dispatcher.Aside(s => Task.FromResult(s.View.Shown is { } shown ? SelectionOutline.Of(Picking.Mask(shown, pointer)) : null));
+        PixelFrame? outline = pointer is null ? null : await dispatcher.Aside(s => Task.FromResult(s.View.Shown is { } shown ? SelectionOutline.Of(Picking.Mask(shown, pointer)) : null));
         if (_outlined == (pointer, picture, revision))
         {
             Outline = outline;

@@ -153,7 +153,7 @@ internal sealed partial class ViewportViewModel
             if (_regionStart is not null && Stage.Between(start, _regionEnd) is { } region)
             {
                 Tool = Tool.Select;
-                _dispatcher.Do(s => s.View.Change(v => v with { Region = region }));
+                dispatcher.Do(s => s.View.Change(v => v with { Region = region }));
             }
 
             _regionStart = null;
@@ -166,7 +166,7 @@ internal sealed partial class ViewportViewModel
         (float x, float y) = ((float)pixel.X, (float)pixel.Y);
         if (Tool == Tool.Focus)
         {
-            _dispatcher.Do(s => s.Camera.Focus(x, y));
+            dispatcher.Do(s => s.Camera.Focus(x, y));
         }
         else if (Tool == Tool.Inspect)
         {
@@ -174,9 +174,9 @@ internal sealed partial class ViewportViewModel
         }
         else
         {
-            _ = _dispatcher.Attempt(async () =>
+            _ = dispatcher.Attempt(async () =>
             {
-                string? pointer = await _dispatcher.Ask(s =>
+                string? pointer = await dispatcher.Ask(s =>
                 {
                     string? found = Picking.At(s.View.RequireShown(), x, y).Pointer;
                     s.Selection.Select(found);

@@ -7,32 +7,20 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>The picture, always its newest frame, and what is done with it.</summary>
-internal sealed partial class ViewportViewModel : Observable
+internal sealed partial class ViewportViewModel(SessionDispatcher dispatcher) : Observable
 {
     private static readonly double[] Percents = [12.5, 25, 50, 100, 200, 400, 800, 1600];
-    private readonly SessionDispatcher _dispatcher;
-    private readonly Latest<Tone> _toning;
+    private readonly Latest<Tone> _toning = new(tone => dispatcher.Attempt(() => dispatcher.Ask(s => s.View.Tone = tone)));
     private readonly byte[][] _buffers = [[], []];
     private SessionState? _state;
     private Tone _tone = Tone.Plain;
     private IReadOnlyList<Choice> _zooms = [];
 
-    /// <summary>The picture of a session.</summary>
-    public ViewportViewModel(SessionDispatcher dispatcher)
-    {
-        _dispatcher = dispatcher;
-        Camera = new(dispatcher);
-        Gizmo = new(dispatcher);
-        _toning = new(tone => dispatcher.Attempt(() => dispatcher.Ask(s => s.View.Tone = tone)));
-        Comparisons = [NoComparison];
-        _compared = NoComparison;
-    }
-
     /// <summary>Moves the camera.</summary>
-    public CameraDrive Camera { get; }
+    public CameraDrive Camera { get; } = new(dispatcher);
 
     /// <summary>The handles of the selected shape.</summary>
-    public GizmoViewModel Gizmo { get; }
+    public GizmoViewModel Gizmo { get; } = new(dispatcher);
 
     /// <summary>The newest frame; null before there was one.</summary>
     public PixelFrame? Frame { get; private set => SetProperty(ref field, value); }
@@ -118,7 +106,7 @@ internal sealed partial class ViewportViewModel : Observable
             if (!IsReporting && value is not null && value != Map)
             {
                 ViewMap map = ViewMap.Named(value.Value);
-                _dispatcher.Do(s => s.View.Change(v => v with { Map = map }));
+                dispatcher.Do(s => s.View.Change(v => v with { Map = map }));
             }
         }
     }
@@ -154,7 +142,7 @@ internal sealed partial class ViewportViewModel : Observable
     public bool HasRegion => _state?.Settings.Region is not null;
 
     /// <summary>Renders the whole picture again.</summary>
-    public ICommand ClearRegion => field ??= new RelayCommand(() => _dispatcher.Do(s => s.View.Change(v => v with { Region = null })));
+    public ICommand ClearRegion => field ??= new RelayCommand(() => dispatcher.Do(s => s.View.Change(v => v with { Region = null })));
 
     /// <summary>Returns whether the text has an error, and the last good picture is shown.</summary>
     public bool IsLastGood => _state is { Document.IsGood: false } && Frame is not null;
@@ -216,7 +204,8 @@ internal sealed partial class ViewportViewModel : Observable
         return (new(width, height, _buffers[buffer]), lease.Info, lease.Version);
     }
 
-    private static string Percent(double percent) => (Math.Abs(percent - 12.5) < 0.01 ? percent : Math.Round(percent)).ToString(CultureInfo.InvariantCulture);
+    private static string Percent(double percent) =>
+        (Math.Abs(percent - 12.5) < 0.01 ? percent : Math.Round(percent)).ToString(CultureInfo.InvariantCulture);
 
     private void ZoomTo(double scale) => Stage = Stage.ZoomedBy(scale / Stage.Scale);
 

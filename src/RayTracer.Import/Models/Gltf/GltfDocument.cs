@@ -30,13 +30,7 @@ internal sealed class GltfDocument(GltfSource source, JsonNode root, string fold
     /// <summary>One of the root's lists.</summary>
     public IReadOnlyList<GltfObject> List(string name)
     {
-        if (!_lists.TryGetValue(name, out IReadOnlyList<GltfObject>? list))
-        {
-            list = Root.Children(name);
-            _lists.Add(name, list);
-        }
-
-        return list;
+        return _lists.Remember(name, () => Root.Children(name));
     }
 
     /// <summary>The object that an index refers to; null where there is no such property.</summary>

@@ -24,10 +24,7 @@ internal sealed class GltfLights(GltfDocument document)
     public ShapeDescription? Describe(GltfObject light, Transform world)
     {
         Rgb color = light.Color("color", Rgb.White, 3, float.MaxValue) * light.Number("intensity", 1, 0);
-        if (light.Has("range"))
-        {
-            document.Notes.Add("the range of a light is ignored: its light falls off with the square of the distance");
-        }
+        document.Notes.AddIf(light.Has("range"), "the range of a light is ignored: its light falls off with the square of the distance");
 
         Vector3 forward = -world.Vector(Vector3.UnitZ).Unit();
         Vector3 position = world.Point(Vector3.Zero);

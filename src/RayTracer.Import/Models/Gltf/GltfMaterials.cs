@@ -23,13 +23,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
             return _default;
         }
 
-        if (!_described.TryGetValue(known, out GltfMaterial? material))
-        {
-            material = Describe(document.List("materials")[known]);
-            _described.Add(known, material);
-        }
-
-        return material;
+        return _described.Remember(known, () => Describe(document.List("materials")[known]));
     }
 
     private GltfMaterial Describe(GltfObject material)
@@ -96,10 +90,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
     private PrincipledMaterialDescription WithSheen(PrincipledMaterialDescription opaque, GltfObject sheen)
     {
         Rgb color = sheen.Color("sheenColorFactor", Rgb.Black);
-        if (sheen.Has("sheenColorTexture") || sheen.Has("sheenRoughnessTexture"))
-        {
-            document.Notes.Add("sheen textures are ignored");
-        }
+        document.Notes.AddIf(sheen.Has("sheenColorTexture") || sheen.Has("sheenRoughnessTexture"), "sheen textures are ignored");
 
         float most = float.Max(color.R, float.Max(color.G, color.B));
         bool isGrey = float.Min(color.R, float.Min(color.G, color.B)) > 0.9f * most;
@@ -114,18 +105,12 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
         bool isClear = surface.Roughness is SolidTextureDescription { Color.R: <= ClearRoughness };
         if (!isThin && !isClear)
         {
-            if (volume!.Has("attenuationDistance"))
-            {
-                document.Notes.Add("absorption in the volume of rough glass is ignored");
-            }
+            document.Notes.AddIf(volume!.Has("attenuationDistance"), "absorption in the volume of rough glass is ignored");
 
             return opaque with { Transmission = surface.Transmission!, RefractiveIndex = float.Max(surface.RefractiveIndex, 1.001f) };
         }
 
-        if (!isClear)
-        {
-            document.Notes.Add("a rough transparent wall is shown as clear");
-        }
+        document.Notes.AddIf(!isClear, "a rough transparent wall is shown as clear");
 
         MaterialDescription glass = isThin
             ? new ThinDielectricMaterialDescription { RefractiveIndex = surface.RefractiveIndex, SpecularTransmittance = surface.Color }
@@ -155,10 +140,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
         }
 
         float scale = material.Child("normalTexture")!.Number("scale", 1);
-        if (scale is < 0 or > 100)
-        {
-            document.Notes.Add("the scale of a normal map is limited to 0 to 100");
-        }
+        document.Notes.AddIf(scale is < 0 or > 100, "the scale of a normal map is limited to 0 to 100");
 
         return new NormalMapMaterialDescription { Map = normals, Strength = float.Clamp(scale, 0, 100), GreenAlongV = true, Material = inner };
     }
@@ -177,17 +159,11 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
 
     private void NoteWhatIsLeftOut(GltfObject material)
     {
-        if (material.Has("occlusionTexture"))
-        {
-            document.Notes.Add("an occlusion map is ignored: shadows are computed");
-        }
+        document.Notes.AddIf(material.Has("occlusionTexture"), "an occlusion map is ignored: shadows are computed");
 
         foreach (string name in material.Child("extensions")?.Node.Members.Select(m => m.Key) ?? [])
         {
-            if (!GltfExtensions.Materials.Contains(name))
-            {
-                document.Notes.Add($"the extension {Quotation.Of(name)} of a material is ignored");
-            }
+            document.Notes.AddIf(!GltfExtensions.Materials.Contains(name), $"the extension {Quotation.Of(name)} of a material is ignored");
         }
     }
 }
@@ -195,5 +171,5 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
 /// <summary>A material of a glTF file in the terms of scenes.</summary>
 /// <param name="Description">The nearest material that there is.</param>
 /// <param name="UvSet">Which set of uv its textures use.</param>
-/// <param name="IsLamp">Whether it shines more than a picture on a screen would (KHR_materials_emissive_strength), so that it lights the scene.</param>
+/// <param name="IsLamp">True where it shines more than a picture on a screen would (KHR_materials_emissive_strength), so that it lights the scene.</param>
 internal sealed record GltfMaterial(MaterialDescription Description, int UvSet, bool IsLamp);

@@ -36,13 +36,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
 
         GltfObject attributes = primitive.RequiredChild("attributes");
         string key = Key(primitive, attributes, mode, uvSet);
-        if (!_built.TryGetValue(key, out MeshData? data))
-        {
-            data = Build(primitive, attributes, mode, uvSet);
-            _built.Add(key, data);
-        }
-
-        return data;
+        return _built.Remember(key, () => Build(primitive, attributes, mode, uvSet));
     }
 
     private string Key(GltfObject primitive, GltfObject attributes, int mode, int uvSet)
@@ -167,13 +161,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
 
     private GltfAccessor Accessor(int index)
     {
-        if (!_accessors.TryGetValue(index, out GltfAccessor? accessor))
-        {
-            accessor = new(document, buffers, index);
-            _accessors.Add(index, accessor);
-        }
-
-        return accessor;
+        return _accessors.Remember(index, () => new(document, buffers, index));
     }
 
     private int Ask(GltfAccessor accessor, long bytes)

@@ -15,7 +15,7 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
 
     /// <summary>A mesh for a node to show; null where it has no triangles.</summary>
     /// <param name="mesh">Which mesh: an index that has been checked.</param>
-    /// <param name="isShared">Whether other nodes show it too.</param>
+    /// <param name="isShared">True where other nodes show it too.</param>
     public ShapeDescription? Place(int mesh, bool isShared)
     {
         if (!_described.TryGetValue(mesh, out ShapeDescription? shape))
@@ -47,10 +47,7 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
                 parts.Add(new MeshDescription { Name = name, Data = data, Material = material.Description });
             }
 
-            if (primitive.Has("targets"))
-            {
-                document.Notes.Add("morph targets are ignored: meshes are shown as they were modelled");
-            }
+            document.Notes.AddIf(primitive.Has("targets"), "morph targets are ignored: meshes are shown as they were modelled");
         }
 
         return parts.Count > 1 ? new GroupDescription { Name = name, Shapes = parts } : parts.FirstOrDefault();

@@ -1,11 +1,12 @@
 using System.Collections.Frozen;
 using RayTracer.Description;
 using RayTracer.Scenes;
+using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
 
 /// <summary>Reads glTF 2.0 files, .gltf and .glb (Khronos Group 2021).</summary>
-public static class GltfReader
+internal static class GltfReader
 {
     // What a value of JSON takes at least, with its node and text.
     private const long BytesPerValue = 120;
@@ -17,10 +18,7 @@ public static class GltfReader
     public static ImportedModel Read(string path)
     {
         using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
-        if (stream.Length > Array.MaxLength)
-        {
-            throw new ModelException("the file is larger than 2 GiB");
-        }
+        Require(stream.Length <= Array.MaxLength, "the file is larger than 2 GiB");
 
         byte[] bytes = new byte[stream.Length];
         stream.ReadExactly(bytes);

@@ -83,10 +83,7 @@ internal sealed record GltfSurface
         GltfTextureUse? diffuse = GltfTextureUse.Of(document, old, "diffuseTexture");
         Rgb specular = old.Color("specularFactor", Rgb.White);
         bool isTextured = old.Has("specularGlossinessTexture");
-        if (isTextured)
-        {
-            document.Notes.Add("a texture of specular colour and glossiness is ignored");
-        }
+        document.Notes.AddIf(isTextured, "a texture of specular colour and glossiness is ignored");
 
         // Dielectrics reflect at most some 17 % head-on (diamond); what reflects more is a metal, coloured by its reflection.
         bool isMetal = specular.Luminance > 0.25f && !isTextured;

@@ -93,23 +93,14 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
 
     private TextureDescription Described(GltfTextureUse use, int image, GltfChannel channel)
     {
-        if (!_described.TryGetValue((use, channel), out TextureDescription? description))
-        {
-            description = Placed(Image(use.Texture, images.Picture(image, channel)!), use);
-            _described.Add((use, channel), description);
-        }
-
-        return description;
+        return _described.Remember((use, channel), () => Placed(Image(use.Texture, images.Picture(image, channel)!), use));
     }
 
     private int? Source(int texture)
     {
         GltfObject described = document.List("textures")[texture];
         int? source = document.Reference(described, "source", "images");
-        if (source is null)
-        {
-            document.Notes.Add("a texture without a PNG or JPEG picture is ignored");
-        }
+        document.Notes.AddIf(source is null, "a texture without a PNG or JPEG picture is ignored");
 
         return source;
     }

@@ -56,7 +56,7 @@ internal sealed class ObjMesh
     /// <summary>Says what the next triangles belong to.</summary>
     /// <param name="name">Their group's name.</param>
     /// <param name="material">Their material.</param>
-    /// <param name="isFlat">Whether they have no normals.</param>
+    /// <param name="isFlat">True where they have no normals.</param>
     public void Begin(string name, int material, bool isFlat)
     {
         if (!ReferenceEquals(name, _name))

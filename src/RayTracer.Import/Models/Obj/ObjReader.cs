@@ -3,6 +3,7 @@ using System.Numerics;
 using System.Runtime.InteropServices;
 using RayTracer.Description;
 using RayTracer.Numerics;
+using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
 
@@ -51,10 +52,7 @@ internal sealed class ObjReader
             text.SkipLine();
         }
 
-        if (reader._mesh.TriangleCount == 0)
-        {
-            throw new ModelException($"there are no faces in it ({reader._mesh.Positions.Count} vertices)");
-        }
+        Require(reader._mesh.TriangleCount != 0, $"there are no faces in it ({reader._mesh.Positions.Count} vertices)");
 
         reader.NoteWhatIsLeft(text);
         IReadOnlyList<MaterialDescription> materials = reader._library.Materials(reader._notes);

@@ -42,10 +42,7 @@ internal static class StlReader
             return IsText(file) ? ParseText(file) : throw new ModelException("it is not an STL file: it neither starts with \"solid\" nor has the 84 bytes of a binary file");
         }
 
-        if (end > file.Length)
-        {
-            throw new ModelException($"byte {HeaderBytes}: {claimed} triangles would need {end} bytes, and the file has {file.Length}");
-        }
+        ModelCheck.Require(end <= file.Length, $"byte {HeaderBytes}: {claimed} triangles would need {end} bytes, and the file has {file.Length}");
 
         if (end < file.Length)
         {

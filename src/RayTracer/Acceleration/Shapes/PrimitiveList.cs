@@ -9,7 +9,7 @@ namespace RayTracer.Acceleration;
 /// Meets rays with all shapes of a space (report: Intersect and ShadowHit): kind by kind in a plain loop where they are few, and through a
 /// tree where they are many, but for those without end. Hits are the same to the bit.
 /// </summary>
-public sealed unsafe class PrimitiveList
+internal sealed unsafe class PrimitiveList
 {
     private readonly int _nothing;
     private readonly Loop[] _loops;

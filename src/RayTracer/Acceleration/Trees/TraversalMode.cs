@@ -1,7 +1,7 @@
 namespace RayTracer.Acceleration;
 
 /// <summary>How a stream of rays goes through a tree. All ways find the same hits, to the bit.</summary>
-public enum TraversalMode
+internal enum TraversalMode
 {
     /// <summary>By what the rays look like: blocks as they come where neighbours point the same way, else sorted.</summary>
     Automatic,

@@ -7,7 +7,7 @@ namespace RayTracer.Acceleration;
 /// A bounding volume hierarchy with up to eight children a node, over primitives of which it knows nothing but their boxes. The same
 /// boxes give the same tree, whatever the number of threads.
 /// </summary>
-public sealed unsafe class WideBvh
+internal sealed unsafe class WideBvh
 {
     private readonly NativeMemoryBlock _nodes;
     private NativeMemoryBlock? _order;

@@ -10,7 +10,7 @@ namespace RayTracer.Acceleration;
 /// hit. Both sides of a triangle count. Triangles without area, with missing corners, or with coordinates that are not finite or beyond ±10¹⁸, and rays
 /// whose origins or directions are not finite or beyond reason, never hit.
 /// </summary>
-public sealed unsafe class TriangleBvh
+internal sealed unsafe class TriangleBvh
 {
     private const int LeafSize = 8;
 

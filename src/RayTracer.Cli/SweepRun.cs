@@ -1,0 +1,108 @@
+using RayTracer.Description;
+using RayTracer.Imaging;
+using RayTracer.Jobs;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+using RayTracer.Textures;
+
+namespace RayTracer.Cli;
+
+/// <summary>Renders the pictures of a sweep, and places them on a sheet.</summary>
+/// <param name="job">What is the same in all.</param>
+/// <param name="axes">What changes.</param>
+/// <param name="change">Gives a scene the size of a cell.</param>
+/// <param name="display">What is reported.</param>
+/// <param name="streams">Where to write.</param>
+internal sealed class SweepRun(RenderJob job, SweepAxes axes, Func<SceneDescription, SceneDescription> change, Display display, Streams streams)
+{
+    private readonly List<(SweepCell Cell, string Hash)> _films = [];
+
+    /// <summary>The sheet; null where nothing was rendered.</summary>
+    public ContactSheet? Sheet { get; private set; }
+
+    /// <summary>The hashes of the films.</summary>
+    public IReadOnlyList<(SweepCell Cell, string Hash)> Films => _films;
+
+    /// <summary>Finds out before hours of rendering whether there is a scene for each value, of the size of the others.</summary>
+    /// <returns>Whether there is; otherwise, what is wrong was reported.</returns>
+    /// <exception cref="CommandException">The sizes differ.</exception>
+    public bool Check()
+    {
+        (int Width, int Height)? size = null;
+        foreach (SweepCell cell in axes.Samples)
+        {
+            SceneLoadResult loaded = SceneLoader.Load(job.Scene, change, null, axes.Settings(cell));
+            streams.Read(loaded.Diagnostics);
+            if (loaded.Scene is not { Render: var render })
+            {
+                return false;
+            }
+
+            size ??= (render.Width, render.Height);
+            if (size != (render.Width, render.Height))
+            {
+                throw new CommandException(ExitStatus.Usage, OtherSize(size.Value, (render.Width, render.Height)));
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Renders all pictures.</summary>
+    /// <returns>One of <see cref="ExitStatus"/>; the place of what fails stays dark.</returns>
+    public int Render(CancellationToken cancellation)
+    {
+        int failed = ExitStatus.Fine;
+        foreach (SweepCell cell in axes.Cells.TakeWhile(_ => !cancellation.IsCancellationRequested))
+        {
+            int status = Render(cell, cancellation);
+            failed = status == ExitStatus.Fine ? failed : status;
+        }
+
+        return failed;
+    }
+
+    private int Render(SweepCell cell, CancellationToken cancellation)
+    {
+        string changes = string.Join(' ', axes.Changes(cell).Select(s => s.Text));
+        ConsoleRun watch = new(new(Quiet: true, Verbose: display.Verbose), streams);
+        if (new JobRun(job with { Settings = axes.Settings(cell) }, watch) { Change = change }.Compute(cancellation) is not { } outcome)
+        {
+            streams.Fail($"these errors are with {changes}");
+            return SceneFile.FailureStatus(job.Scene);
+        }
+
+        Sheet ??= SheetFor(outcome.Film);
+        if ((outcome.Film.Width, outcome.Film.Height) != (Sheet.CellWidth, Sheet.CellHeight))
+        {
+            streams.Fail(OtherSize((Sheet.CellWidth, Sheet.CellHeight), (outcome.Film.Width, outcome.Film.Height)));
+            return ExitStatus.Usage;
+        }
+
+        // As it is to be seen, whatever the file: labels have no exposure.
+        Sheet.Place(new ToneMappedRows(outcome.Film, job.Writing.ToneMap, job.Writing.Exposure), cell.Column, cell.Row, cell.Block);
+        _films.Add((cell, outcome.Hash));
+        outcome.WarnOfClamped(streams);
+        if (!display.Quiet)
+        {
+            streams.Error.WriteLine($"{_films.Count} of {axes.Cells.Count()}: {changes}, {outcome.Seconds:F2} s");
+        }
+
+        return ExitStatus.Fine;
+    }
+
+    private static string OtherSize((int Width, int Height) size, (int Width, int Height) other) =>
+        $"pictures of {size.Width}×{size.Height} and of {other.Width}×{other.Height} pixels do not fit one grid: give --width and --height";
+
+    private ContactSheet SheetFor(Film film)
+    {
+        try
+        {
+            return new(axes.Columns, axes.Rows, axes.Blocks, film.Width, film.Height);
+        }
+        catch (ArgumentException e)
+        {
+            throw new CommandException(ExitStatus.Usage, $"{e.Message}: give a smaller --cell, or fewer values");
+        }
+    }
+}
