@@ -10,6 +10,11 @@ internal static class FileSearch
     /// <param name="isStream">True where a pipe or a device will do.</param>
     public static string? Complaint(string path, bool isStream = false)
     {
+        if (SceneFolder.Root is { } root && !SceneFolder.IsWithin(root, path))
+        {
+            return "it is outside of the folder that scenes may read";
+        }
+
         if (File.Exists(path))
         {
             return isStream || Length(path) > 0 ? null : "it is empty, or a pipe or a device: only ordinary files are read";

@@ -46,6 +46,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     /// <summary>True where the scene keeps the records that its parts were made from, for editors; they then live as long as it does.</summary>
     public bool KeepsSources { get; init; }
 
+    /// <summary>The memory that the scene's files and instances may take.</summary>
+    public SceneBudget Budget { get; init; } = new();
+
     /// <summary>Reports an error about a record's property (by its C# name; null means the whole record).</summary>
     public void Error(object subject, string? property, string message) => Complain(new(subject, property, message, true));
 
