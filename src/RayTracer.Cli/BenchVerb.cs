@@ -43,7 +43,8 @@ internal static class BenchVerb
         List<Measurement> all = [];
         if (!json)
         {
-            streams.Output.WriteLine($"{"M rays/s",-32}{"1 thread",12}{$"{Environment.ProcessorCount} threads",12}{"ratio",8}   ({Vector<float>.Count} lanes)");
+            streams.Output.WriteLine(
+                $"{"M rays/s",-32}{"1 thread",12}{$"{Environment.ProcessorCount} threads",12}{"ratio",8}   ({Vector<float>.Count} lanes)");
         }
 
         foreach (string path in paths)

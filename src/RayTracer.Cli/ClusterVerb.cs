@@ -26,7 +26,8 @@ internal sealed class ClusterVerb
         command.Arguments.Add(_scene);
         _writing = new(command);
         _overrides = new(command, [.. JobOptions.OfScenes, JobOptions.Crop, JobOptions.Frames]);
-        command.AddOptions([.. _writing.Looks, _tasks, _threads, _partition, _time, _memory, _lines, _retries, _folder, _program, _submit, _quiet]);
+        command.AddOptions(
+            [.. _writing.Looks, _tasks, _threads, _partition, _time, _memory, _lines, _retries, _folder, _program, _submit, _quiet]);
     }
 
     public static void Build(Command command, Streams streams)
@@ -40,7 +41,8 @@ internal sealed class ClusterVerb
             return job.Run(result.GetValue(verb._submit), result.GetValue(verb._quiet), streams);
         });
         command.Subcommands.Add(slurm);
-        command.SetAction(int (_) => throw new CommandException(ExitStatus.Usage, "which cluster? Available: raytracer cluster slurm SCENE --tasks 16 -o out.exr"));
+        command.SetAction(int (_) => throw new CommandException(
+            ExitStatus.Usage, "which cluster? Available: raytracer cluster slurm SCENE --tasks 16 -o out.exr"));
     }
 
     private SlurmJob Job(ParseResult result)

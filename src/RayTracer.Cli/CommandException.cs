@@ -5,6 +5,6 @@ namespace RayTracer.Cli;
 /// <param name="message">What is wrong and what was expected, in one sentence.</param>
 internal sealed class CommandException(int status, string message) : Exception(message)
 {
-    /// <summary>What the command returns to the shell.</summary>
+    /// <summary>The status that the command returns to the shell.</summary>
     public int Status { get; } = status;
 }

@@ -44,7 +44,8 @@ internal static class CommandLine
         ("schema", "Prints the JSON Schema of scene files.", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
         ("completion", "Prints the script that lets a shell complete this command.", CompletionVerb.Build),
         ("man", "Prints the manual page of this command, in the language of man(7).", ManVerb.Build),
-        ("reference", "Prints the reference page of the scene format, in Markdown.", (c, s) => c.SetAction(_ => s.Output.Write(SceneReference.Generate()))),
+        ("reference", "Prints the reference page of the scene format, in Markdown.", (c, s) => c.SetAction(
+            _ => s.Output.Write(SceneReference.Generate()))),
     ];
 
     /// <summary>Runs a command.</summary>
@@ -78,7 +79,8 @@ internal static class CommandLine
     public static string Text(ParseResult result)
     {
         HashSet<string> names = Names(result);
-        return Shell.Command(result.Tokens.Where(t => t.Type != TokenType.DoubleDash).Select(t => t.Value is ['-', ..] && names.Contains(t.Value) ? $"./{t.Value}" : t.Value));
+        return Shell.Command(result.Tokens.Where(t => t.Type != TokenType.DoubleDash).Select(
+            t => t.Value is ['-', ..] && names.Contains(t.Value) ? $"./{t.Value}" : t.Value));
     }
 
     /// <summary>All verbs with all of their options.</summary>
@@ -100,7 +102,8 @@ internal static class CommandLine
         {
             if (!result.GetValue(version))
             {
-                throw new CommandException(ExitStatus.Usage, $"a verb is expected: {string.Join(", ", Verbs.Select(v => v.Name))} (see raytracer --help)");
+                throw new CommandException(
+                    ExitStatus.Usage, $"a verb is expected: {string.Join(", ", Verbs.Select(v => v.Name))} (see raytracer --help)");
             }
 
             streams.Output.WriteLine($"{Version} ({(Commit is { } commit ? $"commit {commit}, " : "")}{Vector<float>.Count} lanes)");
@@ -121,15 +124,21 @@ internal static class CommandLine
         return root;
     }
 
-    // A word that has no place; one that looks like an option comes first, even where the parser took it for an argument. After --, no word is an option.
+    // A word that has no place; one that looks like an option comes first, even where the parser took it for an argument. After --, no word
+    // is an option.
     private static string? Stray(ParseResult result)
     {
         HashSet<string> names = Names(result);
-        IEnumerable<string> arguments = result.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value);
-        return result.UnmatchedTokens.Concat(arguments).FirstOrDefault(t => t is ['-', _, ..] && !names.Contains(t)) ?? (result.UnmatchedTokens is [var first, ..] ? first : null);
+        IEnumerable<string> arguments = result.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens)
+            .Select(t => t.Value);
+        return result.UnmatchedTokens.Concat(arguments)
+            .FirstOrDefault(t => t is ['-', _, ..] && !names.Contains(t)) ?? (result.UnmatchedTokens is [var first, ..] ? first : null);
     }
 
-    /// <summary>The complaint about an empty word, as shells make them of variables that are not set; null where there is none. No verb has a use for one.</summary>
+    /// <summary>
+    /// The complaint about an empty word, as shells make them of variables that are not set; null where there is none. No verb has a use
+    /// for one.
+    /// </summary>
     public static string? EmptyWord(ParseResult result)
     {
         foreach (SymbolResult part in result.CommandResult.Children)
@@ -149,7 +158,8 @@ internal static class CommandLine
         return null;
     }
 
-    private static HashSet<string> Names(ParseResult result) => [.. result.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Select(t => t.Value)];
+    private static HashSet<string> Names(ParseResult result) =>
+        [.. result.Tokens.SkipWhile(t => t.Type != TokenType.DoubleDash).Skip(1).Select(t => t.Value)];
 
     private static int WrongUsage(ParseResult result, string? stray, string? empty, Streams streams)
     {
@@ -160,7 +170,8 @@ internal static class CommandLine
         {
             null => empty ?? OneLine(result.Errors[0].Message),
             ['-', ..] when !Names(result).Contains(stray) => UnknownOption(stray, command),
-            _ when isRoot => $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
+            _ when isRoot =>
+                $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
             _ when OwnComplaint(result) is { } complaint => complaint,
             ['-', ..] => $"unexpected argument {Quotation.Of(stray)}: options must come before the word --",
             _ => $"unexpected argument {Quotation.Of(stray)}",
@@ -174,7 +185,8 @@ internal static class CommandLine
         result.Errors.Select(e => OneLine(e.Message)).FirstOrDefault(m => m.StartsWith("--", StringComparison.Ordinal));
 
     // With the commands that it is under.
-    private static string Name(Symbol command) => command.Parents.FirstOrDefault() is { } above ? $"{Name(above)} {command.Name}" : command.Name;
+    private static string Name(Symbol command) =>
+        command.Parents.FirstOrDefault() is { } above ? $"{Name(above)} {command.Name}" : command.Name;
 
     private static string UnknownOption(string word, Command command) =>
         $"unknown option {Quotation.Of(word)}{Spelling.DidYouMean(word, command.Options.SelectMany(o => o.Aliases.Prepend(o.Name)))}";
@@ -189,7 +201,8 @@ internal static class CommandLine
             { MaximumNumberOfValues: > 1 } => $"{a.Name}…",
             _ => a.Name,
         });
-        return command.Subcommands.Count > 0 ? string.Join('|', command.Subcommands.Select(c => c.Name)) : string.Join(' ', words.Append("[options]"));
+        return command.Subcommands.Count > 0 ? string.Join('|', command.Subcommands.Select(c => c.Name))
+            : string.Join(' ', words.Append("[options]"));
     }
 
     private static int Report(Exception e, Streams streams)

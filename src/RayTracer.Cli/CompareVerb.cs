@@ -31,7 +31,8 @@ internal static class CompareVerb
             streams));
     }
 
-    private static int Compare(string[] paths, Files files, double pixelsPerDegree, double? tolerance, bool json, StageTimes stages, Streams streams)
+    private static int Compare(
+        string[] paths, Files files, double pixelsPerDegree, double? tolerance, bool json, StageTimes stages, Streams streams)
     {
         foreach (string file in new[] { files.Difference, files.Map, files.Sheet }.OfType<string>())
         {
@@ -82,9 +83,11 @@ internal static class CompareVerb
         streams.Output.WriteLine($"RMSE                {comparison.Rmse:G6}");
         streams.Output.WriteLine($"relative MSE        {comparison.RelativeMse:G6}");
         streams.Output.WriteLine($"PSNR                {(double.IsInfinity(comparison.Psnr) ? "infinite" : $"{comparison.Psnr:F2} dB")}");
-        streams.Output.WriteLine($"SSIM                {(double.IsNaN(comparison.Ssim) ? "undefined below 11×11 pixels" : $"{comparison.Ssim:F6}")}");
+        streams.Output.WriteLine(
+            $"SSIM                {(double.IsNaN(comparison.Ssim) ? "undefined below 11×11 pixels" : $"{comparison.Ssim:F6}")}");
         streams.Output.WriteLine($"FLIP                {flip.Mean:F6}");
-        streams.Output.WriteLine($"largest difference  {comparison.LargestDifference:G6} ({channel} of pixel {comparison.LargestX},{comparison.LargestY})");
+        streams.Output.WriteLine(
+            $"largest difference  {comparison.LargestDifference:G6} ({channel} of pixel {comparison.LargestX},{comparison.LargestY})");
         if (comparison.NotFinite > 0)
         {
             streams.Warn($"{comparison.NotFinite} values are NaN or infinite and were left out");

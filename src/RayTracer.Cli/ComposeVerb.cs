@@ -86,7 +86,8 @@ internal static class ComposeVerb
         }
         catch (PictureException e)
         {
-            throw new PictureException($"Cannot balance the lights of '{path}': {e.Message} (raytracer render SCENE --aov lights -o FILE.exr writes them)", e);
+            throw new PictureException(
+                $"Cannot balance the lights of '{path}': {e.Message} (raytracer render SCENE --aov lights -o FILE.exr writes them)", e);
         }
     }
 
@@ -100,7 +101,8 @@ internal static class ComposeVerb
 
         float[] values = [.. word[(equals + 1)..].Split(',').Select(part =>
             float.TryParse(part, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) && value is >= 0 and <= 1e6f ? value
-            : throw new CommandException(ExitStatus.Usage, $"--light {word}: expected a number from 0 to 1000000, not {Quotation.Of(part)}"))];
+            : throw new CommandException(
+                ExitStatus.Usage, $"--light {word}: expected a number from 0 to 1000000, not {Quotation.Of(part)}"))];
         return values switch
         {
             [var grey] => (word, word[..equals], new(grey, grey, grey)),
@@ -109,7 +111,8 @@ internal static class ComposeVerb
         };
     }
 
-    private static Dictionary<string, Rgb> ByLight((string Word, string Light, Rgb Factor)[] factors, IReadOnlyList<string> lights, string path)
+    private static Dictionary<string, Rgb> ByLight(
+        (string Word, string Light, Rgb Factor)[] factors, IReadOnlyList<string> lights, string path)
     {
         Dictionary<string, Rgb> byLight = [];
         foreach ((string word, string light, Rgb factor) in factors)
@@ -129,5 +132,6 @@ internal static class ComposeVerb
         return byLight;
     }
 
-    private static string Names(IReadOnlyList<string> lights) => $"{string.Join(", ", lights.Take(MostNames))}{(lights.Count > MostNames ? $" and {lights.Count - MostNames} more" : "")}";
+    private static string Names(IReadOnlyList<string> lights) =>
+        $"{string.Join(", ", lights.Take(MostNames))}{(lights.Count > MostNames ? $" and {lights.Count - MostNames} more" : "")}";
 }

@@ -87,7 +87,8 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
 
     /// <inheritdoc/>
     public IProgress<RenderProgress>? Begin() => _progress =
-        ShowsPasses ? ProgressDisplay.Start(new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, _job!.Writing))
+        ShowsPasses ? ProgressDisplay.Start(
+            new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, _job!.Writing))
         : display.Quiet || _job?.Pixel is not null ? null
         : ProgressDisplay.Start(streams);
 

@@ -9,7 +9,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer convert FROM TO</c>: writes a scene, of Mitsuba or a model, in the native format; and images and films as images.</summary>
+/// <summary>
+/// <c>raytracer convert FROM TO</c>: writes a scene, of Mitsuba or a model, in the native format; and images and films as images.
+/// </summary>
 internal sealed class ConvertVerb
 {
     private readonly Argument<string> _from = new("FROM") { Description = "The file to read: a scene of Mitsuba (.xml), a native one (.json) or a model; or an image or a film." };
@@ -56,11 +58,13 @@ internal sealed class ConvertVerb
 
         foreach (Option option in ForImages.Where(o => isScene && result.GetResult(o) is { Implicit: false }))
         {
-            throw new CommandException(ExitStatus.Usage, $"{option.Name} is for images: a scene's values are set as in --set render.width=800");
+            throw new CommandException(
+                ExitStatus.Usage, $"{option.Name} is for images: a scene's values are set as in --set render.width=800");
         }
 
         StageTimes stages = _verbose.Times(result, streams);
-        int status = isScene ? ConvertScene(from, to, _settings.Given(result).Settings, stages, streams) : ConvertImage(from, to, result, stages, streams);
+        int status = isScene ? ConvertScene(from, to, _settings.Given(result).Settings, stages, streams)
+            : ConvertImage(from, to, result, stages, streams);
         stages.EndAll();
         return status;
     }
@@ -68,7 +72,8 @@ internal sealed class ConvertVerb
     private string Target(ParseResult result) => (result.GetValue(_to), result.GetValue(_output)) switch
     {
         (null, null) => throw new CommandException(ExitStatus.Usage, "where to? Give the file to write after the one to read"),
-        ({ } to, { } output) => throw new CommandException(ExitStatus.Usage, $"{Quotation.Of(to)} and -o {Quotation.Of(output)}: there is one file to write"),
+        ({ } to, { } output) =>
+            throw new CommandException(ExitStatus.Usage, $"{Quotation.Of(to)} and -o {Quotation.Of(output)}: there is one file to write"),
         (var to, var output) => to ?? output!,
     };
 
@@ -127,7 +132,8 @@ internal sealed class ConvertVerb
 
         (FilmHeader header, Film film) = CarriedFilm.Read(path);
         stages.EndLoad();
-        JobFiles.WriteFilm(target, film, header, writing with { Metadata = PictureTexts.Of(header, film.ComputeHash()), ExrLayers = LayersBeside(path) });
+        JobFiles.WriteFilm(
+            target, film, header, writing with { Metadata = PictureTexts.Of(header, film.ComputeHash()), ExrLayers = LayersBeside(path) });
         stages.End("write");
         return ExitStatus.Fine;
     }
@@ -137,14 +143,16 @@ internal sealed class ConvertVerb
         FilmExr.IsNamed(path) ? [.. ImageFile.ReadAll(path).Layers.Where(l => !FilmExr.IsOfFilm(l.Name))] : [];
 
     // What stands before the last point.
-    private static string LayersOf(IEnumerable<ExrLayerChannel> channels) => string.Join(", ", channels.Select(c => c.Name.LastIndexOf('.') is > 0 and var point ? c.Name[..point] : c.Name).Distinct());
+    private static string LayersOf(IEnumerable<ExrLayerChannel> channels) =>
+        string.Join(", ", channels.Select(c => c.Name.LastIndexOf('.') is > 0 and var point ? c.Name[..point] : c.Name).Distinct());
 
     private static (IImageRows Image, IEnumerable<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) Read(string path)
     {
         if (CarriedFilm.Is(path))
         {
             (FilmHeader header, Film film) = CarriedFilm.Read(path);
-            return header.Samples.Count > 0 ? (film, PictureTexts.Of(header, film.ComputeHash()), LayersBeside(path)) : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
+            return header.Samples.Count > 0 ? (film, PictureTexts.Of(header, film.ComputeHash()), LayersBeside(path))
+                : throw new CommandException(ExitStatus.InputOutput, $"'{path}' holds no samples yet");
         }
 
         (Picture picture, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
@@ -158,14 +166,18 @@ internal sealed class ConvertVerb
         int w = width ?? (height is { } h ? Scaled(image.Width, h, image.Height) : image.Width);
         int rows = height ?? (width is { } columns ? Scaled(image.Height, columns, image.Width) : image.Height);
         return w <= image.Width && rows <= image.Height ? (w, rows)
-            : throw new CommandException(ExitStatus.Usage, $"the image of {image.Width}×{image.Height} pixels can only be scaled down, not to {w}×{rows}");
+            : throw new CommandException(
+                ExitStatus.Usage, $"the image of {image.Width}×{image.Height} pixels can only be scaled down, not to {w}×{rows}");
     }
 
-    private static int Scaled(int length, int part, int whole) => (int)Math.Clamp(Math.Round((double)length * part / whole), 1, int.MaxValue);
+    private static int Scaled(int length, int part, int whole) =>
+        (int)Math.Clamp(Math.Round((double)length * part / whole), 1, int.MaxValue);
 
-    private static bool IsSceneName(string path) => Path.GetExtension(path).ToLowerInvariant() is ".json" or ".xml" || ModelFile.IsModel(path);
+    private static bool IsSceneName(string path) =>
+        Path.GetExtension(path).ToLowerInvariant() is ".json" or ".xml" || ModelFile.IsModel(path);
 
-    private static string Moved(string name, string from, string to) => Path.IsPathRooted(name) || !File.Exists(Path.Combine(from, name)) ? name
+    private static string Moved(string name, string from, string to) =>
+        Path.IsPathRooted(name) || !File.Exists(Path.Combine(from, name)) ? name
         : Path.GetRelativePath(to, Path.GetFullPath(Path.Combine(from, name))).Replace('\\', '/');
 
     private static string Folder(string path) => Path.GetDirectoryName(Path.GetFullPath(path)) ?? "";

@@ -2,7 +2,7 @@ using System.CommandLine;
 
 namespace RayTracer.Cli;
 
-/// <summary>What a command reports meanwhile and at the end.</summary>
+/// <summary>The reports of a command, meanwhile and at the end.</summary>
 /// <param name="Preview">Whether the picture is shown in the terminal meanwhile.</param>
 /// <param name="Quiet">Whether nothing but errors and warnings is printed.</param>
 /// <param name="Verbose">Whether the stages are reported.</param>
@@ -30,8 +30,9 @@ internal sealed class DisplayOptions
         _verbose = new(command);
     }
 
-    /// <summary>What was asked for.</summary>
-    public Display Of(ParseResult result) => new(result.GetValue(_preview), result.GetValue(_quiet), _verbose.Value(result), result.GetValue(_json));
+    /// <summary>The reports that were asked for.</summary>
+    public Display Of(ParseResult result) =>
+        new(result.GetValue(_preview), result.GetValue(_quiet), _verbose.Value(result), result.GetValue(_json));
 
     /// <summary>The times to report, if they were asked for, from now on.</summary>
     public StageTimes Times(ParseResult result, Streams streams) => _verbose.Times(result, streams);

@@ -1,6 +1,6 @@
 namespace RayTracer.Cli;
 
-/// <summary>What the command returns to the shell.</summary>
+/// <summary>The statuses that the command returns to the shell.</summary>
 internal static class ExitStatus
 {
     public const int Fine = 0;

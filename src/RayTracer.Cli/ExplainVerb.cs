@@ -10,7 +10,8 @@ internal static class ExplainVerb
     {
         Argument<string[]> topics = new("TOPIC") { Description = "Keys and types of scene files, joined by dots: camera.fieldOfView, sphere, materials.glass; without any, all are listed.", Arity = ArgumentArity.ZeroOrMore };
         command.Arguments.Add(topics);
-        command.SetAction(result => streams.Output.Write(result.GetValue(topics) is { Length: > 0 } words ? string.Join("\n", words.Select(Text)) : SceneExplanation.Topics()));
+        command.SetAction(result => streams.Output.Write(
+            result.GetValue(topics) is { Length: > 0 } words ? string.Join("\n", words.Select(Text)) : SceneExplanation.Topics()));
     }
 
     private static string Text(string topic)

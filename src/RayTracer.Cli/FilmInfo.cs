@@ -34,7 +34,9 @@ internal static class FilmInfo
         }
     }
 
-    /// <summary>Returns what a film file, or an image that carries its film, says of the film, and the film's hash where that is wanted.</summary>
+    /// <summary>
+    /// Returns what a film file, or an image that carries its film, says of the film, and the film's hash where that is wanted.
+    /// </summary>
     public static (FilmHeader Header, string? Hash) Read(string path, bool withHash)
     {
         (FilmHeader header, Film? film) = withHash ? CarriedFilm.Read(path) : (CarriedFilm.ReadHeader(path), null);

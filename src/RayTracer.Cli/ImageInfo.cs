@@ -44,8 +44,10 @@ internal static class ImageInfo
         output.WriteLine($"packed     {image.Compression}");
         foreach (IGrouping<string, ImageChannel> layer in image.Channels.GroupBy(c => c.Layer).OrderBy(g => g.Key.Length > 0))
         {
-            IEnumerable<string> types = layer.GroupBy(c => (c.Type, c.Bits)).Select(g => $"{string.Join(", ", g.Select(c => PlainText.Of(c.ShortName)))} ({g.Key.Bits} bits, {g.Key.Type})");
-            output.WriteLine($"{(layer.Key.Length > 0 ? $"layer      {PlainText.Of(layer.Key)}:" : "channels  ")} {string.Join(", ", types)}");
+            IEnumerable<string> types = layer.GroupBy(c => (c.Type, c.Bits))
+                .Select(g => $"{string.Join(", ", g.Select(c => PlainText.Of(c.ShortName)))} ({g.Key.Bits} bits, {g.Key.Type})");
+            output.WriteLine(
+                $"{(layer.Key.Length > 0 ? $"layer      {PlainText.Of(layer.Key)}:" : "channels  ")} {string.Join(", ", types)}");
         }
 
         foreach ((string key, string text) in image.Texts)
@@ -63,9 +65,11 @@ internal static class ImageInfo
         ["frames"] = image.Frames,
         ["fileBytes"] = image.FileBytes,
         ["compression"] = image.Compression,
-        ["channels"] = JsonText.List(image.Channels.Select(c => new JsonObject { ["layer"] = c.Layer, ["name"] = c.ShortName, ["type"] = c.Type, ["bits"] = c.Bits })),
+        ["channels"] = JsonText.List(image.Channels.Select(
+            c => new JsonObject { ["layer"] = c.Layer, ["name"] = c.ShortName, ["type"] = c.Type, ["bits"] = c.Bits })),
 
         // Keys may be there more than once.
-        ["texts"] = new JsonObject(image.Texts.GroupBy(t => t.Key, t => t.Value).Select(t => KeyValuePair.Create(t.Key, (JsonNode?)string.Join('\n', t)))),
+        ["texts"] = new JsonObject(
+            image.Texts.GroupBy(t => t.Key, t => t.Value).Select(t => KeyValuePair.Create(t.Key, (JsonNode?)string.Join('\n', t)))),
     };
 }

@@ -14,7 +14,9 @@ using JsonNode = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer info FILE</c>, of a scene or model here, of a film in <see cref="FilmInfo"/>, of a picture in <see cref="ImageInfo"/>.</summary>
+/// <summary>
+/// <c>raytracer info FILE</c>, of a scene or model here, of a film in <see cref="FilmInfo"/>, of a picture in <see cref="ImageInfo"/>.
+/// </summary>
 internal static class InfoVerb
 {
     private const int MostTrees = 6;
@@ -41,7 +43,8 @@ internal static class InfoVerb
 
             if (result.GetValue(hash) && !isFilm && !FilmExr.Is(path))
             {
-                throw new CommandException(ExitStatus.Usage, "--hash is for films (.rtfilm); an image states its film's hash in its text, if it has one");
+                throw new CommandException(
+                    ExitStatus.Usage, "--hash is for films (.rtfilm); an image states its film's hash in its text, if it has one");
             }
 
             StageTimes stages = verbose.Times(result, streams);
@@ -107,7 +110,8 @@ internal static class InfoVerb
         output.WriteLine($"lights     {scene.Lights.Count}");
         output.WriteLine($"triangles  {statistics.Triangles:N0} in {statistics.Meshes} {(statistics.Meshes == 1 ? "mesh" : "meshes")}{(statistics.Instances > 0 ? $", {statistics.TrianglesShown:N0} shown" : "")}");
         output.WriteLine($"instances  {statistics.Instances:N0}");
-        output.WriteLine(FiniteBounds(statistics) is { } box ? $"bounds     {Text(box.Minimum)} to {Text(box.Maximum)}" : "bounds     no finite shape");
+        output.WriteLine(
+            FiniteBounds(statistics) is { } box ? $"bounds     {Text(box.Minimum)} to {Text(box.Maximum)}" : "bounds     no finite shape");
         output.WriteLine($"picture    {render.Width}×{render.Height} pixels, {render.SamplesPerPixel} samples each ({render.Sampler.ToString().ToLowerInvariant()})");
         string memory = string.Join(", ", Memory(render, statistics, textures).Select(m => $"{m.Kind} {FilmMemory.Text(m.Bytes)}"));
         output.WriteLine($"memory     {memory}");
@@ -187,7 +191,8 @@ internal static class InfoVerb
         ["buildSeconds"] = BuildSeconds(tree),
     };
 
-    private static JsonObject Json(IReadOnlyDictionary<string, int> counts) => new(counts.Select(c => KeyValuePair.Create(c.Key, (JsonNode?)c.Value)));
+    private static JsonObject Json(IReadOnlyDictionary<string, int> counts) =>
+        new(counts.Select(c => KeyValuePair.Create(c.Key, (JsonNode?)c.Value)));
 
     private static JsonArray? Corner(System.Numerics.Vector3? corner) => corner is { } point ? new(point.X, point.Y, point.Z) : null;
 }

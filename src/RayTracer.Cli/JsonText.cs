@@ -12,7 +12,8 @@ internal static class JsonText
     public static void Write(Streams streams, JsonObject members)
     {
         using MemoryStream text = new();
-        using (Utf8JsonWriter json = new(text, new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
+        using (Utf8JsonWriter json = new(
+            text, new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
         {
             members.WriteTo(json);
         }

@@ -6,7 +6,9 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer merge PART… -o FILE</c>: adds films of different samples of one picture up. In any order, the bits are those of one render.</summary>
+/// <summary>
+/// <c>raytracer merge PART… -o FILE</c>: adds films of different samples of one picture up. In any order, the bits are those of one render.
+/// </summary>
 internal sealed class MergeVerb
 {
     private readonly Argument<string[]> _parts = new("PART") { Description = "The films: .rtfilm files, or .exr images that carry them (--exr-film).", Arity = new ArgumentArity(1, 100_000) };
@@ -49,7 +51,7 @@ internal sealed class MergeVerb
             streams.Warn(missing);
         }
 
-        JobFiles.CheckUnfinished(outputs, replacement: merge.Header);
+        UnfinishedFilms.Check(outputs, replacement: merge.Header);
         stages.End("headers");
         Film film = merge.Add();
         stages.EndLoad();
@@ -62,7 +64,8 @@ internal sealed class MergeVerb
     {
         string hash = film.ComputeHash();
         int samples = header.Samples.Sum(r => r.Count);
-        IReadOnlyList<string> written = JobFiles.Write(outputs, film, header, _writing.Writing(result) with { Metadata = PictureTexts.Of(header, hash) }, streams);
+        IReadOnlyList<string> written = JobFiles.Write(
+            outputs, film, header, _writing.Writing(result) with { Metadata = PictureTexts.Of(header, hash) }, streams);
         Display display = _display.Of(result);
         if (display.Json)
         {

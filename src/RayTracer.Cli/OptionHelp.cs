@@ -10,10 +10,13 @@ internal sealed record OptionHelp(IReadOnlyList<string> Names, string? Form, str
     /// <summary>The words that its value is one of; empty where it is something else.</summary>
     public IReadOnlyList<string> Choices { get; } = WordsOf(Form ?? "");
 
-    /// <summary>Whether its value is the name of a file or folder.</summary>
+    /// <summary>True if its value is the name of a file or folder.</summary>
     public bool TakesFile => Form is "FILE" or "SCENE" or "FOLDER" or "IMAGE";
 
-    /// <summary>The words that a value is one of, by its form: <c>full|half</c>. Words that begin with a capital letter stand for something else, as in <c>N|A..B</c>.</summary>
+    /// <summary>
+    /// The words that a value is one of, by its form: <c>full|half</c>. Words that begin with a capital letter stand for something else, as
+    /// in <c>N|A..B</c>.
+    /// </summary>
     public static IReadOnlyList<string> WordsOf(string form) =>
         form.Split('|') is { Length: > 1 } words && !Array.Exists(words, w => char.IsAsciiLetterUpper(w[0])) ? words : [];
 }

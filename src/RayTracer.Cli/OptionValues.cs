@@ -7,7 +7,8 @@ namespace RayTracer.Cli;
 internal static class OptionValues
 {
     /// <summary>Gives a command options.</summary>
-    public static void AddOptions(this Command command, params IEnumerable<Option> options) => options.ToList().ForEach(command.Options.Add);
+    public static void AddOptions(this Command command, params IEnumerable<Option> options) =>
+        options.ToList().ForEach(command.Options.Add);
 
     /// <summary>A whole number within a range.</summary>
     public static ParsedOption<long?> Integer(string name, string description, long minimum, long maximum) =>

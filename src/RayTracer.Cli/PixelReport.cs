@@ -5,7 +5,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
 
-/// <summary>What <c>render --pixel</c> prints.</summary>
+/// <summary>The report that <c>render --pixel</c> prints.</summary>
 internal static class PixelReport
 {
     public static void Write(RenderJob job, JobResult result, bool json, Streams streams)
@@ -31,7 +31,7 @@ internal static class PixelReport
         result.WarnOfClamped(streams);
     }
 
-    // Floats are written with as many digits as tell them from every other float.
+    // Floats are written with as many digits as distinguish them from every other float.
     private static string Text(Rgb color) => $"radiance {color.R} {color.G} {color.B}, luminance {color.Luminance}";
 
     private static JsonObject Json(RenderJob job, JobResult result, Rgb mean)

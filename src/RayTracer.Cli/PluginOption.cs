@@ -3,7 +3,9 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
 
-/// <summary>The option <c>--plugin</c> of all verbs. Its files are loaded before the verb is made, whose options list what is known.</summary>
+/// <summary>
+/// The option <c>--plugin</c> of all verbs. Its files are loaded before the verb is made, whose options list what is known.
+/// </summary>
 internal static class PluginOption
 {
     /// <summary>Gives a command, and those under it, the option; after its other options, as help shows them in that order.</summary>

@@ -55,7 +55,8 @@ internal sealed class PreviewDisplay(TextWriter error, TerminalGraphics graphics
 
     private bool IsGraphic => graphics is TerminalGraphics.Sixel or TerminalGraphics.Kitty;
 
-    // So that the picture and the line below it fit. Pixels are about twice as high as wide in letters, and eight or more go in a column where it is a real picture.
+    // So that the picture and the line below it fit. Pixels are about twice as high as wide in letters, and eight or more go in a column
+    // where it is a real picture.
     private int Columns(Film film)
     {
         long rows = Math.Max(1, size.Rows - LinesBelow);

@@ -12,6 +12,7 @@ internal static class Program
             WideVectors.Enable(args);
         }
 
-        return CommandLine.Run(args, new(Console.Out, new UnfailingWriter(Console.Error), HasTerminal: Streams.IsTerminal(Console.IsErrorRedirected, Environment.GetEnvironmentVariable("TERM"))));
+        return CommandLine.Run(args, new(Console.Out, new UnfailingWriter(Console.Error), HasTerminal: Streams.IsTerminal(
+            Console.IsErrorRedirected, Environment.GetEnvironmentVariable("TERM"))));
     }
 }

@@ -16,10 +16,10 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
 
     private protected ProgressDisplay() => _thread = new(Show) { IsBackground = true };
 
-    /// <summary>How far the rendering is, 0 to 1.</summary>
+    /// <summary>The progress of the rendering, 0 to 1.</summary>
     private protected double Fraction => Latest is { PathsTotal: > 0 } latest ? latest.Fraction : 0;
 
-    /// <summary>How fast the rendering is, and how long it will take.</summary>
+    /// <summary>The speed of the rendering, and the time that it will take.</summary>
     private protected string Pace
     {
         get
@@ -43,9 +43,10 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
     }
 
     /// <summary>Begins to show progress: as a bar on a terminal, else in lines.</summary>
-    public static ProgressDisplay Start(Streams streams) => Start(streams.HasTerminal ? new ProgressBar(streams.Error) : new ProgressLines(streams.Error));
+    public static ProgressDisplay Start(Streams streams) =>
+        Start(streams.HasTerminal ? new ProgressBar(streams.Error) : new ProgressLines(streams.Error));
 
-    /// <summary>Begins to show progress in a way of its own.</summary>
+    /// <summary>Begins to show progress in another way.</summary>
     public static ProgressDisplay Start(ProgressDisplay display)
     {
         display._thread.Start();

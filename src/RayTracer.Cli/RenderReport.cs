@@ -6,7 +6,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
 
-/// <summary>What <c>render</c> prints when it is done.</summary>
+/// <summary>The report that <c>render</c> prints when it is done.</summary>
 /// <param name="job">What was asked for.</param>
 /// <param name="result">What it came to.</param>
 /// <param name="display">What is reported.</param>
@@ -76,7 +76,8 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
 
         if (result.Header is { IsComplete: false } header && !_statistics.Cancelled)
         {
-            string film = (job.Checkpoint ?? result.Files.FirstOrDefault(FilmFile.IsNamed)) is { } file ? $": \"raytracer resume {file}\" continues it" : "";
+            string film = (job.Checkpoint ?? result.Files.FirstOrDefault(FilmFile.IsNamed)) is { } file
+                ? $": \"raytracer resume {file}\" continues it" : "";
             output.WriteLine($"time ran out at {header.Samples.Sum(r => r.Count)} of {header.Wanted.Count} samples{film}");
         }
 

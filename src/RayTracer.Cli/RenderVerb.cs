@@ -49,6 +49,7 @@ internal sealed class RenderVerb
     private RenderJob Job(ParseResult result)
     {
         RenderJob job = _options.Put(result, new() { Scene = result.GetValue(_scene)!, Outputs = result.GetValue(_outputs) ?? [] });
-        return JobRules.Complaint(job, _display.Of(result).Options) is { } complaint ? throw new CommandException(ExitStatus.Usage, complaint) : job;
+        return JobRules.Complaint(job, _display.Of(result).Options) is { } complaint
+            ? throw new CommandException(ExitStatus.Usage, complaint) : job;
     }
 }

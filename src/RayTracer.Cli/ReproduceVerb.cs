@@ -41,7 +41,8 @@ internal static class ReproduceVerb
         {
             if (isReport)
             {
-                new Reproduction(isQuick ? ReproductionPlan.Quick : ReproductionPlan.Full, folder, streams.Output, streams).Run(signals.Token);
+                new Reproduction(isQuick ? ReproductionPlan.Quick : ReproductionPlan.Full, folder, streams.Output, streams)
+                    .Run(signals.Token);
             }
             else
             {

@@ -43,7 +43,8 @@ internal sealed class ResumeVerb
         string file = result.GetValue(_file)!;
         HeldFilm film = HeldFilm.Read(file);
         RenderJob origin = JobOrigin.Of(film.Header, file);
-        RenderJob given = _long.Put(result, _options.Put(result, new() { Scene = result.GetValue(_scene) ?? origin.Scene, Checkpoint = file }));
+        RenderJob given = _long.Put(
+            result, _options.Put(result, new() { Scene = result.GetValue(_scene) ?? origin.Scene, Checkpoint = file }));
         RenderJob job = given with
         {
             Settings = origin.Settings,
@@ -72,11 +73,13 @@ internal sealed class ResumeVerb
     private static RenderJob Continue(RenderJob job, HeldFilm film, int? samples, Streams streams)
     {
         FilmHeader header = film.Header;
-        bool isOpenEnded = job.Time is not null && samples is null && header.IsComplete && IsWhole(header) && header.Total < SampleDecision.Limit;
+        bool isOpenEnded = job.Time is not null && samples is null && header.IsComplete && IsWhole(header)
+            && header.Total < SampleDecision.Limit;
         SampleRange wanted = isOpenEnded ? new(0, SampleDecision.Limit) : Wanted(header, samples);
         if (header.Samples is [var held] && held == wanted)
         {
-            string what = IsWhole(header) ? $"{held.Count} samples: give --spp or --time for more" : $"samples of its part, {header.SamplesText}";
+            string what = IsWhole(header) ? $"{held.Count} samples: give --spp or --time for more"
+                : $"samples of its part, {header.SamplesText}";
             streams.Warn($"'{film.Path}' has all {what}; nothing is rendered");
         }
 
@@ -85,7 +88,8 @@ internal sealed class ResumeVerb
 
     // Continues to decide how many samples there are, and renders them.
     private static RenderJob Decide(RenderJob job, HeldFilm film, int? samples) => samples is null ? job with { Decision = film }
-        : throw new CommandException(ExitStatus.Usage, $"--spp {samples}: it is being decided how many samples the film shall have (--noise): leave --spp out");
+        : throw new CommandException(
+            ExitStatus.Usage, $"--spp {samples}: it is being decided how many samples the film shall have (--noise): leave --spp out");
 
     private static bool IsWhole(FilmHeader header) => header.Wanted == new SampleRange(0, header.Total);
 
@@ -119,8 +123,10 @@ internal sealed class ResumeVerb
         {
             [] => wanted,
             [var held] when held.First == wanted.First && held.End <= wanted.End => wanted,
-            [var held] when held.First == wanted.First => throw new CommandException(ExitStatus.Usage, $"--spp {samples}: the film has {held.Count} samples a pixel already"),
-            _ => throw new CommandException(ExitStatus.InputOutput, $"samples are missing within the film, which has {header.SamplesText}: render them and merge"),
+            [var held] when held.First == wanted.First =>
+                throw new CommandException(ExitStatus.Usage, $"--spp {samples}: the film has {held.Count} samples a pixel already"),
+            _ => throw new CommandException(
+                ExitStatus.InputOutput, $"samples are missing within the film, which has {header.SamplesText}: render them and merge"),
         };
     }
 }

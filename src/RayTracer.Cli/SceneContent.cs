@@ -5,7 +5,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
-/// <summary>What a scene's description holds, counted by kind; a thing that is used twice counts once.</summary>
+/// <summary>The contents of a scene's description, counted by kind; a thing that is used twice counts once.</summary>
 internal sealed class SceneContent
 {
     private readonly HashSet<object> _seen = new(ReferenceEqualityComparer.Instance);
@@ -18,13 +18,13 @@ internal sealed class SceneContent
     {
     }
 
-    /// <summary>How many shapes of each kind.</summary>
+    /// <summary>The number of shapes of each kind.</summary>
     public IReadOnlyDictionary<string, int> Shapes => _shapes;
 
-    /// <summary>How many materials of each kind, those within others included.</summary>
+    /// <summary>The number of materials of each kind, those within others included.</summary>
     public IReadOnlyDictionary<string, int> Materials => _materials;
 
-    /// <summary>How many textures of each kind.</summary>
+    /// <summary>The number of textures of each kind.</summary>
     public IReadOnlyDictionary<string, int> Textures => _textures;
 
     /// <summary>The textures that are pictures.</summary>

@@ -12,7 +12,8 @@ internal static class SceneFile
     /// <param name="stages">Takes the ends of reading the file, and of building the scene.</param>
     /// <param name="readPicture">Reads pictures; null for <see cref="ImageFile.Read"/>.</param>
     /// <param name="settings">Values to put in the place of the file's; may be null.</param>
-    public static SceneLoadResult Load(string path, StageTimes stages, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null)
+    public static SceneLoadResult Load(
+        string path, StageTimes stages, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null)
     {
         Action end = stages.EndLoad;
         SceneLoadResult result = SceneLoader.Load(path, scene =>

@@ -2,7 +2,10 @@ using System.Text;
 
 namespace RayTracer.Cli;
 
-/// <summary>Scripts with which shells complete the command's verbs, options and the words that options take; where a value is anything else, they offer files.</summary>
+/// <summary>
+/// Scripts with which shells complete the command's verbs, options and the words that options take; where a value is anything else, they
+/// offer files.
+/// </summary>
 internal static class ShellCompletion
 {
     /// <summary>The shells.</summary>
@@ -46,7 +49,8 @@ internal static class ShellCompletion
             // Values that are no words of a list: the shell offers files, where they may be any.
             foreach (OptionHelp option in verb.Options.Where(o => o.Form is not null && o.Choices.Count == 0))
             {
-                text.Append($"            {Patterns(verb, option)}) {(option.TakesFile ? "" : "compopt +o default 2> /dev/null; ")}return ;;\n");
+                text.Append(
+                    $"            {Patterns(verb, option)}) {(option.TakesFile ? "" : "compopt +o default 2> /dev/null; ")}return ;;\n");
             }
         }
 
@@ -70,9 +74,10 @@ internal static class ShellCompletion
 
     private static string Patterns(VerbHelp verb, OptionHelp option) => string.Join('|', option.Names.Select(n => $"'{verb.Name}:{n}'"));
 
-    private static IEnumerable<string> First(IReadOnlyList<VerbHelp> verbs) => verbs.Select(v => v.Name).Where(n => !n.Contains(' ', StringComparison.Ordinal));
+    private static IEnumerable<string> First(IReadOnlyList<VerbHelp> verbs) =>
+        verbs.Select(v => v.Name).Where(n => !n.Contains(' ', StringComparison.Ordinal));
 
-    // Verbs that have verbs of their own.
+    // Verbs with verbs below them.
     private static IEnumerable<string> Above(IReadOnlyList<VerbHelp> verbs) => verbs.Where(v => v.HasVerbs).Select(v => v.Name);
 
     private static string Zsh(IReadOnlyList<VerbHelp> verbs)
@@ -91,8 +96,10 @@ internal static class ShellCompletion
             foreach (OptionHelp option in verb.Options)
             {
                 string repeated = option.IsRepeatable ? "*" : "";
-                string value = option.Form is null ? "" : $":value:{(option.Choices.Count > 0 ? $"({Words(option.Choices)})" : option.TakesFile ? "_files" : " ")}";
-                string summary = option.Summary.Replace("[", "(", StringComparison.Ordinal).Replace("]", ")", StringComparison.Ordinal).Replace(":", "\\:", StringComparison.Ordinal);
+                string value = option.Form is null ? ""
+                    : $":value:{(option.Choices.Count > 0 ? $"({Words(option.Choices)})" : option.TakesFile ? "_files" : " ")}";
+                string summary = option.Summary.Replace("[", "(", StringComparison.Ordinal).Replace("]", ")", StringComparison.Ordinal)
+                    .Replace(":", "\\:", StringComparison.Ordinal);
                 foreach (string name in option.Names)
                 {
                     // With "=", the value may be in the next word or behind that sign.
@@ -129,8 +136,10 @@ internal static class ShellCompletion
 
             foreach (OptionHelp option in verb.Options)
             {
-                string names = string.Concat(option.Names.Select(n => n.StartsWith("--", StringComparison.Ordinal) ? $" -l {n[2..]}" : $" -s {n[1..]}"));
-                string value = option.Form is null ? "" : option.Choices.Count > 0 ? $" -x -a '{Words(option.Choices)}'" : option.TakesFile ? " -r -F" : " -x";
+                string names = string.Concat(
+                    option.Names.Select(n => n.StartsWith("--", StringComparison.Ordinal) ? $" -l {n[2..]}" : $" -s {n[1..]}"));
+                string value = option.Form is null ? ""
+                    : option.Choices.Count > 0 ? $" -x -a '{Words(option.Choices)}'" : option.TakesFile ? " -r -F" : " -x";
                 text.Append($"{seen}{names}{value} -d {FishText(option.Summary)}\n");
             }
         }
@@ -138,7 +147,8 @@ internal static class ShellCompletion
         return text.ToString();
     }
 
-    private static string FishText(string text) => $"'{text.Replace("\\", "\\\\", StringComparison.Ordinal).Replace("'", "\\'", StringComparison.Ordinal)}'";
+    private static string FishText(string text) =>
+        $"'{text.Replace("\\", "\\\\", StringComparison.Ordinal).Replace("'", "\\'", StringComparison.Ordinal)}'";
 
     private static string PowerShell(IReadOnlyList<VerbHelp> verbs)
     {

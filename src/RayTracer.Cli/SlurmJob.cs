@@ -9,18 +9,20 @@ using RayTracer.Scenes;
 namespace RayTracer.Cli;
 
 /// <summary>
-/// Two scripts for Slurm: an array of tasks, each of which renders a part and gives the file its name only when it is whole, and a job after them that
-/// renders parts again that are missing, and then merges. What a task does may be done twice at once: the last rename wins, and both have the same bits.
+/// Two scripts for Slurm: an array of tasks, each of which renders a part and gives the file its name only when it is whole, and a job
+/// after them that
+/// renders parts again that are missing, and then merges. What a task does may be done twice at once: the last rename wins, and both have
+/// the same bits.
 /// </summary>
 internal sealed record SlurmJob
 {
     private const string Array = "render.sh";
     private const string Merge = "merge.sh";
 
-    /// <summary>What a single render would be asked for.</summary>
+    /// <summary>The job of a single render.</summary>
     public required RenderJob Job { get; init; }
 
-    /// <summary>How many tasks there are.</summary>
+    /// <summary>The number of tasks.</summary>
     public required int Tasks { get; init; }
 
     /// <summary>The words after <c>render</c> that decide on samples, with the scene first.</summary>
@@ -29,7 +31,7 @@ internal sealed record SlurmJob
     /// <summary>The words that say how images look.</summary>
     public required IReadOnlyList<string> Looks { get; init; }
 
-    /// <summary>Where scripts, parts and logs are.</summary>
+    /// <summary>The folder of scripts, parts and logs.</summary>
     public required string Folder { get; init; }
 
     /// <summary>The command as nodes know it; null for this program.</summary>
@@ -38,7 +40,7 @@ internal sealed record SlurmJob
     /// <summary>Cores for each task.</summary>
     public required int Threads { get; init; }
 
-    /// <summary>How often what failed is rendered again.</summary>
+    /// <summary>The number of times that failed parts are rendered again.</summary>
     public required int Retries { get; init; }
 
     /// <summary>Options of sbatch.</summary>
@@ -101,7 +103,8 @@ internal sealed record SlurmJob
             process.WaitForExit();
             if (process.ExitCode != 0)
             {
-                throw new CommandException(ExitStatus.InputOutput, $"the jobs could not be submitted: {errors.Result.ReplaceLineEndings(" ").Trim()}");
+                throw new CommandException(
+                    ExitStatus.InputOutput, $"the jobs could not be submitted: {errors.Result.ReplaceLineEndings(" ").Trim()}");
             }
 
             if (!quiet)
@@ -113,7 +116,8 @@ internal sealed record SlurmJob
         }
         catch (Win32Exception)
         {
-            throw new CommandException(ExitStatus.InputOutput, $"bash is not installed here: run \"bash {Path.Combine(Folder, Merge)}\" where Slurm is");
+            throw new CommandException(
+                ExitStatus.InputOutput, $"bash is not installed here: run \"bash {Path.Combine(Folder, Merge)}\" where Slurm is");
         }
     }
 
@@ -132,10 +136,13 @@ internal sealed record SlurmJob
         Write(Merge, MergeScript(name));
     }
 
-    private void Write(string file, string text) => AtomicFile.Write(Path.Combine(Folder, file), stream => stream.Write(Encoding.UTF8.GetBytes(text.ReplaceLineEndings("\n"))));
+    private void Write(string file, string text) =>
+        AtomicFile.Write(Path.Combine(Folder, file), stream => stream.Write(Encoding.UTF8.GetBytes(text.ReplaceLineEndings("\n"))));
 
-    // $done is there once a task has done its work. Each run has a name of its own for what becomes $done: a node that was taken for dead may still be rendering. What is begun
-    // may be of either: its bits are those of the part's first samples, whoever wrote it. Five minutes, so that many tasks do not keep a file system busy.
+    // $done is there once a task has done its work. Each run has another name for what becomes $done: a node that was taken for dead may
+    // still be rendering. What is begun
+    // may be of either: its bits are those of the part's first samples, whatever run wrote it. Five minutes, so that many tasks do not keep
+    // a file system busy.
     private string ArrayScript(string name)
     {
         string work = HasFrames
@@ -229,10 +236,11 @@ internal sealed record SlurmJob
 
     private static string Quote(string word) => Shell.Command([word])["raytracer ".Length..];
 
-    // Not of its own folder where it is run by the host "dotnet".
+    // Not of the folder beside it where it is run by the host "dotnet".
     private static string ProgramHere()
     {
         string process = Environment.ProcessPath ?? "raytracer";
-        return Path.GetFileNameWithoutExtension(process) == "dotnet" ? $"{Quote(process)} {Quote(Path.Combine(AppContext.BaseDirectory, "raytracer.dll"))}" : Quote(process);
+        return Path.GetFileNameWithoutExtension(process) == "dotnet"
+            ? $"{Quote(process)} {Quote(Path.Combine(AppContext.BaseDirectory, "raytracer.dll"))}" : Quote(process);
     }
 }

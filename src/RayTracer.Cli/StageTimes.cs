@@ -3,8 +3,8 @@ using RayTracer.Jobs;
 
 namespace RayTracer.Cli;
 
-/// <summary>How long the stages of the work take.</summary>
-/// <param name="spoken">Where each stage is told when it ends; null for nowhere.</param>
+/// <summary>The times of the stages of the work.</summary>
+/// <param name="spoken">Takes a line when a stage ends; null for none.</param>
 internal sealed class StageTimes(Streams? spoken)
 {
     private long _last = Stopwatch.GetTimestamp();
@@ -18,7 +18,7 @@ internal sealed class StageTimes(Streams? spoken)
     /// <summary>Seconds for writing files.</summary>
     public double Write { get; private set; }
 
-    /// <summary>The most bytes of memory that the process has had; null where the system does not tell.</summary>
+    /// <summary>The most bytes of memory that the process has had; null where the system does not say.</summary>
     public static long? PeakMemory
     {
         get
@@ -51,7 +51,7 @@ internal sealed class StageTimes(Streams? spoken)
         EndAll();
     }
 
-    /// <summary>All is done: tells the most memory used.</summary>
+    /// <summary>All is done: reports the most memory used.</summary>
     public void EndAll()
     {
         if (spoken is not null && PeakMemory is { } bytes)
@@ -61,7 +61,7 @@ internal sealed class StageTimes(Streams? spoken)
     }
 
     /// <summary>A stage has come to its end.</summary>
-    /// <param name="stage">What is told of it.</param>
+    /// <param name="stage">Its name.</param>
     /// <returns>How many seconds it took.</returns>
     public double End(string stage)
     {

@@ -3,7 +3,8 @@ using System.Runtime.InteropServices;
 namespace RayTracer.Cli;
 
 /// <summary>
-/// While it lives, the first Ctrl-C (SIGINT), SIGTERM, or SIGHUP (the terminal was closed) only asks for the end, so that what is done so far can be
+/// While it lives, the first Ctrl-C (SIGINT), SIGTERM, or SIGHUP (the terminal was closed) only asks for the end, so that what is done so
+/// far can be
 /// written; a second one ends the process at once.
 /// </summary>
 internal sealed class StopSignals : IDisposable

@@ -5,7 +5,7 @@ using System.Reflection;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer studio [SCENE]</c>: starts the Studio, a program of its own, and ends with it.</summary>
+/// <summary><c>raytracer studio [SCENE]</c>: starts the Studio, a separate program, and ends with it.</summary>
 internal static class StudioVerb
 {
     private const string Program = "RayTracer.Studio";
@@ -55,8 +55,10 @@ internal static class StudioVerb
     private static string Find()
     {
         string beside = Path.Combine(AppContext.BaseDirectory, Program);
-        Dictionary<string, string?> built = typeof(StudioVerb).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>().ToDictionary(a => a.Key, a => a.Value, StringComparer.Ordinal);
-        string? project = built.TryGetValue("StudioProject", out string? relative) ? Path.GetFullPath(relative!, AppContext.BaseDirectory) : null;
+        Dictionary<string, string?> built = typeof(StudioVerb).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>()
+            .ToDictionary(a => a.Key, a => a.Value, StringComparer.Ordinal);
+        string? project = built.TryGetValue("StudioProject", out string? relative) ? Path.GetFullPath(relative!, AppContext.BaseDirectory)
+            : null;
         string configuration = built.GetValueOrDefault("Configuration") ?? "Release";
         string?[] places =
         [
@@ -75,7 +77,8 @@ internal static class StudioVerb
         string runtime = System.Runtime.InteropServices.RuntimeEnvironment.GetRuntimeDirectory();
         string name = OperatingSystem.IsWindows() ? "dotnet.exe" : "dotnet";
         string host = Path.GetFullPath(Path.Combine(runtime, "..", "..", "..", name));
-        return Environment.ProcessPath is { } path && Path.GetFileNameWithoutExtension(path) == "dotnet" ? path : File.Exists(host) ? host : name;
+        return Environment.ProcessPath is { } path && Path.GetFileNameWithoutExtension(path) == "dotnet" ? path
+            : File.Exists(host) ? host : name;
     }
 
     private static void Stop(Process studio)

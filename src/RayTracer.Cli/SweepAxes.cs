@@ -3,7 +3,9 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
 
-/// <summary>The values that <c>raytracer sweep</c> goes through: of the settings, those with several values, with commas between them.</summary>
+/// <summary>
+/// The values that <c>raytracer sweep</c> goes through: of the settings, those with several values, with commas between them.
+/// </summary>
 internal sealed class SweepAxes
 {
     private const int Most = 3;
@@ -36,13 +38,13 @@ internal sealed class SweepAxes
         }
     }
 
-    /// <summary>What changes from left to right.</summary>
+    /// <summary>The axis from left to right.</summary>
     public SheetAxis Columns => _axes[0];
 
-    /// <summary>What changes from top to bottom.</summary>
+    /// <summary>The axis from top to bottom.</summary>
     public SheetAxis Rows => _axes.Count > 1 ? _axes[1] : SheetAxis.None;
 
-    /// <summary>What changes from one block of rows to the next.</summary>
+    /// <summary>The axis from one block of rows to the next.</summary>
     public SheetAxis Blocks => _axes.Count > 2 ? _axes[2] : SheetAxis.None;
 
     /// <summary>All places of the grid, in the order of reading.</summary>
@@ -55,8 +57,9 @@ internal sealed class SweepAxes
     /// <summary>Places of the grid in which each value of each axis occurs.</summary>
     public IEnumerable<SweepCell> Samples => Cells.Where(c => new[] { c.Column, c.Row, c.Block }.Count(i => i > 0) <= 1);
 
-    /// <summary>What is set in one place of the grid, apart from what is the same in all.</summary>
-    public IEnumerable<SceneSetting> Changes(SweepCell cell) => _axes.Zip([cell.Column, cell.Row, cell.Block], (axis, i) => SceneSetting.Parse($"{axis.Name}={axis.Values[i]}"));
+    /// <summary>Returns the settings of one place of the grid, apart from those that are the same in all.</summary>
+    public IEnumerable<SceneSetting> Changes(SweepCell cell) =>
+        _axes.Zip([cell.Column, cell.Row, cell.Block], (axis, i) => SceneSetting.Parse($"{axis.Name}={axis.Values[i]}"));
 
     /// <summary>All that is set in one place of the grid.</summary>
     public IReadOnlyList<SceneSetting> Settings(SweepCell cell) => [.. _fixed, .. Changes(cell)];

@@ -13,7 +13,8 @@ namespace RayTracer.Cli;
 /// <param name="change">Gives a scene the size of a cell.</param>
 /// <param name="display">What is reported.</param>
 /// <param name="streams">Where to write.</param>
-internal sealed class SweepRun(RenderJob job, SweepAxes axes, Func<SceneDescription, SceneDescription> change, Display display, Streams streams)
+internal sealed class SweepRun(
+    RenderJob job, SweepAxes axes, Func<SceneDescription, SceneDescription> change, Display display, Streams streams)
 {
     private readonly List<(SweepCell Cell, string Hash)> _films = [];
 

@@ -10,7 +10,9 @@ using JsonNode = System.Text.Json.Nodes.JsonNode;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer sweep SCENE --set PATH=VALUE,VALUE -o FILE</c>: renders a scene with all values of some settings, as one labelled sheet.</summary>
+/// <summary>
+/// <c>raytracer sweep SCENE --set PATH=VALUE,VALUE -o FILE</c>: renders a scene with all values of some settings, as one labelled sheet.
+/// </summary>
 internal sealed class SweepVerb
 {
     private const int StandardCell = 240;
@@ -69,7 +71,8 @@ internal sealed class SweepVerb
             streams.Wrote(written);
         }
 
-        return signals.Status != 0 ? signals.Status : failed != ExitStatus.Fine ? failed : written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+        return signals.Status != 0 ? signals.Status : failed != ExitStatus.Fine ? failed
+            : written.Count < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
 
     private SceneDescription Fit(SceneDescription scene, ParseResult result)
@@ -81,7 +84,8 @@ internal sealed class SweepVerb
         };
     }
 
-    private static JsonObject Json(SweepAxes axes, IReadOnlyList<(SweepCell Cell, string Hash)> films, IReadOnlyList<string> written) => new()
+    private static JsonObject Json(SweepAxes axes, IReadOnlyList<(SweepCell Cell, string Hash)> films, IReadOnlyList<string> written) =>
+        new()
     {
         ["films"] = JsonText.List(films.Select(f => new JsonObject
         {

@@ -4,7 +4,7 @@ using System.CommandLine.Help;
 namespace RayTracer.Cli;
 
 /// <summary>A verb, as help pages and shells see it.</summary>
-/// <param name="Name">How it is written: a word, or two where a verb has verbs of its own.</param>
+/// <param name="Name">Its name: a word, or two for a verb below another one.</param>
 /// <param name="Summary">What it does.</param>
 /// <param name="Synopsis">What stands after it.</param>
 /// <param name="Arguments">The words that are no options, and what they mean.</param>
@@ -12,12 +12,12 @@ namespace RayTracer.Cli;
 /// <param name="Options">Its options.</param>
 internal sealed record VerbHelp(string Name, string Summary, string Synopsis, IReadOnlyList<(string Name, string Summary)> Arguments, IReadOnlyList<string> Choices, IReadOnlyList<OptionHelp> Options)
 {
-    /// <summary>Whether verbs of its own follow it.</summary>
+    /// <summary>True if verbs are below it.</summary>
     public bool HasVerbs { get; private init; }
 
-    /// <summary>Describes a verb, and after it those of its own.</summary>
+    /// <summary>Describes a verb, and after it those below it.</summary>
     /// <param name="command">The verb, with its options made.</param>
-    /// <param name="synopsis">Tells what stands after a verb.</param>
+    /// <param name="synopsis">Returns what stands after a verb.</param>
     public static IEnumerable<VerbHelp> Of(Command command, Func<Command, string> synopsis) =>
         [One(command, command.Name, synopsis), .. command.Subcommands.Select(c => One(c, $"{command.Name} {c.Name}", synopsis))];
 
@@ -27,7 +27,8 @@ internal sealed record VerbHelp(string Name, string Summary, string Synopsis, IR
         synopsis(command),
         [.. command.Arguments.Select(a => (a.Name, a.Description ?? ""))],
         [.. command.Subcommands.Select(c => c.Name), .. command.Arguments.SelectMany(a => OptionHelp.WordsOf(a.Name))],
-        [.. command.Options.Where(o => o is not HelpOption).Select(o => new OptionHelp([o.Name, .. o.Aliases], o.ValueType == typeof(bool) ? null : o.HelpName ?? "VALUE", o.Description ?? "", o.ValueType.IsArray))])
+        [.. command.Options.Where(o => o is not HelpOption).Select(o => new OptionHelp(
+            [o.Name, .. o.Aliases], o.ValueType == typeof(bool) ? null : o.HelpName ?? "VALUE", o.Description ?? "", o.ValueType.IsArray))])
     {
         HasVerbs = command.Subcommands.Count > 0,
     };

@@ -13,16 +13,17 @@ internal sealed class VerboseOption
         command.Options.Add(_option);
         command.Validators.Add(result =>
         {
-            if (result.GetValue(_option) && command.Options.OfType<Option<bool>>().FirstOrDefault(o => o.Name == "--quiet") is { } quiet && result.GetValue(quiet))
+            if (result.GetValue(_option) && command.Options.OfType<Option<bool>>().FirstOrDefault(o => o.Name == "--quiet") is { } quiet
+                && result.GetValue(quiet))
             {
                 result.AddError("--quiet and --verbose cannot go together");
             }
         });
     }
 
-    /// <summary>Whether it was given.</summary>
+    /// <summary>Returns whether it was given.</summary>
     public bool Value(ParseResult result) => result.GetValue(_option);
 
-    /// <summary>The times to tell, if it was given, from now on.</summary>
+    /// <summary>The times to report, if it was given, from now on.</summary>
     public StageTimes Times(ParseResult result, Streams streams) => new(Value(result) ? streams : null);
 }

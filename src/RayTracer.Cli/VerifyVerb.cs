@@ -28,7 +28,8 @@ internal static class VerifyVerb
             StageTimes stages = verbose.Times(result, streams);
             Claim claim = Of(result.GetValue(file)!, result.GetValue(scene));
             stages.End("file");
-            int status = Verify(claim, (int)(threads.Value(result) ?? Environment.ProcessorCount), verbose.Value(result), result.GetValue(json), streams);
+            int status = Verify(
+                claim, (int)(threads.Value(result) ?? Environment.ProcessorCount), verbose.Value(result), result.GetValue(json), streams);
             stages.EndAll();
             return status;
         });
@@ -116,18 +117,20 @@ internal static class VerifyVerb
             throw new CommandException(ExitStatus.InputOutput, $"'{file}' is an image beside the picture: only the picture itself can be rendered again and compared");
         }
 
-        if (texts.GetValueOrDefault("Samples")?.Contains("unfinished", StringComparison.Ordinal) == true && !texts.ContainsKey("SampleRange"))
+        if (texts.GetValueOrDefault("Samples")?.Contains("unfinished", StringComparison.Ordinal) == true
+            && !texts.ContainsKey("SampleRange"))
         {
             throw new CommandException(ExitStatus.InputOutput, $"'{file}' is unfinished: it was stopped when some pixels had more samples than others, so that it cannot be rendered again");
         }
 
-        SampleRange?[] ranges = texts.TryGetValue("SampleRange", out string? samples) ? [.. samples.Split(", ").Select(r => (SampleRange?)OptionWords.Samples(r))] : [null];
+        SampleRange?[] ranges = texts.TryGetValue("SampleRange", out string? samples)
+            ? [.. samples.Split(", ").Select(r => (SampleRange?)OptionWords.Samples(r))] : [null];
         return new(file, At(job), ranges, hash, IsOld: !texts.ContainsKey(PictureTexts.SettingsKey));
 
         RenderJob At(RenderJob job) => scene is null ? job : job with { Scene = scene };
     }
 
-    /// <summary>What a file says of itself.</summary>
+    /// <summary>The claim of a file about its making.</summary>
     /// <param name="File">The file.</param>
     /// <param name="Job">How it was rendered.</param>
     /// <param name="Samples">The samples that it holds; null for those that the job decides on.</param>

@@ -20,7 +20,8 @@ internal static class ViewVerb
 
         command.SetAction(result =>
         {
-            ToneMappedRows seen = new(ImageFile.Read(result.GetValue(image)!), toneMap.Value(result) ?? ToneMap.Clamp, (float)(exposure.Value(result) ?? 0));
+            ToneMappedRows seen = new(
+                ImageFile.Read(result.GetValue(image)!), toneMap.Value(result) ?? ToneMap.Clamp, (float)(exposure.Value(result) ?? 0));
             TerminalGraphics how = graphics.Value(result) ?? TerminalPicture.Of(Environment.GetEnvironmentVariable);
             streams.Output.Write(TerminalPicture.Draw(seen, (int)(columns.Value(result) ?? Columns()), how));
             return ExitStatus.Fine;

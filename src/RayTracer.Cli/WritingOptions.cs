@@ -55,7 +55,8 @@ internal sealed class WritingOptions
     /// <param name="files">The files to write.</param>
     /// <param name="streams">Takes the warnings.</param>
     /// <param name="isSeen">Whether exposure and tone map are seen elsewhere too.</param>
-    public void WarnOfUnused(ParseResult result, IReadOnlyList<string> files, Streams streams, bool isSeen = false) => _options.WarnOfUnused(result, files, streams, isSeen);
+    public void WarnOfUnused(ParseResult result, IReadOnlyList<string> files, Streams streams, bool isSeen = false) =>
+        _options.WarnOfUnused(result, files, streams, isSeen);
 
     /// <summary>Warns of an option that was given, but is for formats with a feature, of which there is no file.</summary>
     public static void WarnOfUnused(ParseResult result, Option option, ImageFeatures feature, IReadOnlyList<string> files, Streams streams)
@@ -70,7 +71,7 @@ internal sealed class WritingOptions
     /// <summary>The options that were given, as words of a command line.</summary>
     public IEnumerable<string> Words(ParseResult result) => _options.Words(result);
 
-    /// <summary>How pictures are written.</summary>
+    /// <summary>Returns the details of writing pictures.</summary>
     /// <param name="result">What was given.</param>
     /// <param name="files">The files to write; null for those of -o.</param>
     /// <exception cref="CommandException">The film shall go into an OpenEXR image, but there is none.</exception>

@@ -5,19 +5,25 @@ namespace RayTracer.Jobs;
 
 /// <summary>A kind of things whose bits have changed since films were first written.</summary>
 /// <param name="Name">What it is called.</param>
-/// <param name="Version">The version of its bits: the number of the change in <c>hashes.txt</c>, the list of films' hashes, by which they became what they are.</param>
+/// <param name="Version">The version of its bits: the number of the change in <c>hashes.txt</c>, the list of films' hashes, by which they
+/// became what they are.</param>
 /// <param name="IsIn">Whether a scene has one, by all its records.</param>
 public sealed record BitVersion(string Name, int Version, Func<SceneDescription, IReadOnlyCollection<object>, bool> IsIn);
 
-/// <summary>The versions of bits: films of a scene with one of these kinds go together only if they were rendered with the same version. All other kinds have their first.</summary>
+/// <summary>
+/// The versions of bits: films of a scene with one of these kinds go together only if they were rendered with the same version. All other
+/// kinds have their first.
+/// </summary>
 public static class BitVersions
 {
     /// <summary>The kinds that have changed.</summary>
     public static IReadOnlyList<BitVersion> All { get; } =
     [
-        new("boundaries inside of other materials", 15, (_, records) => records.Any(r => r is MaterialDescription && Inside(r).Any(IsBoundary))),
+        new("boundaries inside of other materials", 15, (_, records) => records.Any(
+            r => r is MaterialDescription && Inside(r).Any(IsBoundary))),
         new("meshes with literal shading normals or materials that transmit", 17, (scene, records) =>
-            records.Any(r => Name(r) is "mesh" or "model") && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
+            records.Any(r => Name(r) is "mesh" or "model")
+                && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
     ];
 
     /// <summary>Those that a scene has.</summary>

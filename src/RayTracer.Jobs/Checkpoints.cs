@@ -6,7 +6,8 @@ using RayTracer.Textures;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// Writes the film to a file now and then. The old file stays until the new one is whole; the interval stretches so that writing takes less than a
+/// Writes the film to a file now and then. The old file stays until the new one is whole; the interval stretches so that writing takes less
+/// than a
 /// hundredth of the time, but for the first, whose cost is unknown. A film of other samples that comes there meanwhile is not replaced.
 /// </summary>
 /// <param name="path">The file.</param>
@@ -23,13 +24,13 @@ public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
     // What may be replaced: what was there before, and what was written since.
     private (string Content, SampleRange Wanted)? _known = There(path);
 
-    /// <summary>Whether the latest could not be written.</summary>
+    /// <summary>True if the latest could not be written.</summary>
     public bool HasFailed { get; private set; }
 
-    /// <summary>How many were written.</summary>
+    /// <summary>The number of those that were written.</summary>
     public int Count { get; private set; }
 
-    /// <summary>How long that took in all, failures included.</summary>
+    /// <summary>The time that took in all, failures included.</summary>
     public TimeSpan Spent { get; private set; }
 
     /// <summary>Writes one if it is time for it.</summary>

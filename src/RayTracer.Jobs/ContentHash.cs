@@ -10,8 +10,10 @@ using RayTracer.Scenes;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// The hash of all that decides what a sample comes to: the description with every value that is not as it is without being given, the content of every file that it names, the part that
-/// is rendered, and for each kind of thing in the scene the version of its bits. Where files lie, what they are called and how scenes are written does not count.
+/// The hash of all that decides what a sample comes to: the description with every value that is not as it is without being given, the
+/// content of every file that it names, the part that
+/// is rendered, and for each kind of thing in the scene the version of its bits. Where files lie, what they are called and how scenes are
+/// written does not count.
 /// </summary>
 public class ContentHash : IDisposable
 {

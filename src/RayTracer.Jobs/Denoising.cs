@@ -21,13 +21,15 @@ internal sealed class Denoising
 
     /// <summary>Memory of what is needed besides the film, in bytes.</summary>
     public static long Bytes(int width, int height) =>
-        (2 * (FilmMemory.Bytes(width, height) + AovFilm.Bytes(HalfRender.Kinds, width, height))) + (Denoiser.BytesPerPixel * (long)width * height);
+        (2 * (FilmMemory.Bytes(width, height) + AovFilm.Bytes(HalfRender.Kinds, width, height)))
+            + (Denoiser.BytesPerPixel * (long)width * height);
 
     /// <summary>Prepares.</summary>
     /// <exception cref="JobException">There are too few samples.</exception>
     public static Denoising Create(Scene scene) => scene.Render.SamplesPerPixel > 1
         ? new(scene)
-        : throw new JobException(JobFault.Request, "--denoise compares two halves of the samples, but there is only 1 a pixel: give --spp 2 or more");
+        : throw new JobException(
+            JobFault.Request, "--denoise compares two halves of the samples, but there is only 1 a pixel: give --spp 2 or more");
 
     /// <summary>Renders into a film.</summary>
     public RenderStatistics Render(Film film, RenderOptions options, IProgress<RenderProgress>? progress, CancellationToken cancellation)

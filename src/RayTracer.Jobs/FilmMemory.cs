@@ -3,7 +3,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Jobs;
 
-/// <summary>How much memory films take.</summary>
+/// <summary>The memory that films take.</summary>
 public static class FilmMemory
 {
     /// <summary>Memory of a film in bytes.</summary>

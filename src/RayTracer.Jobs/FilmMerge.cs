@@ -18,7 +18,7 @@ public sealed class FilmMerge
         Header = Together(parts);
     }
 
-    /// <summary>What the films are together.</summary>
+    /// <summary>The header of the films together.</summary>
     public FilmHeader Header { get; }
 
     /// <summary>The samples that none of them has, in words; null where there are none.</summary>
@@ -30,7 +30,10 @@ public sealed class FilmMerge
     /// <exception cref="PictureException">One cannot be read.</exception>
     public static FilmMerge Of(IEnumerable<string> paths) => new([.. paths.Select(p => (p, CarriedFilm.ReadHeader(p)))]);
 
-    /// <summary>Adds them up. Several at once: checksums take longer than a disk to read what they are of. More than a few only make the disk's way longer.</summary>
+    /// <summary>
+    /// Adds them up. Several at once: checksums take longer than a disk to read what they are of. More than a few only make the disk's way
+    /// longer.
+    /// </summary>
     /// <exception cref="PictureException">One cannot be read.</exception>
     public Film Add(IProgress<double>? progress = null, CancellationToken cancellation = default)
     {

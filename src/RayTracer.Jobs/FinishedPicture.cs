@@ -5,35 +5,39 @@ using RayTracer.Textures;
 
 namespace RayTracer.Jobs;
 
-/// <summary>Whether a file already holds the picture of a job, whole.</summary>
+/// <summary>Finds out whether a file already holds the picture of a job, whole.</summary>
 public static class FinishedPicture
 {
-    /// <summary>Whether an image file holds the picture of a job.</summary>
+    /// <summary>Returns whether an image file holds the picture of a job.</summary>
     /// <param name="file">The image file.</param>
-    /// <param name="job">The job; scene, files to write, and all that the content tells do not count.</param>
+    /// <param name="job">The job; scene, files to write, and all that the content says do not count.</param>
     /// <param name="scene">The job's scene.</param>
     /// <returns>False also where there is no file, or something else or a damaged one.</returns>
     public static bool Is(string file, RenderJob job, SceneDescription scene) => Holds(file, f =>
     {
         (RenderJob made, IReadOnlyDictionary<string, string> texts) = JobOrigin.OfImage(f);
-        string content = texts.ContainsKey(PictureTexts.SettingsKey) ? ContentHash.OfPicture(scene, job.Scene, job.Crop) : OldFilms.OfPicture(scene, job.Scene, job.Crop);
+        string content = texts.ContainsKey(PictureTexts.SettingsKey) ? ContentHash.OfPicture(scene, job.Scene, job.Crop)
+            : OldFilms.OfPicture(scene, job.Scene, job.Crop);
 
         // Texts stand before the pixels, which may be missing.
-        return texts.GetValueOrDefault(PictureTexts.ContentKey) == content && Looks(made).SequenceEqual(Looks(job)) && ImageFile.Read(f).Width > 0;
+        return texts.GetValueOrDefault(PictureTexts.ContentKey) == content && Looks(made).SequenceEqual(Looks(job))
+            && ImageFile.Read(f).Width > 0;
     });
 
-    /// <summary>Whether an image file says that the wanted noise was not reached.</summary>
+    /// <summary>Returns whether an image file says that the wanted noise was not reached.</summary>
     /// <param name="file">The image file.</param>
-    public static bool IsNoisy(string file) => Holds(file, f => ImageFile.ReadText(f).Any(t => t.Key == PictureTexts.NoiseKey && t.Value.EndsWith(PictureTexts.NotReached, StringComparison.Ordinal)));
+    public static bool IsNoisy(string file) => Holds(file, f => ImageFile.ReadText(f).Any(
+        t => t.Key == PictureTexts.NoiseKey && t.Value.EndsWith(PictureTexts.NotReached, StringComparison.Ordinal)));
 
-    /// <summary>Whether a film holds the picture of a job.</summary>
+    /// <summary>Returns whether a film holds the picture of a job.</summary>
     /// <param name="file">The film.</param>
     /// <param name="job">The job.</param>
     /// <param name="scene">The job's scene.</param>
     /// <param name="wanted">The samples; null for those that the film was to have.</param>
     /// <returns>False also where there is no file, or something else or a damaged one.</returns>
     public static bool IsFilm(string file, RenderJob job, SceneDescription scene, SampleRange? wanted) => Holds(file, f =>
-        OldFilms.Current(FilmFile.ReadHeader(f), scene, job.Scene, job.Crop) is { IsComplete: true } header && header.Content == ContentHash.Of(scene, job.Scene, job.Crop)
+        OldFilms.Current(FilmFile.ReadHeader(f), scene, job.Scene, job.Crop) is { IsComplete: true } header
+            && header.Content == ContentHash.Of(scene, job.Scene, job.Crop)
         && (wanted is null || header.Wanted == wanted) && FilmFile.Read(f).Film.Width > 0);
 
     private static IEnumerable<string> Looks(RenderJob job) => JobOptions.Kept(job with { Crop = null, Frames = null }, JobOptionUse.Pictures).Concat(JobOptions.Kept(job with { Frames = null }, JobOptionUse.Films));

@@ -12,7 +12,7 @@ public sealed record FrameRange(int First, int Last, int Step)
 {
     private const int Largest = 9_999_999;
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of frames.</summary>
     public int Count => ((Last - First) / Step) + 1;
 
     /// <summary>The frames in their order.</summary>
@@ -28,7 +28,8 @@ public sealed record FrameRange(int First, int Last, int Step)
             first--;
         }
 
-        return end == 0 ? pattern : pattern[..first] + frame.ToString(CultureInfo.InvariantCulture).PadLeft(end - first, '0') + pattern[end..];
+        return end == 0 ? pattern
+            : pattern[..first] + frame.ToString(CultureInfo.InvariantCulture).PadLeft(end - first, '0') + pattern[end..];
     }
 
     /// <summary>As it is typed.</summary>
@@ -43,11 +44,13 @@ public sealed record FrameRange(int First, int Last, int Step)
         int step = 1;
         bool good = parts.Length <= 2 && ends.Length <= 2 && int.TryParse(ends[0], NumberStyles.None, CultureInfo.InvariantCulture, out _)
             && (parts.Length == 1 || (int.TryParse(parts[1], NumberStyles.None, CultureInfo.InvariantCulture, out step) && step > 0));
-        if (!good || !int.TryParse(ends[0], NumberStyles.None, CultureInfo.InvariantCulture, out int first) || !int.TryParse(ends[^1], NumberStyles.None, CultureInfo.InvariantCulture, out int last) || last < first)
+        if (!good || !int.TryParse(ends[0], NumberStyles.None, CultureInfo.InvariantCulture, out int first)
+            || !int.TryParse(ends[^1], NumberStyles.None, CultureInfo.InvariantCulture, out int last) || last < first)
         {
             throw new FormatException($"expected frames, from 0, as in 7, 0..239 or 0..239:2, not {Quotation.Of(word)}");
         }
 
-        return last <= Largest ? new(first, last, step) : throw new FormatException($"frames are numbered up to {Largest}, but {last} is larger");
+        return last <= Largest ? new(first, last, step)
+            : throw new FormatException($"frames are numbered up to {Largest}, but {last} is larger");
     }
 }

@@ -10,21 +10,22 @@ namespace RayTracer.Jobs;
 /// <summary>The names of files of frames.</summary>
 public static class FrameFiles
 {
-    /// <summary>Whether a job is of more than one picture.</summary>
-    public static bool AreSeveral(RenderJob job) => job.Frames is { } frames && (frames.Count > 1 || job.Outputs.Any(o => IsNumbered(o) || IsAnimated(o, frames)));
+    /// <summary>Returns whether a job is of more than one picture.</summary>
+    public static bool AreSeveral(RenderJob job) =>
+        job.Frames is { } frames && (frames.Count > 1 || job.Outputs.Any(o => IsNumbered(o) || IsAnimated(o, frames)));
 
-    /// <summary>Whether a job writes an animated PNG, among others.</summary>
+    /// <summary>Returns whether a job writes an animated PNG, among others.</summary>
     public static bool MakeAnimation(RenderJob job) => job.Frames is not null && job.Outputs.Any(o => IsAnimated(o, job.Frames));
 
-    /// <summary>Whether a name has a place for a frame's number.</summary>
+    /// <summary>Returns whether a name has a place for a frame's number.</summary>
     public static bool IsNumbered(string path) => path.Contains('#', StringComparison.Ordinal);
 
-    /// <summary>Whether a file takes all frames as an animated PNG.</summary>
+    /// <summary>Returns whether a file takes all frames as an animated PNG.</summary>
     public static bool IsAnimated(string path, FrameRange? frames) => AnimatedPng.IsNamed(path)
         || (frames is { Count: > 1 } && path.EndsWith(".png", StringComparison.OrdinalIgnoreCase) && !IsNumbered(path));
 }
 
-/// <summary>What became of a frame.</summary>
+/// <summary>The outcome of a frame.</summary>
 /// <param name="Number">Its number.</param>
 /// <param name="Which">Which of how many it is, in words.</param>
 /// <param name="Result">What its rendering came to; null where it was there already.</param>
@@ -33,7 +34,8 @@ public static class FrameFiles
 public sealed record RenderedFrame(int Number, string Which, JobResult? Result, IReadOnlyList<string> Files, bool IsNoisy);
 
 /// <summary>
-/// Renders frames of an animation one after the other, each to its own file, or all into an animated PNG. What was rendered before, of the same scene with the same
+/// Renders frames of an animation one after the other, each to its own file, or all into an animated PNG. What was rendered before, of the
+/// same scene with the same
 /// options, is left as it is: so a run that was stopped continues where it was.
 /// </summary>
 /// <param name="job">What to render.</param>
@@ -68,7 +70,8 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
                 Directory.CreateDirectory(folder);
             }
 
-            return Share().ToArray() is var frames && frames.All(frame => Frame(frame, $"{_done.Count + 1} of {frames.Length}", render, report)) && WriteAnimation();
+            return Share().ToArray() is var frames
+                && frames.All(frame => Frame(frame, $"{_done.Count + 1} of {frames.Length}", render, report)) && WriteAnimation();
         }
         finally
         {
@@ -81,7 +84,8 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
         }
     }
 
-    // The frames of an animated PNG are files too, so that a stopped run resumes with them: PNGs that were asked for, or else files in a folder beside it.
+    // The frames of an animated PNG are files too, so that a stopped run resumes with them: PNGs that were asked for, or else files in a
+    // folder beside it.
     private string? KeptPattern => _animated.Length == 0 ? null : PngFrames ?? Path.Combine(KeptFolder!, "####.png");
 
     private string? KeptFolder => _animated.Length > 0 && PngFrames is null ? _animated[0] + KeptEnding : null;
@@ -116,9 +120,11 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
     }
 
     // Every N-th frame: neighbours take equally long, so that the parts do too.
-    private IEnumerable<int> Share() => job.Part is { } part ? _frames.Numbers.Where((_, i) => i % part.Count == part.Number - 1) : _frames.Numbers;
+    private IEnumerable<int> Share() =>
+        job.Part is { } part ? _frames.Numbers.Where((_, i) => i % part.Count == part.Number - 1) : _frames.Numbers;
 
-    private bool Frame(int frame, string which, Func<RenderJob, JobRun, (JobResult? Result, bool GoesOn)> render, Action<RenderedFrame> report)
+    private bool Frame(
+        int frame, string which, Func<RenderJob, JobRun, (JobResult? Result, bool GoesOn)> render, Action<RenderedFrame> report)
     {
         RenderJob one = One(frame);
         if (one.Outputs.Count > 0 && Describe(one) is { } scene && AreThere(one, scene))

@@ -23,7 +23,7 @@ public enum JobStage
 /// <summary>Takes what a job reports, and shows how far it is.</summary>
 public interface IJobWatch
 {
-    /// <summary>Whether it shows the film between passes, so that there must be passes.</summary>
+    /// <summary>True if it shows the film between passes, so that there must be passes.</summary>
     bool ShowsPasses => false;
 
     /// <summary>Takes a line about something doubtful.</summary>

@@ -6,7 +6,7 @@ public enum JobFault
     /// <summary>A file cannot be read or written, or is not what it should be; or there is not enough memory.</summary>
     File,
 
-    /// <summary>What was asked for makes no sense.</summary>
+    /// <summary>The request makes no sense.</summary>
     Request,
 }
 

@@ -27,7 +27,8 @@ public static class JobFiles
     /// <exception cref="JobException">It has not.</exception>
     public static void CheckSize(IReadOnlyList<string> paths, ImageWriteOptions options, int width, int height)
     {
-        if ((long)width * height > FilmExr.MaxPixels && paths.FirstOrDefault(p => !FilmFile.IsNamed(p) && options.TakesFilm(p)) is { } image)
+        if ((long)width * height > FilmExr.MaxPixels
+            && paths.FirstOrDefault(p => !FilmFile.IsNamed(p) && options.TakesFilm(p)) is { } image)
         {
             throw new JobException(JobFault.Request, $"{image}: {FilmExr.TooLarge}, and the picture has {width}×{height}");
         }
@@ -38,26 +39,6 @@ public static class JobFiles
             throw new JobException(JobFault.Request, $"{small}: {limit}, and the picture has {width}×{height}");
         }
     }
-
-    /// <summary>Keeps films of unfinished renderings from being written over.</summary>
-    /// <param name="paths">The files to write.</param>
-    /// <param name="own">A film that may be replaced, for it is resumed; null for none.</param>
-    /// <param name="replacement">What is going to be written; null where that is not known yet. Films all of whose samples are in it may be replaced.</param>
-    /// <exception cref="JobException">There is one; the message says what to do with it.</exception>
-    public static void CheckUnfinished(IEnumerable<string> paths, string? own = null, FilmHeader? replacement = null)
-    {
-        foreach (string path in paths.Where(p => CarriedFilm.Is(p) && (own is null || Path.GetFullPath(p) != Path.GetFullPath(own))))
-        {
-            if (CarriedFilm.Unfinished(path) is { } unfinished && !IsWithin(unfinished, replacement))
-            {
-                string how = unfinished.Samples is [var held] && held.First == unfinished.Wanted.First ? $"\"raytracer resume {path}\" continues" : "merge the missing samples in";
-                throw new JobException(JobFault.File, $"'{path}' holds samples {unfinished.SamplesText} of an unfinished rendering: {how}; delete it to begin from scratch");
-            }
-        }
-    }
-
-    private static bool IsWithin(FilmHeader film, FilmHeader? other) =>
-        other?.Content == film.Content && film.Samples.All(s => other.Samples.Any(r => r.First <= s.First && s.End <= r.End));
 
     private static void Check(string path, bool isFilm)
     {
@@ -101,7 +82,9 @@ public static class JobFiles
         }
     }
 
-    /// <summary>Writes a film to the files that carry it, and its picture to the others; reports why those fail that cannot be written.</summary>
+    /// <summary>
+    /// Writes a film to the files that carry it, and its picture to the others; reports why those fail that cannot be written.
+    /// </summary>
     /// <param name="paths">The files.</param>
     /// <param name="film">The film.</param>
     /// <param name="header">What a file says of the film; null where none carries it.</param>

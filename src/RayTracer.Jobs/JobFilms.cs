@@ -3,7 +3,9 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Jobs;
 
-/// <summary>What a job renders into: the film, auxiliary images, layers of light, and the halves that a denoised picture is made of.</summary>
+/// <summary>
+/// The films that a job renders into: the picture's, auxiliary images, layers of light, and the halves that a denoised picture is made of.
+/// </summary>
 internal sealed class JobFilms
 {
     /// <summary>Prepares them.</summary>
@@ -54,7 +56,8 @@ internal sealed class JobFilms
         }
         catch (ArgumentException e)
         {
-            string hint = scene.Render.Integrator.Has(IntegratorTraits.Layers) ? "give several of them one \"lightGroup\"" : "choose another --integrator";
+            string hint = scene.Render.Integrator.Has(IntegratorTraits.Layers) ? "give several of them one \"lightGroup\""
+                : "choose another --integrator";
             string reason = e.Message.Split(" (Parameter '")[0].TrimEnd('.');
             throw new JobException(JobFault.Request, $"--aov: {char.ToLowerInvariant(reason[0])}{reason[1..]}: {hint}");
         }

@@ -7,7 +7,7 @@ using W = RayTracer.Jobs.OptionWords;
 
 namespace RayTracer.Jobs;
 
-/// <summary>Which files keep the value of an option.</summary>
+/// <summary>The files that keep the value of an option.</summary>
 public enum JobOptionUse
 {
     /// <summary>None: it changes no picture.</summary>
@@ -26,15 +26,16 @@ public enum JobOptionUse
 /// <param name="Description">What it means.</param>
 /// <param name="Put">Puts a value into a job; throws <see cref="FormatException"/> with what was expected.</param>
 /// <param name="Text">The value in a job; null where it is as without the option.</param>
-public sealed record JobOption(string Name, string? Form, string Description, Func<RenderJob, string, RenderJob> Put, Func<RenderJob, string?> Text)
+public sealed record JobOption(
+    string Name, string? Form, string Description, Func<RenderJob, string, RenderJob> Put, Func<RenderJob, string?> Text)
 {
-    /// <summary>Which files keep it.</summary>
+    /// <summary>The files that keep it.</summary>
     public JobOptionUse Use { get; init; }
 
     /// <summary>The setting of the scene that it is short for; null for none.</summary>
     public string? Setting { get; init; }
 
-    /// <summary>Whether it may be given several times.</summary>
+    /// <summary>True if it may be given several times.</summary>
     public bool IsRepeated { get; init; }
 
     /// <summary>The feature of the formats that it is for; null for all.</summary>
@@ -45,7 +46,8 @@ public sealed record JobOption(string Name, string? Form, string Description, Fu
 public static class JobOptions
 {
     private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightPathAov>()];
-    private static readonly string[] s_aovNames = [.. s_aovs.Select(a => a is AuxiliaryImage image ? image.Name : $"{a}".ToLowerInvariant())];
+    private static readonly string[] s_aovNames = [.. s_aovs.Select(
+        a => a is AuxiliaryImage image ? image.Name : $"{a}".ToLowerInvariant())];
 
     /// <summary>A value of the scene.</summary>
     public static JobOption Set { get; } = new(
@@ -72,18 +74,22 @@ public static class JobOptions
             j => Text(j.Writing.Exposure, 0f)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
         new("--tonemap", string.Join('|', W.Of<ToneMap>()), $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; clamp cuts it off.",
             (j, w) => Written(j, o => o with { ToneMap = W.Choice(w, W.Of<ToneMap>(), Enum.GetValues<ToneMap>()) }),
-            j => j.Writing.ToneMap == ToneMap.Clamp ? null : $"{j.Writing.ToneMap}".ToLowerInvariant()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
-        new("--bit-depth", "8|16", $"{ImageFormat.Names(ImageFeatures.BitDepth)}: bits a channel; 8 without it.", (j, w) => Written(j, o => o with { BitDepth = W.Choice(w, ["8", "16"], [8, 16]) }),
+            j => j.Writing.ToneMap == ToneMap.Clamp ? null
+                : $"{j.Writing.ToneMap}".ToLowerInvariant()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
+        new("--bit-depth", "8|16", $"{ImageFormat.Names(ImageFeatures.BitDepth)}: bits a channel; 8 without it.", (j, w) => Written(
+            j, o => o with { BitDepth = W.Choice(w, ["8", "16"], [8, 16]) }),
             j => Text(j.Writing.BitDepth, 8)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.BitDepth },
         new("--quality", "N", $"{ImageFormat.Names(ImageFeatures.Quality)}: smallest file to best picture; {JpegWriter.StandardQuality} without it.",
-            (j, w) => Written(j, o => o with { JpegQuality = (int)W.Integer(w, 1, 100) }), j => Text(j.Writing.JpegQuality, JpegWriter.StandardQuality))
+            (j, w) => Written(j, o => o with { JpegQuality = (int)W.Integer(w, 1, 100) }), j =>
+                Text(j.Writing.JpegQuality, JpegWriter.StandardQuality))
         { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Quality },
         new("--chroma", string.Join('|', W.Of<JpegChroma>()), $"{ImageFormat.Names(ImageFeatures.Chroma)}: colours of every pixel or every four; full from 90 on without it.",
-            (j, w) => Written(j, o => o with { JpegChroma = W.Choice(w, W.Of<JpegChroma>(), Enum.GetValues<JpegChroma>()) }), j => j.Writing.JpegChroma?.ToString().ToLowerInvariant())
+            (j, w) => Written(j, o => o with { JpegChroma = W.Choice(w, W.Of<JpegChroma>(), Enum.GetValues<JpegChroma>()) }), j =>
+                j.Writing.JpegChroma?.ToString().ToLowerInvariant())
         { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Chroma },
     ];
 
-    /// <summary>Whether images carry the film; of verbs that have it.</summary>
+    /// <summary>The option that images carry the film; of verbs that have it.</summary>
     public static JobOption ExrFilm { get; } = new("--exr-film", null, "OpenEXR: the image carries the film itself, which resume adds samples to, as to .rtfilm.",
         (j, _) => Written(j, o => o with { ExrFilm = true }), j => Flag(j.Writing.ExrFilm))
     { Use = JobOptionUse.Pictures };
@@ -107,7 +113,8 @@ public static class JobOptions
     public static IReadOnlyList<JobOption> OfLongRenders { get; } =
     [
         new("--time", "TIME", "Stops after the pass over the picture under way at this time: 90s, 10m, 1.5h, 1h30m. At most --spp samples are taken (65,536 without it).",
-            (j, w) => j with { Time = W.Duration(w) }, j => j.Time is { } time ? Invariant($"{time.TotalSeconds}s") : null) { Use = JobOptionUse.Pictures },
+            (j, w) => j with { Time = W.Duration(w) }, j =>
+                j.Time is { } time ? Invariant($"{time.TotalSeconds}s") : null) { Use = JobOptionUse.Pictures },
         new("--checkpoint", "FILE", "Writes the film to this file (.rtfilm) now and then, for resume.", (j, w) => j with { Checkpoint = w }, j => j.Checkpoint),
         new("--checkpoint-interval", "TIME", "The time between checkpoints; 30s without it. Longer where writing would take more than 1 % of the time.",
             (j, w) => j with { CheckpointInterval = W.Duration(w, allowsZero: true) }, _ => null),
@@ -125,13 +132,16 @@ public static class JobOptions
         new("--denoise", null, "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png).",
             (j, _) => j with { Denoise = true }, j => Flag(j.Denoise)) { Use = JobOptionUse.Pictures },
         new("--noise", "X%", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: "
-            + "stratified samplers (sobol) come out better.", (j, w) => j with { Noise = W.Fraction(w) }, j => Text(j.Noise, null)) { Use = JobOptionUse.Films },
+            + "stratified samplers (sobol) come out better.", (j, w) =>
+                j with { Noise = W.Fraction(w) }, j => Text(j.Noise, null)) { Use = JobOptionUse.Films },
         new("--adaptive", null, "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes.",
             (j, _) => j with { Adaptive = true }, j => Flag(j.Adaptive)) { Use = JobOptionUse.Pictures },
         new("--samples", "A..B", "Renders only these samples of each pixel, both included, from 0. With -o part.rtfilm, for merge.",
-            (j, w) => j with { Samples = W.Samples(w) }, j => j.Samples is { } s ? FilmHeader.Text(s) : null) { Use = JobOptionUse.Pictures },
+            (j, w) =>
+                j with { Samples = W.Samples(w) }, j => j.Samples is { } s ? FilmHeader.Text(s) : null) { Use = JobOptionUse.Pictures },
         new("--part", "I/N", "Renders only the I-th, from 1, of N equal shares of the samples. With -o part.rtfilm, for merge.",
-            (j, w) => j with { Part = W.Part(w) }, j => j.Part is var (number, count) ? $"{number}/{count}" : null) { Use = JobOptionUse.Pictures },
+            (j, w) => j with { Part = W.Part(w) }, j =>
+                j.Part is var (number, count) ? $"{number}/{count}" : null) { Use = JobOptionUse.Pictures },
         Frames,
         new("--fps", "X", "With --frames and -o FILE.png or FILE.apng, which make an animated PNG: frames shown a second; without it, the scene's framesPerSecond.",
             (j, w) => j with { FramesPerSecond = W.Number(w, 0.01, 1000) }, j => Text(j.FramesPerSecond, null)),
@@ -147,7 +157,8 @@ public static class JobOptions
     /// <param name="job">The job.</param>
     /// <param name="setting">The name of an option without its dashes, or a path of the scene, an equals sign, and the value.</param>
     /// <exception cref="FormatException">It is none.</exception>
-    public static RenderJob Put(RenderJob job, string setting) => setting.Split('=', 2) is [var path, var value] && Find($"--{path}") is { Use: not JobOptionUse.None } option
+    public static RenderJob Put(RenderJob job, string setting) =>
+        setting.Split('=', 2) is [var path, var value] && Find($"--{path}") is { Use: not JobOptionUse.None } option
         ? option.Put(job, value)
         : job with { Settings = [.. job.Settings, SceneSetting.Parse(setting)] };
 
@@ -175,7 +186,8 @@ public static class JobOptions
             : parameter.RangeComplaint(value) is { } complaint ? throw new FormatException(complaint)
             : Invariant($"{value}");
         return new(name, parameter.Choices.Count > 0 ? string.Join('|', parameter.Choices) : "N", $"{parameter.Summary} Replaces the scene's.",
-            (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse($"{path}={Value(w)}")] }, j => j.Settings.LastOrDefault(s => s.Path == path)?.Value)
+            (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse($"{path}={Value(w)}")] }, j =>
+                j.Settings.LastOrDefault(s => s.Path == path)?.Value)
         { Setting = path };
     }
 
@@ -187,9 +199,11 @@ public static class JobOptions
     }
 
     private static string? AovText(RenderJob job) =>
-        job.Aovs.Cast<object>().Concat(job.Layers.Cast<object>()).Select(a => s_aovNames[Array.IndexOf(s_aovs, a)]).ToArray() is { Length: > 0 } names ? string.Join(',', names) : null;
+        job.Aovs.Cast<object>().Concat(job.Layers.Cast<object>()).Select(a => s_aovNames[Array.IndexOf(s_aovs, a)])
+            .ToArray() is { Length: > 0 } names ? string.Join(',', names) : null;
 
-    private static RenderJob Written(RenderJob job, Func<ImageWriteOptions, ImageWriteOptions> change) => job with { Writing = change(job.Writing) };
+    private static RenderJob Written(RenderJob job, Func<ImageWriteOptions, ImageWriteOptions> change) =>
+        job with { Writing = change(job.Writing) };
 
     private static string? Flag(bool isOn) => isOn ? "true" : null;
 

@@ -10,7 +10,8 @@ public static class JobOrigin
     /// <summary>The path of the scene of a film or image: where it was, or beside the file.</summary>
     /// <param name="scene">The scene as the command named it, from the folder where that ran.</param>
     /// <param name="file">The film or image.</param>
-    /// <param name="outputs">The files that the command wrote, as it named them: with them, <paramref name="file"/> shows from which folder.</param>
+    /// <param name="outputs">The files that the command wrote, as it named them: with them, <paramref name="file"/> shows from which
+    /// folder.</param>
     public static string ScenePath(string scene, string file, IEnumerable<string>? outputs = null)
     {
         string full = Path.GetFullPath(file);
@@ -33,7 +34,8 @@ public static class JobOrigin
     /// <exception cref="JobException">It does not say how it was made.</exception>
     public static (RenderJob Job, IReadOnlyDictionary<string, string> Texts) OfImage(string file)
     {
-        Dictionary<string, string> texts = ImageFile.ReadText(file).GroupBy(t => t.Key).ToDictionary(g => g.Key, g => g.First().Value, StringComparer.Ordinal);
+        Dictionary<string, string> texts = ImageFile.ReadText(file).GroupBy(t => t.Key)
+            .ToDictionary(g => g.Key, g => g.First().Value, StringComparer.Ordinal);
         if (!texts.TryGetValue(PictureTexts.CommandKey, out string? line) || Shell.Words(line) is not [_, "render", .. var words])
         {
             throw Unknown(file);
@@ -75,5 +77,6 @@ public static class JobOrigin
     /// <summary>The complaint about a file that says nothing of its making.</summary>
     public static JobException Unknown(string file) => new($"'{file}' does not say how it was made: only .rtfilm, {ImageFormat.Endings(ImageFeatures.Texts)} files of render, resume and merge do");
 
-    internal static JobException NotUnderstood(string file, Exception e) => new($"the settings of '{file}' are not understood: {e.Message.TrimEnd('.')}", e);
+    internal static JobException NotUnderstood(string file, Exception e) =>
+        new($"the settings of '{file}' are not understood: {e.Message.TrimEnd('.')}", e);
 }

@@ -17,7 +17,7 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>The files that were written.</summary>
     public IReadOnlyList<string> Files { get; init; } = [];
 
-    /// <summary>Whether all files that were asked for were written, and the latest checkpoint.</summary>
+    /// <summary>True if all files that were asked for were written, and the latest checkpoint.</summary>
     public bool IsWritten { get; init; }
 
     /// <summary>The film's hash.</summary>
@@ -59,7 +59,7 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>The mean number of samples of a pixel.</summary>
     public double MeanSamples => Header?.Samples.Sum(r => r.Count) ?? Samples?.Count ?? Plan?.MeanSamples ?? Scene.Render.SamplesPerPixel;
 
-    /// <summary>Whether the wanted noise was not reached, for want of samples or time.</summary>
+    /// <summary>Returns whether the wanted noise was not reached, for want of samples or time.</summary>
     public bool IsNoisy(RenderJob job) => job.Noise is { } wanted && (Plan?.Error > wanted || Header is { IsComplete: false });
 
     /// <summary>Returns what was done for the picture and to decide on it.</summary>
@@ -77,5 +77,6 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>Rays a second.</summary>
     public double RaysPerSecond => Seconds > 0 ? Statistics.Rays / Seconds : 0;
 
-    private static bool IsFromFirst(string range) => range.StartsWith("0..", StringComparison.Ordinal) && !range.Contains(',', StringComparison.Ordinal);
+    private static bool IsFromFirst(string range) =>
+        range.StartsWith("0..", StringComparison.Ordinal) && !range.Contains(',', StringComparison.Ordinal);
 }

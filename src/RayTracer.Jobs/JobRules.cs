@@ -2,10 +2,11 @@ using RayTracer.Imaging;
 
 namespace RayTracer.Jobs;
 
-/// <summary>What does not go together in a job, for all faces.</summary>
+/// <summary>The rules of what does not go together in a job, for all faces.</summary>
 public static class JobRules
 {
-    // Each row: two things that are not to be true at once, and the sentence. A thing is an option, or one of Facts; "a|b" is any of them, "!a" its absence. The first row that applies is
+    // Each row: two things that are not to be true at once, and the sentence. A thing is an option, or one of Facts; "a|b" is any of them,
+    // "!a" its absence. The first row that applies is
     // shown. {a} is what is known of a, with its name where it is an option.
     private static readonly (string If, string And, string Sentence)[] s_rows =
     [
@@ -48,7 +49,7 @@ public static class JobRules
         ("--exr-film", "no .exr", "--exr-film is for OpenEXR images, but none is written: give -o FILE.exr"),
     ];
 
-    /// <summary>Which of a job's values do not go together, and what to do about it; null where all is well.</summary>
+    /// <summary>Returns a sentence on values of a job that do not go together, and what to do about it; null where all is well.</summary>
     /// <param name="job">The job.</param>
     /// <param name="more">Options of the face that are none of the job's, <c>--preview</c> and <c>--json</c>.</param>
     public static string? Complaint(RenderJob job, params string[] more)
@@ -61,7 +62,8 @@ public static class JobRules
 
     private static Dictionary<string, string> Facts(RenderJob job, string[] more)
     {
-        Dictionary<string, string> facts = JobOptions.All.Where(o => o.Text(job) is not null).ToDictionary(o => o.Name, o => $"{o.Name} {o.Text(job)}", StringComparer.Ordinal);
+        Dictionary<string, string> facts = JobOptions.All.Where(o => o.Text(job) is not null)
+            .ToDictionary(o => o.Name, o => $"{o.Name} {o.Text(job)}", StringComparer.Ordinal);
         Array.ForEach(more, option => facts[option] = option);
         void Add(string name, bool isTrue, object? value = null) => _ = isTrue && facts.TryAdd(name, $"{value}");
         bool isAnimation = FrameFiles.MakeAnimation(job);

@@ -75,7 +75,8 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         watch.End(JobStage.Load);
         RenderDescription render = scene.Render;
         SceneSetting? Given(string path) => job.Settings.LastOrDefault(s => s.Path == path);
-        return (Given(RenderJob.SamplesPath) ?? Given("render.sampler")) is { } changed && render.Sampler.Complaint(render.SamplesPerPixel) is { } complaint
+        return (Given(RenderJob.SamplesPath) ?? Given("render.sampler")) is { } changed
+            && render.Sampler.Complaint(render.SamplesPerPixel) is { } complaint
             ? throw new JobException(JobFault.Request, $"{JobOptions.Given(changed)}: {complaint}")
             : _decision.Widen(Change?.Invoke(scene) ?? scene);
     }

@@ -23,7 +23,7 @@ internal sealed record LoadedJob(
     /// <summary>The job with other samples; null for the same.</summary>
     public LoadedJob With(SampleRange? samples) => samples is null ? this : this with { Options = Options with { Samples = samples } };
 
-    /// <summary>What a film file says of a film without samples.</summary>
+    /// <summary>Returns the header of a film without samples.</summary>
     public FilmHeader NewHeader() => new()
     {
         Width = Scene.Render.Width,
@@ -38,7 +38,7 @@ internal sealed record LoadedJob(
         Software = ProgramName.Text,
     };
 
-    /// <summary>What a film file says of the film that is resumed, or of a new one.</summary>
+    /// <summary>Returns the header of the film that is resumed, or of a new one.</summary>
     /// <exception cref="JobException">The resumed film is of another picture, or of other samples.</exception>
     public FilmHeader Header()
     {
@@ -54,8 +54,10 @@ internal sealed record LoadedJob(
             throw OtherFilm(old);
         }
 
-        bool isBegin = old.Samples is [] || (old.Samples is [var held] && held.First == header.Wanted.First && held.End <= header.Wanted.End);
-        return isBegin ? header with { Samples = old.Samples, Settings = header.Wanted == old.Wanted ? old.Settings : header.Settings } : throw new JobException(
+        bool isBegin = old.Samples is []
+            || (old.Samples is [var held] && held.First == header.Wanted.First && held.End <= header.Wanted.End);
+        return isBegin ? header with { Samples = old.Samples, Settings = header.Wanted == old.Wanted ? old.Settings : header.Settings }
+            : throw new JobException(
             JobFault.File, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of the requested {FilmHeader.Text(header.Wanted)}");
     }
 

@@ -37,7 +37,8 @@ public static class ModelSidecars
 
     private static bool IsWithin(string folder, string name) =>
         name.Length > 0 && !name.Contains('\0', StringComparison.Ordinal) && !Path.IsPathRooted(name)
-        && Path.GetFullPath(Path.Combine(folder, name)).StartsWith(Path.GetFullPath(folder) + Path.DirectorySeparatorChar, StringComparison.Ordinal);
+        && Path.GetFullPath(Path.Combine(folder, name))
+            .StartsWith(Path.GetFullPath(folder) + Path.DirectorySeparatorChar, StringComparison.Ordinal);
 
     private static IEnumerable<string> OfObj(string path, string folder)
     {
@@ -53,7 +54,8 @@ public static class ModelSidecars
 
             foreach (string map in Statements(Path.Combine(folder, name), k => k.StartsWith("map_", StringComparison.Ordinal) || k is "bump" or "disp" or "decal" or "refl" or "norm"))
             {
-                // Options may stand before the name, and the name may have spaces. Readers also look for what another machine's path ends on.
+                // Options may stand before the name, and the name may have spaces. Readers also look for what another machine's path ends
+                // on.
                 yield return map;
                 yield return map[(map.LastIndexOf(' ') + 1)..];
                 yield return map[(map.LastIndexOfAny(['/', '\\']) + 1)..];

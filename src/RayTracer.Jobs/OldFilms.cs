@@ -7,7 +7,8 @@ using RayTracer.Scenes;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// Films and images of the first format: in place of settings they hold words of the command line, and their content hash counts every parameter and the version of the program.
+/// Films and images of the first format: in place of settings they hold words of the command line, and their content hash counts every
+/// parameter and the version of the program.
 /// Their samples go with new ones wherever the bits are the same.
 /// </summary>
 public static class OldFilms
@@ -15,7 +16,8 @@ public static class OldFilms
     private const string Software = "raytracer 0.1.0";
 
     /// <summary>The settings of a film of either format.</summary>
-    public static IReadOnlyList<string> Settings(FilmHeader header) => header.Words is { } words ? OfWords(["", .. words], "the film").PictureSettings : header.Settings;
+    public static IReadOnlyList<string> Settings(FilmHeader header) =>
+        header.Words is { } words ? OfWords(["", .. words], "the film").PictureSettings : header.Settings;
 
     /// <summary>The job of the words after <c>render</c>.</summary>
     /// <exception cref="JobException">They are not understood, or there is no scene.</exception>
@@ -46,7 +48,9 @@ public static class OldFilms
         return scene is null ? throw new JobException($"'{file}' does not say which scene it shows") : job with { Scene = scene };
     }
 
-    /// <summary>What a film of the first format would say of itself now, if it is of the same picture; any other film as it is.</summary>
+    /// <summary>
+    /// Returns what a film of the first format would say of itself now, if it is of the same picture; any other film as it is.
+    /// </summary>
     /// <param name="header">What its file says.</param>
     /// <param name="scene">The picture's scene.</param>
     /// <param name="path">The scene's file.</param>
@@ -68,7 +72,8 @@ public static class OldFilms
     public static FilmHeader Current(FilmHeader header, string file)
     {
         RenderJob job = JobOrigin.Of(header, file);
-        return header.Words is not null && SceneLoader.Describe(job.Scene, null, job.Settings, job.Frame) is { } scene ? Current(header, scene, job.Scene, header.Crop) : header;
+        return header.Words is not null && SceneLoader.Describe(job.Scene, null, job.Settings, job.Frame) is { } scene
+            ? Current(header, scene, job.Scene, header.Crop) : header;
     }
 
     /// <summary>Refuses a picture of the first format whose bits have changed since.</summary>
@@ -90,7 +95,8 @@ public static class OldFilms
 
     /// <summary>The content hash of a whole picture of the first format; empty where its bits have changed since.</summary>
     public static string OfPicture(SceneDescription scene, string path, Tile? crop) =>
-        BitVersions.Of(scene).Count > 0 ? "" : string.Create(CultureInfo.InvariantCulture, $"{Content(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
+        BitVersions.Of(scene).Count > 0 ? ""
+            : string.Create(CultureInfo.InvariantCulture, $"{Content(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
 
     private static RenderJob Put(RenderJob job, JobOption option, string word, string file)
     {

@@ -19,7 +19,8 @@ public static class OptionWords
 
     /// <summary>Reads a number within a range.</summary>
     public static double Number(string word, double minimum, double maximum) =>
-        !double.TryParse(word, NumberStyles.Float, null, out double value) ? throw new FormatException($"expected a number, not {Quotation.Of(word)}")
+        !double.TryParse(word, NumberStyles.Float, null, out double value)
+            ? throw new FormatException($"expected a number, not {Quotation.Of(word)}")
         : value >= minimum && value <= maximum ? value
         : throw new FormatException($"must be from {minimum} to {maximum}, but is {word}");
 
@@ -44,7 +45,8 @@ public static class OptionWords
             }
         }
 
-        throw new FormatException($"unknown value {Quotation.Of(word)}{Spelling.DidYouMean(word, words)}, expected one of {string.Join(", ", words)}");
+        throw new FormatException(
+            $"unknown value {Quotation.Of(word)}{Spelling.DidYouMean(word, words)}, expected one of {string.Join(", ", words)}");
     }
 
     /// <summary>The words of an enumeration, in small letters.</summary>
@@ -69,13 +71,15 @@ public static class OptionWords
 
     /// <summary>Reads a range of samples with its last one: 0..63.</summary>
     public static Rendering.SampleRange Samples(string word) =>
-        word.Split("..") is [var first, var last] && int.TryParse(first, out int from) && int.TryParse(last, out int to) && from >= 0 && to >= from && to < int.MaxValue
+        word.Split("..") is [var first, var last] && int.TryParse(first, out int from) && int.TryParse(last, out int to) && from >= 0
+            && to >= from && to < int.MaxValue
             ? new(from, to + 1)
             : throw new FormatException("expected the first and the last sample, as in 0..63");
 
     /// <summary>Reads a part, from 1: 3/16.</summary>
     public static (int Number, int Count) Part(string word) =>
-        word.Split('/') is [var first, var last] && int.TryParse(first, out int number) && int.TryParse(last, out int count) && number >= 1 && count >= number
+        word.Split('/') is [var first, var last] && int.TryParse(first, out int number) && int.TryParse(last, out int count) && number >= 1
+            && count >= number
             ? (number, count)
             : throw new FormatException("expected which part of how many, from 1, as in 3/16");
 
@@ -83,9 +87,11 @@ public static class OptionWords
     /// <param name="word">The word.</param>
     /// <param name="allowsZero">Whether there may be none.</param>
     public static TimeSpan Duration(string word, bool allowsZero = false) =>
-        Seconds(word) is not { } seconds ? throw new FormatException($"expected a time, as in 90s, 10m, 1.5h or 1h30m, not {Quotation.Of(word)}")
+        Seconds(word) is not { } seconds
+            ? throw new FormatException($"expected a time, as in 90s, 10m, 1.5h or 1h30m, not {Quotation.Of(word)}")
         : seconds < LongestSeconds && (allowsZero ? seconds >= 0 : seconds > 0) ? TimeSpan.FromSeconds(seconds)
-        : throw new FormatException($"must {(allowsZero ? "not be below" : "be above")} 0 and below {LongestSeconds / 86400:F0} days, but is {word}");
+        : throw new FormatException(
+            $"must {(allowsZero ? "not be below" : "be above")} 0 and below {LongestSeconds / 86400:F0} days, but is {word}");
 
     // Numbers with their units; a number alone is of seconds.
     private static double? Seconds(string word)
@@ -103,7 +109,8 @@ public static class OptionWords
             next = next == letters ? rest.Length : next;
             string unit = letters < 0 ? "" : rest[letters..next].ToString();
             double seconds = s_units.FirstOrDefault(u => u.Name == unit).Seconds;
-            if (seconds == 0 || !double.TryParse(rest[..letters], NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double value))
+            if (seconds == 0
+                || !double.TryParse(rest[..letters], NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double value))
             {
                 return null;
             }

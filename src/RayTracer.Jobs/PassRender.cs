@@ -5,7 +5,8 @@ using RayTracer.Rendering;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// Renders samples in passes, each of some samples of every pixel, so that the film always holds whole ranges of samples: it can be written at any
+/// Renders samples in passes, each of some samples of every pixel, so that the film always holds whole ranges of samples: it can be written
+/// at any
 /// time, and ends well at a limit of time or a signal. The bits are those of one go.
 /// </summary>
 /// <param name="loaded">What to render.</param>
@@ -33,7 +34,7 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
     {
         if (_job.IsOfSequence)
         {
-            JobFiles.CheckUnfinished(_job.Outputs, replacement: _header with { Samples = [loaded.Samples] });
+            UnfinishedFilms.Check(_job.Outputs, replacement: _header with { Samples = [loaded.Samples] });
         }
 
         RenderStatistics statistics = Passes();
@@ -61,7 +62,8 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
             SampleRange range = new(first, Math.Min(missing.End, first + count));
             long passStart = Stopwatch.GetTimestamp();
             PassProgress shown = new(loaded.Progress, statistics, total);
-            RenderStatistics done = new RTracer(loaded.Scene, loaded.Options with { Samples = range }).Render(pass, shown, loaded.Cancellation);
+            RenderStatistics done = new RTracer(loaded.Scene, loaded.Options with { Samples = range })
+                .Render(pass, shown, loaded.Cancellation);
             if (done.Cancelled)
             {
                 statistics = statistics with { Cancelled = true };
@@ -113,7 +115,8 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
     }
 
     // What is said of a film that shall hold no more samples than it does.
-    private static FilmHeader AsAll(FilmHeader header) => header.Samples is [var all] ? header with { Wanted = all, Total = all.End } : header;
+    private static FilmHeader AsAll(FilmHeader header) =>
+        header.Samples is [var all] ? header with { Wanted = all, Total = all.End } : header;
 
     private int NextCount(double secondsPerSample, TimeSpan? left)
     {

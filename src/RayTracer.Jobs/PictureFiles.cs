@@ -51,7 +51,7 @@ public sealed class PictureFiles
 
         if (!_job.IsOfSequence)
         {
-            JobFiles.CheckUnfinished(_job.Outputs.Concat(checkpoint), (_job.Resumed ?? _job.Decision)?.Path);
+            UnfinishedFilms.Check(_job.Outputs.Concat(checkpoint), (_job.Resumed ?? _job.Decision)?.Path);
         }
     }
 
@@ -71,7 +71,7 @@ public sealed class PictureFiles
         }
     }
 
-    /// <summary>How the picture is written: with its texts, and with the layers that there are.</summary>
+    /// <summary>Returns the details of writing the picture: its texts, and the layers that there are.</summary>
     /// <param name="result">The outcome of the job.</param>
     /// <param name="denoised">The denoised picture; null where there is none.</param>
     public ImageWriteOptions Options(JobResult result, Picture? denoised = null) => _job.Writing with
@@ -95,14 +95,16 @@ public sealed class PictureFiles
         ImageWriteOptions writing = Options(result, denoised);
         List<string> written = [.. JobFiles.Write(_job.Outputs, result.Film, result.Header, writing, watch)];
         void Write(IEnumerable<string> paths, IImageRows image, ImageWriteOptions options, params KeyValuePair<string, string>[] texts) =>
-            written.AddRange(JobFiles.Write(paths, image, options with { ExrLayers = [], Metadata = [.. options.Metadata, .. texts] }, watch));
+            written.AddRange(
+                JobFiles.Write(paths, image, options with { ExrLayers = [], Metadata = [.. options.Metadata, .. texts] }, watch));
         foreach ((string path, AuxiliaryImage kind) in result.Auxiliary is null ? [] : _images)
         {
             (IImageRows image, string range) = AovFiles.Rows(path, result.Auxiliary!, kind);
             Write([path], image, writing with { Exposure = 0, ToneMap = ToneMap.Clamp }, new("Aov", kind.Name), new("Range", range));
         }
 
-        _layers.ForEach(l => Write([l.Path], result.Light!.Image(l.Layer), writing, new KeyValuePair<string, string>("Layer", result.Light.Names[l.Layer])));
+        _layers.ForEach(l => Write(
+            [l.Path], result.Light!.Image(l.Layer), writing, new KeyValuePair<string, string>("Layer", result.Light.Names[l.Layer])));
         if (denoised is not null)
         {
             Write(_denoised, denoised, writing, new KeyValuePair<string, string>("Denoised", "yes"));

@@ -4,7 +4,7 @@ using RayTracer.Imaging;
 
 namespace RayTracer.Jobs;
 
-/// <summary>What images say of themselves: pairs of a key and a text.</summary>
+/// <summary>The texts that images hold: pairs of a key and a text.</summary>
 public static class PictureTexts
 {
     /// <summary>The key of the settings, a list in JSON.</summary>
@@ -55,7 +55,8 @@ public static class PictureTexts
         if (result.Plan is { } plan && job.Noise is { } wanted)
         {
             string outcome = result.IsNoisy(job) ? NotReached : "reached";
-            texts.Add(new(NoiseKey, string.Create(CultureInfo.InvariantCulture, $"{100 * plan.Error:G3} % of {100 * wanted:G3} %: {outcome}")));
+            texts.Add(
+                new(NoiseKey, string.Create(CultureInfo.InvariantCulture, $"{100 * plan.Error:G3} % of {100 * wanted:G3} %: {outcome}")));
         }
 
         if (job.IsOfSequence && result.Description is { } scene)

@@ -2,7 +2,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Jobs;
 
-/// <summary>What the program calls itself in files.</summary>
+/// <summary>The name of the program in files.</summary>
 public static class ProgramName
 {
     /// <summary>Its name and version.</summary>

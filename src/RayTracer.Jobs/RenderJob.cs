@@ -5,7 +5,9 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Jobs;
 
-/// <summary>A scene with settings, and the files to render it into. <see cref="JobOptions"/> has the words for each of its values.</summary>
+/// <summary>
+/// A scene with settings, and the files to render it into. <see cref="JobOptions"/> has the words for each of its values.
+/// </summary>
 public sealed record RenderJob
 {
     /// <summary>The path of the number of samples among the settings.</summary>
@@ -23,7 +25,7 @@ public sealed record RenderJob
     /// <summary>The files to write.</summary>
     public IReadOnlyList<string> Outputs { get; init; } = [];
 
-    /// <summary>How pictures are written; their texts are added later.</summary>
+    /// <summary>The details of writing pictures; their texts are added later.</summary>
     public ImageWriteOptions Writing { get; init; } = new();
 
     /// <summary>The number of threads.</summary>
@@ -44,49 +46,51 @@ public sealed record RenderJob
     /// <summary>The layers of light to write.</summary>
     public IReadOnlyList<LightPathAov> Layers { get; init; } = [];
 
-    /// <summary>Whether a denoised picture is written too.</summary>
+    /// <summary>True if a denoised picture is written too.</summary>
     public bool Denoise { get; init; }
 
     /// <summary>The relative error at which to stop; null to take all samples.</summary>
     public double? Noise { get; init; }
 
-    /// <summary>Whether samples are spent where the error is.</summary>
+    /// <summary>True if samples are spent where the error is.</summary>
     public bool Adaptive { get; init; }
 
     /// <summary>The samples to render; null for all.</summary>
     public SampleRange? Samples { get; init; }
 
-    /// <summary>Which of how many equal parts of the samples, or of the frames, to render, from 1; null for all.</summary>
+    /// <summary>The part to render of several equal parts of the samples, or of the frames, from 1; null for all.</summary>
     public (int Number, int Count)? Part { get; init; }
 
     /// <summary>The frames to render; null for the scene as it is written.</summary>
     public FrameRange? Frames { get; init; }
 
-    /// <summary>How many frames of an animated PNG are shown a second; null for what the scene says.</summary>
+    /// <summary>The frames of an animated PNG that are shown a second; null for what the scene says.</summary>
     public double? FramesPerSecond { get; init; }
 
     /// <summary>After which time to stop; null for never.</summary>
     public TimeSpan? Time { get; init; }
 
-    /// <summary>Where the film is written now and then; null for nowhere.</summary>
+    /// <summary>The file that the film is written to now and then; null for none.</summary>
     public string? Checkpoint { get; init; }
 
-    /// <summary>How long at least between two of them.</summary>
+    /// <summary>The shortest time between two of them.</summary>
     public TimeSpan CheckpointInterval { get; init; } = TimeSpan.FromSeconds(30);
 
-    /// <summary>Whether the film of the checkpoint, where there is one, is resumed.</summary>
+    /// <summary>True if the film of the checkpoint, where there is one, is resumed.</summary>
     public bool Resume { get; init; }
 
     /// <summary>The film that samples are added to; null for a new one.</summary>
     public HeldFilm? Resumed { get; init; }
 
-    /// <summary>The film of what has been decided on the number of samples (<see cref="DecisionCheckpoint"/>); null to begin from scratch.</summary>
+    /// <summary>
+    /// The film of what has been decided on the number of samples (<see cref="DecisionCheckpoint"/>); null to begin from scratch.
+    /// </summary>
     public HeldFilm? Decision { get; init; }
 
-    /// <summary>Whether a film is given samples for some time, and counts as whole with as many as there will be.</summary>
+    /// <summary>True if a film is given samples for some time, and counts as whole with as many as there will be.</summary>
     public bool IsOpenEnded { get; init; }
 
-    /// <summary>Whether the picture is one of several frames, which are not written before they are whole.</summary>
+    /// <summary>True if the picture is one of several frames, which are not written before they are whole.</summary>
     public bool IsOfSequence { get; init; }
 
     /// <summary>The output that is a frame kept for an animated PNG, and has no images beside it; null where there is none.</summary>
@@ -96,19 +100,21 @@ public sealed record RenderJob
     public int? Frame => Frames is { Count: 1 } frames ? frames.First : null;
 
     /// <summary>The number of samples that was given; null for the scene's.</summary>
-    public int? GivenSamples => Settings.LastOrDefault(s => s.Path == SamplesPath) is { } setting && int.TryParse(setting.Value, out int samples) ? samples : null;
+    public int? GivenSamples =>
+        Settings.LastOrDefault(s => s.Path == SamplesPath) is { } setting && int.TryParse(setting.Value, out int samples) ? samples : null;
 
-    /// <summary>Whether the film must hold whole ranges of samples whenever the rendering stops.</summary>
+    /// <summary>True if the film must hold whole ranges of samples whenever the rendering stops.</summary>
     public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
 
-    /// <summary>What a film says of its making: the scene's settings, the frame, and the noise that decided on the number of its samples.</summary>
+    /// <summary>The settings that a film names: the scene's, the frame, and the noise that decided on the number of its samples.</summary>
     public IReadOnlyList<string> FilmSettings => [.. Settings.Select(s => s.Text), .. JobOptions.Kept(this, JobOptionUse.Films)];
 
-    /// <summary>What a picture says of its making: all that decides what stands in it.</summary>
+    /// <summary>The settings that a picture names: all that decides what stands in it.</summary>
     public IReadOnlyList<string> PictureSettings => [.. FilmSettings, .. JobOptions.Kept(this, JobOptionUse.Pictures)];
 
     /// <summary>The command that renders it, as it is typed.</summary>
-    public string Command => Shell.Command(["render", Argument(Scene), .. JobOptions.Words(this), .. Outputs.SelectMany(o => new[] { "-o", Argument(o) })]);
+    public string Command =>
+        Shell.Command(["render", Argument(Scene), .. JobOptions.Words(this), .. Outputs.SelectMany(o => new[] { "-o", Argument(o) })]);
 
     /// <summary>The job with more settings, which replace those of the same path.</summary>
     /// <param name="settings">Texts such as <c>render.seed=3</c> or <c>crop=0,0,8,8</c>.</param>
@@ -140,22 +146,13 @@ public sealed record RenderJob
         : SceneLoader.LoadText(Text, Path.GetFileName(Scene), Path.GetDirectoryName(Scene)!, change, Frame, readPicture, Settings);
 
     /// <summary>The description of the scene, without building it; null where it has errors.</summary>
-    public SceneDescription? Describe() => Text is null ? SceneLoader.Describe(Scene, null, Settings, Frame) : SceneLoader.DescribeText(Text, Path.GetFileName(Scene), Settings, Frame);
+    public SceneDescription? Describe() => Text is null ? SceneLoader.Describe(Scene, null, Settings, Frame)
+        : SceneLoader.DescribeText(Text, Path.GetFileName(Scene), Settings, Frame);
 
     /// <summary>The command that follows one sample's path again.</summary>
-    public string ReplayCommand(BadSample bad) => (new RenderJob { Scene = Scene, Settings = Settings, Frames = Frames, Pixel = (bad.X, bad.Y), Sample = bad.Sample }).Command;
+    public string ReplayCommand(BadSample bad) =>
+        (new RenderJob { Scene = Scene, Settings = Settings, Frames = Frames, Pixel = (bad.X, bad.Y), Sample = bad.Sample }).Command;
 
     // A name that looks like an option.
     private static string Argument(string word) => word is ['-', ..] ? $"./{word}" : word;
-}
-
-/// <summary>A film from a file, to which samples are added.</summary>
-/// <param name="Header">What the file says of it.</param>
-/// <param name="Film">The film.</param>
-/// <param name="Path">The file.</param>
-public sealed record HeldFilm(FilmHeader Header, Film Film, string Path)
-{
-    /// <summary>Reads one.</summary>
-    /// <exception cref="Textures.PictureException">It cannot be read.</exception>
-    public static HeldFilm Read(string path) => CarriedFilm.Read(path) is var (header, film) ? new(header, film, path) : throw new InvalidOperationException();
 }

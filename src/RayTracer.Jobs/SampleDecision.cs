@@ -41,7 +41,8 @@ public sealed class SampleDecision(RenderJob job)
                 JobFault.Request, $"{option}: the pattern of the {sampler} sampler needs the number of samples in advance: use --sampler sobol or independent");
         }
 
-        bool isGiven = (job.Noise is null && job.Time is null) || job.GivenSamples is not null || job.Part is not null || job.Samples is not null;
+        bool isGiven = (job.Noise is null && job.Time is null) || job.GivenSamples is not null || job.Part is not null
+            || job.Samples is not null;
         _mean = isGiven ? render.SamplesPerPixel : Limit;
         _most = job.Adaptive ? (int)Math.Min(MostSamples, (long)MostOverMean * _mean) : _mean;
         return scene with { Render = render with { SamplesPerPixel = _most } };
@@ -49,7 +50,8 @@ public sealed class SampleDecision(RenderJob job)
 
     /// <summary>The samples that an earlier run decided on that went by the same words; null where there was none.</summary>
     internal SampleRange? Earlier =>
-        job is { Noise: not null, Resumed.Header: var header } && OldFilms.Settings(header).SequenceEqual(job.FilmSettings) ? header.Wanted : null;
+        job is { Noise: not null, Resumed.Header: var header } && OldFilms.Settings(header).SequenceEqual(job.FilmSettings) ? header.Wanted
+            : null;
 
     /// <summary>Returns the samples of pixels by a plan, where all shall have as many as the mean; null without one.</summary>
     internal static SampleRange? RangeOf(SamplePlan? plan) => plan is null ? null : new(0, (int)double.Round(plan.MeanSamples));

@@ -5,7 +5,8 @@ using RayTracer.Rendering;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// The part of a picture that a job renders: all pixels or a rectangle of them; all samples, a range of them (<c>--samples</c>), or one of several equal
+/// The part of a picture that a job renders: all pixels or a rectangle of them; all samples, a range of them (<c>--samples</c>), or one of
+/// several equal
 /// parts (<c>--part</c>).
 /// </summary>
 internal static class Shares
@@ -18,7 +19,8 @@ internal static class Shares
         if (job.Samples is { } range)
         {
             return range.End <= total ? range
-                : throw new JobException(JobFault.Request, $"--samples {FilmHeader.Text(range)}: the pixels have only samples 0 to {total - 1} (--spp)");
+                : throw new JobException(
+                    JobFault.Request, $"--samples {FilmHeader.Text(range)}: the pixels have only samples 0 to {total - 1} (--spp)");
         }
 
         if (job.Part is not { } part)
@@ -31,7 +33,7 @@ internal static class Shares
             : throw new JobException(JobFault.Request, $"--part {part.Number}/{part.Count}: {total} samples make at most {total} parts");
     }
 
-    /// <summary>How a job's part of the picture is computed.</summary>
+    /// <summary>Returns how a job's part of the picture is computed.</summary>
     /// <exception cref="JobException">The picture has no such pixels or samples.</exception>
     internal static RenderOptions Options(RenderJob job, RenderDescription render)
     {
@@ -47,7 +49,8 @@ internal static class Shares
 
         if (job.Sample >= render.SamplesPerPixel)
         {
-            throw new JobException(JobFault.Request, $"--sample {job.Sample}: the pixels have only samples 0 to {render.SamplesPerPixel - 1}");
+            throw new JobException(
+                JobFault.Request, $"--sample {job.Sample}: the pixels have only samples 0 to {render.SamplesPerPixel - 1}");
         }
 
         return new()
@@ -62,5 +65,6 @@ internal static class Shares
         new(JobFault.Request, $"{option}: is not within the picture of {render.Width}×{render.Height} pixels");
 
     /// <summary>One of several equal parts of some samples.</summary>
-    public static SampleRange Part(int number, int count, int total) => new((int)((number - 1L) * total / count), (int)((long)number * total / count));
+    public static SampleRange Part(int number, int count, int total) =>
+        new((int)((number - 1L) * total / count), (int)((long)number * total / count));
 }

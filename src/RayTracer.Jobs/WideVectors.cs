@@ -18,7 +18,9 @@ public static unsafe partial class WideVectors
     // Decimal, unlike other settings of the runtime: with 200 it gives 4 lanes, with 400 it gives 8.
     private const string Width = "512";
 
-    /// <summary>Replaces the process, which must have only just started, if that helps; returns where it does not, or cannot be done.</summary>
+    /// <summary>
+    /// Replaces the process, which must have only just started, if that helps; returns where it does not, or cannot be done.
+    /// </summary>
     /// <param name="args">The words after the program's name.</param>
     public static void Enable(string[] args)
     {

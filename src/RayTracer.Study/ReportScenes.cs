@@ -8,7 +8,9 @@ internal static class ReportScenes
     /// <summary>Their folder, within the repository.</summary>
     public const string Folder = "scenes/report";
 
-    /// <summary>Their files, and the Cornell box, where it lies beside their folder: what is measured unless other scenes are named.</summary>
+    /// <summary>
+    /// Their files, and the Cornell box, where it lies beside their folder: what is measured unless other scenes are named.
+    /// </summary>
     /// <exception cref="JobException">There are none.</exception>
     public static IReadOnlyList<string> FindMeasured()
     {

@@ -10,12 +10,8 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
 {
     private static readonly Dictionary<string, Interpolation> s_filters = new() { ["nearest"] = Interpolation.Nearest, ["bilinear"] = Interpolation.Bilinear };
 
-    private static readonly Dictionary<string, Wrapping> s_wrappings = new()
-    {
-        ["repeat"] = Wrapping.Repeat,
-        ["mirror"] = Wrapping.Mirror,
-        ["clamp"] = Wrapping.Clamp,
-    };
+    private static readonly Dictionary<string, Wrapping> s_wrappings =
+        new() { ["repeat"] = Wrapping.Repeat, ["mirror"] = Wrapping.Mirror, ["clamp"] = Wrapping.Clamp };
 
     private readonly Dictionary<MitsubaObject, TextureDescription> _made = [];
 

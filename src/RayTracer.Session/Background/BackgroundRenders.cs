@@ -5,7 +5,9 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
-/// <summary>Renders into files beside the user's work: parts, and frames. What the view shows is rendered, as it is when the job starts.</summary>
+/// <summary>
+/// Renders into files beside the user's work: parts, and frames. What the view shows is rendered, as it is when the job starts.
+/// </summary>
 /// <param name="document">What is rendered.</param>
 /// <param name="view">The samples, the region, the threads and the tone that the user wants.</param>
 /// <param name="jobs">The list of what is being done.</param>
@@ -47,7 +49,9 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
         });
     }
 
-    /// <summary>Renders frames of the animation, each to its own file, or all into an animated PNG; those that are there and the same stay.</summary>
+    /// <summary>
+    /// Renders frames of the animation, each to its own file, or all into an animated PNG; those that are there and the same stay.
+    /// </summary>
     /// <param name="first">The first.</param>
     /// <param name="last">The last.</param>
     /// <param name="pattern">The files, with signs # for the number; relative to the document's folder.</param>
@@ -97,7 +101,8 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
         {
             Film film = merge.Add(progress, cancellation);
             SessionWatch watch = new(progress, 1, cancellation);
-            JobFiles.Write([full], film, merge.Header, writing with { Metadata = PictureTexts.Of(merge.Header, film.ComputeHash()) }, watch);
+            JobFiles.Write(
+                [full], film, merge.Header, writing with { Metadata = PictureTexts.Of(merge.Header, film.ComputeHash()) }, watch);
             watch.RequireWritten();
             return $"wrote {full}, samples {merge.Header.SamplesText}{(merge.Missing is { } gaps ? $"; {gaps}" : "")}";
         });

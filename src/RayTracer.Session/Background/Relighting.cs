@@ -88,7 +88,8 @@ public sealed class Relighting(SceneDocument document, PictureView view, JobList
     private string Command(IReadOnlyDictionary<string, float[]> factors, string output) => Shell.Command(
     [
         "compose", _path,
-        .. factors.SelectMany(f => new[] { "--light", string.Create(CultureInfo.InvariantCulture, $"{f.Key}={f.Value[0]},{f.Value[1]},{f.Value[2]}") }),
+        .. factors.SelectMany(
+            f => new[] { "--light", string.Create(CultureInfo.InvariantCulture, $"{f.Key}={f.Value[0]},{f.Value[1]},{f.Value[2]}") }),
         "-o", output,
     ]);
 

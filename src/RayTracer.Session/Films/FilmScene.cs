@@ -44,7 +44,8 @@ internal sealed record FilmScene(string File, string? Text)
     {
         try
         {
-            return System.IO.File.Exists(file) && SceneFormat.Of(file) is null && !ModelFile.IsModel(file) && SceneTextFile.Read(file).Text == text;
+            return System.IO.File.Exists(file) && SceneFormat.Of(file) is null && !ModelFile.IsModel(file)
+                && SceneTextFile.Read(file).Text == text;
         }
         catch (DocumentException)
         {

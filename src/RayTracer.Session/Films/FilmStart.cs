@@ -12,13 +12,13 @@ public sealed class FilmStart(FilmHeader header, Film film)
 {
     private Film? _film = film;
 
-    /// <summary>What the file says of the film.</summary>
+    /// <summary>The film's header in the file.</summary>
     public FilmHeader Header => header;
 
     /// <summary>The samples that each pixel has.</summary>
     public SampleRange Held => header.Samples is [var held] ? held : new(header.Wanted.First, header.Wanted.First);
 
-    /// <summary>Reads a film that can be gone on with.</summary>
+    /// <summary>Reads a film that can be resumed.</summary>
     /// <exception cref="DocumentException">It cannot.</exception>
     public static FilmStart Read(string path)
     {
@@ -27,7 +27,8 @@ public sealed class FilmStart(FilmHeader header, Film film)
             (FilmHeader header, Film film) = CarriedFilm.Read(path);
             bool isWhole = header.Samples is [] || (header.Samples is [var held] && held.First == header.Wanted.First);
             return isWhole ? new(header with { Scene = Path.GetFullPath(JobOrigin.ScenePath(header.Scene, path)) }, film)
-                : throw new DocumentException($"samples are missing within {Path.GetFileName(path)}, which has {header.SamplesText}: render them and merge");
+                : throw new DocumentException(
+                    $"samples are missing within {Path.GetFileName(path)}, which has {header.SamplesText}: render them and merge");
         }
         catch (PictureException e)
         {
@@ -35,6 +36,6 @@ public sealed class FilmStart(FilmHeader header, Film film)
         }
     }
 
-    /// <summary>The film, for whoever adds samples to it; null where somebody has taken it already.</summary>
+    /// <summary>Returns the film, to add samples to it; null where it has been taken already.</summary>
     public Film? Take() => Interlocked.Exchange(ref _film, null);
 }

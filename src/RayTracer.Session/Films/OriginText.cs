@@ -6,12 +6,14 @@ using JsonValue = System.Text.Json.Nodes.JsonValue;
 
 namespace RayTracer.Session;
 
-/// <summary>The text of the scene that a picture was rendered from, with its settings put in. The number of samples is the view's.</summary>
+/// <summary>
+/// The text of the scene that a picture was rendered from, with its settings put in. The number of samples is the view's.
+/// </summary>
 internal static class OriginText
 {
     private const string Render = "render.";
 
-    /// <summary>Whether the text is another one than the file's.</summary>
+    /// <summary>Returns whether the text is another one than the file's.</summary>
     public static bool IsChanged(RenderJob origin) => NeedsWriting(origin) || Settings(origin).Any();
 
     /// <summary>The text.</summary>
@@ -22,7 +24,8 @@ internal static class OriginText
     private static IEnumerable<SceneSetting> Settings(RenderJob origin) => origin.Settings.Where(s => s.Path != RenderJob.SamplesPath);
 
     // Only plain values of the picture's own record can be put into the text itself, and leave its comments where they are.
-    private static bool NeedsWriting(RenderJob origin) => ModelFile.IsModel(origin.Scene) || SceneFormat.Of(origin.Scene) is not null || origin.Frame is not null
+    private static bool NeedsWriting(RenderJob origin) =>
+        ModelFile.IsModel(origin.Scene) || SceneFormat.Of(origin.Scene) is not null || origin.Frame is not null
         || Settings(origin).Any(s => !(s.Path.StartsWith(Render, StringComparison.Ordinal) && s.Path[Render.Length..].All(char.IsLetter) && s.Value.All(c => char.IsLetterOrDigit(c) || c == '-')));
 
     private static string Written(RenderJob origin)

@@ -26,7 +26,8 @@ internal sealed record TakenFilm(Film Film, RenderOrder Order, int Samples, Slic
             return new(Order.First, Samples);
         }
 
-        RenderStatistics done = new RTracer(Order.Scene, new() { Threads = Order.Threads, Crop = rest.Area, Samples = rest.Samples }).Render(Film, null, cancellation);
+        RenderStatistics done = new RTracer(Order.Scene, new() { Threads = Order.Threads, Crop = rest.Area, Samples = rest.Samples })
+            .Render(Film, null, cancellation);
         return done.Cancelled ? throw new OperationCanceledException() : new(Order.First, rest.Samples.End);
     }
 }

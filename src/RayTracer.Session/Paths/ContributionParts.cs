@@ -1,6 +1,6 @@
 namespace RayTracer.Session;
 
-/// <summary>What a path gathers at a vertex; red, green and blue each.</summary>
+/// <summary>The light that a path gathers at a vertex; red, green and blue each.</summary>
 /// <param name="Emitted">The surface's own light, or the background's.</param>
 /// <param name="Ambient">Ambient light.</param>
 /// <param name="Direct">Light that comes straight from the sources.</param>

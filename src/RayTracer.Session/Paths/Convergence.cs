@@ -2,13 +2,15 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Session;
 
-/// <summary>How the error of a picture has shrunk with its samples.</summary>
+/// <summary>The error of a picture against the number of its samples.</summary>
 /// <param name="Points">The error after 1, 2, 4 … samples.</param>
-/// <param name="Slope">By what power of the number of samples it shrinks, fitted to the points; the theory of independent samples says −0.5. Null below two points.</param>
+/// <param name="Slope">By what power of the number of samples it shrinks, fitted to the points; the theory of independent samples says
+/// −0.5. Null below two points.</param>
 public sealed record Convergence(IReadOnlyList<ConvergencePoint> Points, double? Slope)
 {
     /// <summary>
-    /// The errors of earlier pictures, against the newest one. Its samples hold those of the earlier ones, so the mean square of the difference is
+    /// The errors of earlier pictures, against the newest one. Its samples hold those of the earlier ones, so the mean square of the
+    /// difference is
     /// σ²·(1/k − 1/n), and the error σ²/k of the earlier one is n/(n − k) times as much.
     /// </summary>
     /// <param name="earlier">Earlier pictures, and how many samples they had.</param>

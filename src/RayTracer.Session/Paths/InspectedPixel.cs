@@ -2,7 +2,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Session;
 
-/// <summary>How the light of a pixel came about.</summary>
+/// <summary>The paths whose light came to a pixel.</summary>
 /// <param name="X">Column.</param>
 /// <param name="Y">Row.</param>
 /// <param name="Pixel">The mean of all samples rendered so far; null where there are none.</param>

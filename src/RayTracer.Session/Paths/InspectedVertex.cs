@@ -4,7 +4,8 @@ using RayTracer.Numerics;
 namespace RayTracer.Session;
 
 /// <summary>A vertex of a light path, for people.</summary>
-/// <param name="Event">"camera", "diffuse", "specular", "emission" (it ends on what shines), "absorbed", "end" (it is given up) or "miss".</param>
+/// <param name="Event">"camera", "diffuse", "specular", "emission" (it ends on what shines), "absorbed", "end" (it is given up) or
+/// "miss".</param>
 /// <param name="Position">Where; for a miss, a point on the way out.</param>
 /// <param name="Normal">The normal, on the ray's side; null where there is none.</param>
 /// <param name="Pointer">The thing in the text; null where there is none.</param>

@@ -27,12 +27,14 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
         RenderDescription render = shown.Scene.Render;
         if (x < 0 || y < 0 || x >= render.Width || y >= render.Height || first < 0 || first >= render.SamplesPerPixel)
         {
-            throw new SessionException($"The picture has {render.Width}×{render.Height} pixels of {render.SamplesPerPixel} samples.", SessionFault.Missing);
+            throw new SessionException(
+                $"The picture has {render.Width}×{render.Height} pixels of {render.SamplesPerPixel} samples.", SessionFault.Missing);
         }
 
         SampleRange samples = new(first, (int)Math.Min(first + (long)Math.Clamp(count, 1, MostPaths), render.SamplesPerPixel));
         (Rgb? mean, int rendered) = await view.Loop.ReadFilm((film, order, _) =>
-            order.Picture == shown.Picture && film.SampleCount(x, y) is var n and > 0 ? ((Rgb?)film.Mean(x, y), (int)n) : (null, 0)).ConfigureAwait(false);
+            order.Picture == shown.Picture && film.SampleCount(x, y) is var n and > 0 ? ((Rgb?)film.Mean(x, y), (int)n)
+                : (null, 0)).ConfigureAwait(false);
         return new(x, y, mean, rendered, [.. new PathTracing(shown.Scene).Trace(x, y, samples).Select(p => Of(shown, p))]);
     }
 
@@ -40,7 +42,8 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     {
         PathVertex start = path.Vertices[0];
         InspectedVertex camera = new(
-            "camera", start.Origin, null, "/camera", "camera", "", Rgb.White, Rgb.White, null, Difference(default, default), new(Difference(default, default), Difference(default, default), Difference(default, default)));
+            "camera", start.Origin, null, "/camera", "camera", "", Rgb.White, Rgb.White, null, Difference(default, default), new(
+                Difference(default, default), Difference(default, default), Difference(default, default)));
         return new(path.Sample, path.Radiance, [camera, .. path.Vertices.Select(v => Of(shown, v))]);
     }
 
@@ -67,7 +70,8 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     };
 
     // Exact, since doubles hold the difference of two floats that are not too far apart; so sums of them give the floats back.
-    private static double[] Difference(Rgb after, Rgb before) => [(double)after.R - before.R, (double)after.G - before.G, (double)after.B - before.B];
+    private static double[] Difference(Rgb after, Rgb before) =>
+        [(double)after.R - before.R, (double)after.G - before.G, (double)after.B - before.B];
 
     // Far enough to be seen to leave.
     private static Vector3 Outside(ViewportScene shown, PathVertex v) => v.Origin + (v.Direction * (2 * shown.Extent.Size));

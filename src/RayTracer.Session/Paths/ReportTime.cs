@@ -9,6 +9,6 @@ namespace RayTracer.Session;
 /// <param name="Seconds">How long this one takes: measured with fewer samples, and multiplied.</param>
 public sealed record ReportTime(int Scene, string Figure, int Width, int Samples, double ReportSeconds, double Seconds)
 {
-    /// <summary>How many times as fast this machine is.</summary>
+    /// <summary>The speed of this machine as a multiple.</summary>
     public double Factor => ReportSeconds / Seconds;
 }

@@ -25,14 +25,16 @@ public sealed class ReportTimes(string? folder) : ISessionPart<ReportTimes>
     {
         lock (_lock)
         {
-            return _measured = _measured is null or { IsFaulted: true } ? Task.Run(() => ReportScene.All.SelectMany(Of).ToArray()) : _measured;
+            return _measured = _measured is null or { IsFaulted: true } ? Task.Run(() => ReportScene.All.SelectMany(Of).ToArray())
+                : _measured;
         }
     }
 
     private IEnumerable<ReportTime> Of(ReportScene report)
     {
         string path = Path.Combine(folder ?? "", "report", report.File);
-        SceneLoadResult loaded = SceneLoader.Load(path, s => s with { Render = s.Render with { Width = report.Size, Height = report.Size, SamplesPerPixel = MeasuredSamples } });
+        SceneLoadResult loaded = SceneLoader.Load(
+            path, s => s with { Render = s.Render with { Width = report.Size, Height = report.Size, SamplesPerPixel = MeasuredSamples } });
         Scene scene = loaded.Scene ?? throw new SessionException($"The report's scene '{path}' cannot be loaded.", SessionFault.Missing);
         long start = Stopwatch.GetTimestamp();
         RenderStatistics statistics = new RTracer(scene, new() { Threads = Threads }).Render(new Film(report.Size, report.Size));

@@ -3,7 +3,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Session;
 
-/// <summary>How a picture is to be written.</summary>
+/// <summary>A request of how a picture is written.</summary>
 /// <param name="BitDepth">PNG: bits a channel, 8 or 16.</param>
 /// <param name="Layers">Auxiliary images to write too: as layers of an OpenEXR file, else in files beside it.</param>
 public sealed record PictureRequest(int BitDepth, IReadOnlyList<AuxiliaryImage> Layers)

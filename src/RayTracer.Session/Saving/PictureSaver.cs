@@ -71,7 +71,8 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         return job with { Aovs = request.Layers, Writing = job.Writing with { BitDepth = request.BitDepth } };
     }
 
-    private Task<TakenFilm> Take(bool isFilm) => view.Loop.ReadFilm((film, order, samples) => isFilm && samples == order.First && view.Loop.Rest is null
+    private Task<TakenFilm> Take(bool isFilm) =>
+        view.Loop.ReadFilm((film, order, samples) => isFilm && samples == order.First && view.Loop.Rest is null
         ? throw new SessionException("The film holds no samples yet.", SessionFault.Missing)
         : TakenFilm.Of(film, order, samples, view.Loop.Rest));
 

@@ -26,7 +26,8 @@ internal sealed class SessionWatch(IProgress<double> whole, int count, Cancellat
     public void Fail(string message) => _errors.Add(message);
 
     /// <inheritdoc/>
-    public void Read(IReadOnlyList<Diagnostic> diagnostics) => _errors.AddRange(diagnostics.Where(d => d.Severity == Severity.Error).Select(d => d.Message));
+    public void Read(IReadOnlyList<Diagnostic> diagnostics) =>
+        _errors.AddRange(diagnostics.Where(d => d.Severity == Severity.Error).Select(d => d.Message));
 
     /// <inheritdoc/>
     public IProgress<RenderProgress> Begin() => this;

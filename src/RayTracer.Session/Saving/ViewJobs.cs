@@ -6,7 +6,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
-/// <summary>Jobs on what the view shows, which are carried out beside the user's work; their files are meant from the document's folder.</summary>
+/// <summary>
+/// Jobs on what the view shows, which are carried out beside the user's work; their files are meant from the document's folder.
+/// </summary>
 /// <param name="document">What is rendered.</param>
 /// <param name="view">The samples, the region, the threads and the tone that the user wants.</param>
 /// <param name="jobs">The list of what is being done.</param>

@@ -6,7 +6,8 @@ namespace RayTracer.Study;
 
 /// <summary>
 /// A way to find the first triangle that a ray meets, written to be read: one ray at a time, in scalar code, and the same test of a
-/// triangle in all of them. What the renderer uses is a hierarchy of bounding volumes, eight boxes wide; these are what it is compared with.
+/// triangle in all of them. What the renderer uses is a hierarchy of bounding volumes, eight boxes wide; these are what it is compared
+/// with.
 /// </summary>
 /// <param name="mesh">The triangles; all corners must be finite.</param>
 internal abstract class Accelerator(MeshData mesh) : ITracer

@@ -11,7 +11,10 @@ internal readonly record struct Ray(Vector3 Origin, Vector3 Direction)
     /// <summary>One over each coordinate of the direction; infinite where that is zero.</summary>
     public Vector3 Inverse { get; } = new(1 / Direction.X, 1 / Direction.Y, 1 / Direction.Z);
 
-    /// <summary>The part of the ray that lies in a box, by its three pairs of planes (Kay &amp; Kajiya 1986); begins after its end where there is none.</summary>
+    /// <summary>
+    /// The part of the ray that lies in a box, by its three pairs of planes (Kay &amp; Kajiya 1986); begins after its end where there is
+    /// none.
+    /// </summary>
     /// <param name="minimum">The box's corner of the smallest coordinates.</param>
     /// <param name="maximum">The box's corner of the largest coordinates.</param>
     public (float Begin, float End) Within(Vector3 minimum, Vector3 maximum)

@@ -25,7 +25,8 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study)
     {
         page.Paragraph("The 2009 report “Real-time Ray Tracing” (group B123, Aalborg University) tests every ray against every primitive, says that this is O(n) (section 6.3.1), and hopes for a hierarchy that makes it O(log n) (section 6.4). Here both are measured, with a uniform grid and a kd-tree beside them.");
         page.Paragraph($"The scene is a landscape of n triangles; {plan.Rays} rays from outside in random directions, one thread, the best of {plan.Rounds}. Loop, grid and kd-tree are scalar code, written to be read; the BVH is the renderer's own, with eight boxes or triangles for each instruction, by single rays and by streams of rays.");
-        page.Picture(ChartFile, "Time a ray against the number of triangles; both axes are logarithmic. Points are measured, curves are fitted.");
+        page.Picture(
+            ChartFile, "Time a ray against the number of triangles; both axes are logarithmic. Points are measured, curves are fitted.");
         page.Heading("Laws");
         page.Paragraph("Curves a + b·f(n) in nanoseconds, by least squares of relative deviations. What deviates upwards at the right end does so where the triangles no longer fit into the processor's caches.");
         page.Table(
@@ -41,7 +42,8 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study)
         WriteTable(page, p => Number(p.BytesPerTriangle));
         foreach ((Method method, int count) in study.LeftOut)
         {
-            page.Paragraph($"{method.Name}: left out from {count} triangles on, for it would have taken more than {plan.SecondsEach:F0} s.");
+            page.Paragraph(
+                $"{method.Name}: left out from {count} triangles on, for it would have taken more than {plan.SecondsEach:F0} s.");
         }
 
         page.Paragraph($"Of all rays, {study.Disagreements} met another triangle by one method than by another: rays through an edge that two triangles share.");
@@ -55,7 +57,8 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study)
         _ => $"{value:G2}",
     };
 
-    private (double X, double Y)[] PointsOf(Method method) => [.. study.Points[method].Select(p => ((double)p.Triangles, p.NanosecondsPerRay))];
+    private (double X, double Y)[] PointsOf(Method method) =>
+        [.. study.Points[method].Select(p => ((double)p.Triangles, p.NanosecondsPerRay))];
 
     private GrowthFit FitOf(Method method) => GrowthFit.Of(method.Growth, PointsOf(method));
 

@@ -8,7 +8,8 @@ namespace RayTracer.Study;
 internal sealed record ComplexityPlan(IReadOnlyList<int> Counts, int Rays, double SecondsEach, int Rounds)
 {
     /// <summary>From ten to ten million.</summary>
-    public static ComplexityPlan Full { get; } = new([10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000, 3_000_000, 10_000_000], 1 << 16, 60, 5);
+    public static ComplexityPlan Full { get; } = new(
+        [10, 30, 100, 300, 1000, 3000, 10_000, 30_000, 100_000, 300_000, 1_000_000, 3_000_000, 10_000_000], 1 << 16, 60, 5);
 
     /// <summary>Up to a hundred thousand: some seconds.</summary>
     public static ComplexityPlan Quick { get; } = new([10, 100, 1000, 10_000, 100_000], 1 << 14, 3, 3);

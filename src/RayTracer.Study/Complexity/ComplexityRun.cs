@@ -21,5 +21,6 @@ internal sealed class ComplexityRun(ComplexityPlan plan, string folder, TextWrit
     }
 
     private void Report(Method method, ComplexityPoint point) =>
-        output.WriteLine($"{point.Triangles} triangles, {method.Name}: {point.NanosecondsPerRay:F0} ns a ray, built in {point.BuildSeconds:F3} s");
+        output.WriteLine(
+            $"{point.Triangles} triangles, {method.Name}: {point.NanosecondsPerRay:F0} ns a ray, built in {point.BuildSeconds:F3} s");
 }

@@ -14,17 +14,19 @@ internal sealed class ComplexityStudy(ComplexityPlan plan)
     private const int RaysAtOnce = 4096;
     private readonly (Vector3 Origin, Vector3 Direction)[] _rays = Terrain.Rays(plan.Rays);
 
-    /// <summary>What was measured, by method.</summary>
+    /// <summary>The measurements, by method.</summary>
     public Dictionary<Method, List<ComplexityPoint>> Points { get; } = Method.All.ToDictionary(m => m, _ => new List<ComplexityPoint>());
 
     /// <summary>Methods that were left out from some number of triangles on, because they would have taken too long.</summary>
     public Dictionary<Method, int> LeftOut { get; } = [];
 
-    /// <summary>Rays that two methods did not find the same triangle for: those through an edge, which each of two tests may give to either side.</summary>
+    /// <summary>
+    /// Rays that two methods did not find the same triangle for: those through an edge, which each of two tests may give to either side.
+    /// </summary>
     public int Disagreements { get; private set; }
 
     /// <summary>Measures.</summary>
-    /// <param name="report">Told each result.</param>
+    /// <param name="report">Takes each result.</param>
     /// <param name="cancellation">Ends the study.</param>
     /// <exception cref="OperationCanceledException">It was ended.</exception>
     public void Run(Action<Method, ComplexityPoint> report, CancellationToken cancellation)

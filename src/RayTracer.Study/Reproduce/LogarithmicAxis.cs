@@ -18,7 +18,8 @@ internal sealed class LogarithmicAxis : IChartAxis
     }
 
     /// <inheritdoc/>
-    public IEnumerable<(double Value, string Label)> Ticks => Enumerable.Range(_first, _last - _first + 1).Select(e => (Power(e), Label(e)));
+    public IEnumerable<(double Value, string Label)> Ticks =>
+        Enumerable.Range(_first, _last - _first + 1).Select(e => (Power(e), Label(e)));
 
     /// <inheritdoc/>
     public double Place(double value) => (Exponent(value) - _first) / (_last - _first);

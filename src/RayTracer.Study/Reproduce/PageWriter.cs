@@ -5,7 +5,7 @@ namespace RayTracer.Study;
 /// <summary>Writes a page, part by part. All texts are plain: what has a meaning in the format is escaped.</summary>
 internal abstract class PageWriter
 {
-    /// <summary>What is written so far.</summary>
+    /// <summary>The text so far.</summary>
     private protected StringBuilder Content { get; } = new();
 
     /// <summary>Begins a section.</summary>

@@ -47,7 +47,9 @@ internal sealed class PolynomialFit
     /// <summary>The polynomial's value.</summary>
     public double At(double x) => Coefficients.Reverse().Aggregate(0.0, (sum, c) => (sum * x) + c);
 
-    /// <summary>R², the coefficient of determination: 1 where all points lie on the curve, 0 where it explains no more than their mean does.</summary>
+    /// <summary>
+    /// R², the coefficient of determination: 1 where all points lie on the curve, 0 where it explains no more than their mean does.
+    /// </summary>
     /// <param name="points">The points; their y are not all the same.</param>
     public double Determination(IReadOnlyList<(double X, double Y)> points)
     {

@@ -14,7 +14,7 @@ internal sealed record ReproducedScene(ReportScene Scene, int Primitives, int Li
     /// <summary>The renderings for figure 6.6, all with all threads.</summary>
     public List<Measurement> Growth { get; } = [];
 
-    /// <summary>Whether the scene file has what table 6.1 says.</summary>
+    /// <summary>True if the scene file has what table 6.1 says.</summary>
     public bool AgreesWithTheReport =>
         (Primitives, Lights, Width, Height) == (Scene.Primitives, Scene.Lights, Scene.Size, Scene.Size);
 

@@ -104,7 +104,8 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, TextWri
             Outputs = file is null ? [] : [_files[file]],
             IsOfSequence = true,
         }.With([$"render.width={size}", $"render.height={size}", $"render.samplesPerPixel={samples}", "render.sampler=jittered"]);
-        JobResult result = new JobRun(job, watch).Run(cancellation) ?? throw new JobException($"{job.Scene} has changed and cannot be read any more");
+        JobResult result = new JobRun(job, watch)
+            .Run(cancellation) ?? throw new JobException($"{job.Scene} has changed and cannot be read any more");
         if (result.Statistics.Cancelled)
         {
             throw new OperationCanceledException(cancellation);
@@ -121,6 +122,7 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, TextWri
         }
 
         Measurement measured = new(report, size, samples, threads, result.Seconds, result.Statistics.Rays);
-        _best[(report, samples, threads)] = _best.TryGetValue((report, samples, threads), out Measurement? best) && best.Seconds <= measured.Seconds ? best : measured;
+        _best[(report, samples, threads)] = _best.TryGetValue((report, samples, threads), out Measurement? best)
+            && best.Seconds <= measured.Seconds ? best : measured;
     }
 }

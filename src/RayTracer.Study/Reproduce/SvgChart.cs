@@ -86,7 +86,8 @@ internal static class SvgChart
 
         double start = x.Place(series.Points.Min(p => p.X));
         double step = (x.Place(series.Points.Max(p => p.X)) - start) / CurveSteps;
-        IEnumerable<string> corners = Enumerable.Range(0, CurveSteps + 1).Select(i => x.ValueAt(start + (i * step))).Select(v => $"{X(v, x):0.##},{Y(fit(v), y):0.##}");
+        IEnumerable<string> corners = Enumerable.Range(0, CurveSteps + 1).Select(i => x.ValueAt(start + (i * step)))
+            .Select(v => $"{X(v, x):0.##},{Y(fit(v), y):0.##}");
         return Element("polyline", ("points", string.Join(' ', corners)), ("fill", "none"), ("stroke", series.Colour), ("stroke-width", 1.5), ("clip-path", $"url(#{clip})"));
     }
 
@@ -128,7 +129,8 @@ internal static class SvgChart
 /// <param name="YTitle">The vertical axis and its unit.</param>
 /// <param name="Series">The curves; at least one point is not at zero in x, and one in y.</param>
 /// <param name="IsLogarithmic">Whether both axes are logarithmic.</param>
-internal sealed record ChartPanel(string Title, string XTitle, string YTitle, IReadOnlyList<ChartSeries> Series, bool IsLogarithmic = false);
+internal sealed record ChartPanel(
+    string Title, string XTitle, string YTitle, IReadOnlyList<ChartSeries> Series, bool IsLogarithmic = false);
 
 /// <summary>Points of a chart, and the curve through them.</summary>
 /// <param name="Name">For the legend.</param>

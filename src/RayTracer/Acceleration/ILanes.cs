@@ -3,7 +3,7 @@ using System.Runtime.Intrinsics;
 
 namespace RayTracer.Acceleration;
 
-/// <summary>What the eight lanes of a register stand for; the triangle test is written once for both ways.</summary>
+/// <summary>The meaning of the eight lanes of a register; the triangle test is written once for both ways.</summary>
 internal unsafe interface ILanes
 {
     /// <summary>Reads a quantity of the triangles.</summary>

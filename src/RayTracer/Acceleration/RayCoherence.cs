@@ -7,7 +7,7 @@ internal static unsafe class RayCoherence
 {
     private const int Samples = 16;
 
-    /// <summary>Whether in most blocks all rays point into one octant. A sample of the blocks is looked at.</summary>
+    /// <summary>Returns whether in most blocks all rays point into one octant, by a sample of the blocks.</summary>
     public static bool IsHigh(in RayStream rays)
     {
         int blocks = rays.Count / RayBlock.Size;

@@ -13,7 +13,7 @@ internal unsafe struct RayInterval
     private fixed float _nearShift[6];
     private fixed float _farShift[6];
 
-    /// <summary>Whether all rays point into the same octant; else nothing but <see cref="ByMajor"/> means anything.</summary>
+    /// <summary>True where all rays point into the same octant; otherwise only <see cref="ByMajor"/> has a meaning.</summary>
     public bool SameOctant;
 
     /// <summary>Bits of the axes along which the rays run backwards.</summary>

@@ -3,13 +3,13 @@ namespace RayTracer.Acceleration;
 /// <summary>Many rays, one array a quantity. The pointers need no alignment; the caller keeps the memory where it is.</summary>
 internal unsafe struct RayStream
 {
-    /// <summary>Where the rays start.</summary>
+    /// <summary>The x coordinates of the rays' origins.</summary>
     public float* OriginX;
 
-    /// <summary>Where the rays start.</summary>
+    /// <summary>The y coordinates of the rays' origins.</summary>
     public float* OriginY;
 
-    /// <summary>Where the rays start.</summary>
+    /// <summary>The z coordinates of the rays' origins.</summary>
     public float* OriginZ;
 
     /// <summary>Directions of any length; distances count in multiples of it.</summary>
@@ -21,11 +21,14 @@ internal unsafe struct RayStream
     /// <summary>Directions of any length; distances count in multiples of it.</summary>
     public float* DirectionZ;
 
-    /// <summary>In: hits count above zero and below this distance. Out of a search for closest hits: that of the hit, if there is one.</summary>
+    /// <summary>
+    /// In: hits count above zero and below this distance. Out of a search for closest hits: that of the hit, if there is one.
+    /// </summary>
     public float* Distance;
 
     /// <summary>
-    /// Out: −1 where nothing was hit; else the primitive of the closest hit, or 0 where any hit was asked for. What it holds before does not matter.
+    /// Out: −1 where nothing was hit; else the primitive of the closest hit, or 0 where any hit was asked for. What it holds before does
+    /// not matter.
     /// </summary>
     public int* Primitive;
 

@@ -15,7 +15,8 @@ internal sealed unsafe class World
     /// <summary>Packs what a builder has put together.</summary>
     /// <param name="contents">The world's contents.</param>
     /// <param name="shutter">When the shutter opens and closes, in seconds.</param>
-    /// <param name="largestLoop">The most shapes of a space that rays are tested against one after the other; null for what is fastest.</param>
+    /// <param name="largestLoop">The most shapes of a space that rays are tested against one after the other; null for what is
+    /// fastest.</param>
     public World(SpaceContents contents, (double Open, double Close) shutter, int? largestLoop)
     {
         SpaceContents[] all = [contents, .. contents.Instances.Select(i => i.Contents).Distinct<SpaceContents>(ReferenceEqualityComparer.Instance)];
@@ -40,29 +41,33 @@ internal sealed unsafe class World
         }
     }
 
-    /// <summary>Number of primitives, each counted once however many instances show it; as a primitive number, it means that nothing was hit.</summary>
+    /// <summary>
+    /// Number of primitives, each counted once however many instances show it; as a primitive number, it means that nothing was hit.
+    /// </summary>
     public int Count { get; }
 
     /// <summary>The world itself, and then the spaces of what instances show.</summary>
     public Space[] Spaces { get; }
 
-    /// <summary>What stands in the world itself.</summary>
+    /// <summary>The space of the world itself.</summary>
     public Space Itself { get; }
 
     /// <summary>The instances; null where there are none.</summary>
     public InstanceTable? Instances { get; }
 
-    /// <summary>Whether anything moves while the shutter is open.</summary>
+    /// <summary>True where anything moves while the shutter is open.</summary>
     public bool Moves => Instances is { Moves: true } || Itself.Contents.Lights.Exists(l => !l.Motion.IsStill);
 
-    /// <summary>Whether there is nothing but shapes in the world itself.</summary>
+    /// <summary>True where there is nothing but shapes in the world itself.</summary>
     public bool IsPlain => Itself.Tree is null && Instances is null;
 
     /// <summary>The room for numbers that a search for the nearest hits of streams needs.</summary>
     /// <param name="rays">The largest number of rays.</param>
     public int RoomForHits(int rays) => IsPlain ? 1 : rays + 16;
 
-    /// <summary>What it costs a ray by itself to find its nearest hit: nodes visited plus triangles tested, in all trees together.</summary>
+    /// <summary>
+    /// Returns the cost of finding the nearest hit of a ray by itself: nodes visited plus triangles tested, in all trees together.
+    /// </summary>
     /// <param name="ray">The ray.</param>
     /// <param name="time">Its time in seconds.</param>
     public long Cost(in SpaceRay ray, float time)

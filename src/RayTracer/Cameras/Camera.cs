@@ -86,7 +86,9 @@ public sealed class Camera
         return distance * Vec3W.Dot(Vec3W.Normalize(toFocus), _view.Forward)[0];
     }
 
-    /// <summary>The place of the camera at a time in seconds: the middle of its lens, or of its picture where its rays are parallel.</summary>
+    /// <summary>
+    /// The place of the camera at a time in seconds: the middle of its lens, or of its picture where its rays are parallel.
+    /// </summary>
     internal Vec3W Origin(float time)
     {
         Vec3W origin = _view.Camera.Position;

@@ -4,7 +4,9 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Cameras;
 
-/// <summary>Maps points of the picture to rays, in the camera's own space: before it is placed, and through the middle of its lens.</summary>
+/// <summary>
+/// Maps points of the picture to rays, in the camera's own space: before it is placed, and through the middle of its lens.
+/// </summary>
 public abstract class CameraProjection
 {
     /// <summary>The rays through points of the picture.</summary>
@@ -38,7 +40,8 @@ public readonly record struct CameraView(CameraDescription Camera, Vector3 Forwa
         return (middle - stepX * middleX - stepY * middleY, stepX, stepY);
     }
 
-    // The size of the whole of which a window is seen, in the pixels of the window, and where its middle is from the window's upper left corner.
+    // The size of the whole of which a window is seen, in the pixels of the window, and where its middle is from the window's upper left
+    // corner.
     private (float Width, float Height, float MiddleX, float MiddleY) Whole
     {
         get

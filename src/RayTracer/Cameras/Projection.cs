@@ -18,10 +18,12 @@ public abstract class Projection(string name) : NamedValue(name)
     /// <summary>All projections.</summary>
     public static Registry<Projection> Known { get; } = new("projection", p => [p.Name], Perspective, Orthographic, Spherical);
 
-    /// <summary>Why a camera of this kind cannot have a lens, as the end of a message; null where it can.</summary>
+    /// <summary>The reason why a camera of this kind cannot have a lens, as the end of a message; null where it can.</summary>
     public virtual string? LensComplaint => null;
 
-    /// <summary>Why a camera of this kind cannot show a window of its picture, as the end of a message; null where it can.</summary>
+    /// <summary>
+    /// The reason why a camera of this kind cannot show a window of its picture, as the end of a message; null where it can.
+    /// </summary>
     public virtual string? WindowComplaint => null;
 
     /// <summary>True where straight lines are straight in the picture.</summary>
@@ -30,7 +32,7 @@ public abstract class Projection(string name) : NamedValue(name)
     /// <summary>True where all rays are parallel, so that nothing gets smaller with distance.</summary>
     public virtual bool IsParallel => false;
 
-    /// <summary>How much of a plane across the view a picture shows from its lower to its upper edge.</summary>
+    /// <summary>Returns the height of the part of a plane across the view that fills a picture from its lower to its upper edge.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="distance">How far away the plane is.</param>
     /// <param name="aspect">Width of the picture over its height.</param>

@@ -37,23 +37,31 @@ public sealed record CameraDescription
     public Vector3 Up { get; init; } = new(0, 1, 0);
 
     /// <summary>The projection of the scene to the picture.</summary>
-    [Parameter("The projection: perspective, orthographic (parallel rays; viewSize sets how much they show), or spherical (all directions around the eye: 360 degrees across the picture and 180 along its height, the point looked at in the middle; pixels are square in a picture twice as wide as high).")]
+    [Parameter("The projection: perspective, orthographic (parallel rays; viewSize sets how much they show), or spherical (all directions "
+        + "around the eye: 360 degrees across the picture and 180 along its height, the point looked at in the middle; pixels are square "
+        + "in a picture twice as wide as high).")]
     public Projection Projection { get; init; } = Projection.Perspective;
 
     /// <summary>Extent of what an orthographic camera shows over <see cref="FieldOfViewAxis"/>.</summary>
-    [Parameter("Only for orthographic: the extent that the picture shows, over its height unless fieldOfViewAxis says otherwise.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
+    [Parameter("Only for orthographic: the extent that the picture shows, over its height unless fieldOfViewAxis says otherwise.",
+        Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
     public float ViewSize { get; init; } = 2;
 
     /// <summary>Full angle of the field of view over <see cref="FieldOfViewAxis"/>.</summary>
-    [Parameter("Only for perspective: the full angle that the picture shows, over its height unless fieldOfViewAxis says otherwise.", Unit = "degrees", Minimum = 0.001, Maximum = 179)]
+    [Parameter("Only for perspective: the full angle that the picture shows, over its height unless fieldOfViewAxis says otherwise.",
+        Unit = "degrees", Minimum = 0.001, Maximum = 179)]
     public float FieldOfView { get; init; } = 40;
 
     /// <summary>The extent of the picture that <see cref="FieldOfView"/> measures.</summary>
     [Parameter("The extent of the picture that the field of view, or viewSize, measures.")]
     public FieldOfViewAxis FieldOfViewAxis { get; init; } = FieldOfViewAxis.Vertical;
 
-    /// <summary>The part of the whole picture that is shown: where it begins from the upper left, and its size, in fractions of the whole; empty for all of it.</summary>
-    [Parameter("The part of the whole picture that is shown: x and y of its upper left corner, its width and its height, in fractions of the whole. Field of view and viewSize measure the whole. Without it, all is shown.", Minimum = 0, Maximum = 1)]
+    /// <summary>
+    /// The part of the whole picture that is shown: where it begins from the upper left, and its size, in fractions of the whole; empty for
+    /// all of it.
+    /// </summary>
+    [Parameter("The part of the whole picture that is shown: x and y of its upper left corner, its width and its height, in fractions of "
+        + "the whole. Field of view and viewSize measure the whole. Without it, all is shown.", Minimum = 0, Maximum = 1)]
     public IReadOnlyList<float> Window { get; init; } = [];
 
     /// <summary>The lens.</summary>

@@ -4,7 +4,9 @@ using RayTracer.Spectra;
 
 namespace RayTracer.Description;
 
-/// <summary>The colours that a scene file may name: the 148 named colours of CSS Color Module Level 4 (section 6.1), in lower case.</summary>
+/// <summary>
+/// The colours that a scene file may name: the 148 named colours of CSS Color Module Level 4 (section 6.1), in lower case.
+/// </summary>
 public static class CssColors
 {
     private static readonly FrozenDictionary<string, string> Digits =

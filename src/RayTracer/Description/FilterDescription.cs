@@ -23,15 +23,18 @@ public enum FilterShape
 public sealed record FilterDescription
 {
     /// <summary>The curve.</summary>
-    [Parameter("The curve: box (sharp squares), tent, gaussian and blackmanHarris (soft bells), or mitchell (sharper, with negative lobes beside edges).")]
+    [Parameter("The curve: box (sharp squares), tent, gaussian and blackmanHarris (soft bells), or mitchell (sharper, with negative lobes "
+        + "beside edges).")]
     public FilterShape Shape { get; init; } = FilterShape.Box;
 
     /// <summary>The radius at which the curve ends; zero for the usual one.</summary>
-    [Parameter("The distance from the pixel's middle at which the curve ends. 0 means the usual one: 0.5 for box, 1 for tent, 1.5 for gaussian and blackmanHarris, 2 for mitchell.", Unit = "pixels", Minimum = 0, Maximum = 16)]
+    [Parameter("The distance from the pixel's middle at which the curve ends. 0 means the usual one: 0.5 for box, 1 for tent, 1.5 for "
+        + "gaussian and blackmanHarris, 2 for mitchell.", Unit = "pixels", Minimum = 0, Maximum = 16)]
     public float Radius { get; init; }
 
     /// <summary>Standard deviation of the bell; zero for a third of the radius.</summary>
-    [Parameter("Only for gaussian: standard deviation of the bell. 0 means a third of the radius.", Unit = "pixels", Minimum = 0, Maximum = 16)]
+    [Parameter("Only for gaussian: standard deviation of the bell. 0 means a third of the radius.",
+        Unit = "pixels", Minimum = 0, Maximum = 16)]
     public float Deviation { get; init; }
 
     /// <summary>Mitchell's and Netravali's B.</summary>

@@ -2,7 +2,8 @@ namespace RayTracer.Description;
 
 /// <summary>The contents of a model file, in the terms of scenes.</summary>
 /// <param name="Scene">Shapes (groups, meshes, instances) with their materials, and lights as shapes that shine.</param>
-/// <param name="Notes">What could not be represented exactly, one sentence each without a final stop: shown as warnings, once a file.</param>
+/// <param name="Notes">What could not be represented exactly, one sentence each without a final stop: shown as warnings, once a
+/// file.</param>
 public sealed record ImportedModel(SceneDescription Scene, IReadOnlyList<string> Notes)
 {
     /// <summary>The file's first camera; null where there is none.</summary>

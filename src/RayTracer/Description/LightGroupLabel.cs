@@ -28,7 +28,8 @@ internal sealed record LightGroupLabel(string? Group, string? Name)
         inner is null || outer is null ? inner ?? outer : new(inner.Group ?? outer.Group, inner.Name ?? outer.Name);
 
     /// <summary>
-    /// The letters of a name that names of layers may have in all programs: ASCII letters and digits, - and _; others become _. Null for none.
+    /// The letters of a name that names of layers may have in all programs: ASCII letters and digits, - and _; others become _. Null for
+    /// none.
     /// </summary>
     public static string? Plain(string text)
     {

@@ -29,7 +29,10 @@ public sealed class ParameterAttribute(string summary) : Attribute
     /// <summary>True where the text is the path of a file, relative to the scene file's folder.</summary>
     public bool IsFile { get; init; }
 
-    /// <summary>True where a texture stands for a number, so that a number may be written (the red channel counts), or where a list of numbers may be a single one or a colour.</summary>
+    /// <summary>
+    /// True where a texture stands for a number, so that a number may be written (the red channel counts), or where a list of numbers may
+    /// be a single one or a colour.
+    /// </summary>
     public bool IsNumber { get; init; }
 }
 

@@ -15,7 +15,9 @@ public enum SphereLightSampling
 /// <summary>The treatment of shading normals that disagree with the surface itself.</summary>
 public enum ShadingNormals
 {
-    /// <summary>Normals that turn away from the ray are mirrored into view, and light that would pass through a surface is dropped.</summary>
+    /// <summary>
+    /// Normals that turn away from the ray are mirrored into view, and light that would pass through a surface is dropped.
+    /// </summary>
     Mended,
 
     /// <summary>Normals alone decide from which side a surface is seen, and which light it scatters where.</summary>
@@ -41,23 +43,28 @@ public sealed record RenderDescription
     public const int LongestPath = 30000;
 
     /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>
-    [Parameter("How the light is computed: as in the report, by unbiased path tracing, direct light only, ambient occlusion, or a view of the surfaces alone.")]
+    [Parameter("How the light is computed: as in the report, by unbiased path tracing, direct light only, ambient occlusion, or a view of "
+        + "the surfaces alone.")]
     public Integrator Integrator { get; init; } = Integrator.Report;
 
     /// <summary>The maximum number of edges of a path after the camera, with the path integrator; −1 for no limit.</summary>
-    [Parameter("With the path integrator: how many edges a path may have. 1 shows lamps only, 2 adds direct light, and each further edge one more bounce; -1 sets no limit.", Minimum = -1, Maximum = LongestPath)]
+    [Parameter("With the path integrator: how many edges a path may have. 1 shows lamps only, 2 adds direct light, and each further edge "
+        + "one more bounce; -1 sets no limit.", Minimum = -1, Maximum = LongestPath)]
     public int MaxDepth { get; init; } = -1;
 
     /// <summary>After how many edges paths may end at random, with the path integrator.</summary>
-    [Parameter("With the path integrator: the number of edges after which paths that carry little light may end at random. It changes the noise, not the picture.", Minimum = 1, Maximum = LongestPath)]
+    [Parameter("With the path integrator: the number of edges after which paths that carry little light may end at random. It changes the "
+        + "noise, not the picture.", Minimum = 1, Maximum = LongestPath)]
     public int RouletteDepth { get; init; } = 5;
 
     /// <summary>Beyond which distance nothing occludes, with the ambient occlusion integrator; 0 for no limit.</summary>
-    [Parameter("With the ao integrator: surfaces farther away than this do not darken; 0 sets no limit.", Unit = "scene units", Minimum = 0)]
+    [Parameter("With the ao integrator: surfaces farther away than this do not darken; 0 sets no limit.",
+        Unit = "scene units", Minimum = 0)]
     public float OcclusionDistance { get; init; }
 
     /// <summary>The maximum number of diffuse bounces of a path.</summary>
-    [Parameter("With the report integrator: how many diffuse bounces a path may have; 0 leaves direct light only.", Minimum = 0, Maximum = 255)]
+    [Parameter("With the report integrator: how many diffuse bounces a path may have; 0 leaves direct light only.",
+        Minimum = 0, Maximum = 255)]
     public int MaxDiffuseDepth { get; init; } = 4;
 
     /// <summary>The maximum number of specular bounces (mirror, metal, glass) of a path.</summary>
@@ -65,11 +72,15 @@ public sealed record RenderDescription
     public int MaxSpecularDepth { get; init; } = 4;
 
     /// <summary>True where transparent shapes weaken the light of sources behind them, with the report integrator.</summary>
-    [Parameter("With the report integrator: whether glass, panes and masks between a surface and a light weaken the light, instead of casting a dark shadow with bright spots of refracted light (the report's section 4.3.1). That light is not bent: less noise, but not what real glass does.")]
+    [Parameter("With the report integrator: whether glass, panes and masks between a surface and a light weaken the light, instead of "
+        + "casting a dark shadow with bright spots of refracted light (the report's section 4.3.1). That light is not bent: less noise, "
+        + "but not what real glass does.")]
     public bool WeakenedShadows { get; init; }
 
     /// <summary>The treatment of interpolated normals that disagree with the surface itself.</summary>
-    [Parameter("With the path, direct and volPath integrators: what happens near the outlines of meshes, where interpolated normals turn away from the ray. \"mended\" mirrors them into view and drops light that would pass through the surface; \"literal\" shows the surface from behind there, as other renderers do.")]
+    [Parameter("With the path, direct and volPath integrators: what happens near the outlines of meshes, where interpolated normals turn "
+        + "away from the ray. \"mended\" mirrors them into view and drops light that would pass through the surface; \"literal\" shows the "
+        + "surface from behind there, as other renderers do.")]
     public ShadingNormals ShadingNormals { get; init; } = ShadingNormals.Mended;
 
     /// <summary>The placement of the samples of a pixel.</summary>
@@ -81,15 +92,18 @@ public sealed record RenderDescription
     public FilterDescription Filter { get; init; } = new();
 
     /// <summary>The sampling of sphere lights.</summary>
-    [Parameter("How spheres that shine are sampled: within the cone that they fill as seen from the surface, or over the whole surface as in the report (noisier).")]
+    [Parameter("How spheres that shine are sampled: within the cone that they fill as seen from the surface, or over the whole surface as "
+        + "in the report (noisier).")]
     public SphereLightSampling SphereLightSampling { get; init; } = SphereLightSampling.Cone;
 
     /// <summary>The times at which the shutter opens and closes, in seconds.</summary>
-    [Parameter("The times at which the shutter opens and closes: what moves in between is blurred. Equal times give a sharp picture of that instant.", Unit = "seconds")]
+    [Parameter("The times at which the shutter opens and closes: what moves in between is blurred. Equal times give a sharp picture of "
+        + "that instant.", Unit = "seconds")]
     public Vector2 Shutter { get; init; }
 
     /// <summary>Pictures a second of an animation.</summary>
-    [Parameter("Pictures per second of an animation. A single picture does not depend on it.", Unit = "1/second", Minimum = 0, MinimumIsExclusive = true)]
+    [Parameter("Pictures per second of an animation. A single picture does not depend on it.",
+        Unit = "1/second", Minimum = 0, MinimumIsExclusive = true)]
     public float FramesPerSecond { get; init; } = 24;
 
     /// <summary>Selects the random numbers.</summary>

@@ -43,7 +43,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     /// <summary>True where any complaint is an error.</summary>
     public bool HasErrors => _complaints.Exists(c => c.IsError);
 
-    /// <summary>True where the scene keeps the records that its parts were made from, for editors; they then live as long as it does.</summary>
+    /// <summary>
+    /// True where the scene keeps the records that its parts were made from, for editors; they then live as long as it does.
+    /// </summary>
     public bool KeepsSources { get; init; }
 
     /// <summary>The memory that the scene's files and instances may take.</summary>
@@ -75,7 +77,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         return texture;
     }
 
-    /// <summary>As <see cref="Texture"/>, of one whose red channel counts as a number: pictures that do not say otherwise are read raw.</summary>
+    /// <summary>
+    /// As <see cref="Texture"/>, of one whose red channel counts as a number: pictures that do not say otherwise are read raw.
+    /// </summary>
     public Texture NumberTexture(TextureDescription description)
     {
         bool before = ReadsNumbers;
@@ -98,11 +102,14 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     }
 
     /// <summary>
-    /// The material that a record describes; the same record gives the same object. For a shape that says nothing about its material, that of the group around it.
+    /// The material that a record describes; the same record gives the same object. For a shape that says nothing about its material, that
+    /// of the group around it.
     /// </summary>
     public Material Material(MaterialDescription description) => _parts == 0 ? SurfaceMaterial(description) : Described(description);
 
-    /// <summary>Loads the picture that a property of a record names; reports an error and returns a grey pixel if it cannot be read.</summary>
+    /// <summary>
+    /// Loads the picture that a property of a record names; reports an error and returns a grey pixel if it cannot be read.
+    /// </summary>
     public Picture Picture(object subject, string property, string path, bool raw)
     {
         try
@@ -116,7 +123,10 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         }
     }
 
-    /// <summary>Loads the model that a property of a record names; reports an error and returns null if it cannot be read, or has values out of their ranges.</summary>
+    /// <summary>
+    /// Loads the model that a property of a record names; reports an error and returns null if it cannot be read, or has values out of
+    /// their ranges.
+    /// </summary>
     public ImportedModel? Model(object subject, string property, string path)
     {
         try
@@ -186,7 +196,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         return environment;
     }
 
-    /// <summary>The most shapes that rays are tested against one after the other, without a tree; null for what is fastest. Pictures are the same.</summary>
+    /// <summary>
+    /// The most shapes that rays are tested against one after the other, without a tree; null for what is fastest. Pictures are the same.
+    /// </summary>
     internal int? LargestLoop { get; init; }
 
     /// <summary>True where the textures being built stand for numbers, so that pictures are read raw.</summary>
@@ -195,7 +207,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     /// <summary>The times at which the shutter opens and closes, in seconds.</summary>
     internal (double Open, double Close) Shutter { get; private set; }
 
-    /// <summary>The material of a shape's surface: what the model around it says, or else its own, or else that of the group around it.</summary>
+    /// <summary>
+    /// The material of a shape's surface: what the model around it says, or else its own, or else that of the group around it.
+    /// </summary>
     internal Material SurfaceMaterial(MaterialDescription description) =>
         Described(_replacement ?? (ReferenceEquals(description, ShapeDescription.DefaultMaterial) ? _inherited : description));
 
@@ -223,7 +237,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         return new(() => _replacement = before);
     }
 
-    /// <summary>Until the end of the scope, complaints are about a property of one record: what they are about comes from a file that it names.</summary>
+    /// <summary>
+    /// Until the end of the scope, complaints are about a property of one record: what they are about comes from a file that it names.
+    /// </summary>
     internal MaterialScope Within(object subject, string property)
     {
         (object Subject, string Property)? before = _source;

@@ -25,7 +25,8 @@ public sealed record SceneDescription
     public EnvironmentDescription? Environment { get; init; }
 
     /// <summary>Ambient radiance (report, section 4.2): every surface that answers it adds this times its colour.</summary>
-    [Parameter("Ambient light: at every hit, this times the surface's colour is added, except on clear glass (a crude stand-in for light that is not simulated).", Minimum = 0)]
+    [Parameter("Ambient light: at every hit, this times the surface's colour is added, except on clear glass (a crude stand-in for light "
+        + "that is not simulated).", Minimum = 0)]
     public Rgb Ambient { get; init; }
 
     /// <summary>Named textures.</summary>
@@ -48,7 +49,10 @@ public sealed record SceneDescription
     [Parameter("Shapes that shine: as under shapes, but each must have a luminaire material.")]
     public IReadOnlyList<ShapeDescription> Lights { get; init; } = [];
 
-    /// <summary>The tracks of values that change from frame to frame; a scene that was read at a frame already has its values there.</summary>
-    [Parameter("What changes from frame to frame in an animation (--frames), besides shapes with a motion: numbers, vectors and colours anywhere in the scene.")]
+    /// <summary>
+    /// The tracks of values that change from frame to frame; a scene that was read at a frame already has its values there.
+    /// </summary>
+    [Parameter("What changes from frame to frame in an animation (--frames), besides shapes with a motion: numbers, vectors and colours "
+        + "anywhere in the scene.")]
     public IReadOnlyList<TrackDescription> Animation { get; init; } = [];
 }

@@ -12,7 +12,8 @@ public abstract record ShapeDescription
     public string Name { get; init; } = "";
 
     /// <summary>The layer of light that has what shines here.</summary>
-    [Parameter("The layer for the light of what shines here when lights are written as layers (--aov lights). Without it: that of the enclosing group, or else the name.")]
+    [Parameter("The layer for the light of what shines here when lights are written as layers (--aov lights). Without it: that of the "
+        + "enclosing group, or else the name.")]
     public string LightGroup { get; init; } = "";
 
     /// <summary>The material of the shape; the same object as <see cref="DefaultMaterial"/> where none is given.</summary>
@@ -24,7 +25,8 @@ public abstract record ShapeDescription
     public IReadOnlyList<TransformDescription> Transform { get; init; } = [];
 
     /// <summary>The motion of the shape in time, after its transform; empty where it rests.</summary>
-    [Parameter("How the shape moves in time, from where it is otherwise: keyframes in the order of their times. It is blurred by its movement while the shutter is open.")]
+    [Parameter("How the shape moves in time, from where it is otherwise: keyframes in the order of their times. It is blurred by its "
+        + "movement while the shutter is open.")]
     public IReadOnlyList<KeyframeDescription> Motion { get; init; } = [];
 
     /// <summary>As what editors offer to add the shape: unless it says otherwise, as a shape, and with a luminaire as a light.</summary>

@@ -4,11 +4,14 @@ namespace RayTracer.Description;
 public sealed record TrackDescription
 {
     /// <summary>The path of the property that changes.</summary>
-    [Parameter("The numbers that change, by the keys that lead to them: \"camera.position\", \"materials.glass.refractiveIndex\", \"shapes[2].radius\" or, for a shape called ball, \"shapes.ball.radius\"; \"shapes.ball.center[1]\" is one of three numbers.", Required = true)]
+    [Parameter("The numbers that change, by the keys that lead to them: \"camera.position\", \"materials.glass.refractiveIndex\", "
+        + "\"shapes[2].radius\" or, for a shape called ball, \"shapes.ball.radius\"; \"shapes.ball.center[1]\" is one of three "
+        + "numbers.", Required = true)]
     public string Property { get; init; } = "";
 
     /// <summary>Its values at certain times.</summary>
-    [Parameter("Their values at certain times, in the order of the times. Before the first and after the last one nothing changes.", Required = true)]
+    [Parameter("Their values at certain times, in the order of the times. Before the first and after the last one nothing changes.",
+        Required = true)]
     public IReadOnlyList<KeyDescription> Keys { get; init; } = [];
 }
 
@@ -33,7 +36,8 @@ public sealed record KeyDescription
     public float Time { get; init; }
 
     /// <summary>The numbers; a single one, or a colour's three, where the property is one.</summary>
-    [Parameter("The value at that time: a number, a list of numbers, or a colour, within the property's range.", IsNumber = true, Required = true)]
+    [Parameter("The value at that time: a number, a list of numbers, or a colour, within the property's range.",
+        IsNumber = true, Required = true)]
     public IReadOnlyList<float> Value { get; init; } = [];
 
     /// <summary>The way the property changes until the next key.</summary>

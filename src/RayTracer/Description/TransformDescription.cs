@@ -9,7 +9,8 @@ namespace RayTracer.Description;
 public sealed record TransformDescription
 {
     /// <summary>A matrix, row by row: 12 numbers, or 16 whose last four are 0, 0, 0, 1.</summary>
-    [Parameter("A matrix, row by row: 3 rows of 4 numbers, or 4 rows, the last of which is 0, 0, 0, 1. The fourth column is the translation. Applied before the other parameters of the step.")]
+    [Parameter("A matrix, row by row: 3 rows of 4 numbers, or 4 rows, the last of which is 0, 0, 0, 1. The fourth column is the "
+        + "translation. Applied before the other parameters of the step.")]
     public IReadOnlyList<float> Matrix { get; init; } = [];
 
     /// <summary>Factors along the axes; negative ones mirror.</summary>
@@ -17,7 +18,8 @@ public sealed record TransformDescription
     public Vector3 Scale { get; init; } = Vector3.One;
 
     /// <summary>Angle of rotation about <see cref="Axis"/>, by the right-hand rule.</summary>
-    [Parameter("Angle of a rotation about the axis, through the origin: counter-clockwise when the axis points at the viewer. Applied after the scale.", Unit = "degrees")]
+    [Parameter("Angle of a rotation about the axis, through the origin: counter-clockwise when the axis points at the viewer. Applied "
+        + "after the scale.", Unit = "degrees")]
     public float Rotate { get; init; }
 
     /// <summary>Axis of the rotation, of any length.</summary>
@@ -36,7 +38,8 @@ public sealed record TransformDescription
 public sealed record KeyframeDescription
 {
     /// <summary>The time.</summary>
-    [Parameter("The time. A picture shows those within the render's shutter. Keyframes are in the order of their times.", Unit = "seconds", Required = true)]
+    [Parameter("The time. A picture shows those within the render's shutter. Keyframes are in the order of their times.",
+        Unit = "seconds", Required = true)]
     public float Time { get; init; }
 
     /// <summary>The motion at that time, after the thing's own transform.</summary>

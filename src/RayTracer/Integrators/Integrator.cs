@@ -2,14 +2,14 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Description;
 
-/// <summary>What an integrator does of all that scenes may ask for.</summary>
+/// <summary>The features of an integrator, among all that scenes may ask for.</summary>
 [Flags]
 public enum IntegratorTraits
 {
     /// <summary>Nothing but the surfaces counts: it is a view of them.</summary>
     None = 0,
 
-    /// <summary>What light sources send counts.</summary>
+    /// <summary>Light from light sources counts.</summary>
     Light = 1,
 
     /// <summary>The light can be split into layers.</summary>
@@ -34,12 +34,15 @@ public enum IntegratorTraits
     SampledEnvironment = 1 << 7,
 }
 
-/// <summary>How the light that arrives at a pixel is computed.</summary>
+/// <summary>The algorithm that computes the light that arrives at a pixel.</summary>
 /// <param name="name">The name in scene files, in camelCase.</param>
 /// <param name="traits">What it does of all that scenes may ask for; scenes are warned of the rest.</param>
 public abstract class Integrator(string name, IntegratorTraits traits) : NamedValue(name)
 {
-    /// <summary>The report's: light sources are sampled at matt surfaces, and mirror-like lobes are followed; ambient light, and limits of diffuse and specular depth.</summary>
+    /// <summary>
+    /// The report's: light sources are sampled at matt surfaces, and mirror-like lobes are followed; ambient light, and limits of diffuse
+    /// and specular depth.
+    /// </summary>
     public static Integrator Report { get; } = new ReportIntegrator();
 
     /// <summary>Path tracing: light sources and surfaces are both sampled and weighed against each other, without bias.</summary>
@@ -66,7 +69,7 @@ public abstract class Integrator(string name, IntegratorTraits traits) : NamedVa
     /// <summary>All integrators.</summary>
     public static Registry<Integrator> Known { get; } = new("integrator", i => [i.Name], Report, Path, Direct, VolPath, Ao, Normals, Uv, Albedo);
 
-    /// <summary>Whether it has all of some traits.</summary>
+    /// <summary>Returns whether it has all of some traits.</summary>
     public bool Has(IntegratorTraits wanted) => (traits & wanted) == wanted;
 
     /// <summary>Makes what shades for one thread.</summary>

@@ -8,7 +8,7 @@ using RayTracer.Sampling;
 
 namespace RayTracer.Rendering;
 
-/// <summary>What a shader works with: the scene, and where its light goes.</summary>
+/// <summary>The surroundings of a shader: the scene, and where its light goes.</summary>
 public sealed class ShaderContext
 {
     internal ShaderContext(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer) =>
@@ -218,7 +218,9 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         surface.Cosine = FloatW.Min(FloatW.Abs(along), 1f);
     }
 
-    /// <summary>Shades a packet of hits of one group: paths end in <see cref="Finished"/>, or get their next rays in the next stream.</summary>
+    /// <summary>
+    /// Shades a packet of hits of one group: paths end in <see cref="Finished"/>, or get their next rays in the next stream.
+    /// </summary>
     /// <param name="group">The group.</param>
     /// <param name="stream">The paths.</param>
     /// <param name="next">Takes the paths that have a next ray.</param>
@@ -240,7 +242,9 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         Vertex.Begin(UIntW.Gather(Generator.PixelKeys, pixel), sample, vertex);
     }
 
-    /// <summary>Gives paths their wavelengths at a surface that disperses light: from the first one on, they have the colour of a single wavelength.</summary>
+    /// <summary>
+    /// Gives paths their wavelengths at a surface that disperses light: from the first one on, they have the colour of a single wavelength.
+    /// </summary>
     private protected void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
     {
         Scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
@@ -325,7 +329,9 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     /// </summary>
     internal static MaskW IsUnreal(UIntW before, UIntW after) => UIntW.Equal(MediumStack.Innermost(before), MediumStack.Innermost(after));
 
-    /// <summary>The lanes whose rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).</summary>
+    /// <summary>
+    /// The lanes whose rays come from inside of the surface itself, whatever its shading normals say (<see cref="SurfaceW.Inside"/>).
+    /// </summary>
     internal static MaskW ComesFromInside(in SurfaceW surface) => Vec3W.Dot(surface.Incoming, surface.Normal) > 0f;
 
     /// <summary>Returns where a ray starts that leaves a surface: off it, on the side where the ray goes.</summary>

@@ -6,7 +6,8 @@ using RayTracer.Shapes;
 namespace RayTracer.Lights;
 
 /// <summary>Describes a <see cref="DirectionalLight"/>.</summary>
-[SceneType("directional", "Light from infinitely far away along one direction, like a sun without extent: its shadows are sharp. No ray meets it. Transforms turn it but do not change its strength.")]
+[SceneType("directional", "Light from infinitely far away along one direction, like a sun without extent: its shadows are sharp. No ray "
+    + "meets it. Transforms turn it but do not change its strength.")]
 public sealed record DirectionalLightDescription : PunctualLightDescription
 {
     /// <summary>The direction in which the light travels.</summary>

@@ -8,7 +8,8 @@ using RayTracer.Textures;
 namespace RayTracer.Lights;
 
 /// <summary>Describes an <see cref="ImageEnvironment"/>.</summary>
-[SceneType("image", "Light from a picture of all directions (latitude and longitude): its middle column is towards −z and its right half towards +x, its top row is straight up and its bottom row straight down.")]
+[SceneType("image", "Light from a picture of all directions (latitude and longitude): its middle column is towards −z and its right half "
+    + "towards +x, its top row is straight up and its bottom row straight down.")]
 public sealed record ImageEnvironmentDescription : EnvironmentDescription
 {
     /// <summary>The picture's file.</summary>
@@ -20,7 +21,8 @@ public sealed record ImageEnvironmentDescription : EnvironmentDescription
     public float Scale { get; init; } = 1;
 
     /// <summary>The file's numbers are taken as they are.</summary>
-    [Parameter("Whether the file's numbers are linear and used as they are, instead of being decoded from sRGB. Floating-point files are always linear.")]
+    [Parameter("Whether the file's numbers are linear and used as they are, instead of being decoded from sRGB. Floating-point files are "
+        + "always linear.")]
     public bool Raw { get; init; }
 
     /// <summary>The picture as a program gives it (linear), instead of the file; null where there is none.</summary>
@@ -55,7 +57,8 @@ public sealed record ImageEnvironmentDescription : EnvironmentDescription
 
 /// <summary>
 /// Light from a picture of all directions. In the frame of the picture, u = atan2(x, −z)/2π and v = acos(y)/π; colours are linear between
-/// texels, of which column i of W lies at u = (i + ½)/W, across the seam too, and row j of H at v = j/(H − 1): the first and last rows are the poles. (So it is in Mitsuba 3.)
+/// texels, of which column i of W lies at u = (i + ½)/W, across the seam too, and row j of H at v = j/(H − 1): the first and last rows are
+/// the poles. (So it is in Mitsuba 3.)
 /// <para>
 /// Directions are chosen by luminance: first one of the cells between four texels, by the luminance that it sends, and then a direction of it,
 /// with a density in proportion to luminance as if that were linear in the cosine with the axis, too.

@@ -18,7 +18,8 @@ internal sealed unsafe class LightSelection
     private const uint IsLeaf = 0x80000000;
     private readonly PinnedBuffer<float> _nodes;
 
-    // Of each node: its first child, or with a bit the light of a leaf. Of each light: the steps down to it, lowest bit first; and its place among those far away.
+    // Of each node: its first child, or with a bit the light of a leaf. Of each light: the steps down to it, lowest bit first; and its
+    // place among those far away.
     private readonly PinnedBuffer<uint> _children;
     private readonly PinnedBuffer<uint> _trails;
     private readonly PinnedBuffer<float> _strengthsFar;

@@ -13,7 +13,9 @@ public abstract class LightSource(int instance, int primitive)
     /// <summary>The instance in which the light stands; 0 for the world itself.</summary>
     public int Instance => instance;
 
-    /// <summary>The light's number among the scene's primitives, which casts no shadow of this light; −1 where there is none such.</summary>
+    /// <summary>
+    /// The light's number among the scene's primitives, which casts no shadow of this light; −1 where there is none such.
+    /// </summary>
     public int Primitive => primitive;
 
     /// <summary>The light's number among the shapes of the world itself; −1 where it is none of them.</summary>
@@ -43,3 +45,9 @@ public abstract class LightSource(int instance, int primitive)
     /// <param name="radiance">Radiance from the chosen point over the pdf per solid angle.</param>
     public abstract void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance);
 }
+
+/// <summary>A light as known from afar.</summary>
+/// <param name="Box">A box around it while the shutter is open; infinite where it shines from infinitely far away.</param>
+/// <param name="Strength">Its mean radiant intensity over all directions; or the irradiance that one infinitely far away brings. In
+/// luminance.</param>
+public readonly record struct LightExtent(Bounds Box, float Strength);

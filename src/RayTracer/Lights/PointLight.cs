@@ -6,7 +6,8 @@ using RayTracer.Shapes;
 namespace RayTracer.Lights;
 
 /// <summary>Describes a <see cref="PointLight"/>.</summary>
-[SceneType("point", "A light at a point, without extent: it shines equally in all directions, and its shadows are sharp. No ray meets it. Transforms move it but do not change its strength.")]
+[SceneType("point", "A light at a point, without extent: it shines equally in all directions, and its shadows are sharp. No ray meets it. "
+    + "Transforms move it but do not change its strength.")]
 public sealed record PointLightDescription : PunctualLightDescription
 {
     /// <summary>Its position.</summary>
@@ -14,7 +15,8 @@ public sealed record PointLightDescription : PunctualLightDescription
     public Vector3 Position { get; init; }
 
     /// <summary>Radiant intensity.</summary>
-    [Parameter("Radiant intensity in every direction: a surface that faces it at distance d receives an irradiance of this over d².", Unit = "power per steradian", Minimum = 0)]
+    [Parameter("Radiant intensity in every direction: a surface that faces it at distance d receives an irradiance of this over d².",
+        Unit = "power per steradian", Minimum = 0)]
     public Rgb Intensity { get; init; } = Rgb.White;
 
     /// <inheritdoc/>

@@ -5,7 +5,9 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Lights;
 
-/// <summary>A light without extent: from each lit point there is one way to it. Its density is a delta function, and rays never meet it.</summary>
+/// <summary>
+/// A light without extent: from each lit point there is one way to it. Its density is a delta function, and rays never meet it.
+/// </summary>
 /// <param name="position">Where it stands in its own space.</param>
 /// <param name="axis">A direction in the light's space.</param>
 /// <param name="motion">Where its own space is in the world. Sizes do not matter: only the position, and where the axis points.</param>

@@ -26,7 +26,8 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
     public float SunAzimuth { get; init; } = 45;
 
     /// <summary>Factor on all.</summary>
-    [Parameter("Factor on sky and sun: the radiance that corresponds to a luminance of 1,000 candela per square metre. A white floor in the sun has about 30 of these.", Minimum = 0)]
+    [Parameter("Factor on sky and sun: the radiance that corresponds to a luminance of 1,000 candela per square metre. A white floor in "
+        + "the sun has about 30 of these.", Minimum = 0)]
     public float Scale { get; init; } = 0.03f;
 
     /// <summary>Factor on the sun.</summary>
@@ -34,7 +35,8 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
     public float SunScale { get; init; } = 1;
 
     /// <summary>The size of the sun.</summary>
-    [Parameter("The sun's diameter as a multiple of the real one (0.533°), with the same total light: larger ones make softer shadows.", Minimum = 0.1, Maximum = 100)]
+    [Parameter("The sun's diameter as a multiple of the real one (0.533°), with the same total light: larger ones make softer shadows.",
+        Minimum = 0.1, Maximum = 100)]
     public float SunSize { get; init; } = 1;
 
     /// <inheritdoc/>

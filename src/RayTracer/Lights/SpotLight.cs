@@ -6,7 +6,8 @@ using RayTracer.Shapes;
 namespace RayTracer.Lights;
 
 /// <summary>Describes a <see cref="SpotLight"/>.</summary>
-[SceneType("spot", "A light at a point, without extent, that shines into a cone: at full strength within its beam, and weaker from there to the cone's edge. No ray meets it. Transforms move and turn it but do not change its strength or width.")]
+[SceneType("spot", "A light at a point, without extent, that shines into a cone: at full strength within its beam, and weaker from there "
+    + "to the cone's edge. No ray meets it. Transforms move and turn it but do not change its strength or width.")]
 public sealed record SpotLightDescription : PunctualLightDescription
 {
     /// <summary>Its position.</summary>
@@ -18,19 +19,25 @@ public sealed record SpotLightDescription : PunctualLightDescription
     public Vector3 Direction { get; init; } = new(0, -1, 0);
 
     /// <summary>Radiant intensity within the beam.</summary>
-    [Parameter("Radiant intensity within the beam: a surface that faces it there at distance d receives an irradiance of this over d².", Unit = "power per steradian", Minimum = 0)]
+    [Parameter("Radiant intensity within the beam: a surface that faces it there at distance d receives an irradiance of this over d².",
+        Unit = "power per steradian", Minimum = 0)]
     public Rgb Intensity { get; init; } = Rgb.White;
 
     /// <summary>Angle from the axis to the edge of the cone.</summary>
-    [Parameter("The angle between the direction and the edge of the cone, beyond which there is no light.", Unit = "degrees", Minimum = 0, MinimumIsExclusive = true, Maximum = 180)]
+    [Parameter("The angle between the direction and the edge of the cone, beyond which there is no light.",
+        Unit = "degrees", Minimum = 0, MinimumIsExclusive = true, Maximum = 180)]
     public float CutoffAngle { get; init; } = 20;
 
-    /// <summary>Angle from the axis up to which it is as strong as along it; null for three quarters of <see cref="CutoffAngle"/>.</summary>
-    [Parameter("The angle between the direction and the edge of the beam, within which the light has its full strength; at most the cutoff angle. Without it, three quarters of that.", Unit = "degrees", Minimum = 0, Maximum = 180)]
+    /// <summary>
+    /// Angle from the axis up to which it is as strong as along it; null for three quarters of <see cref="CutoffAngle"/>.
+    /// </summary>
+    [Parameter("The angle between the direction and the edge of the beam, within which the light has its full strength; at most the cutoff "
+        + "angle. Without it, three quarters of that.", Unit = "degrees", Minimum = 0, Maximum = 180)]
     public float? BeamWidth { get; init; }
 
     /// <summary>The falloff between the two.</summary>
-    [Parameter("How the light falls off from the edge of the beam to that of the cone: in proportion to the angle, or, as glTF's spot lights do, by the square of a number that falls with the angle's cosine.")]
+    [Parameter("How the light falls off from the edge of the beam to that of the cone: in proportion to the angle, or, as glTF's spot "
+        + "lights do, by the square of a number that falls with the angle's cosine.")]
     public SpotFalloff Falloff { get; init; }
 
     /// <inheritdoc/>
@@ -130,4 +137,14 @@ internal sealed class SpotLight : PunctualLight
         FloatW angle = LaneMath.Atan2(FloatW.Sqrt(Vec3W.Dot(across, across)), cosine);
         return FloatW.Max(FloatW.Min((angle - _end) * _slope, 1f), 0f);
     }
+}
+
+/// <summary>The ways in which the intensity of a spot light falls between its beam and its edge.</summary>
+public enum SpotFalloff
+{
+    /// <summary>In proportion to the angle.</summary>
+    Linear,
+
+    /// <summary>As the square of a number that falls in proportion to the angle's cosine (glTF's KHR_lights_punctual).</summary>
+    Smooth,
 }

@@ -9,7 +9,8 @@ namespace RayTracer.Materials;
 public sealed record BumpMapMaterialDescription : MaterialDescription
 {
     /// <summary>The heights.</summary>
-    [Parameter("The heights: the red channel counts. Pictures are read raw unless they say otherwise, and should not have the interpolation \"nearest\".", Required = true)]
+    [Parameter("The heights: the red channel counts. Pictures are read raw unless they say otherwise, and should not have the "
+        + "interpolation \"nearest\".", Required = true)]
     public TextureDescription Map { get; init; } = new SolidTextureDescription();
 
     /// <summary>Factor on the heights.</summary>
@@ -17,11 +18,13 @@ public sealed record BumpMapMaterialDescription : MaterialDescription
     public float Scale { get; init; } = 1;
 
     /// <summary>The treatment of normals that the map turns away from the ray.</summary>
-    [Parameter("What happens where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are reversed, or the back is shown, which is black if the material is one-sided.")]
+    [Parameter("What happens where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into "
+        + "view, its slopes are reversed, or the back is shown, which is black if the material is one-sided.")]
     public TurnedNormal Turned { get; init; }
 
     /// <summary>Slopes that turn from light darken softly.</summary>
-    [Parameter("Whether light that arrives at a grazing angle is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
+    [Parameter("Whether light that arrives at a grazing angle is weakened where slopes turn towards it, so that its edge is soft instead "
+        + "of following the true surface.")]
     public bool SoftensShadow { get; init; }
 
     /// <summary>The material that scatters light.</summary>

@@ -26,7 +26,10 @@ internal sealed class ConductorFresnel
         (_eta, _k) = _isPerfect ? default : MetalTable.Of(metal);
     }
 
-    /// <summary>Reflectance of unpolarised light (Born &amp; Wolf, Principles of Optics, 7th ed. 1999, section 14.4, in the form of its absolute squares).</summary>
+    /// <summary>
+    /// Reflectance of unpolarised light (Born &amp; Wolf, Principles of Optics, 7th ed. 1999, section 14.4, in the form of its absolute
+    /// squares).
+    /// </summary>
     /// <param name="cosine">Cosine of incidence, 0 to 1.</param>
     /// <param name="reflectance">The reflectance.</param>
     public void Evaluate(in FloatW cosine, out RgbW reflectance)

@@ -19,21 +19,26 @@ public enum FresnelModel
 }
 
 /// <summary>Describes a <see cref="DielectricMaterial"/>.</summary>
-[SceneType("dielectric", "Clear glass, water or gems: reflects or refracts, and may tint the light on its way through. Use it on closed shapes.")]
+[SceneType("dielectric", "Clear glass, water or gems: reflects or refracts, and may tint the light on its way through. Use it on closed "
+    + "shapes.")]
 public sealed record DielectricMaterialDescription : GlassDescription
 {
     private const float UsualIndex = 1.5f;
 
     /// <summary>Refractive index of the inside, relative to the outside.</summary>
-    [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5, diamond 2.417 (the report's table 4.1).", Minimum = 1e-3, Maximum = 100)]
+    [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5, diamond 2.417 (the report's table 4.1).",
+        Minimum = 1e-3, Maximum = 100)]
     public float RefractiveIndex { get; init; } = UsualIndex;
 
     /// <summary>Extinction coefficient of the inside.</summary>
-    [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). It applies where a ray meets this surface from inside, over the distance since the last hit (or the camera), but not over a distance that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
+    [Parameter("How fast the inside absorbs light, per channel: after a distance d, the fraction e^(−extinction·d) is left (Beer's law). "
+        + "It applies where a ray meets this surface from inside, over the distance since the last hit (or the camera), but not over a "
+        + "distance that ends at another shape within.", Unit = "1/scene unit", Minimum = 0)]
     public Rgb Extinction { get; init; }
 
     /// <summary>The formula of the reflectance.</summary>
-    [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did (with the angle on the side of the lower index).")]
+    [Parameter("Whether the reflectance is computed by Fresnel's equations or by Schlick's approximation, as the report did (with the "
+        + "angle on the side of the lower index).")]
     public FresnelModel Fresnel { get; init; } = FresnelModel.Exact;
 
     /// <summary>Factor on all that is reflected.</summary>
@@ -41,7 +46,8 @@ public sealed record DielectricMaterialDescription : GlassDescription
     public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>Factor on all that is refracted.</summary>
-    [Parameter("Factor on what is refracted, per channel: 1 for real glass. It applies at every boundary; to tint the inside, use extinction.", Minimum = 0, Maximum = 1)]
+    [Parameter("Factor on what is refracted, per channel: 1 for real glass. It applies at every boundary; to tint the inside, use "
+        + "extinction.", Minimum = 0, Maximum = 1)]
     public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <inheritdoc/>
@@ -65,8 +71,10 @@ public sealed record DielectricMaterialDescription : GlassDescription
 /// <param name="reflectedPart">Factor on what is reflected; null for 1.</param>
 /// <param name="refractedPart">Factor on what is refracted; null for 1.</param>
 /// <param name="interior">What fills the inside besides; null for nothing.</param>
-/// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does not.</param>
-/// <param name="nesting">How the inside goes with others that overlap it, whose extinction then counts in place of <paramref name="extinction"/>; null for an index relative to what is around.</param>
+/// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does
+/// not.</param>
+/// <param name="nesting">How the inside goes with others that overlap it, whose extinction then counts in place of
+/// <paramref name="extinction"/>; null for an index relative to what is around.</param>
 internal sealed class DielectricMaterial(
     float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null, Medium? interior = null,
     Dispersion? dispersion = null, Nesting? nesting = null) : Material

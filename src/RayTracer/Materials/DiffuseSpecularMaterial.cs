@@ -5,7 +5,9 @@ using RayTracer.Sampling;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="DiffuseSpecularMaterial"/>.</summary>
-[SceneType("diffuseSpecular", "A matt surface under a clear coat: polished stone, plastic, varnish. The coat reflects more at grazing angles: with a probability given by Schlick's approximation from r0, a ray continues as from the specular material, and otherwise as from the diffuse one.")]
+[SceneType("diffuseSpecular", "A matt surface under a clear coat: polished stone, plastic, varnish. The coat reflects more at grazing "
+    + "angles: with a probability given by Schlick's approximation from r0, a ray continues as from the specular material, and otherwise "
+    + "as from the diffuse one.")]
 public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
 {
     /// <summary>The matt surface.</summary>
@@ -17,7 +19,8 @@ public sealed record DiffuseSpecularMaterialDescription : MaterialDescription
     public MaterialDescription Specular { get; init; } = new PhongMetalMaterialDescription { Color = new Textures.SolidTextureDescription { Color = Rgb.White } };
 
     /// <summary>Reflectance of the coat seen head-on.</summary>
-    [Parameter("Fraction that the coat reflects when seen head-on (Schlick's R0): 0.04 for glass, plastic and varnish.", Minimum = 0, Maximum = 1)]
+    [Parameter("Fraction that the coat reflects when seen head-on (Schlick's R0): 0.04 for glass, plastic and varnish.",
+        Minimum = 0, Maximum = 1)]
     public float R0 { get; init; } = 0.04f;
 
     /// <inheritdoc/>

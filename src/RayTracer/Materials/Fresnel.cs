@@ -6,7 +6,9 @@ namespace RayTracer.Materials;
 /// <summary>The reflectance of smooth boundaries.</summary>
 public static class Fresnel
 {
-    /// <summary>Schlick's approximation, R0 + (1 − R0)(1 − cos)⁵ (An inexpensive BRDF model for physically-based rendering, 1994, eq. 24).</summary>
+    /// <summary>
+    /// Schlick's approximation, R0 + (1 − R0)(1 − cos)⁵ (An inexpensive BRDF model for physically-based rendering, 1994, eq. 24).
+    /// </summary>
     /// <param name="cosine">Cosine of the angle on the side of the thinner medium, 0 to 1.</param>
     /// <param name="r0">Reflectance at normal incidence.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -44,11 +46,14 @@ public static class Fresnel
         return (sin2 >= 1f).Select(1f, Dielectric(cosIncident, cosTransmitted, eta));
     }
 
-    /// <summary>The mean reflectance of light from all directions alike: twice the integral of reflectance · cosine over the cosine.</summary>
+    /// <summary>
+    /// The mean reflectance of light from all directions alike: twice the integral of reflectance · cosine over the cosine.
+    /// </summary>
     /// <param name="eta">Refractive index of the incident medium over that of the transmitted one.</param>
     public static float DiffuseReflectance(float eta)
     {
-        // The midpoint rule in the angle's sine squared, which is even over the light; up to the critical angle, beyond which all is reflected.
+        // The midpoint rule in the angle's sine squared, which is even over the light; up to the critical angle, beyond which all is
+        // reflected.
         const int Count = 1 << 14;
         double limit = eta > 1 ? 1 / ((double)eta * eta) : 1;
         double sum = 0;

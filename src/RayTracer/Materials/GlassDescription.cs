@@ -13,11 +13,13 @@ public abstract record GlassDescription : MaterialDescription
     private const float LargestIndex = 100;
 
     /// <summary>The glass; null where the other parameters describe it.</summary>
-    [Parameter("Which glass, from published tables, in place of refractiveIndex: light of each colour is refracted by its own index, as in a prism. The surroundings are air.")]
+    [Parameter("Which glass, from published tables, in place of refractiveIndex: light of each colour is refracted by its own index, as in "
+        + "a prism. The surroundings are air.")]
     public Glass? Glass { get; init; }
 
     /// <summary>Cauchy's A and B.</summary>
-    [Parameter("A and B of Cauchy's formula, n = A + B/λ² with the wavelength λ in µm, in place of refractiveIndex: light of each colour is refracted by its own index.", Unit = "1, µm²")]
+    [Parameter("A and B of Cauchy's formula, n = A + B/λ² with the wavelength λ in µm, in place of refractiveIndex: light of each colour "
+        + "is refracted by its own index.", Unit = "1, µm²")]
     public Vector2? Cauchy { get; init; }
 
     /// <summary>Sellmeier's B.</summary>
@@ -32,8 +34,13 @@ public abstract record GlassDescription : MaterialDescription
     [Parameter("What fills the inside: milk, fog, a coloured liquid. The volPath integrator shows it.")]
     public MediumDescription Interior { get; init; } = new();
 
-    /// <summary>Which of dielectrics that overlap is there; 0 where the refractive index is relative to what is around.</summary>
-    [Parameter("Of overlapping dielectrics, the one with the highest priority counts, with the path, direct and volPath integrators. A liquid that reaches into its glass, which has the higher priority, needs no matching boundary. All dielectrics that touch must have priorities, and then refractive indices are relative to empty space. 0 is no priority: the index is relative to the surroundings.", Minimum = 0, Maximum = 1000)]
+    /// <summary>
+    /// The rank among dielectrics that overlap, of which the highest counts; 0 where the refractive index is relative to what is around.
+    /// </summary>
+    [Parameter("Of overlapping dielectrics, the one with the highest priority counts, with the path, direct and volPath integrators. A "
+        + "liquid that reaches into its glass, which has the higher priority, needs no matching boundary. All dielectrics that touch must "
+        + "have priorities, and then refractive indices are relative to empty space. 0 is no priority: the index is relative to the "
+        + "surroundings.", Minimum = 0, Maximum = 1000)]
     public int Priority { get; init; }
 
     /// <summary>The inside's place among others; null without a priority.</summary>

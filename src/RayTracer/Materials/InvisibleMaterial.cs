@@ -6,7 +6,8 @@ using RayTracer.Sampling;
 namespace RayTracer.Materials;
 
 /// <summary>Describes an <see cref="InvisibleMaterial"/>.</summary>
-[SceneType("invisible", "A surface that all light passes straight through: the boundary of a cloud or of smoke, whose interior the volPath integrator shows.")]
+[SceneType("invisible", "A surface that all light passes straight through: the boundary of a cloud or of smoke, whose interior the volPath "
+    + "integrator shows.")]
 public sealed record InvisibleMaterialDescription : MaterialDescription
 {
     /// <summary>The medium inside.</summary>

@@ -19,7 +19,8 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
     public float Multiplier { get; init; } = 1;
 
     /// <summary>Exponent of the cosine by which radiance falls off with the angle.</summary>
-    [Parameter("How the light is concentrated around the normal: radiance is multiplied by the cosine of the angle to this power. 0 shines equally in all directions, 1 is the report's spot light.", Minimum = 0, Maximum = 1e6)]
+    [Parameter("How the light is concentrated around the normal: radiance is multiplied by the cosine of the angle to this power. 0 shines "
+        + "equally in all directions, 1 is the report's spot light.", Minimum = 0, Maximum = 1e6)]
     public float Exponent { get; init; }
 
     /// <summary>The material that answers for reflection.</summary>

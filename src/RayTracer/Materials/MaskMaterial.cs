@@ -15,7 +15,8 @@ public sealed record MaskMaterialDescription : MaterialDescription
     public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
 
     /// <summary>Share of the light that meets the material.</summary>
-    [Parameter("Fraction of the light that meets the material; the rest passes straight through. The red channel counts.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("Fraction of the light that meets the material; the rest passes straight through. The red channel counts.",
+        Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Opacity { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <summary>The medium inside.</summary>

@@ -178,10 +178,12 @@ public struct SurfaceW
     /// <summary>Colour of the diffuse part; set by <see cref="Material.Prepare"/>, then multiplied by <see cref="Tint"/>.</summary>
     public RgbW DiffuseColor;
 
-    /// <summary>The distance from the point at which a new ray must start, along the normal, so as not to meet the same surface again.</summary>
+    /// <summary>
+    /// The distance from the point at which a new ray must start, along the normal, so as not to meet the same surface again.
+    /// </summary>
     public FloatW Offset;
 
-    /// <summary>Which shapes of their batch are met. Last, for it is no whole number of registers.</summary>
+    /// <summary>The shapes of their batch that are met. Last, for it is no whole number of registers.</summary>
     public Acceleration.PrimitiveIndex Primitives;
 
     /// <summary>

@@ -81,7 +81,8 @@ public enum Metal
 /// Complex refractive indices n + ik of metals against air. The wavelengths of published tables (Palik, Handbook of Optical Constants of Solids,
 /// 1985; for iron and titanium Johnson &amp; Christy, Optical constants of transition metals, 1974; for platinum Werner, Glantschnig &amp;
 /// Ambrosch-Draxl, Optical constants and inelastic electron-scattering data for 17 elemental metals, 2009) are weighted with the
-/// colour matching functions of the CIE standard observer of 2° under light of equal energy, and n and k, each for itself, turned to Rec. 709 primaries.
+/// colour matching functions of the CIE standard observer of 2° under light of equal energy, and n and k, each for itself, turned to Rec.
+/// 709 primaries.
 /// </summary>
 internal static class MetalTable
 {

@@ -8,15 +8,18 @@ namespace RayTracer.Materials;
 public abstract record MetalDescription : MaterialDescription
 {
     /// <summary>The metal; null where <see cref="Eta"/> and <see cref="K"/> describe it.</summary>
-    [Parameter("Which metal, from published tables; \"none\" reflects everything. It is \"none\" where neither this nor eta and k are given.")]
+    [Parameter("Which metal, from published tables; \"none\" reflects everything. It is \"none\" where neither this nor eta and k are "
+        + "given.")]
     public Metal? Metal { get; init; }
 
     /// <summary>Real part of the refractive index.</summary>
-    [Parameter("Real part of the refractive index, per channel, relative to the outside; together with k, in place of a metal's name.", Minimum = 1e-3, Maximum = 100)]
+    [Parameter("Real part of the refractive index, per channel, relative to the outside; together with k, in place of a metal's name.",
+        Minimum = 1e-3, Maximum = 100)]
     public Rgb? Eta { get; init; }
 
     /// <summary>Imaginary part of the refractive index.</summary>
-    [Parameter("Imaginary part of the refractive index (extinction coefficient), per channel; together with eta.", Minimum = 0, Maximum = 100)]
+    [Parameter("Imaginary part of the refractive index (extinction coefficient), per channel; together with eta.",
+        Minimum = 0, Maximum = 100)]
     public Rgb? K { get; init; }
 
     /// <summary>Factor on all that is reflected.</summary>

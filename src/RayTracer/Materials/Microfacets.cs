@@ -40,7 +40,9 @@ internal readonly struct Microfacets
         _alphaV = FloatW.Max(alphaV, SmallestAlpha);
     }
 
-    /// <summary>The density of normals per steradian, times the area that they have a unit of surface (Walter et al. 2007, eqs. 25 and 33).</summary>
+    /// <summary>
+    /// The density of normals per steradian, times the area that they have a unit of surface (Walter et al. 2007, eqs. 25 and 33).
+    /// </summary>
     public FloatW Density(in Vec3W normal)
     {
         FloatW x = normal.X / _alphaU;

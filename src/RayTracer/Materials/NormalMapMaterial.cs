@@ -9,7 +9,8 @@ namespace RayTracer.Materials;
 public sealed record NormalMapMaterialDescription : MaterialDescription
 {
     /// <summary>The normals.</summary>
-    [Parameter("The normals as colours: red, green and blue from 0 to 1 are from −1 to 1 along u, perpendicular to u, and outwards. A picture is read raw unless it says otherwise; [0.5, 0.5, 1] is a flat surface.", Required = true)]
+    [Parameter("The normals as colours: red, green and blue from 0 to 1 are from −1 to 1 along u, perpendicular to u, and outwards. A "
+        + "picture is read raw unless it says otherwise; [0.5, 0.5, 1] is a flat surface.", Required = true)]
     public TextureDescription Map { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 1) };
 
     /// <summary>Factor on the slopes.</summary>
@@ -17,15 +18,18 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
     public float Strength { get; init; } = 1;
 
     /// <summary>Green points to where v grows.</summary>
-    [Parameter("Whether green points to where v grows even where pictures are mirrored on the surface, as in glTF files; otherwise it points to the left of where u grows.")]
+    [Parameter("Whether green points to where v grows even where pictures are mirrored on the surface, as in glTF files; otherwise it "
+        + "points to the left of where u grows.")]
     public bool GreenAlongV { get; init; }
 
     /// <summary>The treatment of normals that the map turns away from the ray.</summary>
-    [Parameter("What happens where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into view, its slopes are reversed, or the back is shown, which is black if the material is one-sided.")]
+    [Parameter("What happens where the map turns the normal so far that the surface would be seen from behind: the normal is mirrored into "
+        + "view, its slopes are reversed, or the back is shown, which is black if the material is one-sided.")]
     public TurnedNormal Turned { get; init; }
 
     /// <summary>Slopes that turn from light darken softly.</summary>
-    [Parameter("Whether light that arrives at a grazing angle is weakened where slopes turn towards it, so that its edge is soft instead of following the true surface.")]
+    [Parameter("Whether light that arrives at a grazing angle is weakened where slopes turn towards it, so that its edge is soft instead "
+        + "of following the true surface.")]
     public bool SoftensShadow { get; init; }
 
     /// <summary>The material that scatters light.</summary>

@@ -18,11 +18,13 @@ public sealed record PhongMaterialDescription : MaterialDescription
     public TextureDescription Diffuse { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <summary>Fraction of the light that is reflected around the mirror direction.</summary>
-    [Parameter("Fraction of the light that is reflected around the mirror direction, per channel. Diffuse and specular together must not be above 1.", Minimum = 0, Maximum = 1)]
+    [Parameter("Fraction of the light that is reflected around the mirror direction, per channel. Diffuse and specular together must not "
+        + "be above 1.", Minimum = 0, Maximum = 1)]
     public TextureDescription Specular { get; init; } = new SolidTextureDescription { Color = new(0.2f, 0.2f, 0.2f) };
 
     /// <summary>Exponent of the lobe.</summary>
-    [Parameter("Sharpness of the highlights: the density of directions is proportional to the cosine to the mirror direction, to this power.", Minimum = 0, Maximum = 1e6)]
+    [Parameter("Sharpness of the highlights: the density of directions is proportional to the cosine to the mirror direction, to this "
+        + "power.", Minimum = 0, Maximum = 1e6)]
     public float Exponent { get; init; } = 50;
 
     /// <inheritdoc/>

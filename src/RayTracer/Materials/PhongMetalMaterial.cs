@@ -14,7 +14,9 @@ public sealed record PhongMetalMaterialDescription : MaterialDescription
     public TextureDescription Color { get; init; } = new SolidTextureDescription { Color = new(0.9f, 0.9f, 0.9f) };
 
     /// <summary>Exponent of the lobe.</summary>
-    [Parameter("Sharpness of the reflection: the density of directions is proportional to the cosine to the mirror direction, to this power (those below the surface are lost). About 10 is brushed metal, 1,000 polished, 100,000 almost a mirror.", Minimum = 0, Maximum = 1e6)]
+    [Parameter("Sharpness of the reflection: the density of directions is proportional to the cosine to the mirror direction, to this "
+        + "power (those below the surface are lost). About 10 is brushed metal, 1,000 polished, 100,000 almost a "
+        + "mirror.", Minimum = 0, Maximum = 1e6)]
     public float Exponent { get; init; } = 10000;
 
     /// <inheritdoc/>

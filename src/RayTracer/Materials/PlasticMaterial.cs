@@ -17,7 +17,8 @@ public abstract record CoatedDescription : MaterialDescription
     public float RefractiveIndex { get; init; } = 1.49f;
 
     /// <summary>The base's colour deepens with each reflection inside the coat.</summary>
-    [Parameter("Whether light that the coat throws back onto the base is coloured again each time, which deepens colours. Otherwise it is coloured only once.")]
+    [Parameter("Whether light that the coat throws back onto the base is coloured again each time, which deepens colours. Otherwise it is "
+        + "coloured only once.")]
     public bool Nonlinear { get; init; }
 
     /// <summary>Factor on what the coat reflects.</summary>

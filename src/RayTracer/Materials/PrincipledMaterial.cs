@@ -7,7 +7,8 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="PrincipledMaterial"/>.</summary>
-[SceneType("principled", "One material for nearly everything, with parameters from 0 to 1 as artists know them: plastic, metal, glass, car paint, cloth.")]
+[SceneType("principled", "One material for nearly everything, with parameters from 0 to 1 as artists know them: plastic, metal, glass, car "
+    + "paint, cloth.")]
 public sealed record PrincipledMaterialDescription : MaterialDescription
 {
     /// <summary>Colour.</summary>
@@ -23,15 +24,18 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     public TextureDescription Roughness { get; init; } = Number(0.5f);
 
     /// <summary>The stretch of highlights along u.</summary>
-    [Parameter("How much highlights are stretched in the direction in which u grows: 0 is not at all.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("How much highlights are stretched in the direction in which u grows: 0 is not at all.",
+        Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Anisotropic { get; init; } = Number(0);
 
     /// <summary>Reflectance head-on in units of 8 %; null where <see cref="RefractiveIndex"/> gives it.</summary>
-    [Parameter("Reflectance when seen head-on, in units of 8 %: 0.5 is 4 %, as for glass and plastic. It replaces refractiveIndex.", Minimum = 0, Maximum = 1)]
+    [Parameter("Reflectance when seen head-on, in units of 8 %: 0.5 is 4 %, as for glass and plastic. It replaces refractiveIndex.",
+        Minimum = 0, Maximum = 1)]
     public float? Specular { get; init; }
 
     /// <summary>Refractive index of the inside; null for 1.5, or by <see cref="Specular"/>.</summary>
-    [Parameter("Refractive index of the inside relative to the outside, instead of specular. Without either, it is 1.5.", Minimum = 1.001, Maximum = 10)]
+    [Parameter("Refractive index of the inside relative to the outside, instead of specular. Without either, it is 1.5.",
+        Minimum = 1.001, Maximum = 10)]
     public float? RefractiveIndex { get; init; }
 
     /// <summary>The share of a dielectric's highlight that has the colour of the base.</summary>
@@ -59,7 +63,8 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     public TextureDescription ClearcoatRoughness { get; init; } = Number(0);
 
     /// <summary>0 is matt, 1 as if light went around below the surface.</summary>
-    [Parameter("How much the matt base looks as if light scattered below the surface, as in skin and wax.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("How much the matt base looks as if light scattered below the surface, as in skin and wax.",
+        Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Flatness { get; init; } = Number(0);
 
     /// <summary>The medium inside.</summary>
@@ -125,7 +130,8 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
         EnergyException = "base, highlight and sheen are added regardless of what the others leave (Burley's model)",
 
         // Computed by quadrature for a white base, seen at a cosine of 0.001 with a roughness of 1, where each is largest: of the base 1.56 (its
-        // retro-reflection), with the highlight 1.61 at an index of 1.5 and 1.96 at one of 10, and 0.09 of the sheen. The coat adds at most 0.04.
+        // retro-reflection), with the highlight 1.61 at an index of 1.5 and 1.96 at one of 10, and 0.09 of the sheen. The coat adds at most
+        // 0.04.
         MostEnergy = 2.1f,
         Transmits = _transmits,
         Interior = interior,

@@ -3,7 +3,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Materials;
 
-/// <summary>The parameters of a <see cref="PrincipledMaterial"/>, which may vary over the surface; of all but the colour, the red channel counts.</summary>
+/// <summary>
+/// The parameters of a <see cref="PrincipledMaterial"/>, which may vary over the surface; of all but the colour, the red channel counts.
+/// </summary>
 internal sealed class PrincipledTextures
 {
     private static readonly SolidTexture s_zero = new(Rgb.Black);

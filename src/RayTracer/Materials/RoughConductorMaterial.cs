@@ -10,11 +10,13 @@ namespace RayTracer.Materials;
 public sealed record RoughConductorMaterialDescription : MetalDescription
 {
     /// <summary>The distribution of the microfacets' normals.</summary>
-    [Parameter("How the tiny mirrors are tilted: \"ggx\" has long tails, as most surfaces do; \"beckmann\" is a rough surface of normally distributed slopes.")]
+    [Parameter("How the tiny mirrors are tilted: \"ggx\" has long tails, as most surfaces do; \"beckmann\" is a rough surface of normally "
+        + "distributed slopes.")]
     public MicrofacetDistribution Distribution { get; init; }
 
     /// <summary>Roughness.</summary>
-    [Parameter("Roughness: the root mean square of the slopes, or about so. 0.01 is polished, 0.1 to 0.3 satin, 1 very rough.", Minimum = 0, Maximum = 10, IsNumber = true)]
+    [Parameter("Roughness: the root mean square of the slopes, or about so. 0.01 is polished, 0.1 to 0.3 satin, 1 very rough.",
+        Minimum = 0, Maximum = 10, IsNumber = true)]
     public TextureDescription Alpha { get; init; } = new SolidTextureDescription { Color = new(0.1f, 0.1f, 0.1f) };
 
     /// <summary>Roughness along u; null for <see cref="Alpha"/>.</summary>
@@ -26,7 +28,8 @@ public sealed record RoughConductorMaterialDescription : MetalDescription
     public TextureDescription? AlphaV { get; init; }
 
     /// <summary>Light that is reflected from one microfacet to another is not lost.</summary>
-    [Parameter("Whether light that is reflected more than once among the tiny mirrors is added, about as much as is lost without it: rough metal is then as bright as polished metal. It needs one number for alpha.")]
+    [Parameter("Whether light that is reflected more than once among the tiny mirrors is added, about as much as is lost without it: rough "
+        + "metal is then as bright as polished metal. It needs one number for alpha.")]
     public bool MultipleScattering { get; init; }
 
     /// <inheritdoc/>
@@ -50,7 +53,8 @@ public sealed record RoughConductorMaterialDescription : MetalDescription
 /// <param name="fresnel">How much they reflect.</param>
 /// <param name="roughness">How they are tilted.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
-/// <param name="multipleScattering">Whether what microfacets reflect onto each other is made up for; then the roughness is the same everywhere.</param>
+/// <param name="multipleScattering">Whether what microfacets reflect onto each other is made up for; then the roughness is the same
+/// everywhere.</param>
 internal sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness roughness, Texture reflectance, bool multipleScattering = false) : Material
 {
     private readonly RoughLoss? _loss = multipleScattering ? new(roughness) : null;

@@ -14,15 +14,18 @@ public sealed record RoughDielectricMaterialDescription : GlassDescription
     private const float UsualIndex = 1.5f;
 
     /// <summary>Refractive index of the inside, relative to the outside.</summary>
-    [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5. Not 1: that would be no boundary.", Minimum = 1e-3, Maximum = 100)]
+    [Parameter("Refractive index of the inside relative to the outside: water 1.333, glass 1.5. Not 1: that would be no boundary.",
+        Minimum = 1e-3, Maximum = 100)]
     public float RefractiveIndex { get; init; } = UsualIndex;
 
     /// <summary>The distribution of the microfacets' normals.</summary>
-    [Parameter("How the tiny facets are tilted: \"ggx\" has long tails, as ground glass does; \"beckmann\" is a rough surface of normally distributed slopes.")]
+    [Parameter("How the tiny facets are tilted: \"ggx\" has long tails, as ground glass does; \"beckmann\" is a rough surface of normally "
+        + "distributed slopes.")]
     public MicrofacetDistribution Distribution { get; init; }
 
     /// <summary>Roughness.</summary>
-    [Parameter("Roughness: the root mean square of the slopes, or about so. 0.01 is polished, 0.1 to 0.3 frosted, 1 very rough.", Minimum = 0, Maximum = 10, IsNumber = true)]
+    [Parameter("Roughness: the root mean square of the slopes, or about so. 0.01 is polished, 0.1 to 0.3 frosted, 1 very rough.",
+        Minimum = 0, Maximum = 10, IsNumber = true)]
     public TextureDescription Alpha { get; init; } = new SolidTextureDescription { Color = new(0.1f, 0.1f, 0.1f) };
 
     /// <summary>Roughness along u; null for <see cref="Alpha"/>.</summary>
@@ -58,14 +61,16 @@ public sealed record RoughDielectricMaterialDescription : GlassDescription
 
 /// <summary>
 /// Microfacets that are smooth boundaries between the outside and a clear inside (Walter et al., Microfacet models for refraction through rough
-/// surfaces, 2007). What one microfacet sends onto another is lost. Radiance grows by the square of the index on entering the denser medium.
+/// surfaces, 2007). What one microfacet sends onto another is lost. Radiance grows by the square of the index on entering the denser
+/// medium.
 /// </summary>
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 0 and not 1.</param>
 /// <param name="roughness">How the microfacets are tilted.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
 /// <param name="transmittance">Factor on what is refracted.</param>
 /// <param name="interior">What fills the inside besides; null for nothing.</param>
-/// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does not.</param>
+/// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does
+/// not.</param>
 /// <param name="nesting">How the inside goes with others that overlap it; null for an index relative to what is around.</param>
 internal sealed class RoughDielectricMaterial(
     float refractiveIndex, Roughness roughness, Texture reflectance, Texture transmittance, Medium? interior = null, Dispersion? dispersion = null, Nesting? nesting = null) : Material
@@ -176,7 +181,8 @@ internal sealed class RoughDielectricMaterial(
         roughness.Evaluate(surface, out microfacets);
     }
 
-    // Two directions and the microfacets that send light from one to the other. Stretch is their half vector before it is made a unit vector, along it.
+    // Two directions and the microfacets that send light from one to the other. Stretch is their half vector before it is made a unit
+    // vector, along it.
     private struct Pair
     {
         public Vec3W View, Light, Normal;

@@ -2,7 +2,10 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Materials;
 
-/// <summary>The light that rough mirrors lose, because one microfacet reflects it onto another, over what they reflect: a table by numerical integration.</summary>
+/// <summary>
+/// The light that rough mirrors lose, because one microfacet reflects it onto another, over what they reflect: a table by numerical
+/// integration.
+/// </summary>
 internal sealed unsafe class RoughLoss
 {
     private const int Angles = 128;

@@ -10,11 +10,13 @@ namespace RayTracer.Materials;
 public sealed record RoughPlasticMaterialDescription : CoatedDescription
 {
     /// <summary>The distribution of the microfacets' normals.</summary>
-    [Parameter("How the tiny facets of the coat are tilted: \"ggx\" has long tails; \"beckmann\" is a rough surface of normally distributed slopes.")]
+    [Parameter("How the tiny facets of the coat are tilted: \"ggx\" has long tails; \"beckmann\" is a rough surface of normally "
+        + "distributed slopes.")]
     public MicrofacetDistribution Distribution { get; init; }
 
     /// <summary>Roughness of the coat.</summary>
-    [Parameter("Roughness of the coat: the root mean square of the slopes, or about so. 0.01 is polished, 0.1 to 0.3 satin.", Minimum = 0, Maximum = 10)]
+    [Parameter("Roughness of the coat: the root mean square of the slopes, or about so. 0.01 is polished, 0.1 to 0.3 satin.",
+        Minimum = 0, Maximum = 10)]
     public float Alpha { get; init; } = 0.1f;
 
     /// <inheritdoc/>

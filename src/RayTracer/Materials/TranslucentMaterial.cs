@@ -15,7 +15,8 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
     public TextureDescription Color { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <summary>Fraction of the light that is let through.</summary>
-    [Parameter("Fraction of the light that comes out on the other side, per channel. The sum of both fractions must not be above 1.", Minimum = 0, Maximum = 1)]
+    [Parameter("Fraction of the light that comes out on the other side, per channel. The sum of both fractions must not be above 1.",
+        Minimum = 0, Maximum = 1)]
     public TextureDescription Transmittance { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <summary>The medium inside.</summary>

@@ -5,7 +5,8 @@ using RayTracer.Sampling;
 namespace RayTracer.Materials;
 
 /// <summary>Describes a <see cref="TwoSidedMaterial"/>.</summary>
-[SceneType("twoSided", "Two materials back to back: one is seen from outside, the other from behind. One-sided materials are then seen from both sides.")]
+[SceneType("twoSided", "Two materials back to back: one is seen from outside, the other from behind. One-sided materials are then seen "
+    + "from both sides.")]
 public sealed record TwoSidedMaterialDescription : MaterialDescription
 {
     /// <summary>The material that is seen from outside.</summary>

@@ -168,7 +168,8 @@ public readonly unsafe struct FloatW
     public UIntW ToInt() => new(Vector.AsVectorUInt32(Vector.ConvertToInt32(V)));
 
     /// <summary>
-    /// As <see cref="ToInt"/>, in fewer instructions: only for numbers that are known to lie within ±2³¹. Of others the result varies with the machine.
+    /// As <see cref="ToInt"/>, in fewer instructions: only for numbers that are known to lie within ±2³¹. Of others the result varies with
+    /// the machine.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public UIntW ToIntInRange() => new(Vector.AsVectorUInt32(Vector.ConvertToInt32Native(V)));
@@ -181,7 +182,9 @@ public readonly unsafe struct FloatW
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Store(float* to) => V.Store(to);
 
-    /// <summary>table[index[0]], table[index[1]] … for indices that lie in memory and grow, but for those of lanes that do not count, at the end.</summary>
+    /// <summary>
+    /// table[index[0]], table[index[1]] … for indices that lie in memory and grow, but for those of lanes that do not count, at the end.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatW Pick(float* table, uint* index)
     {

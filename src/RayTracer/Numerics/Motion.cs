@@ -30,7 +30,9 @@ public sealed class Motion
         return rests ? Still(keyframes[0].Place) : new(new MotionTrack(keyframes[0].Place, segments));
     }
 
-    /// <summary>The motion of a thing that moves by <paramref name="inner"/> within something that moves by <paramref name="outer"/>.</summary>
+    /// <summary>
+    /// The motion of a thing that moves by <paramref name="inner"/> within something that moves by <paramref name="outer"/>.
+    /// </summary>
     public static Motion operator *(Motion outer, Motion inner)
     {
         List<MotionTrack> tracks = [.. outer._tracks];

@@ -17,7 +17,9 @@ public readonly struct Onb
         W = w;
     }
 
-    /// <summary>A basis around a unit vector, without branches (Duff et al., Building an orthonormal basis, revisited, JCGT 2017).</summary>
+    /// <summary>
+    /// A basis around a unit vector, without branches (Duff et al., Building an orthonormal basis, revisited, JCGT 2017).
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void FromNormal(in Vec3W n, out Onb frame)
     {

@@ -64,7 +64,9 @@ public readonly struct Vec3W
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vec3W Normalize(Vec3W a) => a * (1f / FloatW.Sqrt(Dot(a, a)));
 
-    /// <summary>The direction of the mirror image of a ray that comes along <paramref name="d"/> onto a surface of normal <paramref name="n"/>.</summary>
+    /// <summary>
+    /// The direction of the mirror image of a ray that comes along <paramref name="d"/> onto a surface of normal <paramref name="n"/>.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vec3W Reflect(Vec3W d, Vec3W n) => MultiplyAdd(n, Dot(d, n) * -2f, d);
 }

@@ -156,7 +156,10 @@ public sealed class Film : IImageRows
         }
     }
 
-    /// <summary>Copies the exact content of a row, to be added to a film again by <see cref="AddSums(int, ReadOnlySpan{Int128}, ReadOnlySpan{uint})"/>.</summary>
+    /// <summary>
+    /// Copies the exact content of a row, to be added to a film again by
+    /// <see cref="AddSums(int, ReadOnlySpan{Int128}, ReadOnlySpan{uint})"/>.
+    /// </summary>
     /// <param name="y">Row, from the top.</param>
     /// <param name="sums">Takes four sums a pixel: red, green and blue in units of 2⁻³², and squared luminance in units of 2⁻⁴⁸.</param>
     /// <param name="counts">Takes the number of samples of each pixel.</param>
@@ -182,7 +185,9 @@ public sealed class Film : IImageRows
         AddCounts(y, counts);
     }
 
-    /// <summary>As <see cref="AddSums(int, ReadOnlySpan{Int128}, ReadOnlySpan{uint})"/>, of a row whose sums all fit into 64 bits.</summary>
+    /// <summary>
+    /// As <see cref="AddSums(int, ReadOnlySpan{Int128}, ReadOnlySpan{uint})"/>, of a row whose sums all fit into 64 bits.
+    /// </summary>
     /// <inheritdoc cref="AddSums(int, ReadOnlySpan{Int128}, ReadOnlySpan{uint})"/>
     public void AddSums(int y, ReadOnlySpan<long> sums, ReadOnlySpan<uint> counts)
     {

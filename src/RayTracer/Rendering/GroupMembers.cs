@@ -2,7 +2,9 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
 
-/// <summary>Sorts paths by what they met and is shaded together: the paths of each <see cref="ShadingGroup"/>, and those that met nothing.</summary>
+/// <summary>
+/// Sorts paths by what they met and is shaded together: the paths of each <see cref="ShadingGroup"/>, and those that met nothing.
+/// </summary>
 internal sealed unsafe class GroupMembers
 {
     private readonly Scene _scene;

@@ -88,7 +88,9 @@ public sealed unsafe class PathStream
     /// <summary>The path's time in seconds; set only where something moves.</summary>
     public float* Time { get; }
 
-    /// <summary>The density, per steradian, with which the ray's direction was chosen; set only where a light may be met that was sampled too.</summary>
+    /// <summary>
+    /// The density, per steradian, with which the ray's direction was chosen; set only where a light may be met that was sampled too.
+    /// </summary>
     internal float* Pdf { get; }
 
     /// <summary>The media that the path is in (<see cref="Media.MediumStack"/>); set only where there are media.</summary>
@@ -221,6 +223,9 @@ public static class PathState
     /// <summary>Emission at the next hit counts: the last scattering was specular, or there was none (report: countEmittedLight).</summary>
     public const uint CountsEmission = 1 << 16;
 
-    /// <summary>The path has met a dispersing surface: it stands for light of a single wavelength from there on, and its throughput has that wavelength's colour.</summary>
+    /// <summary>
+    /// The path has met a dispersing surface: it stands for light of a single wavelength from there on, and its throughput has that
+    /// wavelength's colour.
+    /// </summary>
     public const uint HasWavelength = 1 << 17;
 }

@@ -26,8 +26,10 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
     /// <summary>Renders samples into a film, which may hold other samples of the same scene already.</summary>
     /// <param name="film">A film of the scene's size.</param>
     /// <param name="progress">Told how far the rendering is, from the rendering threads; may be null.</param>
-    /// <param name="cancellation">Ends the rendering after the tiles under way; the film then holds whole samples of some pixels, and stays usable.</param>
-    /// <exception cref="ArgumentException">The film's size is not the scene's, samples or crop lie outside the scene's, or an option is out of range.</exception>
+    /// <param name="cancellation">Ends the rendering after the tiles under way; the film then holds whole samples of some pixels, and stays
+    /// usable.</param>
+    /// <exception cref="ArgumentException">The film's size is not the scene's, samples or crop lie outside the scene's, or an option is out
+    /// of range.</exception>
     /// <exception cref="InvalidOperationException">A thread failed; the inner exception says why.</exception>
     public RenderStatistics Render(Film film, IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
     {

@@ -89,7 +89,9 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
         }
     }
 
-    /// <summary>What the pixel filter multiplies the radiance of samples by; ask only where it <see cref="PixelFilter.HasWeights"/>.</summary>
+    /// <summary>
+    /// Returns the weights that the pixel filter gives the radiance of samples; ask only where it <see cref="PixelFilter.HasWeights"/>.
+    /// </summary>
     /// <param name="scene">The scene.</param>
     /// <param name="key">Keys of the pixels.</param>
     /// <param name="sample">Numbers of the samples.</param>

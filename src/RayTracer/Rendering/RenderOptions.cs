@@ -1,6 +1,6 @@
 namespace RayTracer.Rendering;
 
-/// <summary>How a picture is computed: nothing here changes a bit of it.</summary>
+/// <summary>The options of computing a picture: nothing here changes a bit of it.</summary>
 public sealed record RenderOptions
 {
     /// <summary>Number of threads, from 0; 0 means one for each core.</summary>
@@ -18,11 +18,13 @@ public sealed record RenderOptions
     /// <summary>The samples to render; null is all that the scene asks for.</summary>
     public SampleRange? Samples { get; init; }
 
-    /// <summary>Takes layers of light beside the film, of the same samples; null where none are wanted, and then they cost nothing.</summary>
+    /// <summary>
+    /// Takes layers of light beside the film, of the same samples; null where none are wanted, and then they cost nothing.
+    /// </summary>
     public LightPathAovFilm? Layers { get; init; }
 }
 
-/// <summary>How far a rendering is.</summary>
+/// <summary>The progress of a rendering.</summary>
 /// <param name="PathsDone">Paths that are in the film.</param>
 /// <param name="PathsTotal">Paths that will be.</param>
 /// <param name="Rays">Rays traced so far.</param>
@@ -42,23 +44,23 @@ public readonly record struct BadSample(int X, int Y, int Sample, Numerics.Rgb V
     /// <summary>Row by row, then by column and sample.</summary>
     public int CompareTo(BadSample other) => (Y, X, Sample).CompareTo((other.Y, other.X, other.Sample));
 
-    /// <summary>Whether one comes first.</summary>
+    /// <summary>Returns whether one comes first.</summary>
     public static bool operator <(BadSample left, BadSample right) => left.CompareTo(right) < 0;
 
-    /// <summary>Whether one comes later.</summary>
+    /// <summary>Returns whether one comes later.</summary>
     public static bool operator >(BadSample left, BadSample right) => left.CompareTo(right) > 0;
 
-    /// <summary>Whether one comes first or both are of one sample.</summary>
+    /// <summary>Returns whether one comes first or both are of one sample.</summary>
     public static bool operator <=(BadSample left, BadSample right) => left.CompareTo(right) <= 0;
 
-    /// <summary>Whether one comes later or both are of one sample.</summary>
+    /// <summary>Returns whether one comes later or both are of one sample.</summary>
     public static bool operator >=(BadSample left, BadSample right) => left.CompareTo(right) >= 0;
 }
 
-/// <summary>What was done for a picture.</summary>
+/// <summary>The work that was done for a picture.</summary>
 public sealed record RenderStatistics
 {
-    /// <summary>How many bad samples are kept by name.</summary>
+    /// <summary>The number of bad samples that are kept by name.</summary>
     public const int MaxBadSamples = 16;
 
     /// <summary>Light paths followed.</summary>
@@ -79,13 +81,13 @@ public sealed record RenderStatistics
     /// <summary>The first samples that were not finite, in the order of pixels and samples.</summary>
     public IReadOnlyList<BadSample> BadSamples { get; init; } = [];
 
-    /// <summary>Whether the rendering was cancelled before its end.</summary>
+    /// <summary>True where the rendering was cancelled before its end.</summary>
     public bool Cancelled { get; init; }
 
     /// <summary>All rays.</summary>
     public long Rays => ClosestHitRays + ShadowRays;
 
-    /// <summary>What two renderings of the same scene did together.</summary>
+    /// <summary>Returns the work of two renderings of the same scene together.</summary>
     public static RenderStatistics operator +(RenderStatistics a, RenderStatistics b) => new()
     {
         Paths = a.Paths + b.Paths,

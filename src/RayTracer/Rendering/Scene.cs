@@ -78,7 +78,7 @@ public sealed class Scene
     /// <summary>The camera.</summary>
     public Camera Camera { get; }
 
-    /// <summary>Where random numbers come from.</summary>
+    /// <summary>The source of random numbers.</summary>
     public Sampler Sampler { get; }
 
     /// <summary>Places samples around the middle of their pixel; null for the mean over the pixel's own square.</summary>
@@ -87,7 +87,7 @@ public sealed class Scene
     /// <summary>Radiance where nothing is hit, unless there is an <see cref="Environment"/>.</summary>
     public Rgb Background { get; }
 
-    /// <summary>What rays see that leave the scene; null where that is the <see cref="Background"/>.</summary>
+    /// <summary>The light that rays see which leave the scene; null where that is the <see cref="Background"/>.</summary>
     public EnvironmentLight? Environment { get; }
 
     /// <summary>Ambient radiance.</summary>
@@ -96,10 +96,12 @@ public sealed class Scene
     /// <summary>The shapes of the world itself by primitive number: those that are neither meshes nor shown by instances.</summary>
     public IReadOnlyList<Shape> Shapes { get; }
 
-    /// <summary>What shines.</summary>
+    /// <summary>The light sources of the scene.</summary>
     public IReadOnlyList<LightSource> Lights { get; }
 
-    /// <summary>What the integrator samples for light: what shines, and where it traces paths, the environment behind it.</summary>
+    /// <summary>
+    /// The sources that the integrator samples for light: those of the scene, and where it traces paths, the environment behind it.
+    /// </summary>
     internal IReadOnlyList<LightSource> SampledLights =>
         Environment is not null && Render.Integrator.Has(IntegratorTraits.SampledEnvironment) ? [.. Lights, Environment] : Lights;
 
@@ -112,34 +114,36 @@ public sealed class Scene
     /// <summary>Everything that rays can meet.</summary>
     internal World World { get; }
 
-    /// <summary>Whether anything moves while the shutter is open, so that paths have times.</summary>
+    /// <summary>True where anything moves while the shutter is open, so that paths have times.</summary>
     internal bool IsTimed { get; }
 
-    /// <summary>Chooses one light for each point; null where all of them are sampled at each: in the report, and where they are few.</summary>
+    /// <summary>
+    /// Chooses one light for each point; null where all of them are sampled at each: in the report, and where they are few.
+    /// </summary>
     internal LightSelection? LightSelection { get; }
 
     /// <summary>Gives paths wavelengths; null where no surface disperses light.</summary>
     internal Wavelengths? Wavelengths { get; }
 
-    /// <summary>What fills shapes.</summary>
+    /// <summary>The media that fill shapes.</summary>
     internal MediumTable Media { get; }
 
-    /// <summary>Whether media absorb and scatter light: there are some, and the integrator is one that shows them.</summary>
+    /// <summary>True where media absorb and scatter light: there are some, and the integrator is one that shows them.</summary>
     internal bool HasMedia { get; }
 
-    /// <summary>Whether dielectrics have priorities: there are some, and the integrator is one that knows them.</summary>
+    /// <summary>True where dielectrics have priorities: there are some, and the integrator is one that knows them.</summary>
     internal bool HasNesting { get; }
 
-    /// <summary>Whether paths keep in mind what they are in.</summary>
+    /// <summary>True where paths keep a record of the media that they are in.</summary>
     internal bool TracksInteriors => HasMedia || HasNesting;
 
-    /// <summary>What the camera stands in.</summary>
+    /// <summary>The media that the camera stands in.</summary>
     internal uint CameraInteriors { get; }
 
-    /// <summary>Whether transparent things only weaken the light of sources behind them.</summary>
+    /// <summary>True where transparent things only weaken the light of sources behind them.</summary>
     internal bool WeakensShadows { get; }
 
-    /// <summary>What a path is in after a boundary.</summary>
+    /// <summary>Returns the media that a path is in after a boundary.</summary>
     /// <param name="stack">What it is in.</param>
     /// <param name="interior">Number of what is inside the boundary.</param>
     /// <param name="crosses">Where the boundary is crossed.</param>
@@ -148,13 +152,15 @@ public sealed class Scene
         ? MediumStack.CrossByPriority(stack, interior, crosses, enters, Media.Priorities)
         : MediumStack.Cross(stack, interior, crosses, enters);
 
-    /// <summary>Whether shading normals alone tell from which side surfaces are seen.</summary>
+    /// <summary>True where shading normals alone decide from which side surfaces are seen.</summary>
     internal bool IsLiteral { get; }
 
-    /// <summary>What is shaded together.</summary>
+    /// <summary>The groups of surfaces that are shaded together.</summary>
     internal ShadingGroup[] Groups { get; }
 
-    /// <summary>The group of each primitive, and, further on, what stands for rays that hit nothing and for those that a medium scatters.</summary>
+    /// <summary>
+    /// The group of each primitive, and, further on, what stands for rays that hit nothing and for those that a medium scatters.
+    /// </summary>
     internal int[] GroupOfPrimitive { get; }
 
     /// <summary>Makes the scene that a description describes.</summary>
@@ -168,7 +174,9 @@ public sealed class Scene
         return builder.Build(description) ?? throw new SceneException(builder.Complaints);
     }
 
-    /// <summary>Everything that can be seen, one by one; what instances show, once for each of them, where it stands when the shutter opens.</summary>
+    /// <summary>
+    /// Everything that can be seen, one by one; what instances show, once for each of them, where it stands when the shutter opens.
+    /// </summary>
     public IEnumerable<PlacedSurface> Surfaces() => PlacedSurface.All(World);
 
     /// <summary>
@@ -180,10 +188,12 @@ public sealed class Scene
     public ShapeDescription? SourceOf(int primitive, int instance) =>
         instance > 0 ? World.Instances!.SourceOf(instance) : World.Itself.SourceOf(primitive);
 
-    /// <summary>What the material of a primitive was made from; null as for <see cref="SourceOf"/>.</summary>
+    /// <summary>Returns the description that the material of a primitive was made from; null as for <see cref="SourceOf"/>.</summary>
     public MaterialDescription? MaterialSourceOf(int primitive) => Groups[GroupOfPrimitive[primitive]].Material.Source;
 
-    /// <summary>The same things seen by another camera, or rendered in another way; reports what is wrong and returns null. Takes no time.</summary>
+    /// <summary>
+    /// The same things seen by another camera, or rendered in another way; reports what is wrong and returns null. Takes no time.
+    /// </summary>
     /// <param name="camera">The camera.</param>
     /// <param name="render">How to render. Its shutter and its sampling of spheres have no effect: they are built in.</param>
     /// <param name="builder">Takes the diagnostics.</param>

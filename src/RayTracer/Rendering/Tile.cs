@@ -34,6 +34,6 @@ public readonly record struct Tile(int X, int Y, int Width, int Height)
 /// <param name="End">One after the last sample.</param>
 public readonly record struct SampleRange(int First, int End)
 {
-    /// <summary>How many samples.</summary>
+    /// <summary>The number of samples.</summary>
     public int Count => End - First;
 }

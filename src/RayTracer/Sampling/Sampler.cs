@@ -20,7 +20,9 @@ public abstract class Sampler(int samplesPerPixel)
     /// <param name="points">What <see cref="Pair"/> needs.</param>
     public abstract void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points);
 
-    /// <summary>As <see cref="Begin(in UIntW, in UIntW, in UIntW, out SamplePoints)"/>, for one of the camera's groups, the same in all lanes.</summary>
+    /// <summary>
+    /// As <see cref="Begin(in UIntW, in UIntW, in UIntW, out SamplePoints)"/>, for one of the camera's groups, the same in all lanes.
+    /// </summary>
     public virtual void Begin(in UIntW pixelKey, in UIntW sample, uint group, out SamplePoints points) =>
         Begin(pixelKey, sample, (UIntW)group, out points);
 
@@ -63,7 +65,9 @@ public static class Dimensions
     /// <summary>Group of one pair: what else the camera needs, the third coordinate of the report's eye jitter.</summary>
     public const uint Camera = 2;
 
-    /// <summary>Group of one pair, of which the first number counts: the time while the shutter is open. Beyond the groups of any vertex.</summary>
+    /// <summary>
+    /// Group of one pair, of which the first number counts: the time while the shutter is open. Beyond the groups of any vertex.
+    /// </summary>
     public const uint Time = 1 << 16;
 
     /// <summary>Group of one pair, of which the first number counts: the path's wavelength, where it comes to depend on one.</summary>

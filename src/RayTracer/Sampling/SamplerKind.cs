@@ -21,7 +21,9 @@ public abstract class SamplerKind(string name) : NamedValue(name)
     /// <summary>All samplers.</summary>
     public static Registry<SamplerKind> Known { get; } = new("sampler", s => [s.Name], Sobol, Jittered, Regular, Independent);
 
-    /// <summary>True where the place of a sample depends on how many there are; otherwise further samples continue those of a picture with fewer.</summary>
+    /// <summary>
+    /// True where the place of a sample depends on how many there are; otherwise further samples continue those of a picture with fewer.
+    /// </summary>
     public virtual bool DependsOnCount => false;
 
     /// <summary>Says why a pixel cannot have that many samples; null where it can.</summary>

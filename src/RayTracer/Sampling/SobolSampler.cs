@@ -77,7 +77,8 @@ internal sealed unsafe class SobolSampler : Sampler
 
     /// <summary>
     /// A random permutation of the tree of binary digits: every digit is flipped at random by a hash of the digits before it.
-    /// With the first digit lowest, that is any hash in which no bit depends on higher ones (Laine &amp; Karras 2011); the constants are Burley's (2020).
+    /// With the first digit lowest, that is any hash in which no bit depends on higher ones (Laine &amp; Karras 2011); the constants are
+    /// Burley's (2020).
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static UIntW Scramble(UIntW digits, UIntW key)

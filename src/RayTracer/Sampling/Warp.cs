@@ -103,7 +103,9 @@ public static class Warp
         y = FloatW.MultiplyAdd(sin, first, nextSin * next);
     }
 
-    /// <summary>Barycentric coordinates of a uniform point of a triangle: pdf = 1/area (Shirley &amp; Chiu 1997's square root map).</summary>
+    /// <summary>
+    /// Barycentric coordinates of a uniform point of a triangle: pdf = 1/area (Shirley &amp; Chiu 1997's square root map).
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void UniformTriangle(FloatW u, FloatW v, out FloatW b1, out FloatW b2)
     {

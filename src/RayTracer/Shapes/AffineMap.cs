@@ -8,7 +8,9 @@ namespace RayTracer.Shapes;
 /// <summary>A map from a point to one number, g·p + c, as four floats of a packed table: how flat shapes find their uv.</summary>
 internal static unsafe class AffineMap
 {
-    /// <summary>Writes the map of gradient <paramref name="gradient"/> that takes <paramref name="origin"/> to <paramref name="value"/>.</summary>
+    /// <summary>
+    /// Writes the map of gradient <paramref name="gradient"/> that takes <paramref name="origin"/> to <paramref name="value"/>.
+    /// </summary>
     public static void Write(float* map, Vector3 gradient, Vector3 origin, float value)
     {
         map[0] = gradient.X;

@@ -7,7 +7,8 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Box"/>.</summary>
-[SceneType("box", "A box parallel to the axes, given by two opposite corners. On each of its faces uv goes from 0 to 1, as on a plane with a size: seen from outside with y up, u grows to the right and v upwards; on the top and bottom, −z takes the place of y.")]
+[SceneType("box", "A box parallel to the axes, given by two opposite corners. On each of its faces uv goes from 0 to 1, as on a plane with "
+    + "a size: seen from outside with y up, u grows to the right and v upwards; on the top and bottom, −z takes the place of y.")]
 public sealed record BoxDescription : ShapeDescription
 {
     /// <summary>One corner.</summary>

@@ -83,7 +83,9 @@ internal readonly unsafe struct BoxKernel : IShapeKernel
         surface.AlongV = new(0f, isY.Select(0f, size.Y), isY.Select(-size.Z, 0f));
     }
 
-    /// <summary>uv of a point of the face of a normal, given as parts of the box's size from the corner of the smallest coordinates.</summary>
+    /// <summary>
+    /// uv of a point of the face of a normal, given as parts of the box's size from the corner of the smallest coordinates.
+    /// </summary>
     public static void Uv(in Vec3W place, in Vec3W normal, out FloatW u, out FloatW v)
     {
         FloatW side = normal.X + normal.Y + normal.Z;

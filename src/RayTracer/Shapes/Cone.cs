@@ -6,7 +6,8 @@ using RayTracer.Materials;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Cone"/>.</summary>
-[SceneType("cone", "A cone, or, with a topRadius, the frustum of one. u goes once around the axis, as on a sphere (u = 0.5 faces +z if it is upright), v from the bottom (0) to the top (1). On the caps, uv goes from 0 to 1 across the square around them, as on disks.")]
+[SceneType("cone", "A cone, or, with a topRadius, the frustum of one. u goes once around the axis, as on a sphere (u = 0.5 faces +z if it "
+    + "is upright), v from the bottom (0) to the top (1). On the caps, uv goes from 0 to 1 across the square around them, as on disks.")]
 public sealed record ConeDescription : ShapeDescription
 {
     /// <summary>The middle of the bottom.</summary>

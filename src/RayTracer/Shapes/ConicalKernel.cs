@@ -52,7 +52,8 @@ internal readonly unsafe struct ConicalKernel : IShapeKernel
         entry[Offset] = offset;
         entry[Cosine] = cosine;
 
-        // Described points keep away from the edges, and from where both sides are less than two offsets apart: rays that go inside start inside.
+        // Described points keep away from the edges, and from where both sides are less than two offsets apart: rays that go inside start
+        // inside.
         float margin = 2 * offset / cosine;
         float toAxis = slope == 0 ? float.PositiveInfinity : (entry[Middle] - margin) / float.Abs(slope);
         entry[Lowest] = float.Max(-half + (2 * offset), slope > 0 ? -toAxis : float.NegativeInfinity);

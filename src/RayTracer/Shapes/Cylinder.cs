@@ -6,7 +6,8 @@ using RayTracer.Materials;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Cylinder"/>.</summary>
-[SceneType("cylinder", "A cylinder between two points of its axis. u goes once around the axis, as on a sphere (u = 0.5 faces +z if it is upright), v from the bottom (0) to the top (1). On the caps, uv goes from 0 to 1 across the square around them, as on disks.")]
+[SceneType("cylinder", "A cylinder between two points of its axis. u goes once around the axis, as on a sphere (u = 0.5 faces +z if it is "
+    + "upright), v from the bottom (0) to the top (1). On the caps, uv goes from 0 to 1 across the square around them, as on disks.")]
 public sealed record CylinderDescription : ShapeDescription
 {
     /// <summary>The middle of the bottom.</summary>

@@ -7,7 +7,8 @@ using RayTracer.Sampling;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Disk"/>.</summary>
-[SceneType("disk", "A disk. uv goes from 0 to 1 across the square around it, as on a plane with a size: seen from the front with y up, u grows to the right and v upwards; for a level disk (its normal along y), −z takes the place of y.")]
+[SceneType("disk", "A disk. uv goes from 0 to 1 across the square around it, as on a plane with a size: seen from the front with y up, u "
+    + "grows to the right and v upwards; for a level disk (its normal along y), −z takes the place of y.")]
 public sealed record DiskDescription : ShapeDescription
 {
     /// <summary>The centre.</summary>

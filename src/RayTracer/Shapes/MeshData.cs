@@ -29,7 +29,10 @@ public sealed class MeshData(Vector3[] positions, int[] indices)
     /// <summary>A linear colour for each corner, which the material's colour is multiplied by; null where there is none.</summary>
     public Rgb[]? Colors { get; init; }
 
-    /// <summary>A tangent for each corner, along growing u, whose fourth number is the sign of the bitangent (glTF 2.0, section 3.7.2.1); null where there is none.</summary>
+    /// <summary>
+    /// A tangent for each corner, along growing u, whose fourth number is the sign of the bitangent (glTF 2.0, section 3.7.2.1); null where
+    /// there is none.
+    /// </summary>
     public Vector4[]? Tangents { get; init; }
 
     /// <summary>The index of each triangle's material; null where all are made of the first.</summary>

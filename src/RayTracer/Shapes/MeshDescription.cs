@@ -17,11 +17,13 @@ public enum MeshShading
 }
 
 /// <summary>Describes a mesh of triangles, from a file, from numbers in the scene file, or from a program.</summary>
-[SceneType("mesh", "Triangles that share corners, from a model file or from numbers written here. Their front, which shines if they are a luminaire, is where the corners are seen counter-clockwise. Faults of a mesh are repaired where possible, and reported.")]
+[SceneType("mesh", "Triangles that share corners, from a model file or from numbers written here. Their front, which shines if they are a "
+    + "luminaire, is where the corners are seen counter-clockwise. Faults of a mesh are repaired where possible, and reported.")]
 public sealed record MeshDescription : ShapeDescription
 {
     /// <summary>A model file, of which only the triangles are taken.</summary>
-    [Parameter("A model file, of which only the triangles are used, not its materials, lights and cameras (the shape model uses them all).", IsFile = true)]
+    [Parameter("A model file, of which only the triangles are used, not its materials, lights and cameras (the shape model uses them all).",
+        IsFile = true)]
     public string File { get; init; } = "";
 
     /// <summary>The corners.</summary>
@@ -41,7 +43,8 @@ public sealed record MeshDescription : ShapeDescription
     public IReadOnlyList<Vector2> Uv { get; init; } = [];
 
     /// <summary>A colour for each corner; empty where the mesh has none.</summary>
-    [Parameter("A colour for each corner, linear red, green and blue: diffuse colours are multiplied by it, unless the material shows it with a texture of type vertexColor.", Minimum = 0)]
+    [Parameter("A colour for each corner, linear red, green and blue: diffuse colours are multiplied by it, unless the material shows it "
+        + "with a texture of type vertexColor.", Minimum = 0)]
     public IReadOnlyList<Vector3> Colors { get; init; } = [];
 
     /// <summary>Materials for <see cref="MaterialOfTriangle"/>; empty where all triangles are of the mesh's material.</summary>
@@ -57,7 +60,8 @@ public sealed record MeshDescription : ShapeDescription
     public int Part { get; init; } = -1;
 
     /// <summary>The normals that the mesh is shaded with.</summary>
-    [Parameter("Which normals the mesh is shaded with: its own (flat triangles where it has none), none at all, or its own and, where it has none, the mean of the triangles around each corner, weighted by their angles there.")]
+    [Parameter("Which normals the mesh is shaded with: its own (flat triangles where it has none), none at all, or its own and, where it "
+        + "has none, the mean of the triangles around each corner, weighted by their angles there.")]
     public MeshShading Shading { get; init; } = MeshShading.Own;
 
     /// <summary>True where the mesh is turned inside out.</summary>
@@ -88,3 +92,9 @@ public sealed record MeshDescription : ShapeDescription
     /// <summary>Returns null: it is no single shape.</summary>
     public override Shape? Build(SceneBuilder builder) => null;
 }
+
+/// <summary>The corners of one triangle of a mesh, as positions in its list of corners, from 0.</summary>
+/// <param name="A">First corner.</param>
+/// <param name="B">Second corner.</param>
+/// <param name="C">Third corner.</param>
+public readonly record struct TriangleIndices(int A, int B, int C);

@@ -80,7 +80,8 @@ internal sealed class MeshDoctor
         return !AreParallel(ab, ac) && ab.Cross(ac).Unit().IsFinite();
     }
 
-    // Exact: doubles hold products of floats, while a fused cross product of parallel vectors leaves what one of its products was rounded by.
+    // Exact: doubles hold products of floats, while a fused cross product of parallel vectors leaves what one of its products was rounded
+    // by.
     private static bool AreParallel(Vector3 a, Vector3 b) =>
         (double)a.Y * b.Z == (double)a.Z * b.Y && (double)a.Z * b.X == (double)a.X * b.Z && (double)a.X * b.Y == (double)a.Y * b.X;
 

@@ -45,7 +45,9 @@ internal static class MeshVariant
         return turned;
     }
 
-    /// <summary>The mean of the normals of the triangles around each corner, weighted by their angles there (Thürmer &amp; Wüthrich 1998).</summary>
+    /// <summary>
+    /// The mean of the normals of the triangles around each corner, weighted by their angles there (Thürmer &amp; Wüthrich 1998).
+    /// </summary>
     private static Vector3[] SmoothNormals(MeshData mesh)
     {
         Vector3[] normals = new Vector3[mesh.Positions.Length];

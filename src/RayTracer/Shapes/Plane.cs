@@ -6,11 +6,14 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Plane"/>.</summary>
-[SceneType("plane", "An infinite plane or, with a size, a rectangle. uv is in scene units from the point; with a size it goes from 0 to 1 across the rectangle. Seen from the front with y up, u grows to the right and v upwards; for a level plane (its normal along y), −z takes the place of y.")]
+[SceneType("plane", "An infinite plane or, with a size, a rectangle. uv is in scene units from the point; with a size it goes from 0 to 1 "
+    + "across the rectangle. Seen from the front with y up, u grows to the right and v upwards; for a level plane (its normal along y), −z "
+    + "takes the place of y.")]
 public sealed record PlaneDescription : ShapeDescription
 {
     /// <summary>A point of the plane; the centre of the rectangle.</summary>
-    [Parameter("A point of the plane, where uv is (0, 0); with a size, the centre of the rectangle.", Unit = "scene units", Required = true)]
+    [Parameter("A point of the plane, where uv is (0, 0); with a size, the centre of the rectangle.",
+        Unit = "scene units", Required = true)]
     public Vector3 Point { get; init; }
 
     /// <summary>The direction perpendicular to the plane.</summary>
@@ -18,7 +21,8 @@ public sealed record PlaneDescription : ShapeDescription
     public Vector3 Normal { get; init; } = new(0, 1, 0);
 
     /// <summary>Width and height of the rectangle.</summary>
-    [Parameter("Width and height (along u and v) of a rectangle; without it the plane is infinite.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
+    [Parameter("Width and height (along u and v) of a rectangle; without it the plane is infinite.",
+        Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
     public Vector2? Size { get; init; }
 
     /// <inheritdoc/>

@@ -6,7 +6,9 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Rectangle"/>.</summary>
-[SceneType("rectangle", "A rectangle, given by a corner and the two edges that start there (a parallelogram, if they are not perpendicular). uv is (0, 0) at the corner and (1, 1) at the opposite one. Its front, which shines if it is a luminaire, is where a left turn leads from edgeU to edgeV. A plane with a size is a rectangle too, given by its centre and normal.")]
+[SceneType("rectangle", "A rectangle, given by a corner and the two edges that start there (a parallelogram, if they are not "
+    + "perpendicular). uv is (0, 0) at the corner and (1, 1) at the opposite one. Its front, which shines if it is a luminaire, is where a "
+    + "left turn leads from edgeU to edgeV. A plane with a size is a rectangle too, given by its centre and normal.")]
 public sealed record RectangleDescription : ShapeDescription
 {
     /// <summary>The corner where uv is (0, 0).</summary>

@@ -36,7 +36,8 @@ public abstract class Shape(Material material, string name)
     public abstract ShapeBatch CreateBatch(IReadOnlyList<Shape> shapes);
 
     /// <summary>
-    /// A random point of the surface as a light source seen from <paramref name="from"/> (report: RandomPoint). Only for surfaces of finite area.
+    /// A random point of the surface as a light source seen from <paramref name="from"/> (report: RandomPoint). Only for surfaces of finite
+    /// area.
     /// </summary>
     /// <param name="from">The points that are lit.</param>
     /// <param name="u">First random number.</param>
@@ -52,7 +53,8 @@ public abstract class Shape(Material material, string name)
     public virtual void SamplePdf(in Vec3W from, in FloatW distance, in FloatW cosine, out FloatW pdf) => pdf = AreaSample.Pdf(distance, cosine, Area);
 
     /// <summary>
-    /// The shape that this one becomes by a map, uv and front included; null where it would be of another kind: rays are then transformed instead.
+    /// The shape that this one becomes by a map, uv and front included; null where it would be of another kind: rays are then transformed
+    /// instead.
     /// </summary>
     /// <param name="by">The map.</param>
     public virtual Shape? Transformed(Transform by) => null;

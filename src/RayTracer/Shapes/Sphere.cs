@@ -8,7 +8,8 @@ using RayTracer.Sampling;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Sphere"/>.</summary>
-[SceneType("sphere", "A sphere. u goes once around the y axis (u = 0.5 faces +z) and grows to the right when seen from outside with y up, v from the bottom (0) to the top (1) in proportion to the angle.")]
+[SceneType("sphere", "A sphere. u goes once around the y axis (u = 0.5 faces +z) and grows to the right when seen from outside with y up, "
+    + "v from the bottom (0) to the top (1) in proportion to the angle.")]
 public sealed record SphereDescription : ShapeDescription
 {
     /// <summary>The centre.</summary>
@@ -114,7 +115,9 @@ internal sealed class Sphere(Material material, string name, Vector3 center, flo
         }
     }
 
-    /// <summary>Uniformly in the cone of directions in which the sphere is seen (Shirley, Wang &amp; Zimmerman 1996, section 3.2).</summary>
+    /// <summary>
+    /// Uniformly in the cone of directions in which the sphere is seen (Shirley, Wang &amp; Zimmerman 1996, section 3.2).
+    /// </summary>
     private void SampleCone(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
         Vec3W toCenter = (Vec3W)center - from;

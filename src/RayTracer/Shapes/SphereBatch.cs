@@ -6,7 +6,9 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Shapes;
 
-/// <summary>All spheres of a scene: six constants each (centre, squared radius, radius, largest coordinate), one row after the other.</summary>
+/// <summary>
+/// All spheres of a scene: six constants each (centre, squared radius, radius, largest coordinate), one row after the other.
+/// </summary>
 internal sealed unsafe class SphereBatch : ShapeBatch
 {
     private const int Constants = 6;

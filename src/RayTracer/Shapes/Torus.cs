@@ -7,7 +7,8 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>Describes a <see cref="Torus"/>.</summary>
-[SceneType("torus", "A torus: a ring bent from a tube. u goes once around the axis, as on a sphere (u = 0.5 faces +z if it lies flat), v once around the tube, from the inner side (0) over the bottom, outer side (0.5) and top.")]
+[SceneType("torus", "A torus: a ring bent from a tube. u goes once around the axis, as on a sphere (u = 0.5 faces +z if it lies flat), v "
+    + "once around the tube, from the inner side (0) over the bottom, outer side (0.5) and top.")]
 public sealed record TorusDescription : ShapeDescription
 {
     /// <summary>The centre.</summary>
@@ -19,7 +20,8 @@ public sealed record TorusDescription : ShapeDescription
     public Vector3 Axis { get; init; } = new(0, 1, 0);
 
     /// <summary>The radius of the ring.</summary>
-    [Parameter("The radius of the ring: from the centre to the middle of the tube.", Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
+    [Parameter("The radius of the ring: from the centre to the middle of the tube.",
+        Unit = "scene units", Minimum = 0, MinimumIsExclusive = true)]
     public float Radius { get; init; } = 1;
 
     /// <summary>The radius of the tube.</summary>

@@ -38,7 +38,9 @@ internal sealed class TurnedBox(Material material, string name, Vector3 center, 
     /// <inheritdoc/>
     public override float Area => _upright.Area;
 
-    /// <summary>The image of a box under a map; null where its edges would no longer be perpendicular to each other, or have no length.</summary>
+    /// <summary>
+    /// The image of a box under a map; null where its edges would no longer be perpendicular to each other, or have no length.
+    /// </summary>
     /// <param name="box">The box.</param>
     /// <param name="by">The map.</param>
     public static TurnedBox? Create(Box box, in Transform by)

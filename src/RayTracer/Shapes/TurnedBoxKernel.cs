@@ -88,7 +88,8 @@ internal readonly unsafe struct TurnedBoxKernel : IShapeKernel
         surface.AlongV = Turned(new Vec3W(0f, isY.Select(0f, half.Y), isY.Select(-half.Z, 0f)) * 2f, alongX, alongY, alongZ);
     }
 
-    // The side on which the ray goes out is that of the direction's sign. Along a face that a ray runs in, the product is 0·∞, and the comparisons leave the slab out.
+    // The side on which the ray goes out is that of the direction's sign. Along a face that a ray runs in, the product is 0·∞, and the
+    // comparisons leave the slab out.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Slab(float* q, int axis, in Vec3W origin, in Vec3W direction, ref FloatW near, ref FloatW far)
     {

@@ -6,7 +6,8 @@ namespace RayTracer.Spectra;
 /// Chooses the wavelength of a path where its direction comes to depend on it, and what its three channels are multiplied by then: their responses over the
 /// density. The density is the mean of the three responses, so the three weights have the sum 3 (the balance heuristic of Wilkie et al. 2014, with channels in
 /// place of wavelengths), and over all wavelengths each has the mean 1: light that does not depend on the wavelength keeps its colour exactly.
-/// A channel's response is linear sRGB's to light of a single wavelength (IEC 61966-2-1:1999, section 5.2), without what is negative there, and normalised.
+/// A channel's response is linear sRGB's to light of a single wavelength (IEC 61966-2-1:1999, section 5.2), without what is negative there,
+/// and normalised.
 /// </summary>
 internal sealed unsafe class Wavelengths
 {

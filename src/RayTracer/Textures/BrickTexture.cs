@@ -17,7 +17,8 @@ public sealed record BrickTextureDescription : TextureDescription
     public TextureDescription Mortar { get; init; } = new SolidTextureDescription { Color = new(0.6f, 0.58f, 0.55f) };
 
     /// <summary>Bricks along u and courses along v where uv goes from 0 to 1.</summary>
-    [Parameter("Bricks along u and courses along v where uv goes from 0 to 1, each with its mortar.", Minimum = 0, MinimumIsExclusive = true)]
+    [Parameter("Bricks along u and courses along v where uv goes from 0 to 1, each with its mortar.",
+        Minimum = 0, MinimumIsExclusive = true)]
     public Vector2 Scale { get; init; } = new(4, 8);
 
     /// <summary>Thickness of the mortar.</summary>

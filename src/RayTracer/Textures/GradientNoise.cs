@@ -42,7 +42,8 @@ internal static class GradientNoise
     /// <param name="seed">Selects the function.</param>
     /// <param name="octaves">How many, at least 1.</param>
     /// <param name="gain">Height of each over that of the one before.</param>
-    /// <param name="isTurbulent">Whether the magnitude of each is summed: creases, as of billows (Perlin, An image synthesizer, 1985).</param>
+    /// <param name="isTurbulent">Whether the magnitude of each is summed: creases, as of billows (Perlin, An image synthesizer,
+    /// 1985).</param>
     public static FloatW Sum(in Vec3W p, uint seed, int octaves, float gain, bool isTurbulent)
     {
         FloatW sum = 0f;
@@ -80,7 +81,8 @@ internal static class GradientNoise
 
     private static FloatW Mix(FloatW a, FloatW b, FloatW t) => FloatW.MultiplyAdd(b - a, t, a);
 
-    // The product of a point of the grid's gradient, one of the twelve to the middles of a cube's edges (four of them twice), with the way from there.
+    // The product of a point of the grid's gradient, one of the twelve to the middles of a cube's edges (four of them twice), with the way
+    // from there.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static FloatW Slope(UIntW i, UIntW j, UIntW k, uint seed, FloatW x, FloatW y, FloatW z)
     {

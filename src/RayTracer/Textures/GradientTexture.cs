@@ -17,11 +17,13 @@ public enum GradientShape
 }
 
 /// <summary>Describes a <see cref="GradientTexture"/>.</summary>
-[SceneType("gradient", "One texture that blends into another: along u, outwards from the middle of uv, or around it. To turn or scale it, use placed.")]
+[SceneType("gradient", "One texture that blends into another: along u, outwards from the middle of uv, or around it. To turn or scale it, "
+    + "use placed.")]
 public sealed record GradientTextureDescription : TextureDescription
 {
     /// <summary>Along what it grows.</summary>
-    [Parameter("The direction of the gradient: linear (along u, from 0 to 1), radial (from (1/2, 1/2) up to a distance of 1/2) or angular (around that point, counter-clockwise from the direction of u).")]
+    [Parameter("The direction of the gradient: linear (along u, from 0 to 1), radial (from (1/2, 1/2) up to a distance of 1/2) or angular "
+        + "(around that point, counter-clockwise from the direction of u).")]
     public GradientShape Shape { get; init; } = GradientShape.Linear;
 
     /// <summary>The texture at its beginning.</summary>

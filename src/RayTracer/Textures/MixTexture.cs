@@ -16,7 +16,8 @@ public sealed record MixTextureDescription : TextureDescription
     public TextureDescription Second { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>The weight of the second texture.</summary>
-    [Parameter("The weight of the second texture: the red channel of this one, whose pictures are read raw.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    [Parameter("The weight of the second texture: the red channel of this one, whose pictures are read raw.",
+        Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription Weight { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <inheritdoc/>

@@ -21,7 +21,8 @@ public sealed record PlacedTextureDescription : TextureDescription
     public Vector2 Scale { get; init; } = Vector2.One;
 
     /// <summary>Angle by which the scaled uv is turned about its origin.</summary>
-    [Parameter("Angle by which the scaled uv is turned counter-clockwise about its origin; the texture itself turns clockwise.", Unit = "degrees")]
+    [Parameter("Angle by which the scaled uv is turned counter-clockwise about its origin; the texture itself turns clockwise.",
+        Unit = "degrees")]
     public float Rotate { get; init; }
 
     /// <summary>Added to u and v last.</summary>

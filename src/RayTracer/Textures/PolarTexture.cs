@@ -4,7 +4,8 @@ using RayTracer.Numerics;
 namespace RayTracer.Textures;
 
 /// <summary>Describes a <see cref="PolarTexture"/>.</summary>
-[SceneType("polar", "Another texture around the middle of uv, (½, ½): its u is the distance from there (1 at the edge of the unit square), its v the angle from the direction of u (1 for a full turn).")]
+[SceneType("polar", "Another texture around the middle of uv, (½, ½): its u is the distance from there (1 at the edge of the unit square), "
+    + "its v the angle from the direction of u (1 for a full turn).")]
 public sealed record PolarTextureDescription : TextureDescription
 {
     /// <summary>The texture.</summary>

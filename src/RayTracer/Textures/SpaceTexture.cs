@@ -17,7 +17,8 @@ public enum TextureSpace
 public abstract record SpaceTextureDescription : TextureDescription
 {
     /// <summary>The coordinates that are used.</summary>
-    [Parameter("Whose coordinates are used: the object's (those of the shape's own numbers, before any transform, so that the texture moves with it) or the world's.")]
+    [Parameter("Whose coordinates are used: the object's (those of the shape's own numbers, before any transform, so that the texture "
+        + "moves with it) or the world's.")]
     public TextureSpace Space { get; init; } = TextureSpace.Object;
 
     /// <summary>The transform of the texture in these coordinates; empty for the identity.</summary>

@@ -34,7 +34,8 @@ public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
     public virtual void Slope(in TexturePointW at, out FloatW alongU, out FloatW alongV) => alongU = alongV = 0f;
 
     /// <summary>The colour where a path meets a surface.</summary>
-    /// <param name="surface">Where: <see cref="SurfaceW.U"/>, <see cref="SurfaceW.V"/>, and what else the texture's <see cref="Inputs"/> name.</param>
+    /// <param name="surface">Where: <see cref="SurfaceW.U"/>, <see cref="SurfaceW.V"/>, and what else the texture's <see cref="Inputs"/>
+    /// name.</param>
     /// <param name="color">The colour there, linear.</param>
     public void Evaluate(in SurfaceW surface, out RgbW color)
     {

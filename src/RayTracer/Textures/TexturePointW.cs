@@ -8,7 +8,9 @@ public struct TexturePointW
     /// <summary>Surface coordinates.</summary>
     public FloatW U, V;
 
-    /// <summary>The point in the coordinates in which the shape's own numbers are given; set only for <see cref="TextureInputs.ObjectPoint"/>.</summary>
+    /// <summary>
+    /// The point in the coordinates in which the shape's own numbers are given; set only for <see cref="TextureInputs.ObjectPoint"/>.
+    /// </summary>
     public Vec3W Local;
 
     /// <summary>The point in the world; set only for <see cref="TextureInputs.WorldPoint"/>.</summary>

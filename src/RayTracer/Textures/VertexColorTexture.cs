@@ -4,7 +4,8 @@ using RayTracer.Numerics;
 namespace RayTracer.Textures;
 
 /// <summary>Describes a <see cref="VertexColorTexture"/>.</summary>
-[SceneType("vertexColor", "The colours of a mesh's corners, linear in between; white on shapes without any. Where a material uses it, these colours do not also tint its diffuse colour.")]
+[SceneType("vertexColor", "The colours of a mesh's corners, linear in between; white on shapes without any. Where a material uses it, "
+    + "these colours do not also tint its diffuse colour.")]
 public sealed record VertexColorTextureDescription : TextureDescription
 {
     /// <inheritdoc/>

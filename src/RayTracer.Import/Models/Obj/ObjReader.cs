@@ -17,6 +17,16 @@ internal sealed class ObjReader
     // A mesh for each of more names than this would be of no use, and take much memory.
     private const int MostParts = 1000;
 
+    // Statements that are not read, and what notes say of them: nothing where they mean nothing here.
+    private static readonly (string What, string[] Words)[] s_ignored =
+    [
+        ("lines and points", ["l", "p"]),
+        ("curves and curved surfaces",
+            ["vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con"]),
+        ("other files that it includes", ["call", "csh"]),
+        ("", ["mg", "lod", "bevel", "c_interp", "d_interp", "ctech", "stech", "shadow_obj", "trace_obj", "usemap", "maplib"]),
+    ];
+
     private readonly ObjMesh _mesh = new();
     private readonly MtlLibrary _library;
     private readonly List<(int Position, int Uv, int Normal)> _face = [];
@@ -92,28 +102,21 @@ internal sealed class ObjReader
 
     private void ReadRareStatement(string keyword, ref ModelText text)
     {
-        switch (keyword)
+        if (keyword == "usemtl")
         {
-            case "usemtl":
-                _material = text.IsAtLineEnd() ? ObjMesh.NoMaterial : _library.Use(text.RestOfLine());
-                break;
-            case "mtllib":
-                _library.Read(text.IsAtLineEnd() ? "" : text.RestOfLine());
-                break;
-            case "l" or "p":
-                _leftOut.Add("lines and points");
-                break;
-            case "vp" or "cstype" or "deg" or "bmat" or "step" or "curv" or "curv2" or "surf" or "parm" or "trim" or "hole" or "scrv" or "sp" or "end" or "con":
-                _leftOut.Add("curves and curved surfaces");
-                break;
-            case "mg" or "lod" or "bevel" or "c_interp" or "d_interp" or "ctech" or "stech" or "shadow_obj" or "trace_obj" or "usemap" or "maplib":
-                break;
-            case "call" or "csh":
-                _leftOut.Add("other files that it includes");
-                break;
-            default:
-                _stranger ??= $"{Quotation.Of(keyword)} in line {text.Line} and other lines that are not OBJ statements";
-                break;
+            _material = text.IsAtLineEnd() ? ObjMesh.NoMaterial : _library.Use(text.RestOfLine());
+        }
+        else if (keyword == "mtllib")
+        {
+            _library.Read(text.IsAtLineEnd() ? "" : text.RestOfLine());
+        }
+        else if (Array.Find(s_ignored, i => i.Words.Contains(keyword)).What is { } what)
+        {
+            _ = what.Length == 0 || _leftOut.Add(what);
+        }
+        else
+        {
+            _stranger ??= $"{Quotation.Of(keyword)} in line {text.Line} and other lines that are not OBJ statements";
         }
     }
 

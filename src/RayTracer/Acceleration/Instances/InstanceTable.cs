@@ -14,7 +14,7 @@ internal sealed unsafe class InstanceTable
     /// <summary>Floats an instance: the map into the world, and the one back, each row by row.</summary>
     public const int Stride = 24;
 
-    /// <summary>Where in an entry the map back begins.</summary>
+    /// <summary>The place in an entry at which the map back begins.</summary>
     public const int Back = 12;
 
     // How far boxes are made wider, as a fraction of the largest coordinate: rays and boxes are rounded in the world, hits in the space.
@@ -62,7 +62,7 @@ internal sealed unsafe class InstanceTable
     /// <summary>Number of instances.</summary>
     public int Count { get; }
 
-    /// <summary>Whether any instance moves while the shutter is open.</summary>
+    /// <summary>True where any instance moves while the shutter is open.</summary>
     public bool Moves => _motions.Length > 0;
 
     /// <summary>Memory of the tree over the instances.</summary>
@@ -71,7 +71,7 @@ internal sealed unsafe class InstanceTable
     /// <summary>Memory of the instances, without that of what they show.</summary>
     public long MemoryBytes => ((long)Stride * sizeof(float) * Count) + (_smallSpaces?.Length * 2L ?? _spaces!.Length * 4L) + (8L * _motions.Length) + _tree.MemoryBytes;
 
-    /// <summary>What the tree over the instances looks like.</summary>
+    /// <summary>The size and shape of the tree over the instances.</summary>
     public BvhStatistics TreeStatistics => _tree.Statistics;
 
     /// <summary>Builds a tree again as it is where the shutter opens, to measure how long that takes; the table keeps its own.</summary>
@@ -89,15 +89,15 @@ internal sealed unsafe class InstanceTable
     /// <summary>By what the light of an instance is told from that of others, where its contents do not say that.</summary>
     public LightGroupLabel? LabelOf(int instance) => _labels.Length > 0 ? _labels[instance - 1] : null;
 
-    /// <summary>What an instance shows.</summary>
+    /// <summary>Returns the space that an instance shows.</summary>
     /// <param name="instance">Its number, from 1.</param>
     public Space SpaceOf(int instance) => _all[_smallSpaces is null ? _spaces![instance - 1] : _smallSpaces[instance - 1]];
 
-    /// <summary>What an instance was made from; null where that is not kept.</summary>
+    /// <summary>Returns the description that an instance was made from; null where that is not kept.</summary>
     /// <param name="instance">Its number, from 1.</param>
     public ShapeDescription? SourceOf(int instance) => _sources.Length > 0 ? _sources[instance - 1] : null;
 
-    /// <summary>Where an instance is when the shutter opens.</summary>
+    /// <summary>Returns the place of an instance when the shutter opens.</summary>
     /// <param name="instance">Its number, from 1.</param>
     public Transform PlaceOf(int instance) => Transform.Read(_maps.Pointer + ((long)Stride * (instance - 1)));
 
@@ -130,7 +130,7 @@ internal sealed unsafe class InstanceTable
     /// <param name="hit">The nearest hit so far.</param>
     public void ClosestHit(in SpaceRay ray, float time, ref InstanceHit hit) => _tree.ClosestHit(ray, time, ref hit);
 
-    /// <summary>Whether any instance stands in the way of a ray.</summary>
+    /// <summary>Returns whether any instance stands in the way of a ray.</summary>
     /// <param name="ray">The ray, in the world.</param>
     /// <param name="time">Its time in seconds.</param>
     /// <param name="distance">How far it must be free.</param>
@@ -138,13 +138,13 @@ internal sealed unsafe class InstanceTable
     /// <param name="skip">That primitive.</param>
     public bool AnyHit(in SpaceRay ray, float time, float distance, int skipped, int skip) => _tree.AnyHit(ray, time, distance, skipped, skip);
 
-    /// <summary>What it costs a ray to find the nearest hit of all instances: nodes visited plus triangles tested.</summary>
+    /// <summary>Returns the cost of finding a ray's nearest hit of all instances: nodes visited plus triangles tested.</summary>
     /// <param name="ray">The ray, in the world.</param>
     /// <param name="time">Its time in seconds.</param>
     /// <param name="hit">The nearest hit so far.</param>
     public long Cost(in SpaceRay ray, float time, in InstanceHit hit) => _tree.Cost(ray, time, hit);
 
-    /// <summary>What it costs to find the nearest hit of one instance.</summary>
+    /// <summary>Returns the cost of finding the nearest hit of one instance.</summary>
     internal long CostOf(int instance, in SpaceRay ray, float time, float distance)
     {
         float* scratch = stackalloc float[Stride];
@@ -163,7 +163,7 @@ internal sealed unsafe class InstanceTable
         }
     }
 
-    /// <summary>Whether one instance stands in the way.</summary>
+    /// <summary>Returns whether one instance stands in the way.</summary>
     internal bool IsMet(int instance, in SpaceRay ray, float time, float distance, int skip)
     {
         float* scratch = stackalloc float[Stride];
@@ -195,7 +195,7 @@ internal sealed unsafe class InstanceTable
         float.FusedMultiplyAdd(p.X, m[0], float.FusedMultiplyAdd(p.Y, m[1], float.FusedMultiplyAdd(p.Z, m[2], m[3])));
 }
 
-/// <summary>What a ray has met.</summary>
+/// <summary>The hit of a ray.</summary>
 /// <param name="Distance">How far away.</param>
 /// <param name="Primitive">The primitive, by its number among the scene's.</param>
 /// <param name="Instance">The instance that showed it; 0 for the world itself.</param>

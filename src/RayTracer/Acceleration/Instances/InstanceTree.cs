@@ -24,7 +24,7 @@ internal sealed class InstanceTree
     /// <summary>Memory of the tree.</summary>
     public long MemoryBytes => _tree.MemoryBytes + (4L * _endless.Length);
 
-    /// <summary>What the tree looks like.</summary>
+    /// <summary>The size and shape of the tree.</summary>
     public BvhStatistics Statistics => _tree.Statistics;
 
     /// <summary>Shortens a ray to the nearest hit of all instances.</summary>
@@ -40,7 +40,9 @@ internal sealed class InstanceTree
         hit = search.Hit;
     }
 
-    /// <summary>What it costs a ray to find the nearest hit of all instances: nodes visited plus triangles tested, of all trees.</summary>
+    /// <summary>
+    /// Returns the cost of finding a ray's nearest hit of all instances: nodes visited plus triangles tested, of all trees.
+    /// </summary>
     public long Cost(in SpaceRay ray, float time, in InstanceHit hit)
     {
         Counting search = new(_table, ray, time, hit);
@@ -54,7 +56,7 @@ internal sealed class InstanceTree
         return search.Cost;
     }
 
-    /// <summary>Whether any instance stands in the way of a ray.</summary>
+    /// <summary>Returns whether any instance stands in the way of a ray.</summary>
     public bool AnyHit(in SpaceRay ray, float time, float distance, int skipped, int skip)
     {
         foreach (int instance in _endless)

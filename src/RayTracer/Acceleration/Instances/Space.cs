@@ -37,7 +37,7 @@ internal sealed class Space
         }
     }
 
-    /// <summary>What it was made from.</summary>
+    /// <summary>The description that it was made from.</summary>
     public SpaceContents Contents { get; }
 
     /// <summary>The shapes in the order of their primitive numbers.</summary>
@@ -64,7 +64,7 @@ internal sealed class Space
     /// <summary>The box around everything; infinite where something is.</summary>
     public Bounds Bounds { get; }
 
-    /// <summary>Whether anything in it shines.</summary>
+    /// <summary>True where anything in it shines.</summary>
     public bool Shines => Array.Exists(Shapes, s => s.Material.Traits.Emits) || Contents.Meshes.Exists(m => m.Materials.Any(material => material.Traits.Emits));
 
     /// <summary>The tables of all surfaces.</summary>
@@ -77,7 +77,7 @@ internal sealed class Space
         return index < Shapes.Length ? Shapes[index].Material : MaterialOfTriangle[index - Shapes.Length];
     }
 
-    /// <summary>What a primitive of the space was made from; null where that is not kept.</summary>
+    /// <summary>Returns the description that a primitive of the space was made from; null where that is not kept.</summary>
     public ShapeDescription? SourceOf(int primitive)
     {
         int index = primitive - FirstPrimitive;
@@ -102,7 +102,7 @@ internal sealed class Space
         return found;
     }
 
-    /// <summary>What it costs to find the nearest hit of one ray: nodes visited plus triangles tested.</summary>
+    /// <summary>Returns the cost of finding the nearest hit of one ray: nodes visited plus triangles tested.</summary>
     /// <param name="ray">The ray, in coordinates of the space.</param>
     /// <param name="distance">How far hits count, in multiples of the direction.</param>
     public long Cost(in SpaceRay ray, float distance)
@@ -111,7 +111,7 @@ internal sealed class Space
         return Tree?.Cost(ray.Origin, ray.Direction, distance) ?? 0;
     }
 
-    /// <summary>Whether anything stands in the way of one ray.</summary>
+    /// <summary>Returns whether anything stands in the way of one ray.</summary>
     /// <param name="ray">The ray, in coordinates of the space.</param>
     /// <param name="distance">How far it must be free, in multiples of the direction.</param>
     /// <param name="skip">A primitive that does not count; −1 for none.</param>

@@ -16,11 +16,15 @@ public unsafe interface IShapeKernel
     /// <summary>Writes a shape's entry.</summary>
     static abstract void Pack(Shape shape, float* entry);
 
-    /// <summary>The smallest distance above zero at which rays meet the shape of an entry; where they do not, NaN, infinity, or anything not above zero.</summary>
+    /// <summary>
+    /// The smallest distance above zero at which rays meet the shape of an entry; where they do not, NaN, infinity, or anything not above
+    /// zero.
+    /// </summary>
     static abstract FloatW Meet(float* q, in Vec3W origin, in Vec3W direction);
 
     /// <summary>
-    /// Which segments that end on the shape, on a side that faces them, cross it before. Only shapes that are not convex can hide a part of themselves.
+    /// Which segments that end on the shape, on a side that faces them, cross it before. Only shapes that are not convex can hide a part of
+    /// themselves.
     /// </summary>
     static virtual MaskW HidesItself(float* q, in Vec3W origin, in Vec3W direction, in FloatW distance) => MaskW.None;
 

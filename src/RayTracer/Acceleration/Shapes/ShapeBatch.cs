@@ -23,7 +23,8 @@ public abstract unsafe class ShapeBatch(int count, int constants) : SurfaceTable
     /// <param name="origin">Where the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">Distance of the nearest hit so far; shortened.</param>
-    /// <param name="primitive">The primitive hit so far; replaced where the ray was shortened. Among equal distances the lowest number wins.</param>
+    /// <param name="primitive">The primitive hit so far; replaced where the ray was shortened. Among equal distances the lowest number
+    /// wins.</param>
     public void ClosestHit(in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive) =>
         ClosestHit(0, Count, origin, direction, ref distance, ref primitive);
 
@@ -33,14 +34,16 @@ public abstract unsafe class ShapeBatch(int count, int constants) : SurfaceTable
     /// <param name="origin">Where the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">Distance of the nearest hit so far; shortened.</param>
-    /// <param name="primitive">The primitive hit so far; replaced where the ray was shortened. Among equal distances the lowest number wins.</param>
+    /// <param name="primitive">The primitive hit so far; replaced where the ray was shortened. Among equal distances the lowest number
+    /// wins.</param>
     public abstract void ClosestHit(int from, int to, in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive);
 
     /// <summary>Finds out which rays are free (report: ShadowHit, which ends at the first hit here).</summary>
     /// <param name="origin">Where the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">How far the rays must be free.</param>
-    /// <param name="skip">A primitive that does not count: the light source that the rays end on, of which only what lies before that end may be in the way; −1 for none.</param>
+    /// <param name="skip">A primitive that does not count: the light source that the rays end on, of which only what lies before that end
+    /// may be in the way; −1 for none.</param>
     /// <param name="free">The rays that are free so far; cleared where a shape stands in the way.</param>
     public void Occlude(in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free) =>
         Occlude(0, Count, origin, direction, distance, skip, ref free);

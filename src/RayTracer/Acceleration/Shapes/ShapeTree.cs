@@ -51,7 +51,7 @@ internal sealed class ShapeTree
         (distance, primitive) = (search.Distance, search.Primitive);
     }
 
-    /// <summary>Whether a shape stands in the way of a ray.</summary>
+    /// <summary>Returns whether a shape stands in the way of a ray.</summary>
     /// <param name="ray">The ray; its direction has unit length.</param>
     /// <param name="distance">How far it must be free.</param>
     /// <param name="skip">A primitive that does not count; −1 for none.</param>

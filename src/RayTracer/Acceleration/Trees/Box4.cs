@@ -31,7 +31,7 @@ internal struct Box4
         }
     }
 
-    /// <summary>Whether all coordinates are numbers within ±10¹⁸, so that products of four of them are finite or nearly so.</summary>
+    /// <summary>True where all coordinates are numbers within ±10¹⁸, so that products of four of them are finite or nearly so.</summary>
     public readonly bool IsBounded
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

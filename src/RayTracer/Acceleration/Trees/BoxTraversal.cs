@@ -4,7 +4,7 @@ using System.Runtime.Intrinsics;
 
 namespace RayTracer.Acceleration;
 
-/// <summary>What is looked for among things in boxes.</summary>
+/// <summary>The goal of a search among things in boxes.</summary>
 internal interface IBoxSearch
 {
     /// <summary>Looks at a thing whose box the ray meets.</summary>

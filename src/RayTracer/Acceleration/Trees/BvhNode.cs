@@ -35,7 +35,9 @@ internal unsafe struct BvhNode
     [FieldOffset(12)]
     public fixed float Step[3];
 
-    /// <summary>Children from far to near, three bits each, for directions with z ≥ 0 and x or y negative by bits 0 and 1 of the index.</summary>
+    /// <summary>
+    /// Children from far to near, three bits each, for directions with z ≥ 0 and x or y negative by bits 0 and 1 of the index.
+    /// </summary>
     [FieldOffset(24)]
     public fixed int Order[4];
 

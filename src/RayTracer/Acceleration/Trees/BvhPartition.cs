@@ -2,7 +2,9 @@ using System.Runtime.Intrinsics;
 
 namespace RayTracer.Acceleration;
 
-/// <summary>Cuts ranges of primitives in two. What comes out depends on the primitives and their order only, never on the number of threads.</summary>
+/// <summary>
+/// Cuts ranges of primitives in two. What comes out depends on the primitives and their order only, never on the number of threads.
+/// </summary>
 internal static unsafe class BvhPartition
 {
     /// <summary>Cuts a range in place, by exchanging primitives.</summary>

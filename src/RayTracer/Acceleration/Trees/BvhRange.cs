@@ -8,16 +8,16 @@ internal unsafe struct BvhRange
     /// <summary>The first of them, in one of the builder's two arrays.</summary>
     public PrimitiveReference* First;
 
-    /// <summary>How many.</summary>
+    /// <summary>The number of primitives.</summary>
     public int Count;
 
     /// <summary>Place of the first one in the order of the whole tree.</summary>
     public int Start;
 
-    /// <summary>What holds them all.</summary>
+    /// <summary>The box that holds them all.</summary>
     public Box4 Bounds;
 
-    /// <summary>What holds twice their middles.</summary>
+    /// <summary>The box that holds twice their middles.</summary>
     public Box4 Middles;
 
     /// <summary>Half the surface area of the bounds.</summary>

@@ -1,12 +1,12 @@
 namespace RayTracer.Acceleration;
 
-/// <summary>What a traversal looks for; constants, so that each search is compiled on its own.</summary>
+/// <summary>The goal of a traversal; constants, so that each search is compiled by itself.</summary>
 internal interface ISearch
 {
-    /// <summary>Whether any hit ends the search.</summary>
+    /// <summary>True where any hit ends the search.</summary>
     static abstract bool EndsAtAnyHit { get; }
 
-    /// <summary>Whether visited nodes and tested triangles are counted.</summary>
+    /// <summary>True where visited nodes and tested triangles are counted.</summary>
     static abstract bool Counts { get; }
 }
 
@@ -26,7 +26,7 @@ internal readonly struct CountingSearch : ISearch
     public static bool Counts => true;
 }
 
-/// <summary>Whether there is a hit.</summary>
+/// <summary>The search for any hit.</summary>
 internal readonly struct AnySearch : ISearch
 {
     public static bool EndsAtAnyHit => true;

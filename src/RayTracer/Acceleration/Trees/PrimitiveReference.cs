@@ -3,7 +3,7 @@ using System.Runtime.Intrinsics;
 
 namespace RayTracer.Acceleration;
 
-/// <summary>What a tree is built from: a primitive's box, and its number in the fourth lane of the lower corner.</summary>
+/// <summary>The input of a tree's construction: a primitive's box, and its number in the fourth lane of the lower corner.</summary>
 internal struct PrimitiveReference
 {
     // Numbers are stored as ordinary floats, so that no processor stumbles over denormal ones.

@@ -48,7 +48,7 @@ internal struct SahSplit
         return Sse2.IsSupported ? Sse2.ConvertToVector128Int32WithTruncation(place) : Vector128.ConvertToInt32(place);
     }
 
-    /// <summary>Whether a primitive belongs to the lower side.</summary>
+    /// <summary>Returns whether a primitive belongs to the lower side.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly bool IsLower(Vector128<float> middle) =>
         (Vector128.LessThan(BinsOf(middle), Vector128.Create(Position)).ExtractMostSignificantBits() >> Axis & 1) != 0;

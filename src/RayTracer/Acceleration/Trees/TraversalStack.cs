@@ -1,6 +1,6 @@
 namespace RayTracer.Acceleration;
 
-/// <summary>What one ray has yet to visit.</summary>
+/// <summary>The nodes that one ray has yet to visit.</summary>
 internal unsafe struct TraversalStack
 {
     /// <summary>Entries that can come together: seven a level, and the depth of a tree is bounded (<see cref="BvhBuilder"/>).</summary>
@@ -9,7 +9,7 @@ internal unsafe struct TraversalStack
     /// <summary>Nodes and leaves; eight are written at a time.</summary>
     public fixed uint Reference[Capacity + 8];
 
-    /// <summary>Where the ray enters them.</summary>
+    /// <summary>The distances at which the ray enters them.</summary>
     public fixed float Entry[Capacity + 8];
 
     /// <summary>Nodes visited and triangles tested, where that is counted.</summary>

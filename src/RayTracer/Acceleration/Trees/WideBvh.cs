@@ -27,7 +27,7 @@ internal sealed unsafe class WideBvh
     /// <summary>The primitives' numbers in the order of the leaves, which are ranges of it.</summary>
     public ReadOnlySpan<int> Order => _order is null ? [] : new(_order.Pointer, Count);
 
-    /// <summary>What the tree looks like. Counted when it is first asked for.</summary>
+    /// <summary>The size and shape of the tree, counted when it is first asked for.</summary>
     public BvhStatistics Statistics => _statistics ??= BvhInspection.Count(this);
 
     /// <summary>The box of everything.</summary>
@@ -44,7 +44,8 @@ internal sealed unsafe class WideBvh
 
     /// <summary>Builds a tree.</summary>
     /// <param name="bounds">
-    /// Six numbers a primitive: lower x, y, z, upper x, y, z. Primitives whose numbers are not finite, beyond ±10¹⁸ or the wrong way round stay out of the tree.
+    /// Six numbers a primitive: lower x, y, z, upper x, y, z. Primitives whose numbers are not finite, beyond ±10¹⁸ or the wrong way round
+    /// stay out of the tree.
     /// </param>
     /// <param name="leafSize">Most primitives a leaf, 1 to 8.</param>
     /// <param name="threads">Number of threads.</param>
@@ -84,3 +85,15 @@ internal sealed unsafe class WideBvh
         }
     }
 }
+
+/// <summary>The size and shape of a tree.</summary>
+/// <param name="Primitives">Primitives in its leaves.</param>
+/// <param name="Nodes">Inner nodes.</param>
+/// <param name="Leaves">Leaves.</param>
+/// <param name="Depth">Nodes on the longest way from the root to a leaf.</param>
+/// <param name="SahCost">
+/// Nodes, plus leaves, that a random line through the root's box is expected to visit (MacDonald &amp; Booth 1990), by the ratio of surface
+/// areas.
+/// </param>
+/// <param name="MemoryBytes">Memory of the nodes and of what the leaves hold.</param>
+public readonly record struct BvhStatistics(int Primitives, int Nodes, int Leaves, int Depth, double SahCost, long MemoryBytes);

@@ -21,7 +21,7 @@ internal unsafe struct BlockWorkspace
     /// <summary>For rays that are alone.</summary>
     public TraversalStack Single;
 
-    /// <summary>What groups of rays have yet to visit: <see cref="PendingVisit"/>.</summary>
+    /// <summary>The nodes that groups of rays have yet to visit: <see cref="PendingVisit"/>.</summary>
     public fixed ulong Pending[2 * TraversalStack.Capacity];
 }
 

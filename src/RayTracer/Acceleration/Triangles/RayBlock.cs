@@ -28,22 +28,22 @@ internal unsafe struct RayBlock
     /// <summary>By what factor boxes are enlarged more than <see cref="Slack"/> says.</summary>
     public const float BoxToTriangleSlack = BoxSlack / TriangleSlack;
 
-    /// <summary>Where the rays start, an axis after another.</summary>
+    /// <summary>The origins of the rays, one axis after another.</summary>
     public fixed float Origin[3 * Size];
 
     /// <summary>Inverse directions; components near zero are moved away from it.</summary>
     public fixed float Inverse[3 * Size];
 
-    /// <summary>What planes at lower ends of boxes, times the inverse direction, are added to.</summary>
+    /// <summary>The terms to which planes at lower ends of boxes, times the inverse direction, are added.</summary>
     public fixed float LowerShift[3 * Size];
 
-    /// <summary>What planes at upper ends of boxes, times the inverse direction, are added to.</summary>
+    /// <summary>The terms to which planes at upper ends of boxes, times the inverse direction, are added.</summary>
     public fixed float UpperShift[3 * Size];
 
-    /// <summary>How far a ray moves along the first minor axis while it moves by one along the major one.</summary>
+    /// <summary>The movement of a ray along the first minor axis while it moves by one along the major one.</summary>
     public fixed float ShearX[Size];
 
-    /// <summary>How far a ray moves along the second minor axis while it moves by one along the major one.</summary>
+    /// <summary>The movement of a ray along the second minor axis while it moves by one along the major one.</summary>
     public fixed float ShearY[Size];
 
     /// <summary>The inverse of the direction's largest component.</summary>
@@ -55,7 +55,7 @@ internal unsafe struct RayBlock
     /// <summary>Limit, then distance of the nearest hit.</summary>
     public fixed float Distance[Size];
 
-    /// <summary>What was hit, or −1.</summary>
+    /// <summary>The primitive that was hit, or −1.</summary>
     public fixed int Primitive[Size];
 
     /// <summary>The axis along which each ray moves fastest.</summary>

@@ -39,7 +39,7 @@ internal readonly unsafe struct TriangleBounds(Vector3* positions, int positionC
         return box.IsBounded && Vector128.EqualsAll((a - a) + (b - b) + (c - c), Vector128<float>.Zero) && HasArea(a, b, c);
     }
 
-    /// <summary>Whether the corners are not on a line: the area in double precision, in which the products are exact.</summary>
+    /// <summary>Returns whether the corners are not on a line, by the area in double precision, in which the products are exact.</summary>
     private static bool HasArea(Vector128<float> a, Vector128<float> b, Vector128<float> c)
     {
         double x1 = (double)b[0] - a[0];

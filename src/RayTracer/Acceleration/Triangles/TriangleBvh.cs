@@ -34,7 +34,7 @@ internal sealed unsafe class TriangleBvh
     /// <summary>Upper corner of the box of all triangles; infinite and negative where there are none.</summary>
     public Vector3 Upper => _tree.Bounds.Upper.AsVector3();
 
-    /// <summary>What the tree looks like, memory of the triangles included.</summary>
+    /// <summary>The size and shape of the tree, memory of the triangles included.</summary>
     public BvhStatistics Statistics => _tree.Statistics with { MemoryBytes = _tree.MemoryBytes + _triangles.Bytes };
 
     /// <summary>Builds a tree, which keeps its own copy of the triangles.</summary>
@@ -83,7 +83,7 @@ internal sealed unsafe class TriangleBvh
         return primitive >= 0;
     }
 
-    /// <summary>Whether a ray hits anything.</summary>
+    /// <summary>Returns whether a ray hits anything.</summary>
     /// <param name="origin">Where it starts.</param>
     /// <param name="direction">Its direction, of any length.</param>
     /// <param name="distance">The limit, in multiples of the direction.</param>
@@ -212,4 +212,20 @@ internal sealed unsafe class TriangleBvh
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static BlockWorkspace* Align(byte* memory) => (BlockWorkspace*)(((nint)memory + 63) & ~63);
+}
+
+/// <summary>The way in which a stream of rays goes through a tree. All ways find the same hits, to the bit.</summary>
+internal enum TraversalMode
+{
+    /// <summary>By what the rays look like: blocks as they come where neighbours point the same way, else sorted.</summary>
+    Automatic,
+
+    /// <summary>One ray after another: one ray against eight boxes or eight triangles.</summary>
+    Single,
+
+    /// <summary>Blocks of 64 rays in the order in which they come.</summary>
+    Blocks,
+
+    /// <summary>Blocks of 64 rays after sorting all by origin and direction.</summary>
+    Sorted,
 }

@@ -6,7 +6,8 @@ namespace RayTracer.Acceleration;
 /// <summary>
 /// The watertight test of rays and triangles (Woop, Benthin &amp; Wald 2013), eight at a time: one ray and eight triangles, or eight rays and one
 /// triangle. Corners are moved to the ray's start and sheared, so that the ray runs along an axis; whether it passes an edge on the left is
-/// then a sign that the neighbour across the edge computes from the same numbers. Signs are exact, so a ray that meets a closed surface cannot slip through.
+/// then a sign that the neighbour across the edge computes from the same numbers. Signs are exact, so a ray that meets a closed surface
+/// cannot slip through.
 /// </summary>
 /// <typeparam name="TLanes">What the lanes stand for.</typeparam>
 internal static unsafe class TriangleTest<TLanes>
@@ -16,7 +17,8 @@ internal static unsafe class TriangleTest<TLanes>
     /// Looks where rays run through triangles, forwards or backwards. For any hit, <c>sure</c> receives the lanes that are hits in any case, so that no
     /// distance need be computed.
     /// </summary>
-    /// <returns>The lanes that pass. It may be one too many: edge functions that are zero after rounding are settled by <see cref="Distance"/>.</returns>
+    /// <returns>The lanes that pass. It may be one too many: edge functions that are zero after rounding are settled by
+    /// <see cref="Distance"/>.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Candidates<TSearch>(
         Vector256<float> ax, Vector256<float> bx, Vector256<float> cx, Vector256<float> ay, Vector256<float> by, Vector256<float> cy,
@@ -120,7 +122,9 @@ internal static unsafe class TriangleTest<TLanes>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Edge(Vector256<float> a, Vector256<float> b, Vector256<float> c, Vector256<float> d) => (a * b) - (c * d);
 
-    /// <summary>Where no two have opposite signs. Rounding is monotonic, so that a sign that differs from zero is right.</summary>
+    /// <summary>
+    /// Returns the lanes in which no two have opposite signs. Rounding is monotonic, so that a sign that differs from zero is right.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> SameSign(Vector256<float> u, Vector256<float> v, Vector256<float> w) =>
         Vector256.GreaterThanOrEqual(Lanes8.Min(Lanes8.Min(u, v), w), Vector256<float>.Zero)

@@ -4,7 +4,8 @@ using System.Text.Json;
 namespace RayTracer.Description;
 
 /// <summary>
-/// The values of a type that are chosen by name: those of an enumeration, or those in the <see cref="Registry{T}"/> that is the static property
+/// The values of a type that are chosen by name: those of an enumeration, or those in the <see cref="Registry{T}"/> that is the static
+/// property
 /// <c>Known</c> of an open type.
 /// </summary>
 public abstract class NamedValues

@@ -17,7 +17,8 @@ public static class Plugins
 
     /// <summary>Adds all that an assembly defines, or nothing, before the first scene is read or built. Any thread may do so.</summary>
     /// <param name="assembly">The assembly. Of its public classes, all that have a constructor without arguments are looked at.</param>
-    /// <exception cref="PluginException">It has nothing to add, a name is taken, or it was made for another version of the core.</exception>
+    /// <exception cref="PluginException">It has nothing to add, a name is taken, or it was made for another version of the
+    /// core.</exception>
     public static void Add(Assembly assembly)
     {
         lock (s_gate)

@@ -1,6 +1,8 @@
 namespace RayTracer.Description;
 
-/// <summary>Reports the parameters of records that are out of their ranges, or null where they must not be; each record is checked once.</summary>
+/// <summary>
+/// Reports the parameters of records that are out of their ranges, or null where they must not be; each record is checked once.
+/// </summary>
 internal sealed class RangeCheck(Action<SceneComplaint> complain)
 {
     private readonly HashSet<object> _seen = new(ReferenceEqualityComparer.Instance);

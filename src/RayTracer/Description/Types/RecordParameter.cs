@@ -6,7 +6,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Description;
 
-/// <summary>One parameter of a <see cref="RecordType"/>: a property of a description record that has a <see cref="ParameterAttribute"/>.</summary>
+/// <summary>
+/// One parameter of a <see cref="RecordType"/>: a property of a description record that has a <see cref="ParameterAttribute"/>.
+/// </summary>
 public sealed class RecordParameter
 {
     private const BindingFlags AllFields = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
@@ -131,7 +133,9 @@ public sealed class RecordParameter
     /// <summary>The value of one of <see cref="Choices"/>, whose letters may be small or capital; null where there is none.</summary>
     public object? Choice(string word) => _values?.Find(word);
 
-    /// <summary>As <see cref="RangeComplaint(object?)"/>; null is at fault, too, alone or in a list, where a new record has another value.</summary>
+    /// <summary>
+    /// As <see cref="RangeComplaint(object?)"/>; null is at fault, too, alone or in a list, where a new record has another value.
+    /// </summary>
     internal string? Complaint(object? value) => value is null && Default is not null ? "must not be null"
         : RecordsIn(value).Contains(null!) ? "must not hold null"
         : RangeComplaint(value);

@@ -42,7 +42,8 @@ public sealed class RecordType
     public IReadOnlyList<RecordParameter> Parameters { get; }
 
     /// <summary>The type of a description record.</summary>
-    /// <param name="record">The record's C# type. Without a constructor that takes nothing, it cannot be made here, and its parameters have no defaults.</param>
+    /// <param name="record">The record's C# type. Without a constructor that takes nothing, it cannot be made here, and its parameters have
+    /// no defaults.</param>
     public static RecordType Of(Type record) => Known.GetOrAdd(record, r => new RecordType(r));
 
     /// <summary>The parameter of a key; null where there is none.</summary>

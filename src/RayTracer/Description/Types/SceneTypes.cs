@@ -2,7 +2,9 @@ using RayTracer.Textures;
 
 namespace RayTracer.Description;
 
-/// <summary>All records that a scene file may hold, found by their attributes; those of other assemblies are added by <see cref="Plugins"/>.</summary>
+/// <summary>
+/// All records that a scene file may hold, found by their attributes; those of other assemblies are added by <see cref="Plugins"/>.
+/// </summary>
 public static class SceneTypes
 {
     /// <summary>The whole scene.</summary>
@@ -23,7 +25,9 @@ public static class SceneTypes
     /// <summary>The four families.</summary>
     public static IReadOnlyList<TypeFamily> Families { get; } = [Shapes, Materials, Textures, Environments];
 
-    /// <summary>The scene and all records without a type that are parts of it or of its things, such as the camera, outer ones first.</summary>
+    /// <summary>
+    /// The scene and all records without a type that are parts of it or of its things, such as the camera, outer ones first.
+    /// </summary>
     public static IReadOnlyList<RecordType> Parts =>
         [.. WithParts(Scene).Concat(Families.SelectMany(f => f.Types).SelectMany(t => WithParts(t).Skip(1))).Distinct()];
 

@@ -2,7 +2,9 @@ using System.Collections.Concurrent;
 
 namespace RayTracer.Rendering;
 
-/// <summary>Renders samples of single pixels, wherever they are, on several threads. It keeps what the threads need from one call to the next.</summary>
+/// <summary>
+/// Renders samples of single pixels, wherever they are, on several threads. It keeps what the threads need from one call to the next.
+/// </summary>
 /// <param name="scene">What to render.</param>
 /// <param name="options">How to compute it.</param>
 internal sealed class PixelRenderer(Scene scene, RenderOptions options)
@@ -13,7 +15,7 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
     private readonly ConcurrentBag<Wavefront> _idle = [];
     private readonly int _threads = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
 
-    /// <summary>What was done so far.</summary>
+    /// <summary>The work that was done so far.</summary>
     public RenderStatistics Statistics => new()
     {
         Paths = _idle.Sum(w => w.Paths),

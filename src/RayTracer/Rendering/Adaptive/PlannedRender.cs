@@ -1,6 +1,9 @@
 namespace RayTracer.Rendering;
 
-/// <summary>Renders a picture whose pixels have the numbers of samples that a plan says. Each pixel is what it is in a plain picture with that many samples, to the bit.</summary>
+/// <summary>
+/// Renders a picture whose pixels have the numbers of samples that a plan says. Each pixel is what it is in a plain picture with that many
+/// samples, to the bit.
+/// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="options">How to compute it.</param>
 /// <param name="plan">The plan.</param>

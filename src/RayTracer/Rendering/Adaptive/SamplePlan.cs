@@ -1,17 +1,18 @@
 namespace RayTracer.Rendering;
 
-/// <summary>How many samples each pixel will have: one number for each block of pixels.</summary>
+/// <summary>The numbers of samples that pixels will have: one for each block of pixels.</summary>
 /// <param name="Area">The part of the picture.</param>
 /// <param name="Blocks">Its blocks, row by row.</param>
 /// <param name="Samples">For each block, the number of samples of each of its pixels.</param>
 /// <param name="Error">
 /// The relative error that is expected of the picture: the root of the mean, over all pixels and channels, of the squared error relative to
-/// the block's brightness (plus a tenth of the picture's, so that black corners do not count for everything). Cautious where samples are stratified.
+/// the block's brightness (plus a tenth of the picture's, so that black corners do not count for everything). Cautious where samples are
+/// stratified.
 /// </param>
 /// <param name="Statistics">What was done to decide.</param>
 public sealed record SamplePlan(Tile Area, IReadOnlyList<Tile> Blocks, IReadOnlyList<int> Samples, double Error, RenderStatistics Statistics)
 {
-    /// <summary>What was done for a picture and to decide on it.</summary>
+    /// <summary>The work that was done for a picture and to decide on it.</summary>
     /// <param name="picture">What was done for the picture.</param>
     public RenderStatistics Add(RenderStatistics picture) => picture with
     {

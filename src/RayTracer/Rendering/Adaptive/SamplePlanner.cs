@@ -21,13 +21,19 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
     private const int EvenLead = 2;
     private readonly PixelRenderer _renderer = new(scene, options);
 
-    /// <summary>Says whether time is so short that what was found so far must do, asked before deciding samples are doubled; null where there is time enough.</summary>
+    /// <summary>
+    /// Says whether time is so short that what was found so far must do, asked before deciding samples are doubled; null where there is
+    /// time enough.
+    /// </summary>
     public Func<bool>? IsShortOfTime { get; init; }
 
     /// <summary>The state to continue from; null to start from scratch. Not for adaptive pictures.</summary>
     public DecidingState? Begun { get; init; }
 
-    /// <summary>Told now and then, by the thread that decides, how far that has come; may be null. Not for adaptive pictures. What is told has no part in the decision.</summary>
+    /// <summary>
+    /// Told now and then, by the thread that decides, how far that has come; may be null. Not for adaptive pictures. What is told has no
+    /// part in the decision.
+    /// </summary>
     public Action<DecidingState>? Keep { get; init; }
 
     /// <summary>Decides.</summary>
@@ -126,3 +132,15 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
         return deviations;
     }
 }
+
+/// <summary>
+/// The progress of <see cref="SamplePlanner"/> in rendering the samples that decide, for pictures whose pixels all get the same number: it
+/// can be resumed from there.
+/// </summary>
+/// <param name="Film">
+/// A column for each deciding pixel. In the upper row, its samples when it was last decided that more are needed; in the lower row, all
+/// that there are since.
+/// </param>
+/// <param name="Samples">How many samples each pixel has in the lower row, those that came to no finite number included.</param>
+/// <param name="Target">How many there shall be when it is decided again.</param>
+public sealed record DecidingState(Film Film, int Samples, int Target);

@@ -43,7 +43,7 @@ public sealed class AovFilm
     /// <summary>Height in pixels.</summary>
     public int Height => _film.Height;
 
-    /// <summary>Whether rays must be traced for them.</summary>
+    /// <summary>True where rays must be traced for them.</summary>
     internal bool NeedsRays => _traced.Length > 0;
 
     /// <summary>The parts of hits that they need.</summary>
@@ -53,7 +53,7 @@ public sealed class AovFilm
     public static long Bytes(IReadOnlyCollection<AuxiliaryImage> images, int width, int height) =>
         (long)width * height * images.OfType<FirstHitImage>().Aggregate(0L, (sum, image) => long.Max(sum, 8) + (16 * image.Letters.Length));
 
-    /// <summary>Whether there is an image.</summary>
+    /// <summary>Returns whether there is an image.</summary>
     public bool Has(AuxiliaryImage image) => Images.Contains(image);
 
     /// <summary>Forgets all samples, so that the memory serves other images of this size and these kinds.</summary>

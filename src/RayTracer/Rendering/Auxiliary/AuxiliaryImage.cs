@@ -29,19 +29,21 @@ public abstract record AuxiliaryImage
     /// <summary>The name that people read.</summary>
     public abstract string Title { get; }
 
-    /// <summary>What the image shows, in a sentence or two.</summary>
+    /// <summary>The content of the image, in a sentence or two.</summary>
     public abstract string Description { get; }
 
     /// <summary>The letters of the channels of a layer, one for each number of a pixel.</summary>
     public virtual string Letters => "Y";
 
-    /// <summary>Whether the numbers are whole ones that say which or how many, rather than means.</summary>
+    /// <summary>True where the numbers are whole ones that name or count things, rather than means.</summary>
     public virtual bool IsWhole => false;
 
-    /// <summary>Whether a few numbers would leave nothing but black to the others: <see cref="NumberRange.Top"/> leaves them out.</summary>
+    /// <summary>
+    /// True where a few numbers would leave nothing but black to the others: <see cref="NumberRange.Top"/> leaves them out.
+    /// </summary>
     public virtual bool IsSkewed => false;
 
-    /// <summary>Whether <see cref="Show"/> returns light rather than display values.</summary>
+    /// <summary>True where <see cref="Show"/> returns light rather than display values.</summary>
     public virtual bool ShowsLight => false;
 
     /// <summary>The colours of a legend, display values from the left to the right.</summary>

@@ -9,16 +9,16 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed record PathVertex
 {
-    /// <summary>What becomes of the path.</summary>
+    /// <summary>The event that happens to the path.</summary>
     public required PathEvent Event { get; init; }
 
-    /// <summary>Where the ray that leads here starts.</summary>
+    /// <summary>The origin of the ray that leads here.</summary>
     public required Vector3 Origin { get; init; }
 
     /// <summary>Its unit direction.</summary>
     public required Vector3 Direction { get; init; }
 
-    /// <summary>Where it meets the surface; null where it meets nothing.</summary>
+    /// <summary>The point at which it meets the surface; null where it meets nothing.</summary>
     public Vector3? Position { get; init; }
 
     /// <summary>The unit normal with which the surface is shaded, on the ray's side; null where there is none.</summary>
@@ -30,16 +30,18 @@ public sealed record PathVertex
     /// <summary>The instance that shows it; 0 for the world itself.</summary>
     public int Instance { get; init; }
 
-    /// <summary>What light from here is multiplied by.</summary>
+    /// <summary>The factor by which light from here is multiplied.</summary>
     public required Rgb Throughput { get; init; }
 
-    /// <summary>What that is multiplied by for all that comes later: BSDF · cosine / pdf of the chosen direction.</summary>
+    /// <summary>The factor on that for all that comes later: BSDF · cosine / pdf of the chosen direction.</summary>
     public Rgb Weight { get; init; }
 
-    /// <summary>The density with which the direction was chosen, in 1/sr; null where it was chosen by a mirror-like lobe, or there is none.</summary>
+    /// <summary>
+    /// The density with which the direction was chosen, in 1/sr; null where it was chosen by a mirror-like lobe, or there is none.
+    /// </summary>
     public float? Pdf { get; init; }
 
-    /// <summary>What the path had gathered before.</summary>
+    /// <summary>The radiance that the path had gathered before.</summary>
     public required Rgb Before { get; init; }
 
     /// <summary>… after the surface's own light (or the background's, where there is no surface).</summary>
@@ -50,4 +52,25 @@ public sealed record PathVertex
 
     /// <summary>… after the light that comes straight from the sources: all that it has gathered so far.</summary>
     public Rgb After { get; init; }
+}
+
+/// <summary>The events at the vertices of a path.</summary>
+public enum PathEvent
+{
+    /// <summary>It goes on in a direction chosen from many, about which light sources are asked too.</summary>
+    Diffuse,
+
+    /// <summary>It goes on by a mirror-like lobe.</summary>
+    Specular,
+
+    /// <summary>The surface lets nothing go on.</summary>
+    Absorbed,
+
+    /// <summary>
+    /// It is given up: it has been as deep as the scene allows, carries nothing any more, or would go through the surface.
+    /// </summary>
+    Ended,
+
+    /// <summary>It meets nothing.</summary>
+    Missed,
 }

@@ -4,7 +4,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Rendering;
 
-/// <summary>How much there is in a scene, and what memory it takes.</summary>
+/// <summary>The numbers of things in a scene, and the memory that they take.</summary>
 public sealed class SceneStatistics
 {
     private readonly World _world;
@@ -32,7 +32,9 @@ public sealed class SceneStatistics
     /// <summary>Memory of the shapes other than meshes, and of the trees over them.</summary>
     public long ShapeBytes => _world.Spaces.Sum(s => s.Batches.Sum(b => b.MemoryBytes) + s.Primitives.TreeBytes);
 
-    /// <summary>Memory of the meshes: corners, indices and what corners carry, and the copy of the triangles in the trees' leaves.</summary>
+    /// <summary>
+    /// Memory of the meshes: corners, indices and what corners carry, and the copy of the triangles in the trees' leaves.
+    /// </summary>
     public long TriangleBytes => _world.Spaces.Sum(s => s.Mesh?.MemoryBytes ?? 0) + Trees.Where(t => t.Holds != HoldsInstances).Sum(t => t.LeafBytes);
 
     /// <summary>Memory of the nodes of all trees.</summary>
@@ -86,4 +88,17 @@ public sealed class SceneStatistics
             yield return new(HoldsInstances, instances.TreeStatistics, instances.BuildTree);
         }
     }
+}
+
+/// <summary>A tree with which rays find what they meet.</summary>
+/// <param name="Holds">What it is built over: "triangles of the world", "triangles of object 1" or "instances".</param>
+/// <param name="Statistics">What it looks like, and its memory.</param>
+/// <param name="Build">Builds such a tree again, to measure how long that takes; the scene keeps its own.</param>
+public sealed record SceneTree(string Holds, BvhStatistics Statistics, Action Build)
+{
+    /// <summary>Memory of the nodes alone.</summary>
+    public long NodeBytes => (long)Statistics.Nodes * BvhNode.Bytes;
+
+    /// <summary>Memory of what the leaves hold.</summary>
+    public long LeafBytes => Statistics.MemoryBytes - NodeBytes;
 }

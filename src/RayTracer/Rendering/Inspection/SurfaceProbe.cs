@@ -77,3 +77,19 @@ public sealed unsafe class SurfaceProbe
     private SurfaceName NameOf(int ray) =>
         _rays.Primitive[ray] == _scene.World.Count ? SurfaceName.None : new((int)_rays.Primitive[ray], _scene.World.Instances is null ? 0 : (int)_rays.Instance[ray]);
 }
+
+/// <summary>The point at which a ray meets a surface.</summary>
+/// <param name="Name">Which surface.</param>
+/// <param name="Distance">How far from the ray's start.</param>
+/// <param name="Position">Where, in the world.</param>
+/// <param name="Normal">The unit normal with which the surface is shaded, on the ray's side.</param>
+public sealed record SurfaceHit(SurfaceName Name, float Distance, Vector3 Position, Vector3 Normal);
+
+/// <summary>The name of a surface that a ray meets.</summary>
+/// <param name="Primitive">The primitive's number; −1 for none.</param>
+/// <param name="Instance">The instance that shows it; 0 for the world itself.</param>
+public readonly record struct SurfaceName(int Primitive, int Instance)
+{
+    /// <summary>Nothing is met.</summary>
+    public static SurfaceName None => new(-1, 0);
+}

@@ -38,7 +38,10 @@ internal sealed class LightGroups
     /// <summary>That of ambient light; −1 where there is none.</summary>
     public int Ambient { get; } = -1;
 
-    /// <summary>That of a light, by its number among those that are sampled: the environment comes last. What shines but is too large to be sampled counts as the first.</summary>
+    /// <summary>
+    /// That of a light, by its number among those that are sampled: the environment comes last. What shines but is too large to be sampled
+    /// counts as the first.
+    /// </summary>
     public int Of(int light) => light < 0 ? 0 : light < _groupOfLight.Length ? _groupOfLight[light] : Sky;
 
     private int Number(string name)

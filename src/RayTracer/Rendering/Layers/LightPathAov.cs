@@ -1,7 +1,8 @@
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Parts of a picture's light. A vertex is where a path is scattered: not where it goes straight on, through a hole or a thin pane. The picture is
+/// Parts of a picture's light. A vertex is where a path is scattered: not where it goes straight on, through a hole or a thin pane. The
+/// picture is
 /// <see cref="Emission"/> + <see cref="Direct"/> + <see cref="Indirect"/>, and also <see cref="Emission"/> + <see cref="Diffuse"/> +
 /// <see cref="Specular"/> + <see cref="Volume"/>, and also the sum of <see cref="Lights"/>.
 /// </summary>
@@ -19,7 +20,9 @@ public enum LightPathAov
     /// <summary>Light whose vertex nearest to the camera is on a surface, as much of it as the matt part of the surface scatters.</summary>
     Diffuse,
 
-    /// <summary>Light whose vertex nearest to the camera is on a surface, as much of it as all other parts of the surface scatter.</summary>
+    /// <summary>
+    /// Light whose vertex nearest to the camera is on a surface, as much of it as all other parts of the surface scatter.
+    /// </summary>
     Specular,
 
     /// <summary>Light whose vertex nearest to the camera is in a medium.</summary>

@@ -24,7 +24,8 @@ public sealed class LightPathAovFilm
     /// <param name="film">The film that they stand beside: it has the size and the numbers of samples.</param>
     /// <param name="scene">The scene, rendered by an integrator with <see cref="IntegratorTraits.Layers"/>.</param>
     /// <param name="kinds">Which; memory is taken for no others.</param>
-    /// <exception cref="ArgumentException">The integrator has no light to split, or there are more than <see cref="MostLights"/> names of lights.</exception>
+    /// <exception cref="ArgumentException">The integrator has no light to split, or there are more than <see cref="MostLights"/> names of
+    /// lights.</exception>
     public LightPathAovFilm(Film film, Scene scene, IEnumerable<LightPathAov> kinds)
     {
         _film = film;
@@ -37,7 +38,7 @@ public sealed class LightPathAovFilm
     /// <inheritdoc cref="LightPathAovFilm(Film, Scene, IEnumerable{LightPathAov})"/>
     public static IReadOnlyList<string> NamesOf(Scene scene, IEnumerable<LightPathAov> kinds) => Places(scene, new(scene), kinds).Names;
 
-    /// <summary>What the names of layers of <see cref="LightPathAov.Lights"/> begin with.</summary>
+    /// <summary>The beginning of the names of layers of <see cref="LightPathAov.Lights"/>.</summary>
     public const string LightPrefix = "light.";
 
     /// <summary>The names of the layers.</summary>
@@ -56,7 +57,10 @@ public sealed class LightPathAovFilm
         return 3L * 16 * count * scene.Render.Width * scene.Render.Height;
     }
 
-    /// <summary>The name of the layer of a light, or of a group of lights, as the scene calls it: names of layers have no letters but ASCII's, digits, - and _.</summary>
+    /// <summary>
+    /// The name of the layer of a light, or of a group of lights, as the scene calls it: names of layers have no letters but ASCII's,
+    /// digits, - and _.
+    /// </summary>
     public static string NameOf(string light) => LightPrefix + LightGroupLabel.Plain(light);
 
     /// <summary>A layer as an image.</summary>
