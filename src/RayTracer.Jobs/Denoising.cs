@@ -1,7 +1,6 @@
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
-using RayTracer.Textures;
 
 namespace RayTracer.Jobs;
 
@@ -61,5 +60,5 @@ internal sealed class Denoising
     }
 
     /// <summary>The denoised picture; null where the rendering was stopped early.</summary>
-    public Picture? Denoise(int threads) => _isWhole ? Denoiser.Denoise(_halves[0], _halves[1], threads) : null;
+    public DenoiseResult? Denoise(int threads) => _isWhole ? Denoiser.Denoise(_halves[0], _halves[1], threads) : null;
 }

@@ -12,6 +12,7 @@ namespace RayTracer.RenderTests;
 /// <summary>
 /// Scenes that physics says look the same: another scale, place, attitude or order of things. The world is changed exactly, in powers of
 /// two and quarter turns, so that only the program's treatment of it differs.
+/// Covers `Transform`, `SceneAssembler`, `SphereBatch` and `FlatBatch`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public class EquivalentScenesTests

@@ -1,6 +1,9 @@
 namespace RayTracer.RenderTests;
 
-/// <summary>Shapes that can be made of others: both ways look the same, whether they are seen, cast shadows, shine, or are of glass.</summary>
+/// <summary>
+/// Shapes that can be made of others: both ways look the same, whether they are seen, cast shadows, shine, or are of glass.
+/// Covers `TurnedBox`, `BoxKernel`, `ConicalKernel` and `TorusKernel`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class EquivalentShapesTests
 {

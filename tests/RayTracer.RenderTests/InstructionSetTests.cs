@@ -7,6 +7,7 @@ namespace RayTracer.RenderTests;
 /// <summary>
 /// The same pictures, to the bit, whatever instructions and register widths the runtime may use and however it compiles: each
 /// case is a child process with another setting of the runtime.
+/// Covers `FloatW`, `LaneMath` and `RTracer`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public sealed class InstructionSetTests : IDisposable

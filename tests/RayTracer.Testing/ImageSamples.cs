@@ -41,6 +41,10 @@ public sealed class ImageSamples(int width, int height)
         _images.Add(pixels);
     }
 
+    /// <summary>An image.</summary>
+    /// <param name="image">Which image, from 0.</param>
+    public Picture Image(int image) => new(width, height, _images[image]);
+
     /// <summary>The mean of all images.</summary>
     public Picture Mean()
     {

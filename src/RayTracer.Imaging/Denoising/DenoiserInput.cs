@@ -1,158 +1,158 @@
-using RayTracer.Rendering;
+using RayTracer.Numerics;
 
 namespace RayTracer.Imaging;
 
 /// <summary>The planes that a denoiser compares, made from two halves of a picture's samples.</summary>
 internal sealed class DenoiserInput
 {
-    private const int VarianceRadius = 3;
-    private const int ChannelsOfFeature = 3;
+    private const int VarianceRadius = 2;
+
+    // A half's pixel may be as bright as the brightest of the other half that is at most so far away.
+    private const int CutRadius = 3;
 
     // Differences of features below this share of their range are none (Rousselle, Manzi & Zwicker 2013, τ).
-    private const float SmallestFeature = 1e-3f;
+    private const float SmallestFeature = 1e-2f;
 
     // How many deviations, or steps to the neighbours, two features may differ (the same, k_f).
-    private const float FeatureTolerance = 0.6f;
+    private const float FeatureTolerance = 1;
 
-    /// <summary>Reads the halves.</summary>
-    public DenoiserInput(HalfRender first, HalfRender second)
+    /// <summary>Compares two halves, which are changed: what stands out of one alone is cut.</summary>
+    public DenoiserInput(HalfPlanes first, HalfPlanes second)
     {
-        (int width, int height) = (first.Film.Width, first.Film.Height);
-        HalfRender[] halves = [first, second];
-        Colors = [Planes(width, height), Planes(width, height)];
+        (int width, int height) = (first.Spread.Width, first.Spread.Height);
+        Halves = [first, second];
+        Cut(first, second);
         Sampled = new(width, height);
-        PaddedPlane[] spread = [new(width, height), new(width, height)];
-        for (int half = 0; half < 2; half++)
+        for (int y = 0; y < height; y++)
         {
-            ReadColors(halves[half].Film, Colors[half], spread[half]);
+            for (int x = 0; x < width; x++)
+            {
+                Sampled[x, y] = first.Counts[x, y] > 0 && second.Counts[x, y] > 0 ? 1 : 0;
+            }
         }
 
-        Sampled.ForEach((x, y) => Sampled[x, y] = first.Film.SampleCount(x, y) > 0 && second.Film.SampleCount(x, y) > 0 ? 1 : 0);
-        Variances = [Planes(width, height), Planes(width, height)];
-        EstimateVariances(spread);
-        Features = new PaddedPlane[HalfRender.Kinds.Count * ChannelsOfFeature];
-        FeatureVariances = new PaddedPlane[Features.Length];
-        FeatureScales = new PaddedPlane[Features.Length];
-        for (int i = 0; i < HalfRender.Kinds.Count; i++)
-        {
-            ReadFeature(halves, HalfRender.Kinds[i], i * ChannelsOfFeature);
-        }
+        Surfaces = SurfaceColors.Of(Halves);
+        Light = [.. Halves.Select(h => h.Color.Select((c, i) => c.With((x, y) => c.Load(x, y) / Surfaces[i].Load(x, y))).ToArray())];
+        PaddedPlane squares = ReferenceEquals(first, second) ? OwnSquares(Light[0]) : HalfSquares(Light[0], Light[1], 0.5f);
+        squares = squares.Blurred(VarianceRadius);
+        Variances = [.. Halves.Select(h => Variance(squares, h.Spread))];
+        Features = [new(first.Normal, second.Normal), new(first.Albedo, second.Albedo)];
     }
 
-    /// <summary>Red, green and blue of each half.</summary>
-    public PaddedPlane[][] Colors { get; }
+    /// <summary>The halves, cut to each other.</summary>
+    public HalfPlanes[] Halves { get; }
 
-    /// <summary>Estimated variance of each of them.</summary>
-    public PaddedPlane[][] Variances { get; }
+    /// <summary>The share of the light that was cut.</summary>
+    public double CutShare { get; private set; }
+
+    /// <summary>Red, green and blue of each half, divided by <see cref="Surfaces"/>.</summary>
+    public PaddedPlane[][] Light { get; }
+
+    /// <summary>Estimated variance of each half's light, summed over the channels.</summary>
+    public PaddedPlane[] Variances { get; }
+
+    /// <summary>The colours that the light falls on.</summary>
+    public PaddedPlane[] Surfaces { get; }
 
     /// <summary>1 where both halves have samples, 0 elsewhere and outside the picture.</summary>
     public PaddedPlane Sampled { get; }
 
-    /// <summary>Coordinates of the normals, channels of the albedos: means of both halves.</summary>
-    public PaddedPlane[] Features { get; }
+    /// <summary>The normals and the albedos.</summary>
+    public GuideFeature[] Features { get; }
 
-    /// <summary>Estimated variance of each of them.</summary>
-    public PaddedPlane[] FeatureVariances { get; }
-
-    /// <summary>The factors of squared differences of features.</summary>
-    public PaddedPlane[] FeatureScales { get; }
-
-    private static PaddedPlane[] Planes(int width, int height) => [new(width, height), new(width, height), new(width, height)];
-
-    private static void ReadColors(Film film, PaddedPlane[] colors, PaddedPlane spread)
+    private void Cut(HalfPlanes first, HalfPlanes second)
     {
-        spread.ForEach((x, y) =>
+        PaddedPlane[] a = [.. first.Color, first.Spread];
+        PaddedPlane[] b = [.. second.Color, second.Spread];
+        PaddedPlane[] limitsOfA = [.. b.Select(p => p.Largest(CutRadius))];
+        PaddedPlane[] limitsOfB = [.. a.Select(p => p.Largest(CutRadius))];
+        double cut = 0;
+        double all = 0;
+        for (int i = 0; i < a.Length; i++)
         {
-            (colors[0][x, y], colors[1][x, y], colors[2][x, y]) = film.Mean(x, y);
-            spread[x, y] = film.SampleVariance(x, y) / Math.Max(1, film.SampleCount(x, y));
-        });
-        Array.ForEach([.. colors, spread], p => p.Extend());
+            double before = a[i].Total() + b[i].Total();
+            a[i].Limit(limitsOfA[i]);
+            b[i].Limit(limitsOfB[i]);
+            bool isLight = i < first.Color.Length;
+            all += isLight ? before : 0;
+            cut += isLight ? before - a[i].Total() - b[i].Total() : 0;
+        }
+
+        CutShare = all > 0 ? cut / all : 0;
     }
+
+    private static PaddedPlane HalfSquares(PaddedPlane[] a, PaddedPlane[] b, float factor) => a[0].With((x, y) =>
+    {
+        FloatW sum = 0f;
+        for (int i = 0; i < a.Length; i++)
+        {
+            FloatW d = a[i].Load(x, y) - b[i].Load(x, y);
+            sum = FloatW.MultiplyAdd(d, d, sum);
+        }
+
+        return factor * sum;
+    });
+
+    // Of one picture alone: what is left where slopes and edges are taken away (Immerkær 1996).
+    private static PaddedPlane OwnSquares(PaddedPlane[] light) => light[0].With((x, y) =>
+    {
+        FloatW sum = 0f;
+        foreach (PaddedPlane plane in light)
+        {
+            FloatW Column(int at) => plane.Load(at, y - 1) - (2f * plane.Load(at, y)) + plane.Load(at, y + 1);
+            FloatW residual = Column(x - 1) - (2f * Column(x)) + Column(x + 1);
+            sum = FloatW.MultiplyAdd(residual, residual, sum);
+        }
+
+        return sum * (1f / 36);
+    });
 
     // The spread of a pixel's samples is known well but too large, for the samples are stratified; half the squared difference of the
     // halves is right but noisy. So the one is scaled by the ratio of their means around the pixel (Rousselle, Knaus & Zwicker 2012,
     // section 4.2).
-    private void EstimateVariances(PaddedPlane[] spread)
+    private static PaddedPlane Variance(PaddedPlane squares, PaddedPlane spread)
     {
-        PaddedPlane[] around = [spread[0].Blurred(VarianceRadius), spread[1].Blurred(VarianceRadius)];
-        PaddedPlane[] near = [spread[0].Blurred(1), spread[1].Blurred(1)];
-        for (int channel = 0; channel < 3; channel++)
+        PaddedPlane around = spread.Blurred(VarianceRadius);
+        PaddedPlane near = spread.Blurred(1);
+        return spread.With((x, y) =>
         {
-            (PaddedPlane a, PaddedPlane b) = (Colors[0][channel], Colors[1][channel]);
-            PaddedPlane squares = HalfSquares(a, b, 0.5f).Blurred(VarianceRadius);
-            for (int half = 0; half < 2; half++)
-            {
-                (PaddedPlane variance, PaddedPlane mean, PaddedPlane local) = (Variances[half][channel], around[half], near[half]);
-                variance.ForEach((x, y) => variance[x, y] = mean[x, y] > 0 ? squares[x, y] * (local[x, y] / mean[x, y]) : squares[x, y]);
-                variance.Extend();
-            }
-        }
-    }
-
-    private static PaddedPlane HalfSquares(PaddedPlane a, PaddedPlane b, float factor)
-    {
-        PaddedPlane squares = new(a.Width, a.Height);
-        squares.ForEach((x, y) => squares[x, y] = factor * (a[x, y] - b[x, y]) * (a[x, y] - b[x, y]));
-        squares.Extend();
-        return squares;
-    }
-
-    private void ReadFeature(HalfRender[] halves, AuxiliaryImage kind, int first)
-    {
-        (int width, int height) = (Sampled.Width, Sampled.Height);
-        PaddedPlane[][] read = [Planes(width, height), Planes(width, height)];
-        double[] row = new double[width * ChannelsOfFeature];
-        for (int half = 0; half < 2; half++)
-        {
-            for (int y = 0; y < height; y++)
-            {
-                halves[half].Features.ReadRow(kind, y, row);
-                for (int i = 0; i < row.Length; i++)
-                {
-                    read[half][i % ChannelsOfFeature][i / ChannelsOfFeature, y] = (float)row[i];
-                }
-            }
-        }
-
-        for (int channel = 0; channel < ChannelsOfFeature; channel++)
-        {
-            AddFeature(first + channel, read[0][channel], read[1][channel]);
-        }
-    }
-
-    private void AddFeature(int index, PaddedPlane a, PaddedPlane b)
-    {
-        PaddedPlane mean = new(a.Width, a.Height);
-        mean.ForEach((x, y) => mean[x, y] = 0.5f * (a[x, y] + b[x, y]));
-        mean.Extend();
-        PaddedPlane variance = HalfSquares(a, b, 0.25f).Blurred(1);
-        PaddedPlane scale = new(a.Width, a.Height);
-        scale.ForEach((x, y) =>
-        {
-            float dx = 0.5f * (mean[x + 1, y] - mean[x - 1, y]);
-            float dy = 0.5f * (mean[x, y + 1] - mean[x, y - 1]);
-            float slope = float.FusedMultiplyAdd(dx, dx, dy * dy);
-            scale[x, y] = 1 / (FeatureTolerance * FeatureTolerance * float.Max(SmallestFeature, float.Max(variance[x, y], slope)));
+            FloatW mean = around.Load(x, y);
+            return squares.Load(x, y) * (mean > 0f).Select(near.Load(x, y) / mean, 1f);
         });
-        scale.Extend();
-        (Features[index], FeatureVariances[index], FeatureScales[index]) = (mean, variance, scale);
     }
-}
 
-/// <summary>One half of a picture's samples, and what their camera rays met first.</summary>
-/// <param name="Film">The samples' film.</param>
-/// <param name="Features">Normals and albedos of the same samples.</param>
-public sealed record HalfRender(Film Film, AovFilm Features)
-{
-    /// <summary>The auxiliary images that a denoiser needs.</summary>
-    public static IReadOnlyList<AuxiliaryImage> Kinds { get; } = [new NormalImage(), new AlbedoImage()];
-
-    /// <summary>An empty half.</summary>
-    /// <param name="width">Width in pixels.</param>
-    /// <param name="height">Height in pixels.</param>
-    public static HalfRender Create(int width, int height)
+    /// <summary>A vector that both halves know of each pixel, and how far two of them may be apart.</summary>
+    internal sealed class GuideFeature
     {
-        Film film = new(width, height);
-        return new(film, new AovFilm(film, Kinds));
+        /// <summary>Prepares one.</summary>
+        /// <param name="first">Its coordinates in one half.</param>
+        /// <param name="second">Those in the other half.</param>
+        public GuideFeature(PaddedPlane[] first, PaddedPlane[] second)
+        {
+            Mean = SurfaceColors.Means(first, second);
+            Variance = HalfSquares(first, second, 0.25f).Blurred(1);
+            Scale = Variance.With((x, y) =>
+            {
+                FloatW slope = 0f;
+                foreach (PaddedPlane plane in Mean)
+                {
+                    FloatW dx = 0.5f * (plane.Load(x + 1, y) - plane.Load(x - 1, y));
+                    FloatW dy = 0.5f * (plane.Load(x, y + 1) - plane.Load(x, y - 1));
+                    slope = FloatW.MultiplyAdd(dx, dx, FloatW.MultiplyAdd(dy, dy, slope));
+                }
+
+                FloatW wide = FloatW.Max(SmallestFeature, FloatW.Max(Variance.Load(x, y), slope));
+                return 1f / (FeatureTolerance * FeatureTolerance * wide);
+            });
+        }
+
+        /// <summary>Its coordinates.</summary>
+        public PaddedPlane[] Mean { get; }
+
+        /// <summary>Their estimated variance, summed.</summary>
+        public PaddedPlane Variance { get; }
+
+        /// <summary>The factor of squared differences.</summary>
+        public PaddedPlane Scale { get; }
     }
 }

@@ -7,7 +7,10 @@ using RayTracer.Spectra;
 
 namespace RayTracer.RenderTests.Analytic;
 
-/// <summary>Dispersion against Snell's law at each wavelength, and against what must not depend on it.</summary>
+/// <summary>
+/// Dispersion against Snell's law at each wavelength, and against what must not depend on it.
+/// Covers `Dispersion`, `Wavelengths` and `SurfaceShader`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class PrismTests
 {

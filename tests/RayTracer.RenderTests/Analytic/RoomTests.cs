@@ -3,6 +3,7 @@ namespace RayTracer.RenderTests.Analytic;
 /// <summary>
 /// Closed rooms, in which the radiance is a geometric series over the bounces: a lost fraction of energy, or one bounce more or
 /// less than the depth limit says, changes every pixel.
+/// Covers `ReportShader`, `DirectLight` and `DiffuseMaterial`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public class RoomTests

@@ -2,7 +2,10 @@ using RayTracer.Rendering;
 
 namespace RayTracer.RenderTests.Bits;
 
-/// <summary>The same film, to the bit, and the same counts, however the work is cut and whoever does it.</summary>
+/// <summary>
+/// The same film, to the bit, and the same counts, however the work is cut and whoever does it.
+/// Covers `RTracer`, `Film` and `Wavefront`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class EqualBitsTests
 {

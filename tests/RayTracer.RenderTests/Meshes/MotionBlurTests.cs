@@ -4,7 +4,7 @@ using RayTracer.Scenes;
 
 namespace RayTracer.RenderTests.Meshes;
 
-/// <summary>The blur of what moves, against what it must be.</summary>
+/// <summary>The blur of what moves, against what it must be. Covers `Motion`, `MotionSegment` and `RayGenerator`.</summary>
 [Trait("Category", "Thorough")]
 public class MotionBlurTests
 {

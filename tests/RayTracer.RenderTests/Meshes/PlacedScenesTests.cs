@@ -3,7 +3,10 @@ using RayTracer.Scenes;
 
 namespace RayTracer.RenderTests.Meshes;
 
-/// <summary>Scenes that are written differently and must look the same: a thing moved, and the thing made of moved numbers.</summary>
+/// <summary>
+/// Scenes that are written differently and must look the same: a thing moved, and the thing made of moved numbers.
+/// Covers `InstanceTree`, `InstanceMaps` and `InstancedLight`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class PlacedScenesTests
 {

@@ -5,7 +5,10 @@ using Xunit.Abstractions;
 
 namespace RayTracer.RenderTests.NullRuns;
 
-/// <summary>Comparisons of images whose expectations are the same: one scene, other seeds and other samplers.</summary>
+/// <summary>
+/// Comparisons of images whose expectations are the same: one scene, other seeds and other samplers.
+/// Covers `SobolSampler`, `JitteredSampler` and `IndependentSampler`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class ImageNullTests(ITestOutputHelper output)
 {

@@ -3,7 +3,10 @@ using Xunit.Abstractions;
 
 namespace RayTracer.RenderTests.Oracle;
 
-/// <summary>Whether p-values of product against oracle are what they claim: small ones must not be frequent where nothing is wrong.</summary>
+/// <summary>
+/// Whether p-values of product against oracle are what they claim: small ones must not be frequent where nothing is wrong.
+/// Covers `ReportShader` and `SobolSampler`.
+/// </summary>
 [Trait("Category", "Thorough")]
 [Trait("Category", "Slow")]
 public class OracleNullTests(ITestOutputHelper output)

@@ -7,6 +7,7 @@ namespace RayTracer.RenderTests.Oracle;
 /// The product's pictures against those of the oracle, an independent ray tracer (<see cref="RecursiveTracer"/>). Both render
 /// the same number of independent pictures of as many samples, so that where their noise is of one kind, the difference is
 /// distributed symmetrically even if the noise is not. The output says how fine the comparison is.
+/// Covers `ReportShader`, `DirectLight` and `RayGenerator`.
 /// </summary>
 [Trait("Category", "Thorough")]
 [Trait("Category", "Slow")]

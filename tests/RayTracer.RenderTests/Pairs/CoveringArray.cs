@@ -1,8 +1,8 @@
 namespace RayTracer.RenderTests.Pairs;
 
 /// <summary>
-/// Rows of choices, one choice a factor, in which every two choices of different factors stand together somewhere: made greedily, each row around a pair that
-/// is still missing (after Cohen et al. 1997).
+/// Rows of choices, one choice a factor, in which every two choices of different factors stand together somewhere: made greedily, each row
+/// around a pair that is still missing (after Cohen et al. 1997).
 /// </summary>
 /// <param name="Rows">The rows: for each factor, which of its levels.</param>
 internal sealed record CoveringArray(IReadOnlyList<IReadOnlyList<int>> Rows)
@@ -22,7 +22,8 @@ internal sealed record CoveringArray(IReadOnlyList<IReadOnlyList<int>> Rows)
             {
                 // Of equally good levels, another one in each row.
                 row[factor] = Enumerable.Range(0, levels[factor]).Select(i => (i + rows.Count) % levels[factor])
-                    .MaxBy(level => Enumerable.Range(0, row.Length).Count(other => row[other] >= 0 && missing.Contains(Pair(factor, level, other, row[other]))));
+                    .MaxBy(level => Enumerable.Range(0, row.Length)
+                        .Count(other => row[other] >= 0 && missing.Contains(Pair(factor, level, other, row[other]))));
             }
 
             missing.ExceptWith(PairsOf(row));
@@ -46,5 +47,6 @@ internal sealed record CoveringArray(IReadOnlyList<IReadOnlyList<int>> Rows)
         from g in Enumerable.Range(f + 1, row.Count - f - 1)
         select (f, row[f], g, row[g]);
 
-    private static (int Factor, int Level, int OtherFactor, int OtherLevel) Pair(int f, int l, int g, int m) => f < g ? (f, l, g, m) : (g, m, f, l);
+    private static (int Factor, int Level, int OtherFactor, int OtherLevel) Pair(int f, int l, int g, int m) =>
+        f < g ? (f, l, g, m) : (g, m, f, l);
 }

@@ -8,6 +8,7 @@ namespace RayTracer.RenderTests.References;
 /// <summary>
 /// All scenes of the references, read from the files that the other renderer reads and rendered by path tracing, against its
 /// pictures. Nothing but chance is allowed for.
+/// Covers `MitsubaReader` and `PathShader`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public class MitsubaReferenceTests(ITestOutputHelper output)

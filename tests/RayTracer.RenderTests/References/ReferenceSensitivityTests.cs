@@ -10,6 +10,7 @@ namespace RayTracer.RenderTests.References;
 /// <summary>
 /// The comparison with the references sees small faults: scenes that are a little wrong must fail it. Where that were left to
 /// chance, this test would fail by chance; so the faults are such that their p-values are many powers of ten below the level.
+/// Covers `ReportShader` and `PathShader`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public class ReferenceSensitivityTests(ITestOutputHelper output)

@@ -3,7 +3,10 @@ using Xunit.Abstractions;
 
 namespace RayTracer.RenderTests.References;
 
-/// <summary>Pictures against those of Mitsuba 3, which shares no line with this project.</summary>
+/// <summary>
+/// Pictures against those of Mitsuba 3, which shares no line with this project.
+/// Covers `ReportShader` and `PathShader`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class ReferenceTests(ITestOutputHelper output)
 {

@@ -1,6 +1,9 @@
 namespace RayTracer.RenderTests.Transport;
 
-/// <summary>Light of lamps that are meshes, on a large triangle of a mesh, whose rays start far from it: as on a plane.</summary>
+/// <summary>
+/// Light of lamps that are meshes, on a large triangle of a mesh, whose rays start far from it: as on a plane.
+/// Covers `DirectLight` and `MeshLight`.
+/// </summary>
 public class ShadowRayTests
 {
     private const string Plane = """ "type": "plane", "point": [0, 0, 0], "normal": [0, 0, 1] """;

@@ -2,7 +2,10 @@ using RayTracer.Description;
 
 namespace RayTracer.RenderTests.Transport;
 
-/// <summary>Shadows of transparent things by the report's integrator, where they only weaken light (section 4.3.1).</summary>
+/// <summary>
+/// Shadows of transparent things by the report's integrator, where they only weaken light (section 4.3.1).
+/// Covers `ReportShader` and `Transmittance`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class WeakenedShadowTests
 {

@@ -56,7 +56,7 @@ public sealed class RenderLoopTests
             new FirstHitPass(shown.Scene, new() { Samples = ranges[i] }).Render(halves[i].Features);
         }
 
-        float[] expected = Denoiser.Denoise(halves[0], halves[1]).Pixels;
+        float[] expected = Denoiser.Denoise(halves[0], halves[1]).Picture.Pixels;
         Assert.All(Enumerable.Range(0, 40), y => Assert.Equal(expected.AsSpan(3 * 48 * y, 3 * 48), frame.Picture.Row(y)));
         Assert.Equal(HashOf(shown.Scene), await Hash(test));
     }

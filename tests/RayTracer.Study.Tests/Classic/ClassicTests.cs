@@ -4,7 +4,10 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Study.Tests;
 
-/// <summary>The classic structures find what the plain loop finds, to the bit: they test triangles alike, and may only leave out what is not hit.</summary>
+/// <summary>
+/// The classic structures find what the plain loop finds, to the bit: they test triangles alike, and may only leave out what is not hit.
+/// Covers `KdTree`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class ClassicTests
 {

@@ -11,7 +11,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Tests.Lights;
 
-/// <summary>What holds for every environment: the cases of <see cref="s_cases"/>, of which each type must have one.</summary>
+/// <summary>
+/// What holds for every environment: the cases of <see cref="s_cases"/>, of which each type must have one.
+/// Covers `EnvironmentLight`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class EnvironmentTests
 {

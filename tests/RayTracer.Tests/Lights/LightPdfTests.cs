@@ -7,7 +7,10 @@ using RayTracer.Tests.Statistics;
 
 namespace RayTracer.Tests.Lights;
 
-/// <summary>The densities that lights tell of rays which meet them by chance: those with which they are sampled.</summary>
+/// <summary>
+/// The densities that lights tell of rays which meet them by chance: those with which they are sampled.
+/// Covers `AreaLight`, `MeshLight` and `InstancedLight`.
+/// </summary>
 public class LightPdfTests
 {
     public static TheoryData<string> Cases => [.. LightCase.All.Select(c => c.Name)];

@@ -8,7 +8,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Tests.Materials;
 
-/// <summary>What holds for the sampling of every material: the cases of <see cref="MaterialCase"/>.</summary>
+/// <summary>
+/// What holds for the sampling of every material: the cases of <see cref="MaterialCase"/>.
+/// Covers `Material`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class ScatteringTests
 {

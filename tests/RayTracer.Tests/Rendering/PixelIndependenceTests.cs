@@ -2,7 +2,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Tests.Rendering;
 
-/// <summary>A pixel's samples say nothing about its neighbours'.</summary>
+/// <summary>A pixel's samples say nothing about its neighbours'. Covers `RayGenerator` and `Sampler`.</summary>
 public class PixelIndependenceTests
 {
     private const int Edge = 96;

@@ -4,7 +4,10 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Tests.Rendering;
 
-/// <summary>Meshes that are shaded with other normals than their triangles have.</summary>
+/// <summary>
+/// Meshes that are shaded with other normals than their triangles have.
+/// Covers `SurfaceShader` and `MeshTable`.
+/// </summary>
 public class ShadingNormalTests
 {
     [Theory]

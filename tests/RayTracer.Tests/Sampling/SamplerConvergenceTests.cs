@@ -7,6 +7,7 @@ namespace RayTracer.Tests.Sampling;
 /// How fast the error of a pixel's mean falls with its number of samples N, against theory: variance σ²/N for independent
 /// samples; for jittered ones the sum of the variances within the cells, which is about N⁻² for smooth integrands and N^(−3/2)
 /// across edges (Mitchell 1996); for scrambled nets about N⁻³ for smooth ones (Owen 1997).
+/// Covers `SobolSampler` and `JitteredSampler`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public class SamplerConvergenceTests

@@ -6,6 +6,7 @@ namespace RayTracer.Tests.Sampling;
 /// <summary>
 /// Over many pixels, no two random decisions of a path know of one another, nor do neighbouring pixels, nor do the pictures of
 /// different seeds: by correlation, and by a χ² test of joint cells for dependence of any other form.
+/// Covers `Sampler`, `VertexSamples` and `Dimensions`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public class SamplerIndependenceTests

@@ -6,6 +6,7 @@ namespace RayTracer.Tests.Sampling;
 /// <summary>
 /// Integrands over two decisions at once, as paths have them. Were the strata of the two visited in one order, the variance
 /// of a pixel's mean would not fall with the number of samples.
+/// Covers `VertexSamples` and `Dimensions`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public class SamplerProductTests

@@ -3,7 +3,10 @@ using RayTracer.Sampling;
 
 namespace RayTracer.Tests.Sampling;
 
-/// <summary>Over many pixels, every sample of every decision is uniform by itself.</summary>
+/// <summary>
+/// Over many pixels, every sample of every decision is uniform by itself.
+/// Covers `Sampler` and `VertexSamples`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class SamplerUniformityTests
 {

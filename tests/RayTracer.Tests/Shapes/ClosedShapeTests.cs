@@ -8,7 +8,10 @@ using Plane = RayTracer.Shapes.Plane;
 
 namespace RayTracer.Tests.Shapes;
 
-/// <summary>No ray leaves a closed shape, even if it is aimed at an edge or a corner.</summary>
+/// <summary>
+/// No ray leaves a closed shape, even if it is aimed at an edge or a corner.
+/// Covers `RayOffset` and `ShapeBatch`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class ClosedShapeTests
 {

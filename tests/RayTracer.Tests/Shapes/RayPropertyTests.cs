@@ -10,6 +10,7 @@ namespace RayTracer.Tests.Shapes;
 /// <summary>
 /// What holds for rays and shapes of any size and place. Errors are bounded in units of u·M: unit roundoff 2⁻²⁴ times the largest
 /// coordinate of the scene.
+/// Covers `ShapeBatch` and `RayOffset`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public class RayPropertyTests

@@ -7,7 +7,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Tests.Shapes;
 
-/// <summary>Solids keep rays in, and tori miss none, against arithmetic in double precision.</summary>
+/// <summary>
+/// Solids keep rays in, and tori miss none, against arithmetic in double precision.
+/// Covers `BoxKernel`, `ConicalKernel` and `TorusKernel`.
+/// </summary>
 [Trait("Category", "Thorough")]
 public class SolidShapeTests
 {

@@ -4,7 +4,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Tests.Textures;
 
-/// <summary>Textures that depend on more than uv, through scenes.</summary>
+/// <summary>Textures that depend on more than uv, through scenes. Covers `Texture` and `GradientNoise`.</summary>
 public class SolidTexturesTests
 {
     private const string Noise = """{ "type": "noise", "scale": 2.3, "octaves": 2, "first": [0.1, 0.5, 0.9], "second": [0.9, 0.3, 0.2] }""";

@@ -133,7 +133,7 @@ public sealed class AovFilm
         uint count = image.Mean switch { MeanOver.Hits => _hits[pixel], MeanOver.First => 1, _ => _counts[pixel] };
         for (int i = 0; i < values.Length; i++)
         {
-            values[i] = count > 0 ? (double)sums[(pixel * values.Length) + i] / Units / count : image.Nothing;
+            values[i] = count > 0 ? Film.ToDouble(sums[(pixel * values.Length) + i]) / Units / count : image.Nothing;
         }
     }
 }

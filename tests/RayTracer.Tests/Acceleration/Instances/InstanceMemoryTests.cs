@@ -6,6 +6,7 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Tests.Acceleration;
 
+/// <summary>Covers `InstanceTable` and `InstanceTree`.</summary>
 [Collection(MeasuredMemory.Name)]
 public class InstanceMemoryTests
 {

@@ -3,6 +3,7 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Tests.Rendering;
 
+/// <summary>Covers `SamplePlanner`, `DecidingSamples` and `PlannedRender`.</summary>
 [Trait("Category", "Thorough")]
 public class AdaptiveSamplingTests
 {

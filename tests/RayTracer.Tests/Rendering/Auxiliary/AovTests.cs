@@ -5,6 +5,7 @@ using RayTracer.Rendering;
 
 namespace RayTracer.Tests.Rendering;
 
+/// <summary>Covers `FirstHitPass`, `AuxiliaryImage` and `AovFilm`.</summary>
 public sealed class AovTests
 {
     private const int Width = 48;

@@ -1,0 +1,65 @@
+using RayTracer.Rendering;
+
+namespace RayTracer.Imaging;
+
+/// <summary>One half of a picture's samples as a denoiser compares it.</summary>
+internal sealed class HalfPlanes
+{
+    /// <summary>Makes empty ones.</summary>
+    public HalfPlanes(int width, int height)
+    {
+        PaddedPlane[] Three() => [new(width, height), new(width, height), new(width, height)];
+        (Color, Normal, Albedo) = (Three(), Three(), Three());
+        (Spread, Counts) = (new(width, height), new(width, height));
+    }
+
+    /// <summary>Red, green and blue.</summary>
+    public PaddedPlane[] Color { get; }
+
+    /// <summary>The variance of the mean of each pixel's samples, were they independent; 0 where it is not known.</summary>
+    public PaddedPlane Spread { get; }
+
+    /// <summary>The numbers of samples.</summary>
+    public PaddedPlane Counts { get; }
+
+    /// <summary>The normals' coordinates.</summary>
+    public PaddedPlane[] Normal { get; }
+
+    /// <summary>The surfaces' colours.</summary>
+    public PaddedPlane[] Albedo { get; }
+
+    /// <summary>Reads a half.</summary>
+    public static HalfPlanes Of(HalfRender half)
+    {
+        Film film = half.Film;
+        HalfPlanes planes = new(film.Width, film.Height);
+        Parallel.For(0, film.Height, y =>
+        {
+            double[] row = new double[3 * film.Width];
+            for (int x = 0; x < film.Width; x++)
+            {
+                (planes.Color[0][x, y], planes.Color[1][x, y], planes.Color[2][x, y]) = film.Mean(x, y);
+                uint count = film.SampleCount(x, y);
+                planes.Counts[x, y] = count;
+                planes.Spread[x, y] = film.SampleVariance(x, y) / Math.Max(1, count);
+            }
+
+            Read(half.Features, HalfRender.Kinds[0], y, row, planes.Normal);
+            Read(half.Features, HalfRender.Kinds[1], y, row, planes.Albedo);
+        });
+        planes.Extend();
+        return planes;
+    }
+
+    /// <summary>Lets the edges go on in the margins.</summary>
+    public void Extend() => Array.ForEach([.. Color, Spread, Counts, .. Normal, .. Albedo], p => p.Extend());
+
+    private static void Read(AovFilm film, AuxiliaryImage kind, int y, double[] row, PaddedPlane[] to)
+    {
+        film.ReadRow(kind, y, row);
+        for (int i = 0; i < row.Length; i++)
+        {
+            to[i % to.Length][i / to.Length, y] = (float)row[i];
+        }
+    }
+}
