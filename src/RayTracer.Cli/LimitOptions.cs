@@ -8,35 +8,39 @@ namespace RayTracer.Cli;
 /// <summary>The options <c>--memory</c> and <c>--root</c> of all verbs: the limits of what a scene may take and read.</summary>
 internal static class LimitOptions
 {
+    private static readonly Option<string> s_memory = new("--memory")
+    {
+        Description = "The most memory that a scene's pictures and instances may take, such as 512M or 16G; by default 4 GiB, or half of what there is.",
+        HelpName = "SIZE",
+        Recursive = true,
+    };
+
+    private static readonly Option<string> s_root = new("--root")
+    {
+        Description = "Refuses files of scenes that are not in this folder or below it: for scenes of people that are not trusted.",
+        HelpName = "FOLDER",
+        Recursive = true,
+    };
+
     private static readonly (string Letter, int Shift)[] s_units = [("K", 10), ("M", 20), ("G", 30), ("T", 40)];
 
     /// <summary>Gives a command, and those under it, the options.</summary>
     public static void AddTo(Command command)
     {
-        command.Options.Add(new Option<string>("--memory")
-        {
-            Description = "The most memory that a scene's pictures and instances may take, such as 512M or 16G; by default 4 GiB, or half of what there is.",
-            HelpName = "SIZE",
-            Recursive = true,
-        });
-        command.Options.Add(new Option<string>("--root")
-        {
-            Description = "Refuses files of scenes that are not in this folder or below it: for scenes of people that are not trusted.",
-            HelpName = "FOLDER",
-            Recursive = true,
-        });
+        command.Options.Add(s_memory);
+        command.Options.Add(s_root);
     }
 
     /// <summary>Sets the limits that are given, for all that the process reads.</summary>
     /// <exception cref="CommandException">A value is wrong.</exception>
     public static void Apply(ParseResult result)
     {
-        if (result.GetResult("--memory") is not null && result.GetValue<string>("--memory") is { } size)
+        if (result.GetValue(s_memory) is { } size)
         {
             SceneBudget.Limit = Bytes(size);
         }
 
-        if (result.GetResult("--root") is not null && result.GetValue<string>("--root") is { } root)
+        if (result.GetValue(s_root) is { } root)
         {
             SceneFolder.Root = Directory.Exists(root) ? root : throw new CommandException(ExitStatus.Usage, $"--root: there is no folder '{root}'");
         }
