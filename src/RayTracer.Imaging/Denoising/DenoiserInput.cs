@@ -5,19 +5,16 @@ namespace RayTracer.Imaging;
 /// <summary>The planes that a denoiser compares, made from two halves of a picture's samples.</summary>
 internal sealed class DenoiserInput
 {
-    private const int VarianceRadius = 3;
+    private const int VarianceRadius = 2;
 
     // A half's pixel may be as bright as the brightest of the other half that is at most so far away.
-    private const int CutRadius = 2;
-
-    // Darker surfaces are not divided by their albedo: rounding and rays past the edge would be all that is left.
-    private const float LeastAlbedo = 0.03f;
+    private const int CutRadius = 3;
 
     // Differences of features below this share of their range are none (Rousselle, Manzi & Zwicker 2013, τ).
-    private const float SmallestFeature = 1e-3f;
+    private const float SmallestFeature = 1e-2f;
 
     // How many deviations, or steps to the neighbours, two features may differ (the same, k_f).
-    private const float FeatureTolerance = 0.6f;
+    private const float FeatureTolerance = 1;
 
     /// <summary>Compares two halves, which are changed: what stands out of one alone is cut.</summary>
     public DenoiserInput(HalfPlanes first, HalfPlanes second)
@@ -34,14 +31,12 @@ internal sealed class DenoiserInput
             }
         }
 
-        PaddedPlane[] normals = Means(first.Normal, second.Normal);
-        PaddedPlane[] albedos = Means(first.Albedo, second.Albedo);
-        Albedo = [.. albedos.Select(a => PaddedPlane.Of(width, height, (x, y) => Factor(a, normals, x, y)))];
-        Light = [.. Halves.Select(h => h.Color.Select((c, i) => PaddedPlane.Of(width, height, (x, y) => c.Load(x, y) / Albedo[i].Load(x, y))).ToArray())];
+        Surfaces = SurfaceColors.Of(Halves);
+        Light = [.. Halves.Select(h => h.Color.Select((c, i) => c.With((x, y) => c.Load(x, y) / Surfaces[i].Load(x, y))).ToArray())];
         PaddedPlane squares = ReferenceEquals(first, second) ? OwnSquares(Light[0]) : HalfSquares(Light[0], Light[1], 0.5f);
         squares = squares.Blurred(VarianceRadius);
         Variances = [.. Halves.Select(h => Variance(squares, h.Spread))];
-        Features = [new(normals, HalfSquares(first.Normal, second.Normal, 0.25f)), new(albedos, HalfSquares(first.Albedo, second.Albedo, 0.25f))];
+        Features = [new(first.Normal, second.Normal), new(first.Albedo, second.Albedo)];
     }
 
     /// <summary>The halves, cut to each other.</summary>
@@ -50,14 +45,14 @@ internal sealed class DenoiserInput
     /// <summary>The share of the light that was cut.</summary>
     public double CutShare { get; private set; }
 
-    /// <summary>Red, green and blue of each half, divided by <see cref="Albedo"/>.</summary>
+    /// <summary>Red, green and blue of each half, divided by <see cref="Surfaces"/>.</summary>
     public PaddedPlane[][] Light { get; }
 
     /// <summary>Estimated variance of each half's light, summed over the channels.</summary>
     public PaddedPlane[] Variances { get; }
 
-    /// <summary>The colours that the light falls on; 1 where they are not known.</summary>
-    public PaddedPlane[] Albedo { get; }
+    /// <summary>The colours that the light falls on.</summary>
+    public PaddedPlane[] Surfaces { get; }
 
     /// <summary>1 where both halves have samples, 0 elsewhere and outside the picture.</summary>
     public PaddedPlane Sampled { get; }
@@ -86,30 +81,7 @@ internal sealed class DenoiserInput
         CutShare = all > 0 ? cut / all : 0;
     }
 
-    private static PaddedPlane[] Means(PaddedPlane[] a, PaddedPlane[] b) =>
-        [.. a.Select((p, i) => PaddedPlane.Of(p.Width, p.Height, (x, y) => 0.5f * (p.Load(x, y) + b[i].Load(x, y))))];
-
-    // Where rays of a pixel miss all surfaces, the mean of their normals is shorter.
-    private static FloatW Factor(PaddedPlane albedo, PaddedPlane[] normals, int x, int y)
-    {
-        FloatW length = FloatW.Min(1f, FloatW.Sqrt(Squares(normals, x, y)));
-        FloatW factor = albedo.Load(x, y) + 1f - length;
-        return (factor > LeastAlbedo).Select(factor, 1f);
-    }
-
-    private static FloatW Squares(PaddedPlane[] planes, int x, int y)
-    {
-        FloatW sum = 0f;
-        foreach (PaddedPlane plane in planes)
-        {
-            FloatW value = plane.Load(x, y);
-            sum = FloatW.MultiplyAdd(value, value, sum);
-        }
-
-        return sum;
-    }
-
-    private static PaddedPlane HalfSquares(PaddedPlane[] a, PaddedPlane[] b, float factor) => PaddedPlane.Of(a[0].Width, a[0].Height, (x, y) =>
+    private static PaddedPlane HalfSquares(PaddedPlane[] a, PaddedPlane[] b, float factor) => a[0].With((x, y) =>
     {
         FloatW sum = 0f;
         for (int i = 0; i < a.Length; i++)
@@ -122,7 +94,7 @@ internal sealed class DenoiserInput
     });
 
     // Of one picture alone: what is left where slopes and edges are taken away (Immerkær 1996).
-    private static PaddedPlane OwnSquares(PaddedPlane[] light) => PaddedPlane.Of(light[0].Width, light[0].Height, (x, y) =>
+    private static PaddedPlane OwnSquares(PaddedPlane[] light) => light[0].With((x, y) =>
     {
         FloatW sum = 0f;
         foreach (PaddedPlane plane in light)
@@ -142,7 +114,7 @@ internal sealed class DenoiserInput
     {
         PaddedPlane around = spread.Blurred(VarianceRadius);
         PaddedPlane near = spread.Blurred(1);
-        return PaddedPlane.Of(spread.Width, spread.Height, (x, y) =>
+        return spread.With((x, y) =>
         {
             FloatW mean = around.Load(x, y);
             return squares.Load(x, y) * (mean > 0f).Select(near.Load(x, y) / mean, 1f);
@@ -153,16 +125,16 @@ internal sealed class DenoiserInput
     internal sealed class GuideFeature
     {
         /// <summary>Prepares one.</summary>
-        /// <param name="mean">Its coordinates.</param>
-        /// <param name="squares">The squared error of their mean, as noisy as two halves know it.</param>
-        public GuideFeature(PaddedPlane[] mean, PaddedPlane squares)
+        /// <param name="first">Its coordinates in one half.</param>
+        /// <param name="second">Those in the other half.</param>
+        public GuideFeature(PaddedPlane[] first, PaddedPlane[] second)
         {
-            Mean = mean;
-            Variance = squares.Blurred(1);
-            Scale = PaddedPlane.Of(squares.Width, squares.Height, (x, y) =>
+            Mean = SurfaceColors.Means(first, second);
+            Variance = HalfSquares(first, second, 0.25f).Blurred(1);
+            Scale = Variance.With((x, y) =>
             {
                 FloatW slope = 0f;
-                foreach (PaddedPlane plane in mean)
+                foreach (PaddedPlane plane in Mean)
                 {
                     FloatW dx = 0.5f * (plane.Load(x + 1, y) - plane.Load(x - 1, y));
                     FloatW dy = 0.5f * (plane.Load(x, y + 1) - plane.Load(x, y - 1));

@@ -1,13 +1,12 @@
 using System.Numerics;
-using System.Runtime.InteropServices;
+using System.Runtime.CompilerServices;
 using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
 /// <summary>Filters a part of a picture that is small enough for what it compares to stay in the processor's cache. Each thread has its own.</summary>
-/// <param name="input">The planes to compare.</param>
-internal sealed unsafe class DenoiserTile(DenoiserInput input)
+internal sealed unsafe class DenoiserTile
 {
     /// <summary>The largest width of a tile.</summary>
     public const int Width = 64;
@@ -29,17 +28,54 @@ internal sealed unsafe class DenoiserTile(DenoiserInput input)
     private const float Tolerance = 0.45f;
     private const float Tiny = 1e-10f;
 
+    // What a pixel needs of its surroundings.
+    private const int Reach = Window + Patch;
+
     // Whole registers are written, the last of which may end beyond the tile.
-    private const int Stride = Width + (2 * Patch) + 32;
-    private const int Sums = 4;
-    private readonly PaddedPlane _plane = input.Sampled;
-    private readonly float[] _distance = GC.AllocateArray<float>(Stride, pinned: true);
-    private readonly float[] _across = GC.AllocateArray<float>(2 * Stride * (Height + (2 * Patch)), pinned: true);
-    private readonly float[] _sums = GC.AllocateArray<float>(2 * Sums * Stride * Height, pinned: true);
+    private const int Stride = Width + (2 * Reach) + 26;
+
+    // The planes of a row lie beside each other, at distances that the compiler knows: of each half, light and variance; of each feature, three
+    // coordinates, variance and scale; and what counts.
+    private const int PlanesOfHalf = 4;
+    private const int Features = 2 * PlanesOfHalf;
+    private const int PlanesOfFeature = 5;
+    private const int Counted = Features + (2 * PlanesOfFeature);
+    private const int SumsSize = 2 * PlanesOfHalf * Stride * Height;
+    private const int Row = (Counted + 1) * Stride;
+    private readonly DenoiserInput _input;
+    private readonly PaddedPlane[] _planes;
+    private readonly float[] _memory;
+    private readonly float* _tile;
+    private readonly float* _sums;
+    private readonly float* _across;
+    private readonly float* _distance;
     private int _left;
     private int _top;
     private int _columns;
     private int _rows;
+
+    /// <summary>Takes memory for tiles.</summary>
+    /// <param name="input">The planes to compare.</param>
+    public DenoiserTile(DenoiserInput input)
+    {
+        _input = input;
+        _planes =
+        [
+            .. input.Light[0], input.Variances[0], .. input.Light[1], input.Variances[1],
+            .. input.Features.SelectMany(f => f.Mean.Append(f.Variance).Append(f.Scale)), input.Sampled,
+        ];
+        int tile = Row * (Height + (2 * Reach));
+        int across = 2 * Stride * (Height + (2 * Patch));
+        _memory = GC.AllocateArray<float>(tile + SumsSize + across + Stride, pinned: true);
+        fixed (float* first = _memory)
+        {
+            // Pinned for good.
+            _tile = first;
+            _sums = _tile + tile;
+            _across = _sums + SumsSize;
+            _distance = _across + across;
+        }
+    }
 
     /// <summary>Filters a tile.</summary>
     /// <param name="left">Its first column.</param>
@@ -47,8 +83,9 @@ internal sealed unsafe class DenoiserTile(DenoiserInput input)
     public void Filter(int left, int top)
     {
         (_left, _top) = (left, top);
-        (_columns, _rows) = (Math.Min(Width, _plane.Width - left), Math.Min(Height, _plane.Height - top));
-        Array.Clear(_sums);
+        (_columns, _rows) = (Math.Min(Width, _input.Sampled.Width - left), Math.Min(Height, _input.Sampled.Height - top));
+        CopyPlanes();
+        new Span<float>(_sums, SumsSize).Clear();
         for (int dy = -Window; dy <= Window; dy++)
         {
             for (int dx = -Window; dx <= Window; dx++)
@@ -56,9 +93,10 @@ internal sealed unsafe class DenoiserTile(DenoiserInput input)
                 bool isNear = Math.Abs(dx) <= DenseWindow && Math.Abs(dy) <= DenseWindow;
                 if (isNear || ((dx + dy) & 1) == 0)
                 {
-                    Compare(0, dx, dy);
-                    Compare(1, dx, dy);
-                    Gather(dx, dy);
+                    int offset = (dy * Row) + dx;
+                    Compare(0, offset);
+                    Compare(1, offset);
+                    Gather(offset);
                 }
             }
         }
@@ -83,105 +121,118 @@ internal sealed unsafe class DenoiserTile(DenoiserInput input)
     private float Value(int x, int y, int channel)
     {
         (int column, int row) = (_left + x, _top + y);
-        float all = input.Halves[0].Counts[column, row] + input.Halves[1].Counts[column, row];
+        float all = _input.Halves[0].Counts[column, row] + _input.Halves[1].Counts[column, row];
         float value = 0;
         for (int half = 0; half < 2; half++)
         {
-            float count = input.Halves[half].Counts[column, row];
-            int at = (Sums * half * Stride * Height) + (y * Stride) + x;
-            float weight = _sums[at + (3 * Stride * Height)];
-            float change = weight > 0 && input.Variances[half][column, row] > 0
-                ? (_sums[at + (channel * Stride * Height)] / weight) - input.Light[half][channel][column, row] : 0;
-            float own = input.Halves[half].Color[channel][column, row];
-            value += count > 0 ? count / all * float.FusedMultiplyAdd(input.Albedo[channel][column, row], change, own) : 0;
+            float count = _input.Halves[half].Counts[column, row];
+            float* sums = _sums + (((2 * y) + half) * PlanesOfHalf * Stride) + x;
+            float weight = sums[3 * Stride];
+            float change = weight > 0 && _input.Variances[half][column, row] > 0
+                ? (sums[channel * Stride] / weight) - _input.Light[half][channel][column, row] : 0;
+            float own = _input.Halves[half].Color[channel][column, row];
+            value += count > 0 ? count / all * float.FusedMultiplyAdd(_input.Surfaces[channel][column, row], change, own) : 0;
         }
 
         return value;
     }
 
-    // Differences between each pixel and the one that lies dx, dy from it, in units of what noise makes expected, and their sums along rows.
-    private void Compare(int half, int dx, int dy)
+    private void CopyPlanes()
     {
-        PaddedPlane[] light = input.Light[half];
+        int width = _columns + (2 * Reach);
+        for (int row = 0; row < _rows + (2 * Reach); row++)
+        {
+            for (int i = 0; i < _planes.Length; i++)
+            {
+                new ReadOnlySpan<float>(_planes[i].At(_left - Reach, _top + row - Reach), width).CopyTo(new Span<float>(_tile + (row * Row) + (i * Stride), width));
+            }
+        }
+    }
+
+    // Differences between each pixel and the one that lies an offset from it, in units of what noise makes expected, and their sums along rows.
+    private void Compare(int half, int offset)
+    {
         int lanes = Vector<float>.Count;
-        int offset = (dy * _plane.Stride) + dx;
-        float* distance = Pointer(_distance);
         for (int row = 0; row < _rows + (2 * Patch); row++)
         {
-            (int x, int y) = (_left - Patch, _top + row - Patch);
-            float* red = light[0].At(x, y);
-            float* green = light[1].At(x, y);
-            float* blue = light[2].At(x, y);
-            float* variance = input.Variances[half].At(x, y);
+            float* here = _tile + ((row + Window) * Row) + (half * PlanesOfHalf * Stride) + Window;
+            float* there = here + offset;
             for (int i = 0; i < _columns + (2 * Patch); i += lanes)
             {
-                FloatW here = FloatW.Load(variance + i);
-                FloatW there = FloatW.Load(variance + i + offset);
-                FloatW d = FloatW.Load(red + i) - FloatW.Load(red + i + offset);
-                FloatW squares = FloatW.MultiplyAdd(d, d, -(here + FloatW.Min(here, there)));
-                d = FloatW.Load(green + i) - FloatW.Load(green + i + offset);
-                squares = FloatW.MultiplyAdd(d, d, squares);
-                d = FloatW.Load(blue + i) - FloatW.Load(blue + i + offset);
-                squares = FloatW.MultiplyAdd(d, d, squares);
-                (squares / FloatW.MultiplyAdd(Tolerance * Tolerance, here + there, Tiny)).Store(distance + i);
+                FloatW variance = FloatW.Load(here + i + (3 * Stride));
+                FloatW other = FloatW.Load(there + i + (3 * Stride));
+                FloatW squares = Squares(here + i, there + i, variance, other);
+                (squares / FloatW.MultiplyAdd(Tolerance * Tolerance, variance + other, Tiny)).Store(_distance + i);
             }
 
-            float* across = Pointer(_across) + (((half * (Height + (2 * Patch))) + row) * Stride);
+            float* across = _across + (((2 * row) + half) * Stride);
             for (int i = 0; i < _columns; i += lanes)
             {
-                FloatW sum = FloatW.Load(distance + i) + FloatW.Load(distance + i + 1);
-                for (int j = 2; j < Side; j++)
-                {
-                    sum += FloatW.Load(distance + i + j);
-                }
-
-                sum.Store(across + i);
+                float* d = _distance + i;
+                FloatW left = FloatW.Load(d) + FloatW.Load(d + 1) + FloatW.Load(d + 2);
+                FloatW right = FloatW.Load(d + 4) + FloatW.Load(d + 5) + FloatW.Load(d + 6);
+                (left + right + FloatW.Load(d + 3)).Store(across + i);
             }
         }
     }
 
-    private void Gather(int dx, int dy)
+    private void Gather(int offset)
     {
-        int offset = (dy * _plane.Stride) + dx;
         for (int row = 0; row < _rows; row++)
         {
-            int y = _top + row;
-            float* counts = _plane.At(_left + dx, y + dy);
+            float* here = _tile + ((row + Reach) * Row) + Reach;
+            float* there = here + offset;
+            float* across = _across + (2 * row * Stride);
+            float* sums = _sums + (row * 2 * PlanesOfHalf * Stride);
             for (int i = 0; i < _columns; i += Vector<float>.Count)
             {
-                FloatW counted = FloatW.Load(counts + i);
-                int at = (y * _plane.Stride) + _left + i;
-                FloatW far = FloatW.Max(0f, FloatW.Max(Distance(input.Features[0], at, offset), Distance(input.Features[1], at, offset)));
-                Add(0, row, i, at + offset, far, counted);
-                Add(1, row, i, at + offset, far, counted);
+                FloatW normal = Distance(here + i + (Features * Stride), there + i + (Features * Stride));
+                FloatW albedo = Distance(here + i + ((Features + PlanesOfFeature) * Stride), there + i + ((Features + PlanesOfFeature) * Stride));
+                FloatW far = FloatW.Max(0f, FloatW.Max(normal, albedo));
+                FloatW counted = FloatW.Load(there + i + (Counted * Stride));
+
+                // Each half has the weights that the other one gives.
+                Add(sums + i, there + i, Falling(FloatW.Max(far, PatchMean(across + i + Stride))) * counted);
+                Add(sums + i + (PlanesOfHalf * Stride), there + i + (PlanesOfHalf * Stride), Falling(FloatW.Max(far, PatchMean(across + i))) * counted);
             }
         }
     }
 
-    // Adds one pixel to each half's sums, weighted with what the other half says.
-    private void Add(int half, int row, int column, int there, FloatW far, FloatW counted)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static FloatW PatchMean(float* across)
     {
-        float* across = Pointer(_across) + ((((1 - half) * (Height + (2 * Patch))) + row) * Stride) + column;
-        FloatW patch = FloatW.Load(across) + FloatW.Load(across + Stride);
-        for (int j = 2; j < Side; j++)
-        {
-            patch += FloatW.Load(across + (j * Stride));
-        }
+        const int down = 2 * Stride;
+        FloatW above = FloatW.Load(across) + FloatW.Load(across + down) + FloatW.Load(across + (2 * down));
+        FloatW below = FloatW.Load(across + (4 * down)) + FloatW.Load(across + (5 * down)) + FloatW.Load(across + (6 * down));
+        return (above + below + FloatW.Load(across + (3 * down))) * (1f / (Side * Side));
+    }
 
-        FloatW weight = Falling(FloatW.Max(far, patch * (1f / (Side * Side)))) * counted;
-        float* sums = Pointer(_sums) + (Sums * half * Stride * Height) + (row * Stride) + column;
-        PaddedPlane[] light = input.Light[half];
-        for (int channel = 0; channel < 3; channel++)
-        {
-            float* sum = sums + (channel * Stride * Height);
-            FloatW.MultiplyAdd(weight, FloatW.Load(light[channel].At(0, 0) + there), FloatW.Load(sum)).Store(sum);
-        }
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Add(float* sums, float* light, FloatW weight)
+    {
+        FloatW.MultiplyAdd(weight, FloatW.Load(light), FloatW.Load(sums)).Store(sums);
+        FloatW.MultiplyAdd(weight, FloatW.Load(light + Stride), FloatW.Load(sums + Stride)).Store(sums + Stride);
+        FloatW.MultiplyAdd(weight, FloatW.Load(light + (2 * Stride)), FloatW.Load(sums + (2 * Stride))).Store(sums + (2 * Stride));
+        (weight + FloatW.Load(sums + (3 * Stride))).Store(sums + (3 * Stride));
+    }
 
-        float* weights = sums + (3 * Stride * Height);
-        (weight + FloatW.Load(weights)).Store(weights);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static FloatW Distance(float* here, float* there) =>
+        Squares(here, there, FloatW.Load(here + (3 * Stride)), FloatW.Load(there + (3 * Stride))) * FloatW.Load(here + (4 * Stride));
+
+    // The squared difference of three numbers, less what their variances make expected.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static FloatW Squares(float* here, float* there, FloatW variance, FloatW other)
+    {
+        FloatW x = FloatW.Load(here) - FloatW.Load(there);
+        FloatW y = FloatW.Load(here + Stride) - FloatW.Load(there + Stride);
+        FloatW z = FloatW.Load(here + (2 * Stride)) - FloatW.Load(there + (2 * Stride));
+        FloatW expected = variance + FloatW.Min(variance, other);
+        return FloatW.MultiplyAdd(x, x, FloatW.MultiplyAdd(y, y, FloatW.MultiplyAdd(z, z, -expected)));
     }
 
     // About e to the power −far: (1 − far/16)¹⁶.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static FloatW Falling(FloatW far)
     {
         FloatW root = FloatW.Max(0f, FloatW.NegatedMultiplyAdd(far, 1f / 16, 1f));
@@ -190,19 +241,4 @@ internal sealed unsafe class DenoiserTile(DenoiserInput input)
         root *= root;
         return root * root;
     }
-
-    private static FloatW Distance(DenoiserInput.GuideFeature feature, int at, int offset)
-    {
-        FloatW here = FloatW.Load(feature.Variance.At(0, 0) + at);
-        FloatW squares = -(here + FloatW.Min(here, FloatW.Load(feature.Variance.At(0, 0) + at + offset)));
-        foreach (PaddedPlane plane in feature.Mean)
-        {
-            FloatW d = FloatW.Load(plane.At(0, 0) + at) - FloatW.Load(plane.At(0, 0) + at + offset);
-            squares = FloatW.MultiplyAdd(d, d, squares);
-        }
-
-        return squares * FloatW.Load(feature.Scale.At(0, 0) + at);
-    }
-
-    private static float* Pointer(float[] pinned) => (float*)Marshal.UnsafeAddrOfPinnedArrayElement(pinned, 0);
 }

@@ -53,15 +53,15 @@ internal sealed unsafe class PaddedPlane
     /// <summary>The numbers of as many pixels as there are lanes.</summary>
     public FloatW Load(int x, int y) => FloatW.Load(At(x, y));
 
-    /// <summary>Makes a plane of what is computed for as many pixels as there are lanes, at their first one.</summary>
-    public static PaddedPlane Of(int width, int height, Func<int, int, FloatW> value)
+    /// <summary>Makes a plane of the same size of what is computed for as many pixels as there are lanes, at their first one.</summary>
+    public PaddedPlane With(Func<int, int, FloatW> value)
     {
-        PaddedPlane plane = new(width, height);
+        PaddedPlane plane = new(Width, Height);
         plane.Fill(value);
         return plane;
     }
 
-    /// <summary>Sets all numbers, as <see cref="Of"/> does.</summary>
+    /// <summary>Sets all numbers, as <see cref="With"/> does.</summary>
     public void Fill(Func<int, int, FloatW> value)
     {
         Parallel.For(0, Height, y =>
@@ -96,8 +96,8 @@ internal sealed unsafe class PaddedPlane
     public PaddedPlane Blurred(int radius)
     {
         int side = (2 * radius) + 1;
-        PaddedPlane across = Of(Width, Height, (x, y) => Sum(At(x - radius, y), 1, side) * (1f / side));
-        return Of(Width, Height, (x, y) => Sum(across.At(x, y - radius), Stride, side) * (1f / side));
+        PaddedPlane across = With((x, y) => Sum(At(x - radius, y), 1, side) * (1f / side));
+        return With((x, y) => Sum(across.At(x, y - radius), Stride, side) * (1f / side));
     }
 
     /// <summary>The largest numbers of the squares around each pixel.</summary>
@@ -105,8 +105,8 @@ internal sealed unsafe class PaddedPlane
     public PaddedPlane Largest(int radius)
     {
         int side = (2 * radius) + 1;
-        PaddedPlane across = Of(Width, Height, (x, y) => Most(At(x - radius, y), 1, side));
-        return Of(Width, Height, (x, y) => Most(across.At(x, y - radius), Stride, side));
+        PaddedPlane across = With((x, y) => Most(At(x - radius, y), 1, side));
+        return With((x, y) => Most(across.At(x, y - radius), Stride, side));
     }
 
     /// <summary>Makes no number larger than that of another plane.</summary>
