@@ -18,29 +18,32 @@ public static class Denoiser
     /// <param name="second">The other half; of the same size.</param>
     /// <param name="threads">How many threads to use; 0 for one a core.</param>
     /// <param name="cancellation">Ends the work.</param>
+    /// <param name="progress">Takes how much is done, 0 to 1; may be null.</param>
     /// <returns>The mean of both halves, without most of its noise; where one has no samples, the mean of all there are.</returns>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
-    public static DenoiseResult Denoise(HalfRender first, HalfRender second, int threads = 0, CancellationToken cancellation = default)
+    public static DenoiseResult Denoise(HalfRender first, HalfRender second, int threads = 0, CancellationToken cancellation = default, IProgress<double>? progress = null)
     {
         (int width, int height) = (first.Film.Width, first.Film.Height);
         return (second.Film.Width, second.Film.Height) == (width, height)
-            ? Denoise(HalfPlanes.Of(first), HalfPlanes.Of(second), threads, cancellation)
+            ? Denoise(HalfPlanes.Of(first), HalfPlanes.Of(second), threads, cancellation, progress)
             : throw new ArgumentException($"Halves of {width}×{height} and {second.Film.Width}×{second.Film.Height} pixels are not of one picture.", nameof(second));
     }
 
-    /// <inheritdoc cref="Denoise(HalfRender, HalfRender, int, CancellationToken)"/>
-    internal static DenoiseResult Denoise(HalfPlanes first, HalfPlanes second, int threads = 0, CancellationToken cancellation = default)
+    /// <inheritdoc cref="Denoise(HalfRender, HalfRender, int, CancellationToken, IProgress{double}?)"/>
+    internal static DenoiseResult Denoise(HalfPlanes first, HalfPlanes second, int threads = 0, CancellationToken cancellation = default, IProgress<double>? progress = null)
     {
         DenoiserInput input = new(first, second);
         Picture result = new(first.Spread.Width, first.Spread.Height);
         ParallelOptions parallel = new() { MaxDegreeOfParallelism = threads > 0 ? threads : Environment.ProcessorCount, CancellationToken = cancellation };
         int across = (result.Width + DenoiserTile.Width - 1) / DenoiserTile.Width;
         int down = (result.Height + DenoiserTile.Height - 1) / DenoiserTile.Height;
+        int done = 0;
         Parallel.For(0, across * down, parallel, () => new DenoiserTile(input), (i, _, tile) =>
         {
             tile.Filter(i % across * DenoiserTile.Width, i / across * DenoiserTile.Height);
             tile.Write(result);
+            progress?.Report(Interlocked.Increment(ref done) / (double)(across * down));
             return tile;
         }, _ => { });
         return new(result, input.CutShare);
