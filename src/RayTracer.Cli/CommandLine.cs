@@ -66,6 +66,7 @@ internal static class CommandLine
                 return WrongUsage(result, stray, empty, streams);
             }
 
+            LimitOptions.Apply(result);
             return result.Invoke(new() { Output = streams.Output, Error = streams.Error, EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null });
         }
         catch (Exception e)
@@ -87,6 +88,7 @@ internal static class CommandLine
     {
         Command command = new(v.Name, v.Summary);
         v.Build(command, streams);
+        LimitOptions.AddTo(command);
         return VerbHelp.Of(PluginOption.AddTo(command), Synopsis);
     })];
 
@@ -113,6 +115,7 @@ internal static class CommandLine
             {
                 build(command, streams);
                 PluginOption.AddTo(command);
+                LimitOptions.AddTo(command);
             }
 
             root.Subcommands.Add(command);

@@ -156,6 +156,11 @@ internal static class AtomicFile
             throw new NotSupportedException("that is a folder");
         }
 
+        if (IsEndless(target))
+        {
+            throw new NotSupportedException("that is a pipe or a device, which a file would replace");
+        }
+
         // Else it would be found out when the file is renamed: the temporary one has a shorter name.
         string name = Path.GetFileName(target);
         int length = OperatingSystem.IsWindows() ? name.Length : Encoding.UTF8.GetByteCount(name);
@@ -171,6 +176,40 @@ internal static class AtomicFile
         }
 
         return target;
+    }
+
+    // Pipes and devices have no length, and none can be set, as it can for an empty file.
+    private static bool IsEndless(string target)
+    {
+        if (OperatingSystem.IsWindows() || !File.Exists(target) || new FileInfo(target).Length > 0)
+        {
+            return false;
+        }
+
+        try
+        {
+            // For reading too: a pipe that nobody reads would be waited for.
+            using FileStream stream = new(target, FileMode.Open, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete, 1);
+            return !stream.CanSeek || !CanSetLength(stream);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            // An empty file that others may not write to.
+            return false;
+        }
+    }
+
+    private static bool CanSetLength(FileStream stream)
+    {
+        try
+        {
+            stream.SetLength(0);
+            return true;
+        }
+        catch (Exception e) when (e is IOException or ArgumentException or NotSupportedException)
+        {
+            return false;
+        }
     }
 
     private static string Reason(Exception e, string? temporary)

@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using RayTracer.Description;
 using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
@@ -34,9 +35,10 @@ public static class PictureLimits
     {
         Require(width >= 1 && height >= 1, $"the file claims a size of {width}×{height} pixels, and both must be at least 1");
 
-        if (width > MaxSide || height > MaxSide || width * height > MaxPixels)
+        long most = Math.Min(MaxPixels, SceneBudget.Limit / (3 * sizeof(float)));
+        if (width > MaxSide || height > MaxSide || width * height > most)
         {
-            throw new PictureException($"the file claims a size of {width}×{height} pixels; at most {MaxPixels} in all and {MaxSide} a side are read");
+            throw new PictureException($"the file claims a size of {width}×{height} pixels; at most {most} in all and {MaxSide} a side are read");
         }
     }
 

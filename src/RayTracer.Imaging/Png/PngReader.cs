@@ -62,11 +62,14 @@ internal static class PngReader
     {
         var texts = new List<KeyValuePair<string, string>>();
         var chunks = new PngChunks(file);
+        long characters = 0;
         while (chunks.Next())
         {
             if (chunks.Type is "tEXt" or "zTXt" or "iTXt")
             {
                 texts.Add(PngText.Parse(chunks.Type, chunks.Data));
+                characters += texts[^1].Value.Length;
+                Require(characters <= PictureLimits.MaxTextBytes, $"its texts have more than {PictureLimits.MaxTextBytes} characters together");
             }
         }
 

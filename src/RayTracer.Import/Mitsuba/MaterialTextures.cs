@@ -7,23 +7,25 @@ namespace RayTracer.Import;
 internal static class MaterialTextures
 {
     /// <summary>True where a material looks different where uv is, or turns with it.</summary>
-    public static bool NeedUv(MaterialDescription material)
-    {
-        Dictionary<string, object?> values = RecordType.Of(material.GetType()).Parameters.ToDictionary(p => p.PropertyName, p => p.Get(material));
-        return values.Values.Any(v => v is (TextureDescription and not SolidTextureDescription) || (v is MaterialDescription inner && NeedUv(inner)))
-            || !Equals(values.GetValueOrDefault("AlphaU"), values.GetValueOrDefault("AlphaV"))
-            || values.GetValueOrDefault("Anisotropic") is SolidTextureDescription { Color.R: not 0 };
-    }
+    public static bool NeedUv(MaterialDescription material) =>
+        Parts(material).Any(part => part is TextureDescription ? part is not SolidTextureDescription : TurnsWithUv(part));
 
     /// <summary>True where a material has the colours of a mesh's corners.</summary>
-    public static bool UseColors(object material) =>
-        material is VertexColorTextureDescription || RecordType.Of(material.GetType()).Parameters.Any(p => p.Get(material) is (MaterialDescription or TextureDescription) and var part && UseColors(part));
+    public static bool UseColors(MaterialDescription material) => Parts(material).Any(part => part is VertexColorTextureDescription);
 
     /// <summary>A material with other textures.</summary>
     /// <param name="material">The material.</param>
     /// <param name="change">Makes another texture of each that is not the same colour everywhere.</param>
-    public static MaterialDescription Map(MaterialDescription material, Func<TextureDescription, TextureDescription> change)
+    public static MaterialDescription Map(MaterialDescription material, Func<TextureDescription, TextureDescription> change) =>
+        Map(material, change, new(ReferenceEqualityComparer.Instance));
+
+    private static MaterialDescription Map(MaterialDescription material, Func<TextureDescription, TextureDescription> change, Dictionary<object, MaterialDescription> known)
     {
+        if (known.TryGetValue(material, out MaterialDescription? done))
+        {
+            return done;
+        }
+
         RecordType type = RecordType.Of(material.GetType());
         object changed = type.Create();
         foreach (RecordParameter parameter in type.Parameters)
@@ -31,11 +33,34 @@ internal static class MaterialTextures
             parameter.Set(changed, parameter.Get(material) switch
             {
                 TextureDescription texture and not SolidTextureDescription => change(texture),
-                MaterialDescription inner => Map(inner, change),
+                MaterialDescription inner => Map(inner, change, known),
                 var other => other,
             });
         }
 
-        return (MaterialDescription)changed;
+        return known[material] = (MaterialDescription)changed;
+    }
+
+    private static bool TurnsWithUv(object material)
+    {
+        Dictionary<string, object?> values = RecordType.Of(material.GetType()).Parameters.ToDictionary(p => p.PropertyName, p => p.Get(material));
+        return !Equals(values.GetValueOrDefault("AlphaU"), values.GetValueOrDefault("AlphaV"))
+            || values.GetValueOrDefault("Anisotropic") is SolidTextureDescription { Color.R: not 0 };
+    }
+
+    // Each once: materials that share parts would else be followed along each of very many ways.
+    private static HashSet<object> Parts(MaterialDescription material)
+    {
+        HashSet<object> seen = new(ReferenceEqualityComparer.Instance) { material };
+        Queue<object> next = new(seen);
+        while (next.TryDequeue(out object? whole))
+        {
+            foreach (object part in RecordType.Of(whole.GetType()).Parameters.Select(p => p.Get(whole)).Where(v => v is MaterialDescription or TextureDescription).Where(seen.Add!)!)
+            {
+                next.Enqueue(part);
+            }
+        }
+
+        return seen;
     }
 }

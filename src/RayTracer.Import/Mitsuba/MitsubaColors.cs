@@ -191,7 +191,7 @@ internal static class SpectrumFile
             string[][] lines = [.. File.ReadLines(path).Select(l => MitsubaNumbers.Words(l.Split('#')[0])).Where(w => w.Length > 0)];
             if (Array.FindIndex(lines, w => w.Length != 2) is var bad and >= 0)
             {
-                return thing.Log.Fail<Spectrum>(place, $"{Quotation.Of(name)} is not a spectrum: expected a wavelength and a number per line, but found {Quotation.Of(string.Join(' ', lines[bad]))}");
+                return thing.Log.Fail<Spectrum>(place, $"{Quotation.Of(name)} is not a spectrum: expected a wavelength and a number per line, but one has {lines[bad].Length} words");
             }
 
             return MitsubaColors.Sampled([.. lines.Select(w => w[0])], [.. lines.Select(w => w[1])], place, thing.Log);

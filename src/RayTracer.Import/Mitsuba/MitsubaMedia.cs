@@ -27,7 +27,7 @@ internal static class MitsubaMedia
         }
 
         MediumDescription medium = Read(inside);
-        if (Filled(material, medium) is { } filled)
+        if (Filled(material, medium, new(ReferenceEqualityComparer.Instance)) is { } filled)
         {
             return filled;
         }
@@ -73,19 +73,20 @@ internal static class MitsubaMedia
         return read;
     }
 
-    // What lets light in, with a medium inside; null where nothing does.
-    private static MaterialDescription? Filled(MaterialDescription material, MediumDescription medium) => material switch
-    {
-        InvisibleMaterialDescription boundary => boundary with { Interior = medium },
-        GlassDescription glass => glass with { Interior = medium },
-        ThinDielectricMaterialDescription pane => pane with { Interior = medium },
-        PrincipledMaterialDescription principled => principled with { Interior = medium },
-        MaskMaterialDescription mask => mask with { Interior = medium },
-        NormalMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
-        BumpMapMaterialDescription map => Filled(map.Material, medium) is { } inner ? map with { Material = inner } : null,
-        MixMaterialDescription mix => FilledMix(mix, Filled(mix.First, medium), Filled(mix.Second, medium)),
-        _ => null,
-    };
+    // What lets light in, with a medium inside; null where nothing does. Each part once: mixes may share theirs.
+    private static MaterialDescription? Filled(MaterialDescription material, MediumDescription medium, Dictionary<object, MaterialDescription?> known) =>
+        known.TryGetValue(material, out MaterialDescription? done) ? done : known[material] = material switch
+        {
+            InvisibleMaterialDescription boundary => boundary with { Interior = medium },
+            GlassDescription glass => glass with { Interior = medium },
+            ThinDielectricMaterialDescription pane => pane with { Interior = medium },
+            PrincipledMaterialDescription principled => principled with { Interior = medium },
+            MaskMaterialDescription mask => mask with { Interior = medium },
+            NormalMapMaterialDescription map => Filled(map.Material, medium, known) is { } inner ? map with { Material = inner } : null,
+            BumpMapMaterialDescription map => Filled(map.Material, medium, known) is { } inner ? map with { Material = inner } : null,
+            MixMaterialDescription mix => FilledMix(mix, Filled(mix.First, medium, known), Filled(mix.Second, medium, known)),
+            _ => null,
+        };
 
     private static MixMaterialDescription? FilledMix(MixMaterialDescription mix, MaterialDescription? first, MaterialDescription? second) =>
         (first ?? second) is null ? null : mix with { First = first ?? mix.First, Second = second ?? mix.Second };

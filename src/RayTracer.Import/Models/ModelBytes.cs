@@ -1,5 +1,6 @@
 using System.Diagnostics.CodeAnalysis;
 using RayTracer.Description;
+using RayTracer.Scenes;
 using static RayTracer.Import.ModelCheck;
 
 namespace RayTracer.Import;
@@ -8,10 +9,15 @@ namespace RayTracer.Import;
 internal static class ModelBytes
 {
     /// <summary>The content of a file.</summary>
-    /// <exception cref="ModelException">It has more than 2 GiB.</exception>
+    /// <exception cref="ModelException">There is no such file, it is not an ordinary one, or it has more than 2 GiB.</exception>
     /// <exception cref="IOException">It cannot be opened.</exception>
     public static byte[] Read(string path)
     {
+        if (FileSearch.Complaint(path) is { } complaint)
+        {
+            throw new ModelException(complaint);
+        }
+
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
         Require(stream.Length <= Array.MaxLength, $"it has {stream.Length} bytes, and models can have at most 2 GiB");
 

@@ -8,8 +8,8 @@ namespace RayTracer.Import;
 /// </summary>
 internal sealed class PolygonCutter
 {
-    // Tests of a point against an ear, for all polygons together: ears of very large, very jagged ones would take for ever.
-    private const long MostTests = 200_000_000;
+    // Corners that are tried, and tests of points against their ears, for all polygons together: ears of very large, very jagged ones would take for ever.
+    private const long MostTests = 100_000_000;
 
     private readonly List<(double X, double Y)> _plane = [];
     private readonly List<int> _next = [];
@@ -106,7 +106,8 @@ internal sealed class PolygonCutter
         {
             (int before, int after) = (_previous[corner], _next[corner]);
             double turn = Turn(before, corner, after);
-            bool isEar = turn > 0 && IsFree(before, corner, after);
+            _testsLeft--;
+            bool isEar = turn > 0 && _testsLeft > 0 && IsFree(before, corner, after);
             if (!isEar && tried < count && _testsLeft > 0)
             {
                 tried++;
@@ -130,7 +131,7 @@ internal sealed class PolygonCutter
     // Only corners that point inwards can lie in an ear; those that were cut off, or do not point inwards any more, do no harm.
     private bool IsFree(int a, int b, int c)
     {
-        _testsLeft -= 1 + _reflex.Count;
+        _testsLeft -= _reflex.Count;
         foreach (int p in _reflex)
         {
             if (p != a && p != b && p != c && _next[_previous[p]] == p && !IsOneOf(p, a, b, c) && Turn(a, b, p) >= 0 && Turn(b, c, p) >= 0 && Turn(c, a, p) >= 0)

@@ -113,7 +113,7 @@ public sealed class JsonParser
     {
         int start = _at++;
         List<JsonMember> members = [];
-        HashSet<string> keys = new(StringComparer.Ordinal);
+        Dictionary<string, int> keys = new(StringComparer.Ordinal);
         while (SkipBlanks() && Peek() != '}')
         {
             int keyStart = _at;
@@ -140,9 +140,9 @@ public sealed class JsonParser
                 return null;
             }
 
-            if (!keys.Add(key))
+            if (!keys.TryAdd(key, keyStart))
             {
-                int first = _source.Position(members.First(m => m.Key == key).Start).Line;
+                int first = _source.Position(keys[key]).Line;
                 _diagnostics.Add(_source.Error(keyStart, $"the key {Quotation.Of(key)} appears twice, first on line {first}") with { Rule = DiagnosticRule.Syntax });
             }
 

@@ -5,13 +5,19 @@ namespace RayTracer.Scenes;
 /// <summary>Says why a file cannot be opened.</summary>
 internal static class FileSearch
 {
-    /// <summary>The reason why there is no file at a path, with the most similar name beside it; null where there is one.</summary>
+    /// <summary>The reason why a scene cannot read a file: there is none, with the most similar name beside it, or it is none that ends; else null.</summary>
     /// <param name="path">The file's path.</param>
-    public static string? Complaint(string path)
+    /// <param name="isStream">True where a pipe or a device will do.</param>
+    public static string? Complaint(string path, bool isStream = false)
     {
+        if (SceneFolder.Root is { } root && !SceneFolder.IsWithin(root, path))
+        {
+            return "it is outside of the folder that scenes may read";
+        }
+
         if (File.Exists(path))
         {
-            return null;
+            return isStream || Length(path) > 0 ? null : "it is empty, or a pipe or a device: only ordinary files are read";
         }
 
         if (path.Length == 0 || path.Contains('\0', StringComparison.Ordinal))
@@ -31,6 +37,13 @@ internal static class FileSearch
         }
 
         return "file not found" + Spelling.DidYouMean(Path.GetFileName(path), Names(folder));
+    }
+
+    // Pipes and devices have none.
+    private static long Length(string path)
+    {
+        FileInfo file = new(path);
+        return file.LinkTarget is null ? file.Length : (file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo)?.Length ?? 0;
     }
 
     private static IEnumerable<string> Names(string folder)

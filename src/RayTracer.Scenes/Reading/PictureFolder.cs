@@ -4,7 +4,7 @@ using RayTracer.Textures;
 namespace RayTracer.Scenes;
 
 /// <summary>Loads pictures by paths relative to a folder, each only once.</summary>
-internal sealed class PictureFolder(string folder, Func<string, bool, Picture> read)
+internal sealed class PictureFolder(string folder, Func<string, bool, Picture> read, SceneBudget budget)
 {
     private readonly Dictionary<(string Path, bool Raw), Picture> _pictures = [];
 
@@ -28,6 +28,10 @@ internal sealed class PictureFolder(string folder, Func<string, bool, Picture> r
             }
 
             picture = read(full, raw);
+            if (!budget.TryUse(sizeof(float) * (long)picture.Pixels.Length))
+            {
+                throw new PictureException(SceneBudget.Complaint($"a picture of {picture.Width}×{picture.Height} pixels"));
+            }
         }
         catch (Exception e) when (e is PictureException or IOException or UnauthorizedAccessException or ArgumentException)
         {

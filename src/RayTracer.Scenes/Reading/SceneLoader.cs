@@ -132,7 +132,8 @@ public static class SceneLoader
         Scene? scene = null;
         if (!diagnostics.Exists(d => d is { Line: 0, Column: 0 } && d.Severity == Severity.Error))
         {
-            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read).Load, models.Load) { KeepsSources = keepsSources };
+            SceneBudget budget = new();
+            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read, budget).Load, models.Load) { KeepsSources = keepsSources, Budget = budget };
             scene = builder.Build(description);
             RecordOwners owners = new(description);
             diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read, owners)));

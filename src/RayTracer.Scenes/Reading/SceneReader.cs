@@ -17,7 +17,7 @@ public static class SceneReader
         byte[]? bytes;
         try
         {
-            if (FileSearch.Complaint(path) is { } complaint)
+            if (FileSearch.Complaint(path, isStream: true) is { } complaint)
             {
                 return Unreadable(path, complaint);
             }

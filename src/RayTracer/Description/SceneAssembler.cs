@@ -13,7 +13,10 @@ namespace RayTracer.Description;
 internal sealed class SceneAssembler(SceneBuilder builder)
 {
     /// <summary>The largest number of instances in a scene.</summary>
-    public const int MaximumInstances = 1 << 24;
+    public const int MaximumInstances = 1 << 22;
+
+    // Measured: a place, its motion and its share of the tree.
+    private const int BytesPerInstance = 450;
 
     private readonly Dictionary<ShapeDescription, SpaceContents> _objects = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<object, MeshData> _mended = new(ReferenceEqualityComparer.Instance);
@@ -132,11 +135,13 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     {
         if ((long)contents.Instances.Count + target.Instances.Count + contents.Lights.Count + target.Lights.Count >= MaximumInstances)
         {
-            if (!builder.HasErrors)
-            {
-                builder.Error(subject, null, $"nested instances come to more than {MaximumInstances}");
-            }
+            Refuse(subject, $"nested instances come to more than {MaximumInstances}");
+            return;
+        }
 
+        if (!builder.Budget.TryUse(BytesPerInstance * (1L + contents.Instances.Count)))
+        {
+            Refuse(subject, SceneBudget.Complaint($"{contents.Instances.Count + 1} more instances"));
             return;
         }
 
@@ -161,6 +166,15 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         foreach (PlacedLight inner in contents.Lights.ToArray())
         {
             target.Lights.Add(inner with { Motion = motion * inner.Motion, Label = LightGroupLabel.Within(inner.Label, _label) });
+        }
+    }
+
+    // Once: whatever holds this one does not fit either.
+    private void Refuse(ShapeDescription subject, string complaint)
+    {
+        if (!builder.HasErrors)
+        {
+            builder.Error(subject, null, complaint);
         }
     }
 

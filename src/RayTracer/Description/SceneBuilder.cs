@@ -48,6 +48,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     /// </summary>
     public bool KeepsSources { get; init; }
 
+    /// <summary>The memory that the scene's files and instances may take.</summary>
+    public SceneBudget Budget { get; init; } = new();
+
     /// <summary>Reports an error about a record's property (by its C# name; null means the whole record).</summary>
     public void Error(object subject, string? property, string message) => Complain(new(subject, property, message, true));
 
@@ -261,6 +264,13 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         TextureInputs outer = _inputs;
         _inputs = TextureInputs.None;
         Material material = description.Build(this);
+        if (material.Parts > Materials.Material.MostParts)
+        {
+            // A few nested mixes of one another are millions, and each ray would ask them all.
+            Error(description, null, $"the material consists of more than {Materials.Material.MostParts} others, each counted as often as it is a part");
+            material = new DiffuseMaterial(new SolidTexture(Rgb.Black));
+        }
+
         material.Inputs = _inputs;
         _inputs = outer;
         _parts--;

@@ -11,6 +11,9 @@ namespace RayTracer.Materials;
 /// </summary>
 public abstract class Material
 {
+    /// <summary>The most materials that one may consist of.</summary>
+    internal const int MostParts = 256;
+
     /// <summary>The record that it was made from; null where that is not kept.</summary>
     internal Description.MaterialDescription? Source { get; set; }
 
@@ -19,6 +22,9 @@ public abstract class Material
 
     /// <summary>The material's constants.</summary>
     public abstract MaterialTraits Traits { get; }
+
+    /// <summary>The number of materials that may have to answer for this one, each as often as it is a part; counted up to one more than <see cref="MostParts"/>.</summary>
+    internal virtual int Parts => 1;
 
     /// <summary>
     /// Evaluates what several of the other methods need, once, before any of them is called: <see cref="SurfaceW.DiffuseColor"/>.

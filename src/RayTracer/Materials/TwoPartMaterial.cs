@@ -12,10 +12,16 @@ namespace RayTracer.Materials;
 /// <param name="second">The other part.</param>
 public abstract class TwoPartMaterial(Material first, Material second) : Material
 {
+    // Once: of parts of parts of parts, each would ask both of its own.
+    private readonly MaterialTraits _joined = (first.Traits | second.Traits) with { Emits = false };
+
     private delegate void Answer(Material part, in SurfaceW surface, in Vec3W direction, out RgbW color);
 
     /// <inheritdoc/>
-    public override MaterialTraits Traits => (first.Traits | second.Traits) with { Emits = false };
+    public override MaterialTraits Traits => _joined;
+
+    /// <inheritdoc/>
+    internal override int Parts { get; } = Math.Min(MostParts + 1, first.Parts + second.Parts);
 
     /// <summary>The one part.</summary>
     protected Material First => first;

@@ -19,6 +19,9 @@ public abstract class WrapperMaterial(Material inner) : Material
     /// <inheritdoc/>
     public override MaterialTraits Traits => inner.Traits with { Emits = false };
 
+    /// <inheritdoc/>
+    internal override int Parts => inner.Parts;
+
     /// <summary>The material that a part of a record describes: of any type but a luminaire, which is an error.</summary>
     /// <param name="builder">Builds it.</param>
     /// <param name="whole">The record.</param>

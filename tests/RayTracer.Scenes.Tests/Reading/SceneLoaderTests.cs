@@ -133,7 +133,7 @@ public sealed class SceneLoaderTests : IDisposable
     {
         string path = Path.Combine([_folder, .. parts]);
         Directory.CreateDirectory(Path.GetDirectoryName(path)!);
-        File.WriteAllText(path, "");
+        File.WriteAllText(path, "not empty");
         return path;
     }
 

@@ -6,6 +6,9 @@ namespace RayTracer.Import;
 /// <summary>Reads what a glTF file's URIs name: data within the URI, or a file beside it.</summary>
 internal sealed class GltfFiles(GltfDocument document)
 {
+    // Thousands of buffers may name one file.
+    private readonly Dictionary<string, ReadOnlyMemory<byte>> _read = [];
+
     /// <summary>The bytes that a property named "uri" refers to.</summary>
     /// <param name="from">The object that holds the URI.</param>
     /// <param name="uri">The URI.</param>
@@ -15,6 +18,11 @@ internal sealed class GltfFiles(GltfDocument document)
         if (DataUri.Is(uri))
         {
             return DataUri.Decode(uri) ?? throw from.Error("uri", "the embedded data is not base64, or is damaged");
+        }
+
+        if (_read.TryGetValue(uri, out ReadOnlyMemory<byte> known))
+        {
+            return known;
         }
 
         int colon = uri.IndexOf(':', StringComparison.Ordinal);
@@ -40,6 +48,7 @@ internal sealed class GltfFiles(GltfDocument document)
             byte[] bytes = new byte[stream.Length];
             stream.ReadExactly(bytes);
             document.Memory.AddFile(bytes.Length);
+            _read.Add(uri, bytes);
             return bytes;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)

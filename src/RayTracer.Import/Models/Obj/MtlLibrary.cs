@@ -123,7 +123,7 @@ internal sealed class MtlLibrary(string folder)
                 continue;
             }
 
-            ReadStatement(keyword, ref text, material ?? throw text.ErrorAt(begin, $"{Quotation.Of(keyword)} comes before the first newmtl"));
+            ReadStatement(keyword, ref text, material ?? throw text.ErrorAt(begin, "a statement comes before the first newmtl"));
         }
     }
 

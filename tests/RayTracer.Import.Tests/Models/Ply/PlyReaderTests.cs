@@ -226,7 +226,7 @@ public class PlyReaderTests
 
     [SkippableTheory]
     [InlineData("there are no triangles in it (4 corners)", "ply/points.ply")]
-    [InlineData("line 1: it does not begin with \"ply\"", "invalid/empty.ply")]
+    [InlineData("it is empty", "invalid/empty.ply")]
     [InlineData("line ", "invalid/crash-30d6d0f7c529b3b66b4131700b7a4580cd7082df.ply")]
     public void Real_files_without_triangles_or_with_faults_are_refused(string message, string path)
     {

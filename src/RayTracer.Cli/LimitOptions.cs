@@ -1,0 +1,58 @@
+using System.CommandLine;
+using System.Globalization;
+using RayTracer.Description;
+using RayTracer.Scenes;
+
+namespace RayTracer.Cli;
+
+/// <summary>The options <c>--memory</c> and <c>--root</c> of all verbs: the limits of what a scene may take and read.</summary>
+internal static class LimitOptions
+{
+    private static readonly Option<string> s_memory = new("--memory")
+    {
+        Description = "The most memory that a scene's pictures and instances may take, such as 512M or 16G; by default 4 GiB, or half of what there is.",
+        HelpName = "SIZE",
+        Recursive = true,
+    };
+
+    private static readonly Option<string> s_root = new("--root")
+    {
+        Description = "Refuses files of scenes that are not in this folder or below it: for scenes of people that are not trusted.",
+        HelpName = "FOLDER",
+        Recursive = true,
+    };
+
+    private static readonly (string Letter, int Shift)[] s_units = [("K", 10), ("M", 20), ("G", 30), ("T", 40)];
+
+    /// <summary>Gives a command, and those under it, the options.</summary>
+    public static void AddTo(Command command)
+    {
+        command.Options.Add(s_memory);
+        command.Options.Add(s_root);
+    }
+
+    /// <summary>Sets the limits that are given, for all that the process reads.</summary>
+    /// <exception cref="CommandException">A value is wrong.</exception>
+    public static void Apply(ParseResult result)
+    {
+        if (result.GetValue(s_memory) is { } size)
+        {
+            SceneBudget.Limit = Bytes(size);
+        }
+
+        if (result.GetValue(s_root) is { } root)
+        {
+            SceneFolder.Root = Directory.Exists(root) ? root : throw new CommandException(ExitStatus.Usage, $"--root: there is no folder '{root}'");
+        }
+    }
+
+    private static long Bytes(string size)
+    {
+        string number = size.ToUpperInvariant().TrimEnd('B').TrimEnd('I');
+        int shift = s_units.FirstOrDefault(u => number.EndsWith(u.Letter, StringComparison.Ordinal)).Shift;
+        bool isNumber = double.TryParse(number.AsSpan(0, number.Length - (shift > 0 ? 1 : 0)), NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double count);
+        return isNumber && count > 0 && count * (1L << shift) is >= 1 and <= long.MaxValue / 2.0
+            ? (long)(count * (1L << shift))
+            : throw new CommandException(ExitStatus.Usage, $"--memory must be a size such as 512M or 16G, but is {Quotation.Of(size)}");
+    }
+}
