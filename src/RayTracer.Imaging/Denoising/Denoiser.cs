@@ -17,21 +17,21 @@ public static class Denoiser
     /// <param name="first">One half of the samples.</param>
     /// <param name="second">The other half; of the same size.</param>
     /// <param name="threads">How many threads to use; 0 for one a core.</param>
-    /// <param name="cancellation">Ends the work.</param>
     /// <param name="progress">Takes how much is done, 0 to 1; may be null.</param>
+    /// <param name="cancellation">Ends the work.</param>
     /// <returns>The mean of both halves, without most of its noise; where one has no samples, the mean of all there are.</returns>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
-    public static DenoiseResult Denoise(HalfRender first, HalfRender second, int threads = 0, CancellationToken cancellation = default, IProgress<double>? progress = null)
+    public static DenoiseResult Denoise(HalfRender first, HalfRender second, int threads = 0, IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
         (int width, int height) = (first.Film.Width, first.Film.Height);
         return (second.Film.Width, second.Film.Height) == (width, height)
-            ? Denoise(HalfPlanes.Of(first), HalfPlanes.Of(second), threads, cancellation, progress)
+            ? Denoise(HalfPlanes.Of(first), HalfPlanes.Of(second), threads, progress, cancellation)
             : throw new ArgumentException($"Halves of {width}×{height} and {second.Film.Width}×{second.Film.Height} pixels are not of one picture.", nameof(second));
     }
 
-    /// <inheritdoc cref="Denoise(HalfRender, HalfRender, int, CancellationToken, IProgress{double}?)"/>
-    internal static DenoiseResult Denoise(HalfPlanes first, HalfPlanes second, int threads = 0, CancellationToken cancellation = default, IProgress<double>? progress = null)
+    /// <inheritdoc cref="Denoise(HalfRender, HalfRender, int, IProgress{double}?, CancellationToken)"/>
+    internal static DenoiseResult Denoise(HalfPlanes first, HalfPlanes second, int threads = 0, IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
         DenoiserInput input = new(first, second);
         Picture result = new(first.Spread.Width, first.Spread.Height);

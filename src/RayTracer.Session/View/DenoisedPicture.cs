@@ -50,7 +50,7 @@ public sealed class DenoisedPicture
             }
 
             Render(order, second, new(next / 2, next), cancellation);
-            _picture = Denoiser.Denoise(first, second, order.Threads, cancellation).Picture;
+            _picture = Denoiser.Denoise(first, second, order.Threads, null, cancellation).Picture;
             (_samples, _of) = (next, order.Picture);
         }
         catch (OperationCanceledException)
