@@ -30,6 +30,18 @@ public static class Denoiser
             : throw new ArgumentException($"Halves of {width}×{height} and {second.Film.Width}×{second.Film.Height} pixels are not of one picture.", nameof(second));
     }
 
+    /// <summary>Denoises a picture of which no halves are known: its noise is estimated from its pixels alone, which is worse.</summary>
+    /// <param name="picture">The picture.</param>
+    /// <param name="albedo">The surfaces' colours; null where they are not known.</param>
+    /// <param name="normal">The surfaces' normals; null where they are not known.</param>
+    /// <param name="threads">How many threads to use; 0 for one a core.</param>
+    /// <exception cref="ArgumentException">The sizes differ.</exception>
+    public static Picture Denoise(Picture picture, Picture? albedo, Picture? normal, int threads = 0)
+    {
+        HalfPlanes planes = HalfPlanes.Of(picture, albedo, normal);
+        return Denoise(planes, planes, threads).Picture;
+    }
+
     /// <inheritdoc cref="Denoise(HalfRender, HalfRender, int, IProgress{double}?, CancellationToken)"/>
     internal static DenoiseResult Denoise(HalfPlanes first, HalfPlanes second, int threads = 0, IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
