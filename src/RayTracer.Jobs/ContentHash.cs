@@ -10,7 +10,7 @@ using RayTracer.Scenes;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// The hash of all that decides what a sample comes to: the description with every value that is not as it is without being given, the
+/// The hash of all that decides what a sample comes to: the description with every value that is not as it is without being given (for the integrator: not the report's), the
 /// content of every file that it names, the part that
 /// is rendered, and for each kind of thing in the scene the version of its bits. Where files lie, what they are called and how scenes are
 /// written does not count.
@@ -65,11 +65,16 @@ public class ContentHash : IDisposable
     {
         null => false,
         ICollection things => things.Count > 0,
-        _ => !value.Equals(parameter.Default) || !Parts(value).SequenceEqual(Parts(parameter.Default!)),
+        _ => !value.Equals(Absent(parameter)) || !Parts(value).SequenceEqual(Parts(Absent(parameter))),
     };
 
     /// <summary>Ends a record, some of whose values may not count.</summary>
     private protected virtual void EndRecord() => Text("end");
+
+    // What hashes leave out never changes, so that films of scenes that say the same go together: of integrators that is the report's,
+    // which was the default when hashes were first made.
+    private static object Absent(RecordParameter parameter) =>
+        parameter.ValueType == typeof(Integrator) ? Integrator.Report : parameter.Default!;
 
     // Equal numbers may have other bits: 0 and −0.
     private static IEnumerable<string> Parts(object value) => value switch

@@ -65,8 +65,23 @@ internal sealed record LoadedJob(
     public static JobException OtherScene(string path) =>
         new(JobFault.File, $"the film is not of '{path}': the scene, a file that it names, its settings, a plug-in or the program are others than they were");
 
+    // The integrator with which the scene is the one of a film; null where no other makes it so.
+    private Integrator? IntegratorOf(FilmHeader film) => Integrator.Known.All.FirstOrDefault(integrator =>
+    {
+        SceneDescription scene = Description with { Render = Description.Render with { Integrator = integrator } };
+        return OldFilms.Current(film, scene, Job.Scene, Options.Crop).Content == ContentHash.Of(scene, Job.Scene, Options.Crop);
+    });
+
     private JobException OtherFilm(FilmHeader header)
     {
+        if (IntegratorOf(header) is { } integrator)
+        {
+            return new(
+                JobFault.File,
+                $"the film was rendered by the {integrator.Name} integrator, but '{Job.Scene}' is rendered by {Scene.Render.Integrator.Name}: "
+                + $"write \"integrator\": \"{integrator.Name}\" under \"render\" there to continue it");
+        }
+
         RenderDescription render = Scene.Render;
         return !render.Sampler.DependsOnCount || render.SamplesPerPixel == header.Total ? OtherScene(Job.Scene) : new(
             JobFault.Request,

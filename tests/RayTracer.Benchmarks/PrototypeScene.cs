@@ -42,7 +42,7 @@ internal static class PrototypeScene
         return new SceneDescription
         {
             Camera = new() { Position = new(0, 3, -9), LookAt = new(0, .8f, 0), FieldOfView = 53.130102f },
-            Render = new() { SamplesPerPixel = samplesPerPixel, Sampler = sampler },
+            Render = new() { Integrator = Integrator.Report, SamplesPerPixel = samplesPerPixel, Sampler = sampler },
             Background = new(.5f, .7f, 1),
             Ambient = new(.1f, .1f, .1f),
             Shapes = shapes,

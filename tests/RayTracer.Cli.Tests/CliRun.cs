@@ -10,7 +10,7 @@ internal sealed record CliRun(int Status, string Output, string Error)
     public const string Scene = """
         {
           "camera": { "position": [0, 1, 5], "lookAt": [0, 0.5, 0] },
-          "render": { "width": 24, "height": 16, "samplesPerPixel": 4 },
+          "render": { "integrator": "report", "width": 24, "height": 16, "samplesPerPixel": 4 },
           "background": "skyblue",
           "shapes": [
             { "type": "sphere", "center": [0, 0.5, 0], "radius": 0.5 },

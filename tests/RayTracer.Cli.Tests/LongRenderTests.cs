@@ -101,7 +101,7 @@ public sealed class LongRenderTests : IDisposable
         Directory.CreateDirectory(_folder["model"]);
         File.WriteAllText(_folder["model/a.mtl"], "newmtl m\nMap_kd ../up.png\n");
         File.WriteAllText(_folder["model/a.obj"], "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
-        File.WriteAllText(_folder["m.json"], """{ "render": { "width": 4, "height": 3 }, "shapes": [ { "type": "model", "file": "model/a.obj" } ] }""");
+        File.WriteAllText(_folder["m.json"], """{ "render": { "integrator": "report", "width": 4, "height": 3 }, "shapes": [ { "type": "model", "file": "model/a.obj" } ] }""");
         ImageFile.Write(_folder["up.png"], new Picture(1, 1, [1, 0, 0]));
         CliRun.Fine("render", _folder["m.json"], "--spp", "4", "--samples", "0..1", "-o", _folder["a.rtfilm"]);
         ImageFile.Write(_folder["up.png"], new Picture(1, 1, [0, 1, 0]));

@@ -59,6 +59,17 @@ public sealed class OldFilmTests : IDisposable
         Assert.Equal(1, CliRun.Of("verify", _folder["picture.png"]).Status);
     }
 
+    [Theory]
+    [InlineData("frame.rtfilm")]
+    [InlineData("new.rtfilm")]
+    public void A_film_of_a_scene_that_named_no_integrator_keeps_the_one_of_the_report(string film)
+    {
+        CliRun.Fine([.. Part, "-o", _folder["new.rtfilm"]]);
+        File.WriteAllText(_folder["scene.json"], File.ReadAllText(_folder["scene.json"]).Replace("\"integrator\": \"report\", ", "", StringComparison.Ordinal));
+        string reason = $"the film was rendered by the report integrator, but '{_folder["scene.json"]}' is rendered by path: write \"integrator\": \"report\" under \"render\"";
+        CliRun.Refused(4, reason, "resume", _folder[film], "--spp", "7");
+    }
+
     [Fact]
     public void What_has_other_bits_now_is_refused_with_the_reason()
     {

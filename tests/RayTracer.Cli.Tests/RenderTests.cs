@@ -186,7 +186,7 @@ public sealed class RenderTests : IDisposable
 
     // A lamp in the middle of the picture, about as bright as floats go; reflected ambient light makes it brighter still.
     private static string Lamp(string ambient) => $$"""
-        { "render": { "width": 8, "height": 8, "samplesPerPixel": 4 },
+        { "render": { "integrator": "report", "width": 8, "height": 8, "samplesPerPixel": 4 },
           "shapes": [ { "type": "sphere", "center": [0, 0, 0],
                         "material": { "type": "luminaire", "color": [1e38, 1e38, 1e38], "material": { "type": "diffuse", "color": [1, 1, 1] } } } ],
               "ambient": [{{ambient}}, {{ambient}}, {{ambient}}] }

@@ -11,7 +11,7 @@ public sealed class SettingTests : IDisposable
     private const string Scene = """
         {
           "camera": { "position": [0, 1, 5], "lookAt": [0, 0.5, 0] },
-          "render": { "width": 24, "height": 16, "samplesPerPixel": 4 },
+          "render": { "integrator": "report", "width": 24, "height": 16, "samplesPerPixel": 4 },
           "background": "skyblue",
           "textures": { "tiles": { "type": "checker" } },
           "materials": { "glass": { "type": "dielectric" }, "floor": { "type": "diffuse", "color": "tiles" }, "a.b": { "type": "diffuse" } },

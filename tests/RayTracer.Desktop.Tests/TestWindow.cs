@@ -46,7 +46,7 @@ internal sealed class TestWindow : IDisposable
         // A gallery of one scene: its picture takes time.
         string gallery = Directory.CreateTempSubdirectory("raytracer-desktop-scenes-").FullName;
         Directory.CreateDirectory(Path.Combine(gallery, "report"));
-        File.WriteAllText(Path.Combine(gallery, "report", "one.json"), """{ "camera": {}, "render": { "width": 16, "height": 12 }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1 }] }""");
+        File.WriteAllText(Path.Combine(gallery, "report", "one.json"), """{ "camera": {}, "render": { "integrator": "report", "width": 16, "height": 12 }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1 }] }""");
         TestWindow window = new(gallery);
         string text = File.ReadAllText(ProjectFolder.PathOf("scenes", scene));
         JsonText small = JsonText.Of(text).Set("/render/width", 60).Set("/render/height", 40).Set("/render/samplesPerPixel", samples);

@@ -28,7 +28,7 @@ public sealed class ExtensionTests : IDisposable
         File.WriteAllText(_scene, $$"""
             {
               "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "fieldOfView": 40 },
-              "render": { "width": {{Size}}, "height": {{Size}}, "samplesPerPixel": 1, "sampler": "regular" },
+              "render": { "integrator": "report", "width": {{Size}}, "height": {{Size}}, "samplesPerPixel": 1, "sampler": "regular" },
               "background": "skyblue",
               "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1.5, "material": { "type": "luminaire", "multiplier": 0.5 } }]
             }

@@ -103,7 +103,7 @@ public class AovFilesTests
     public void Costs_are_warmer_the_higher_they_are_and_the_legend_tells_the_scale()
     {
         Scene scene = TestScenes.Build("""
-            { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0] }, "render": { "width": 16, "height": 16, "samplesPerPixel": 1, "sampler": "regular" },
+            { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0] }, "render": { "integrator": "report", "width": 16, "height": 16, "samplesPerPixel": 1, "sampler": "regular" },
               "shapes": [{ "type": "mesh", "positions": [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], "triangles": [[0, 1, 2], [0, 2, 3]] }] }
             """);
         AovFilm film = new(new(16, 16), [new BvhCostImage()]);

@@ -10,7 +10,7 @@ public sealed class JobRunTests : IDisposable
     private const string Scene = """
         {
           "camera": { "position": [0, 1, 5], "lookAt": [0, 0.5, 0] },
-          "render": { "width": 12, "height": 8, "samplesPerPixel": 4 },
+          "render": { "integrator": "report", "width": 12, "height": 8, "samplesPerPixel": 4 },
           "background": "skyblue",
           "shapes": [{ "type": "sphere", "center": [0, 0.5, 0], "radius": 0.5 }],
           "lights": [{ "type": "sphere", "center": [2, 4, 1], "radius": 0.3, "material": { "type": "luminaire", "multiplier": 30 } }]

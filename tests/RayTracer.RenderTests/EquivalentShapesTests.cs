@@ -75,7 +75,7 @@ public class EquivalentShapesTests
 
     private static ImageSamples Render(string shapes, string material, int firstSeed) => SceneRuns.RenderText($$"""
         { "camera": { "position": [0.9, 1.3, 2.6], "lookAt": [0, 0.4, 0], "fieldOfView": 36 },
-          "render": { "width": 32, "height": 24, "samplesPerPixel": 16, "seed": {{firstSeed}} },
+          "render": { "integrator": "report", "width": 32, "height": 24, "samplesPerPixel": 16, "seed": {{firstSeed}} },
           "background": [0.2, 0.3, 0.5],
           "shapes": [
             {{shapes.Replace("MATERIAL", $"\"material\": {material}", StringComparison.Ordinal)}}

@@ -10,7 +10,7 @@ public static class TestScenes
     public const string Everything = """
         {
           "camera": { "position": [0, 1.6, 5], "lookAt": [0, 0.7, 0], "fieldOfView": 45, "lens": { "apertureRadius": 0.05, "focusDistance": 5 } },
-          "render": { "width": 48, "height": 32, "samplesPerPixel": 16, "sampler": "SAMPLER" },
+          "render": { "integrator": "report", "width": 48, "height": 32, "samplesPerPixel": 16, "sampler": "SAMPLER" },
           "background": "skyblue",
           "ambient": [0.02, 0.02, 0.05],
           "materials": {

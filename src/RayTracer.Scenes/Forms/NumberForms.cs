@@ -56,23 +56,31 @@ public class VectorForm<T>(string name, int count, Func<float[], T> make, Func<T
 
     /// <inheritdoc/>
     public override object? Read(RecordReader reader, RecordParameter parameter, JsonNode node) =>
-        reader.Numbers.Elements(parameter.Key, node, count, parameter) is { } read ? make(read) : null;
+        parameter.IsNumber && node.Kind == JsonKind.Number ? reader.Numbers.Number(parameter, node) is float number ? All(number) : null
+        : reader.Numbers.Elements(parameter.Key, node, count, parameter) is { } read ? make(read) : null;
 
     /// <inheritdoc/>
     public override Json? Write(SceneWriter writer, object value) => new JsonArray([.. numbers((T)value).Select(SceneWriter.Number)]);
 
     /// <inheritdoc/>
-    public override JsonObject Schema(RecordParameter parameter) => SceneSchema.Numbers(count, SceneSchema.Number("number", parameter));
+    public override JsonObject Schema(RecordParameter parameter)
+    {
+        JsonObject numbers = SceneSchema.Numbers(count, SceneSchema.Number("number", parameter));
+        return parameter.IsNumber ? SceneSchema.AnyOf(SceneSchema.Number("number", parameter), numbers) : numbers;
+    }
 
     /// <inheritdoc/>
-    public override string Words(RecordParameter parameter) => $"[{string.Join(", ", Enumerable.Repeat("number", count))}]";
+    public override string Words(RecordParameter parameter) =>
+        $"{(parameter.IsNumber ? "number or " : "")}[{string.Join(", ", Enumerable.Repeat("number", count))}]";
 
     /// <inheritdoc/>
     public override bool IsNumeric(JsonNode? written) => true;
 
     /// <inheritdoc/>
-    public override object? Parse(RecordParameter parameter, JsonNode node) =>
-        (float[])[.. node.Items.Select(i => i.Number).OfType<float>()] is var read && read.Length == count && node.Items.Count == count ? make(read) : null;
+    public override object? Parse(RecordParameter parameter, JsonNode node) => node.Number is { } one ? All(one)
+        : (float[])[.. node.Items.Select(i => i.Number).OfType<float>()] is var read && read.Length == count && node.Items.Count == count ? make(read) : null;
+
+    private T All(float number) => make([.. Enumerable.Repeat(number, count)]);
 }
 
 /// <summary>A colour.</summary>

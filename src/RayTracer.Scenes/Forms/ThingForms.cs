@@ -96,17 +96,25 @@ internal sealed class RecordForm() : ParameterForm("record")
     public override string Words(RecordParameter parameter) => $"[{RecordType.Of(parameter.RecordType!).Name}](#{RecordType.Of(parameter.RecordType!).Name})";
 }
 
-/// <summary>A list of objects of parameters.</summary>
+/// <summary>A list of objects of parameters; one alone may stand without the brackets.</summary>
 internal sealed class RecordListForm() : ParameterForm("records")
 {
     public override bool Fits(RecordParameter parameter) => parameter is { IsList: true, RecordType: not null };
 
-    public override object? Read(RecordReader reader, RecordParameter parameter, JsonNode node) => reader.List(
-        parameter.RecordType!, parameter.Key, node, "objects { … }", item => reader.Record(parameter.Key, item, parameter.RecordType!));
+    public override object? Read(RecordReader reader, RecordParameter parameter, JsonNode node)
+    {
+        object? Record(JsonNode item) => reader.Record(parameter.Key, item, parameter.RecordType!);
+        return node.Kind == JsonKind.Object
+            ? RecordReader.List(parameter.RecordType!, [node], Record)
+            : reader.List(parameter.RecordType!, parameter.Key, node, "objects { … }", Record);
+    }
 
     public override Json? Write(SceneWriter writer, object value) => new JsonArray([.. ((IEnumerable<object>)value).Select(writer.Inline)]);
 
-    public override JsonObject Schema(RecordParameter parameter) => SceneSchema.List(SceneSchema.Reference(RecordType.Of(parameter.RecordType!).Name));
+    public override JsonObject Schema(RecordParameter parameter) => SceneSchema.AnyOf(
+        SceneSchema.Reference(RecordType.Of(parameter.RecordType!).Name),
+        SceneSchema.List(SceneSchema.Reference(RecordType.Of(parameter.RecordType!).Name)));
 
-    public override string Words(RecordParameter parameter) => $"list of [{RecordType.Of(parameter.RecordType!).Name}s](#{RecordType.Of(parameter.RecordType!).Name})";
+    public override string Words(RecordParameter parameter) =>
+        $"one or a list of [{RecordType.Of(parameter.RecordType!).Name}s](#{RecordType.Of(parameter.RecordType!).Name})";
 }

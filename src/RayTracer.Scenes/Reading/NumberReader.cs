@@ -57,6 +57,7 @@ internal sealed class NumberReader(DiagnosticBag bag)
         JsonKind.String when node.Text.StartsWith('#') => CssColors.FromHex(node.Text)
             ?? bag.Fail<Rgb?>(node, $"{Quotation.Of(node.Text)} is not a colour: expected # and three or six hexadecimal digits"),
         JsonKind.String => bag.Unknown<Rgb?>(node, $"unknown colour {Quotation.Of(node.Text)}", CssColors.Names),
+        JsonKind.Number => Single(key, node, bounds) is { } grey ? new Rgb(grey, grey, grey) : null,
         JsonKind.Array => Elements(key, node, 3, bounds) is { } c ? new Rgb(c[0], c[1], c[2]) : null,
         _ => bag.Expected<Rgb?>(node, "a colour", key),
     };

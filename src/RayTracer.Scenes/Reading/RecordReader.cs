@@ -97,8 +97,13 @@ public sealed class RecordReader
             return null;
         }
 
+        return List(element, node.Items, read);
+    }
+
+    internal static IList List(Type element, IEnumerable<JsonNode> nodes, Func<JsonNode, object?> read)
+    {
         var list = (IList)Activator.CreateInstance(typeof(List<>).MakeGenericType(element))!;
-        foreach (object item in node.Items.Select(read).OfType<object>())
+        foreach (object item in nodes.Select(read).OfType<object>())
         {
             list.Add(item);
         }
@@ -187,7 +192,7 @@ public sealed class RecordReader
         }
 
         bool isColor = node.Kind == JsonKind.String && (CssColors.Find(node.Text) is not null || node.Text.StartsWith('#'));
-        if (node.Kind == JsonKind.Array || isColor)
+        if (node.Kind is JsonKind.Array or JsonKind.Number || isColor)
         {
             return Numbers.Color(key, node, [.. bounds, SceneTypes.SolidColor]) is { } color ? Solid(node, color) : null;
         }

@@ -45,7 +45,7 @@ public static class SceneReference
         - **Space** is right-handed with y up: x to the right, y up, z towards the viewer. Lengths have no fixed unit
           ("scene units"). Angles are in degrees.
         - **Vectors** are written `[x, y, z]`, pairs `[u, v]`.
-        - **Colours** are linear sRGB (Rec. 709 primaries). Written as `[red, green, blue]`, the numbers are linear, and 1 is
+        - **Colours** are linear sRGB (Rec. 709 primaries). Written as `[red, green, blue]`, or as one number for a grey, they are linear, and 1 is
           white. Written as a CSS name (`"skyblue"`, in lower case) or `"#rgb"` or `"#rrggbb"`, the colour is decoded from sRGB,
           so that it looks as in a browser.
         - **Textures** may be used wherever a material takes a colour: a colour, the name of a texture under `textures`, or a

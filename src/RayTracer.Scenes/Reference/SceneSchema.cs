@@ -63,10 +63,11 @@ public static class SceneSchema
 
     private static JsonObject Color() => new()
     {
-        ["description"] = "A colour: a CSS name or #rrggbb (both sRGB), or [red, green, blue] (linear).",
+        ["description"] = "A colour: a CSS name or #rrggbb (both sRGB), or [red, green, blue] (linear), or one number for a grey.",
         ["anyOf"] = new JsonArray(
             new JsonObject { ["enum"] = new JsonArray([.. CssColors.Names.Select(n => (Json?)n)]) },
             new JsonObject { ["type"] = "string", ["pattern"] = "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$" },
+            new JsonObject { ["type"] = "number", ["minimum"] = 0 },
             Numbers(3, new() { ["minimum"] = 0 })),
     };
 

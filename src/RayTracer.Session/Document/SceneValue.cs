@@ -53,7 +53,7 @@ public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter?
         }
 
         return Type?.Find(step) is not { } parameter ? null
-            : parameter.HoldsRecords ? new(pointer, node, parameter, null, null, true)
+            : parameter.HoldsRecords && !(parameter is { IsList: true, RecordType: not null } && node?.Kind == JsonKind.Object) ? new(pointer, node, parameter, null, null, true)
             : Part(pointer, node, parameter);
     }
 

@@ -61,7 +61,7 @@ public static class ShapePlacement
         }
 
         ShapeDescription record = Record(shape);
-        bool isPlain = shape.Child("transform")?.Node is not { Items.Count: > 0 };
+        bool isPlain = !TransformEdit.Steps(shape.Child("transform")).Any();
         return isPlain && record.Moved(new(inner.Map, IsTextured(text.Root, shape))) is { } moved
             ? Write(text, shape, record, moved)
             : TransformEdit.Append(text, shape.Pointer + "/transform", inner);

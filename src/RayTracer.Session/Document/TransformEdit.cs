@@ -6,12 +6,15 @@ using JsonNode = RayTracer.Scenes.JsonNode;
 
 namespace RayTracer.Session;
 
-/// <summary>Reads and edits the lists of steps under "transform".</summary>
+/// <summary>Reads and edits the steps under "transform": a list of them, or one alone.</summary>
 internal static class TransformEdit
 {
     /// <summary>The map of a list of steps; those that cannot be computed with are left out.</summary>
     public static Transform Map(SceneValue? list) =>
-        (list?.Children() ?? []).Aggregate(Transform.Identity, (map, step) => MapOfStep(step) * map);
+        Steps(list).Aggregate(Transform.Identity, (map, step) => MapOfStep(step) * map);
+
+    /// <summary>The steps, in their order.</summary>
+    public static IEnumerable<SceneValue> Steps(SceneValue? list) => list is { IsList: false } ? [list] : list?.Children() ?? [];
 
     /// <summary>
     /// Moves what a list of steps moves a little further. The last step is changed where it can hold the movement; otherwise another one
@@ -22,12 +25,15 @@ internal static class TransformEdit
     /// <param name="movement">The movement.</param>
     public static JsonText Append(JsonText text, string pointer, Movement movement)
     {
-        if (SceneValue.At(text.Root, pointer)?.Children().LastOrDefault() is { Node.Kind: JsonKind.Object } last && Join(text, last, movement) is { } joined)
+        SceneValue? list = SceneValue.At(text.Root, pointer);
+        if (Steps(list).LastOrDefault() is { Node.Kind: JsonKind.Object } last && Join(text, last, movement) is { } joined)
         {
             return joined;
         }
 
-        return text.Set(JsonPointer.Append(pointer, "-"), Step(movement));
+        return list is { IsList: false, Node: { } only }
+            ? text.Set(pointer, new JsonArray(JsonValues.Of(only), Step(movement)))
+            : text.Set(JsonPointer.Append(pointer, "-"), Step(movement));
     }
 
     // A step does matrix, scale, rotation and translation in this order.

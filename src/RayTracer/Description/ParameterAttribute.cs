@@ -30,8 +30,8 @@ public sealed class ParameterAttribute(string summary) : Attribute
     public bool IsFile { get; init; }
 
     /// <summary>
-    /// True where a texture stands for a number, so that a number may be written (the red channel counts), or where a list of numbers may
-    /// be a single one or a colour.
+    /// True where a texture stands for a number, so that a number may be written (the red channel counts), where a list of numbers may
+    /// be a single one or a colour, or where one number may stand for all of a vector.
     /// </summary>
     public bool IsNumber { get; init; }
 }

@@ -43,9 +43,9 @@ public sealed record RenderDescription
     public const int LongestPath = 30000;
 
     /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>
-    [Parameter("How the light is computed: as in the report, by unbiased path tracing, direct light only, ambient occlusion, or a view of "
+    [Parameter("How the light is computed: by unbiased path tracing, as in the report, direct light only, ambient occlusion, or a view of "
         + "the surfaces alone.")]
-    public Integrator Integrator { get; init; } = Integrator.Report;
+    public Integrator Integrator { get; init; } = Integrator.Path;
 
     /// <summary>The maximum number of edges of a path after the camera, with the path integrator; −1 for no limit.</summary>
     [Parameter("With the path integrator: how many edges a path may have. 1 shows lamps only, 2 adds direct light, and each further edge "

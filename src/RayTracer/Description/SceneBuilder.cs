@@ -250,6 +250,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     /// <summary>The record that a part of a scene counts as made from: for parts of a file, the record that names the file.</summary>
     internal ShapeDescription? SourceOf(ShapeDescription part) => KeepsSources ? _source?.Subject as ShapeDescription ?? part : null;
 
+    /// <summary>The description that a material was made from; null where it is of another scene.</summary>
+    internal object? DescriptionOf(Material material) => _built.FirstOrDefault(b => ReferenceEquals(b.Value, material)).Key;
+
     // What a material's textures depend on, that around it depends on too.
     private Material Described(MaterialDescription description)
     {

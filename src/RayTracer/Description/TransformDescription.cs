@@ -14,7 +14,8 @@ public sealed record TransformDescription
     public IReadOnlyList<float> Matrix { get; init; } = [];
 
     /// <summary>Factors along the axes; negative ones mirror.</summary>
-    [Parameter("Factors along x, y and z, from the origin; a negative one mirrors. None may be 0.")]
+    [Parameter("Factors along x, y and z, from the origin; a negative one mirrors. None may be 0. One number stands for all three.",
+        IsNumber = true)]
     public Vector3 Scale { get; init; } = Vector3.One;
 
     /// <summary>Angle of rotation about <see cref="Axis"/>, by the right-hand rule.</summary>

@@ -32,6 +32,18 @@ public enum IntegratorTraits
 
     /// <summary>The environment is sampled as one of the light sources, and where those are many, one is chosen at each point.</summary>
     SampledEnvironment = 1 << 7,
+
+    /// <summary>Light sources are sampled at glossy surfaces too.</summary>
+    LitGloss = 1 << 8,
+
+    /// <summary>Diffuse and specular bounces have limits of their number.</summary>
+    BounceLimits = 1 << 9,
+
+    /// <summary>Paths have one limit, and may end at random before.</summary>
+    PathLimit = 1 << 10,
+
+    /// <summary>Occlusion has a distance.</summary>
+    OcclusionDistance = 1 << 11,
 }
 
 /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>

@@ -56,7 +56,7 @@ internal sealed unsafe class OcclusionShader(ShaderContext context) : SurfaceSha
 }
 
 /// <summary>The integrator of ambient occlusion.</summary>
-internal sealed class AoIntegrator() : Integrator("ao", IntegratorTraits.None)
+internal sealed class AoIntegrator() : Integrator("ao", IntegratorTraits.OcclusionDistance)
 {
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new OcclusionShader(context);
 }

@@ -380,17 +380,18 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
 }
 
 /// <summary>Path tracing.</summary>
-internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.None) : Integrator(
-    name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment | more)
+internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.PathLimit) : Integrator(
+    name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment
+        | IntegratorTraits.LitGloss | more)
 {
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, context.Scene.Render.MaxDepth);
 }
 
 /// <summary>Path tracing with direct light only.</summary>
-internal sealed class DirectIntegrator() : PathIntegrator("direct")
+internal sealed class DirectIntegrator() : PathIntegrator("direct", IntegratorTraits.None)
 {
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, maxDepth: 2);
 }
 
 /// <summary>Path tracing with media.</summary>
-internal sealed class VolPathIntegrator() : PathIntegrator("volPath", IntegratorTraits.Media);
+internal sealed class VolPathIntegrator() : PathIntegrator("volPath", IntegratorTraits.Media | IntegratorTraits.PathLimit);

@@ -129,7 +129,9 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
 
 /// <summary>The report's integrator.</summary>
 internal sealed class ReportIntegrator()
-    : Integrator("report", IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.AmbientLight | IntegratorTraits.WeakenedShadows)
+    : Integrator(
+        "report",
+        IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.AmbientLight | IntegratorTraits.WeakenedShadows | IntegratorTraits.BounceLimits)
 {
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new ReportShader(context);
 }

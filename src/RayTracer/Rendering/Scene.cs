@@ -218,7 +218,7 @@ public sealed class Scene
             return null;
         }
 
-        scene.WarnOfWhatIsNotShown(description, builder);
+        new UnseenParts(scene, description, builder).WarnOfIntegrator();
         return scene;
     }
 
@@ -234,30 +234,6 @@ public sealed class Scene
     private LightSelection? SelectLights() => SampledLights.Count > MostLightsOfPoint && Render.Integrator.Has(IntegratorTraits.SampledEnvironment)
         ? new(SampledLights, (Render.Shutter.X, Render.Shutter.Y))
         : null;
-
-    private void WarnOfWhatIsNotShown(SceneDescription description, SceneBuilder builder)
-    {
-        Integrator integrator = Render.Integrator;
-        if (!Ambient.IsBlack && !integrator.Has(IntegratorTraits.AmbientLight))
-        {
-            builder.Warn(description, nameof(Ambient), $"{Integrator.Only(IntegratorTraits.AmbientLight, "support")} ambient light: here it has no effect");
-        }
-
-        if (Render.WeakenedShadows && !WeakensShadows)
-        {
-            builder.Warn(description.Render, nameof(Render.WeakenedShadows), $"{Integrator.Only(IntegratorTraits.WeakenedShadows, "weaken")} shadows: here it has no effect");
-        }
-
-        if (integrator.Has(IntegratorTraits.Light) && !HasNesting && HasInterior(static i => i.Nesting is not null))
-        {
-            builder.Warn(description.Render, nameof(Render.Integrator), $"there are dielectrics with priorities, which {Integrator.Only(IntegratorTraits.Priorities, "support")}");
-        }
-
-        if (integrator.Has(IntegratorTraits.Light) && !HasMedia && HasInterior(static i => i.Medium is not null))
-        {
-            builder.Warn(description.Render, nameof(Render.Integrator), $"there are media inside shapes, which {Integrator.Only(IntegratorTraits.Media, "show")}");
-        }
-    }
 
     // Checks how a scene is to be seen.
     private static (RenderDescription Render, Camera Camera)? View(CameraDescription camera, RenderDescription render, SceneBuilder builder)

@@ -43,7 +43,7 @@ public class DenoiserTests
     public void What_has_no_noise_is_unchanged_to_the_bit()
     {
         Scene scene = TestScenes.Build("""
-            { "background": [0.3, 0.7, 0.123], "render": { "width": 37, "height": 21, "samplesPerPixel": 6 }, "shapes": [{ "type": "sphere", "center": [0, 0, 99] }] }
+            { "background": [0.3, 0.7, 0.123], "render": { "integrator": "report", "width": 37, "height": 21, "samplesPerPixel": 6 }, "shapes": [{ "type": "sphere", "center": [0, 0, 99] }] }
             """);
         HalfRender[] halves = Halves(scene);
         Picture denoised = Denoiser.Denoise(halves[0], halves[1]).Picture;

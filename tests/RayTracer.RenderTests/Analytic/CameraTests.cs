@@ -138,7 +138,7 @@ public class CameraTests
         return SceneRuns.RenderText(
             FormattableString.Invariant($$"""
                 { "camera": { "position": {{s_eye}}, "lookAt": {{s_target}}, "up": {{s_up}}, "fieldOfView": {{degrees}}, "fieldOfViewAxis": "{{axis}}"{{lens}} },
-                  "render": { "width": {{width}}, "height": {{height}}, "samplesPerPixel": {{samples}} },
+                  "render": { "integrator": "report", "width": {{width}}, "height": {{height}}, "samplesPerPixel": {{samples}} },
                   "lights": [ { "type": "triangle", "a": {{a}}, "b": {{b}}, "c": {{c}}, "material": { "type": "luminaire", "multiplier": {{radiance}} } } ] }
                 """),
             TestSettings.Scale(24, 96));

@@ -177,7 +177,7 @@ public class DirectLightTests
             (double sin, double cos) = Math.SinCos(degrees * Math.PI / 180);
             ImageSamples images = SceneRuns.RenderText($$"""
                 { "camera": { "position": {{new Vec3D(5 * sin, 5 * cos, 0)}}, "lookAt": [0, 0, 0], "up": [0, 0, 1], "fieldOfView": 0.001 },
-                  "render": { "width": 1, "height": 1, "samplesPerPixel": 4 },
+                  "render": { "integrator": "report", "width": 1, "height": 1, "samplesPerPixel": 4 },
                   "lights": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "size": [1, 1], "material": { "type": "luminaire", "color": [1, 0.5, 0], "multiplier": 3, "exponent": 2.5 } } ] }
                 """, 2);
             Rgb(images, 3 * Math.Pow(cos, 2.5), 4);
@@ -288,7 +288,7 @@ public class DirectLightTests
 
     private static ImageSamples Render(string lights, string sampling = "cone", int samples = 1024, string beside = "") => SceneRuns.RenderText($$"""
         { "camera": { "position": [0, 3, 0.25], "lookAt": [0, 0, 0], "fieldOfView": 30 },
-          "render": { "width": {{Edge}}, "height": {{Edge}}, "samplesPerPixel": {{samples}}, "maxDiffuseDepth": 0, "sphereLightSampling": "{{sampling}}" },
+          "render": { "integrator": "report", "width": {{Edge}}, "height": {{Edge}}, "samplesPerPixel": {{samples}}, "maxDiffuseDepth": 0, "sphereLightSampling": "{{sampling}}" },
           "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.5, 0.5, 0.5] } }{{beside}} ],
           "lights": [ {{lights}} ] }
         """, TestSettings.Scale(24, 96));

@@ -102,7 +102,7 @@ public class GlassTests
             ImageSamples images = SceneRuns.RenderText(
                 $$"""
                 { "camera": { "position": {{new Vec3D(-5 * sin, 5 * cos, 0)}}, "lookAt": [0, 0, 0], "fieldOfView": 0.001 },
-                  "render": { "width": 1, "height": 1, "samplesPerPixel": {{Samples}} },
+                  "render": { "integrator": "report", "width": 1, "height": 1, "samplesPerPixel": {{Samples}} },
                   "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "dielectric", "refractiveIndex": {{index}} } },
                     { "type": "plane", "point": {{new Vec3D(x + side + 5, -1, 0)}}, "normal": [0, 1, 0], "size": [10, 10], "material": { "type": "luminaire" } } ] }
                 """,
@@ -223,7 +223,7 @@ public class GlassTests
         return SceneRuns.RenderText(
             $$"""
             { "camera": { "position": {{eye}}, "lookAt": [0, 0, 0], "fieldOfView": 0.001 },
-              "render": { "width": 1, "height": 1, "samplesPerPixel": {{Samples}}, "maxSpecularDepth": 1 },
+              "render": { "integrator": "report", "width": 1, "height": 1, "samplesPerPixel": {{Samples}}, "maxSpecularDepth": 1 },
               "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "dielectric", "refractiveIndex": {{index}} } },
                 { "type": "plane", "point": [0, 100, 0], "normal": [0, -1, 0], "size": [10000, 10000], "material": { "type": "luminaire", "color": [1, 0, 0] } },
                 { "type": "plane", "point": [0, -100, 0], "normal": [0, 1, 0], "size": [10000, 10000], "material": { "type": "luminaire", "color": [0, 1, 0] } } ] }
@@ -235,7 +235,7 @@ public class GlassTests
     private static ImageSamples Ball(double index, double distance, string extinction, int depth) => SceneRuns.RenderText(
         $$"""
         { "camera": { "position": {{new Vec3D(2 * distance, 0, 10)}}, "lookAt": {{new Vec3D(2 * distance, 0, 0)}}, "fieldOfView": 0.001 },
-          "render": { "width": 1, "height": 1, "samplesPerPixel": {{Samples}}, "maxSpecularDepth": {{depth}} },
+          "render": { "integrator": "report", "width": 1, "height": 1, "samplesPerPixel": {{Samples}}, "maxSpecularDepth": {{depth}} },
           "background": [1, 1, 1],
           "shapes": [ { "type": "sphere", "center": [0, 0, 0], "radius": 2, "material": { "type": "dielectric", "refractiveIndex": {{index}}, "extinction": {{extinction}} } } ] }
         """,

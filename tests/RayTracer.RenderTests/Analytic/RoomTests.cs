@@ -48,7 +48,7 @@ public class RoomTests
         ImageSamples images = SceneRuns.RenderText(
             $$"""
             { "camera": { "position": [0, 0, 0], "lookAt": [0.3, 0.2, -1], "fieldOfView": 5 },
-              "render": { "width": 4, "height": 4, "samplesPerPixel": 4, "maxDiffuseDepth": 0, "maxSpecularDepth": {{depth}} },
+              "render": { "integrator": "report", "width": 4, "height": 4, "samplesPerPixel": 4, "maxDiffuseDepth": 0, "maxSpecularDepth": {{depth}} },
               "shapes": [ {{Wall(-1, "[1, 0, 3]", "[0.8, 0.5, 0.25]")}}, {{Wall(1, "[0, 2, 1]", "[0.5, 0.5, 0.9]")}} ] }
             """,
             2);
@@ -107,7 +107,7 @@ public class RoomTests
         ImageSamples images = SceneRuns.RenderText(
             $$"""
             { "camera": { "position": [0, 0, 0.9], "lookAt": [0.1, 0.1, -1], "fieldOfView": 30 },
-              "render": { "width": 4, "height": 4, "samplesPerPixel": 1024, "maxDiffuseDepth": 0 },
+              "render": { "integrator": "report", "width": 4, "height": 4, "samplesPerPixel": 1024, "maxDiffuseDepth": 0 },
               "shapes": [ {{Wall("[1, 0, 0]", "[-1, 0, 0]")}}, {{Wall("[-1, 0, 0]", "[1, 0, 0]")}}, {{Wall("[0, 1, 0]", "[0, -1, 0]")}},
                 {{Wall("[0, -1, 0]", "[0, 1, 0]")}}, {{Wall("[0, 0, 1]", "[0, 0, -1]")}}, {{Wall("[0, 0, -1]", "[0, 0, 1]")}} ] }
             """,
@@ -127,7 +127,7 @@ public class RoomTests
         ImageSamples images = SceneRuns.RenderText(
             $$"""
             { "camera": { "position": [0, 2, 6], "lookAt": [0, 0, 0], "fieldOfView": 8 },
-              "render": { "width": {{edge}}, "height": {{edge}}, "samplesPerPixel": 1024, "maxDiffuseDepth": {{depth}} },
+              "render": { "integrator": "report", "width": {{edge}}, "height": {{edge}}, "samplesPerPixel": 1024, "maxDiffuseDepth": {{depth}} },
               "background": [1, 2, 4],
               "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.8, 0.5, 0.25] } },
                 { "type": "sphere", "center": [0, 3, 0], "radius": 1.5, "material": { "type": "diffuse", "color": [0, 0, 0] } } ] }
@@ -150,7 +150,7 @@ public class RoomTests
         ImageSamples images = SceneRuns.RenderText(
             $$"""
             { "camera": { "position": [0, 2, 6], "lookAt": [0, 0, 0], "fieldOfView": 8 },
-              "render": { "width": 4, "height": 4, "samplesPerPixel": 4, "maxDiffuseDepth": {{diffuse}}, "maxSpecularDepth": {{specular}} },
+              "render": { "integrator": "report", "width": 4, "height": 4, "samplesPerPixel": 4, "maxDiffuseDepth": {{diffuse}}, "maxSpecularDepth": {{specular}} },
               "background": [1, 2, 4],
               "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "phongMetal", "color": [0.8, 0.5, 0.25] } } ] }
             """,
@@ -178,7 +178,7 @@ public class RoomTests
     private static ImageSamples Room(string render, string light, string wall, string lamp = "", string camera = "\"position\": [0, 3.5, 0], \"lookAt\": [1, 4, -5], \"fieldOfView\": 50") =>
         SceneRuns.RenderText(
             $$"""
-            { "camera": { {{camera}} }, "render": { "width": 4, "height": 4, "samplesPerPixel": {{(lamp.Length > 0 ? 256 : 4)}}, {{render}} }, {{light}}
+            { "camera": { {{camera}} }, "render": { "integrator": "report", "width": 4, "height": 4, "samplesPerPixel": {{(lamp.Length > 0 ? 256 : 4)}}, {{render}} }, {{light}}
               "shapes": [ {{wall}}{{(lamp.Length > 0 ? ", " + lamp : "")}} ] }
             """,
             lamp.Length > 0 ? TestSettings.Scale(24, 96) : 2);

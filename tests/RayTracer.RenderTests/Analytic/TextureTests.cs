@@ -94,7 +94,7 @@ public sealed class TextureTests : IDisposable
               """;
         Film film = Render($$"""
             { "camera": { "position": [0, 0, 400], "lookAt": [0, 0, 0], "fieldOfView": {{2 * Math.Atan(2.0 / 400) * 180 / Math.PI}} },
-              "render": { "width": {{Width}}, "height": {{Height}}, "samplesPerPixel": 16, "sampler": "regular", "maxDiffuseDepth": 0, "maxSpecularDepth": 0 },
+              "render": { "integrator": "report", "width": {{Width}}, "height": {{Height}}, "samplesPerPixel": 16, "sampler": "regular", "maxDiffuseDepth": 0, "maxSpecularDepth": 0 },
               "ambient": [1, 1, 1], "shapes": [ {{shapes}} ] }
             """);
         for (int i = 0; i < Width * Height; i++)
@@ -116,7 +116,7 @@ public sealed class TextureTests : IDisposable
         const int edge = 12;
         Film film = Render($$"""
             { "camera": { "position": [3.5, 400, -7.5], "lookAt": [3.5, 0, -7.5], "up": [0, 0, -1], "fieldOfView": {{2 * Math.Atan(0.5 / 400) * 180 / Math.PI}} },
-              "render": { "width": {{edge}}, "height": {{edge}}, "samplesPerPixel": 16, "sampler": "regular", "maxDiffuseDepth": 0, "maxSpecularDepth": 0 },
+              "render": { "integrator": "report", "width": {{edge}}, "height": {{edge}}, "samplesPerPixel": 16, "sampler": "regular", "maxDiffuseDepth": 0, "maxSpecularDepth": 0 },
               "ambient": [1, 1, 1],
               "shapes": [ { "type": "plane", "point": [1, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "image", "file": "the.pfm", "interpolation": "nearest" } } } ] }
             """);
@@ -138,7 +138,7 @@ public sealed class TextureTests : IDisposable
             Vec3D normal = new(Math.Sin(longitude) * Math.Cos(latitude), Math.Sin(latitude), Math.Cos(longitude) * Math.Cos(latitude));
             Film film = Render($$"""
                 { "camera": { "position": {{(normal * 5) + new Vec3D(1, 2, 3)}}, "lookAt": [1, 2, 3], "fieldOfView": 1 },
-                  "render": { "width": 1, "height": 1, "samplesPerPixel": 4, "maxDiffuseDepth": 0 }, "ambient": [1, 1, 1],
+                  "render": { "integrator": "report", "width": 1, "height": 1, "samplesPerPixel": 4, "maxDiffuseDepth": 0 }, "ambient": [1, 1, 1],
                   "shapes": [ { "type": "sphere", "center": [1, 2, 3], "radius": 0.5, "material": { "type": "diffuse", "color": { "type": "image", "file": "the.pfm", "interpolation": "nearest" } } } ] }
                 """);
             Assert.Equal(s_picture.Pixels[3 * i], film.Mean(0, 0).R, 1e-6f);

@@ -21,7 +21,7 @@ internal static class HillScene
         SceneDescription description = new()
         {
             Camera = new() { Position = new(0, 2, 4), LookAt = new(0, 0.3f, 0), FieldOfView = 45 },
-            Render = new() { Width = 32, Height = 24, SamplesPerPixel = 4 },
+            Render = new() { Integrator = Integrator.Report, Width = 32, Height = 24, SamplesPerPixel = 4 },
             Background = new Rgb(0.8f, 0.9f, 1f),
             Shapes = [new MeshDescription { Data = Ground(30), Transform = [new() { Scale = new(2, 1, 2) }] }, .. pieces],
         };

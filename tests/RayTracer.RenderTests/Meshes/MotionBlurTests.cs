@@ -49,7 +49,7 @@ public class MotionBlurTests
         ImageSamples Run(string lamps, long seed) => SceneRuns.RenderText($$"""
             {
               "camera": { "position": [0, 0, 4], "lookAt": [0, 0, 0], "fieldOfView": 40 },
-              "render": { "width": 24, "height": 16, "samplesPerPixel": 16, "maxDiffuseDepth": 0, "shutter": [0, 1] },
+              "render": { "integrator": "report", "width": 24, "height": 16, "samplesPerPixel": 16, "maxDiffuseDepth": 0, "shutter": [0, 1] },
               "shapes": [{{floor}}, {{lamps}}]
             }
             """, TestSettings.Scale(24, 128), firstSeed: seed);
@@ -67,7 +67,7 @@ public class MotionBlurTests
         string json = $$"""
             {
               "camera": { "position": [0, 0, 1000], "lookAt": [0, 0, 0], "fieldOfView": {{2 * Math.Atan(2 / 1000.0 * Height / Width) * 180 / Math.PI:R}}{{camera}} },
-              "render": { "width": {{Width}}, "height": {{Height}}, "samplesPerPixel": {{samples}}, "sampler": "{{sampler}}", "seed": {{TestSettings.Seed}}, "shutter": [1, 3] },
+              "render": { "integrator": "report", "width": {{Width}}, "height": {{Height}}, "samplesPerPixel": {{samples}}, "sampler": "{{sampler}}", "seed": {{TestSettings.Seed}}, "shutter": [1, 3] },
               "shapes": [{{shape}}]
             }
             """;

@@ -144,7 +144,7 @@ public class PlacedScenesTests
     private static string Scene(string shape) => """
         {
           "camera": { "position": [0.5, 0.5, 4], "lookAt": [0, 0, 0], "fieldOfView": 45 },
-          "render": { "width": 32, "height": 24, "samplesPerPixel": 16, "maxDiffuseDepth": 2, "shutter": [0, 0] },
+          "render": { "integrator": "report", "width": 32, "height": 24, "samplesPerPixel": 16, "maxDiffuseDepth": 2, "shutter": [0, 0] },
           "background": [0.2, 0.3, 0.4],
           "shapes": [
             SHAPE,

@@ -18,7 +18,7 @@ public class ImageNullTests(ITestOutputHelper output)
     private const string Scene = """
         {
           "camera": { "position": [0, 1.5, 5], "lookAt": [0, 0.6, 0], "fieldOfView": 40 },
-          "render": { "width": 16, "height": 16, "samplesPerPixel": 4, "maxDiffuseDepth": 2, "maxSpecularDepth": 3 },
+          "render": { "integrator": "report", "width": 16, "height": 16, "samplesPerPixel": 4, "maxDiffuseDepth": 2, "maxSpecularDepth": 3 },
           "background": [0.2, 0.25, 0.3],
           "shapes": [
             { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "size": [6, 6], "material": { "type": "diffuse", "color": [0.7, 0.6, 0.5] } },

@@ -129,7 +129,7 @@ public class PathTests
     {
         const string scene = """
             { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "fieldOfView": 10 }, "background": [9, 9, 9],
-              "render": { "width": 4, "height": 4, "samplesPerPixel": 1, "sampler": "regular" },
+              "render": { "integrator": "report", "width": 4, "height": 4, "samplesPerPixel": 1, "sampler": "regular" },
               "shapes": [{ "type": "rectangle", "corner": [-1, -1, 0], "edgeU": [1, 0, 0], "edgeV": [0, 4, 0], "material": { "type": "diffuse", "color": [0.1, 0.2, 0.3] } }] }
             """;
         Rgb At(Integrator integrator, int x) => SceneRuns.RenderText(scene, 1, d => d with { Render = d.Render with { Integrator = integrator } }) is var i
@@ -154,7 +154,7 @@ public class PathTests
     private static string Scene(string shapes) => $$"""
         {
           "camera": { "position": [0, 0.2, 4], "lookAt": [0, -0.2, 0], "fieldOfView": 38 },
-          "render": { "width": 32, "height": 24, "samplesPerPixel": 36, "sampler": "jittered" },
+          "render": { "integrator": "report", "width": 32, "height": 24, "samplesPerPixel": 36, "sampler": "jittered" },
           "background": [0.05, 0.1, 0.2],
           "shapes": [ {{Floor}}, {{shapes}} ]
         }

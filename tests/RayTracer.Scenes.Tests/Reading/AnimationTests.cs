@@ -11,7 +11,7 @@ namespace RayTracer.Scenes.Tests;
 /// <summary>Scenes as they are at a frame of an animation.</summary>
 public class AnimationTests
 {
-    private const string Start = """{ "render": { "framesPerSecond": 10 }, "materials": { "paint": { "type": "diffuse", "color": "red" } }, "shapes": [{ "type": "sphere", "name": "my ball", "center": [1, 2, 3], "radius": 1, "material": "paint" }], "animation": [""";
+    private const string Start = """{ "render": { "integrator": "report", "framesPerSecond": 10 }, "materials": { "paint": { "type": "diffuse", "color": "red" } }, "shapes": [{ "type": "sphere", "name": "my ball", "center": [1, 2, 3], "radius": 1, "material": "paint" }], "animation": [""";
 
     [Theory]
     [InlineData("linear", 0, 2)]

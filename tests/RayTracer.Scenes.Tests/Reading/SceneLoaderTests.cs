@@ -7,7 +7,7 @@ namespace RayTracer.Scenes.Tests;
 public sealed class SceneLoaderTests : IDisposable
 {
     private const string Textured = """
-        { "render": { "samplesPerPixel": 16, "sampler": "jittered" },
+        { "render": { "integrator": "report", "samplesPerPixel": 16, "sampler": "jittered" },
           "materials": { "m": { "type": "diffuse", "color": { "type": "image", "file": "sub/marble.png", "raw": true } },
                          "n": { "type": "diffuse", "color": { "type": "image", "file": "sub/marble.png", "raw": true } } },
           "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": "m" }, { "type": "sphere", "center": [0, 0, 0], "material": "n" }] }
@@ -67,7 +67,7 @@ public sealed class SceneLoaderTests : IDisposable
     [Fact]
     public void What_an_override_made_wrong_is_reported_without_a_line()
     {
-        string path = Write("""{ "render": { "sampler": "jittered", "samplesPerPixel": 16 } }""");
+        string path = Write("""{ "render": { "integrator": "report", "sampler": "jittered", "samplesPerPixel": 16 } }""");
         SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { SamplesPerPixel = 15 } });
         Assert.Equal($"{path}: error: the jittered sampler needs a square number of samples, but 15 is not one: use 9 or 16", Assert.Single(result.Diagnostics).ToString());
         Assert.Null(result.Scene);
@@ -76,9 +76,9 @@ public sealed class SceneLoaderTests : IDisposable
     [Fact]
     public void What_the_file_made_wrong_keeps_its_line_when_something_else_is_overridden()
     {
-        string path = Write("""{ "render": { "sampler": "jittered", "samplesPerPixel": 15 } }""");
+        string path = Write("""{ "render": { "integrator": "report", "sampler": "jittered", "samplesPerPixel": 15 } }""");
         SceneLoadResult result = SceneLoader.Load(path, s => s with { Render = s.Render with { Width = 7 } });
-        Assert.StartsWith($"{path}:1:57: error: the jittered", Assert.Single(result.Diagnostics).ToString(), StringComparison.Ordinal);
+        Assert.StartsWith($"{path}:1:81: error: the jittered", Assert.Single(result.Diagnostics).ToString(), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -99,7 +99,10 @@ public sealed class SceneLoaderTests : IDisposable
     }
 
     [Theory]
-    [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\", \"weakenedShadows\": true }", "only the report integrator weakens shadows: here it has no effect")]
+    [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\", \"weakenedShadows\": true }", "\"weakenedShadows\" has no effect with the integrator path: leave it out, or write \"integrator\": \"report\" under \"render\"")]
+    [InlineData("path", "\"ambient\": 0.1, \"render\": { \"integrator\": \"INTEGRATOR\", \"weakenedShadows\": true, \"maxDiffuseDepth\": 2 }", "\"ambient\", \"weakenedShadows\" and \"maxDiffuseDepth\" have no effect with the integrator path: leave them out, or write \"integrator\": \"report\" under \"render\"")]
+    [InlineData("report", "\"render\": { \"integrator\": \"INTEGRATOR\", \"maxDepth\": 2 }", "\"maxDepth\" has no effect with the integrator report: leave it out, or write \"integrator\": \"path\" under \"render\"")]
+    [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\", \"occlusionDistance\": 2 }", "\"occlusionDistance\" has no effect with the integrator path: leave it out, or write \"integrator\": \"ao\" under \"render\"")]
     [InlineData("report", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"dielectric\", \"priority\": 1 } }]", "there are dielectrics with priorities, which only the path, direct and volPath integrators support")]
     [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"mask\", \"material\": { \"type\": \"diffuse\" }, \"interior\": { \"extinction\": [1, 1, 1] } } }]", "there are media inside shapes, which only the volPath integrator shows")]
     public void What_an_integrator_does_not_know_is_warned_of(string integrator, string scene, string warning)
@@ -107,6 +110,28 @@ public sealed class SceneLoaderTests : IDisposable
         SceneLoadResult result = SceneLoader.Load(Write($"{{ {scene.Replace("INTEGRATOR", integrator, StringComparison.Ordinal)} }}"));
         Assert.Equal(warning, Assert.Single(result.Diagnostics).Message);
         Assert.NotNull(result.Scene);
+    }
+
+    [Theory]
+    [InlineData("principled", "point", "lights without extent do not light this material")]
+    [InlineData("plastic", "point", "lights without extent do not light this material")]
+    [InlineData("roughConductor", "sphere", "small lamps light this material by rare chance only")]
+    [InlineData("diffuse", "point", null)]
+    [InlineData("roughConductor", "large", null)]
+    public void Materials_for_which_the_report_samples_no_lights_are_warned_of_once(string material, string light, string? unlit)
+    {
+        string lamp = light == "point" ? "{ \"type\": \"point\", \"position\": [0, 5, 3] }"
+            : $"{{ \"type\": \"sphere\", \"center\": [0, 5, 3], \"radius\": {(light == "large" ? 1 : 0.01)}, \"material\": {{ \"type\": \"luminaire\" }} }}";
+        string path = Write($$"""
+            {
+              "materials": { "m": { "type": "{{material}}" } },
+              "render": { "integrator": "report" }, "lights": [{{lamp}}],
+              "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": "m" }, { "type": "sphere", "center": [2, 0, 0], "material": "m" }]
+            }
+            """);
+        string expected = unlit is null ? "" : $"{path}:2:23: warning: with the integrator report, {unlit}: write \"integrator\": \"path\" under \"render\"";
+        Assert.Equal(expected, Diagnostic.Format(SceneLoader.Load(path).Diagnostics).Trim());
+        Assert.Empty(SceneLoader.Load(path, s => s with { Render = s.Render with { Integrator = Integrator.Path } }).Diagnostics);
     }
 
     [Fact]

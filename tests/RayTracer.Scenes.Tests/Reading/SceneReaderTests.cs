@@ -16,7 +16,7 @@ public class SceneReaderTests
         SceneDescription scene = Read("""
             {
               "camera": { "position": [1, 2.5, -3e1], "fieldOfView": 33, "fieldOfViewAxis": "larger", "lens": { "shape": "eyeJitter" } },
-              "render": { "width": 6e1, "samplesPerPixel": 9, "sampler": "regular", "seed": 4294967295 },
+              "render": { "integrator": "report", "width": 6e1, "samplesPerPixel": 9, "sampler": "regular", "seed": 4294967295 },
               "background": "#fff",
               "ambient": [0.25, 0, 7],
               "textures": { "wood": { "type": "image", "file": "wood.png", "raw": true, "interpolation": "bicubic", "scale": [2, -1] } },
@@ -152,4 +152,14 @@ public class SceneReaderTests
         Assert.Equal("", Diagnostic.Format(result.Diagnostics));
         return result.Description!;
     }
+
+    [Theory]
+    [InlineData("\"background\": 0.5", "\"background\": [0.5, 0.5, 0.5]")]
+    [InlineData("\"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"diffuse\", \"color\": 0.25 } }]", "\"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"diffuse\", \"color\": [0.25, 0.25, 0.25] } }]")]
+    [InlineData("\"lights\": [{ \"type\": \"point\", \"position\": [0, 1, 0], \"intensity\": 5 }]", "\"lights\": [{ \"type\": \"point\", \"position\": [0, 1, 0], \"intensity\": [5, 5, 5] }]")]
+    [InlineData("\"camera\": { \"transform\": { \"scale\": 4, \"rotate\": 30 } }", "\"camera\": { \"transform\": [{ \"scale\": [4, 4, 4], \"rotate\": 30 }] }")]
+    public void Short_forms_mean_the_long_ones(string shortForm, string longForm) =>
+        Assert.Equal(SceneWriter.Write(Scene($"{{ {longForm} }}")), SceneWriter.Write(Scene($"{{ {shortForm} }}")));
+
+    private static SceneDescription Scene(string text) => SceneReader.ReadText(text, "a.json").Description!;
 }

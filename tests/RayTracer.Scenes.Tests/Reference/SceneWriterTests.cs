@@ -47,6 +47,10 @@ public class SceneWriterTests
     }
 
     [Fact]
+    public void Scenes_and_descriptions_that_name_no_integrator_mean_path() =>
+        Assert.Equal((Integrator.Path, Integrator.Path), (SceneReader.ReadText("{}", "a.json").Description!.Render.Integrator, new SceneDescription().Render.Integrator));
+
+    [Fact]
     public void Defaults_are_left_out() => Assert.Equal("{}\n", SceneWriter.Write(new SceneDescription()).Replace(" ", "", StringComparison.Ordinal));
 
     [Fact]

@@ -11,7 +11,7 @@ public sealed class FilmTests
     private const string Scene = """
         {
           "camera": { "position": [0, 1.6, 5], "lookAt": [0, 0.9, 0] }, // from the front
-          "render": { "width": 24, "height": 16, "samplesPerPixel": 8 },
+          "render": { "integrator": "report", "width": 24, "height": 16, "samplesPerPixel": 8 },
           "background": [0.52, 0.7, 0.95],
           "shapes": [{ "type": "sphere", "name": "ball", "center": [0, 1, 0], "radius": 1 }],
           "lights": [{ "type": "sphere", "center": [2.5, 4, 2.5], "radius": 0.5, "material": { "type": "luminaire", "multiplier": 30 } }],

@@ -8,7 +8,7 @@ public sealed class CameraControllerTests
         {
           // a comment that stays
           "camera": { "position": [0, 1, 5], "lookAt": [0, 0.5, 0] },
-          "render": { "width": 60, "height": 40, "samplesPerPixel": 4 },
+          "render": { "integrator": "report", "width": 60, "height": 40, "samplesPerPixel": 4 },
           "background": [0.5, 0.6, 0.7],
           "shapes": [ { "type": "sphere", "center": [0, 0.5, 0], "radius": 0.5 } ]
         }
@@ -59,7 +59,7 @@ public sealed class CameraControllerTests
     {
         using TestSession test = new();
         await test.Open("""
-            { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "lens": { "apertureRadius": 0.1 } }, "render": { "width": 60, "height": 40, "samplesPerPixel": 1 },
+            { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "lens": { "apertureRadius": 0.1 } }, "render": { "integrator": "report", "width": 60, "height": 40, "samplesPerPixel": 1 },
               "shapes": [ { "type": "plane", "point": [0, 0, -2], "normal": [0, 0, 1] } ] }
             """);
         Assert.Equal(7, test.Session.Camera.Focus(3, 37), 1e-4f);

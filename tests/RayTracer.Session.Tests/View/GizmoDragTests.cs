@@ -69,7 +69,7 @@ public sealed class GizmoDragTests
         string[] texts = await Task.WhenAll(new[] { 1, 7 }.Select(async steps =>
         {
             using TestSession test = new();
-            ViewportScene shown = await test.Open("""{ "camera": { "position": [0, 0, 5] }, "render": { "width": 100, "height": 100 }, "shapes": [{ "type": "sphere", "center": [0, 0, 0] }] }""");
+            ViewportScene shown = await test.Open("""{ "camera": { "position": [0, 0, 5] }, "render": { "integrator": "report", "width": 100, "height": 100 }, "shapes": [{ "type": "sphere", "center": [0, 0, 0] }] }""");
             Vector2 from = CameraFrame.Of(shown).Project(Vector3.Zero)!.Value;
             Vector2 to = CameraFrame.Of(shown).Project(new(1, 0.5f, 0))!.Value;
             for (int i = 1; i <= steps; i++)

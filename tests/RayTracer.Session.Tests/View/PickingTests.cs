@@ -7,7 +7,7 @@ public sealed class PickingTests
     private const string Nested = """
         {
           "camera": { "position": [0, 0, 20], "lookAt": [0, 0, 0], "fieldOfView": 40 },
-          "render": { "width": 200, "height": 100, "samplesPerPixel": 1 },
+          "render": { "integrator": "report", "width": 200, "height": 100, "samplesPerPixel": 1 },
           "materials": { "red": { "type": "diffuse", "color": "red" } },
           "objects": { "ball": { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "red" } },
           "shapes": [

@@ -81,7 +81,7 @@ public sealed class LifeTests
         Assert.Equal(43, one.Studio.Token.Length);
         using HttpResponseMessage crossed = await one.Send(HttpMethod.Get, "/api/command", null, (LocalGuard.TokenHeader, two.Studio.Token));
         Assert.Equal(HttpStatusCode.Unauthorized, crossed.StatusCode);
-        await one.Test.Open("""{ "shapes": [], "render": { "width": 8, "height": 8 } }""");
+        await one.Test.Open("""{ "shapes": [], "render": { "integrator": "report", "width": 8, "height": 8 } }""");
         Assert.NotEqual((await one.Get("/api/state")).GetProperty("document").GetProperty("name").GetString(), (await two.Get("/api/state")).GetProperty("document").GetProperty("name").GetString());
     }
 

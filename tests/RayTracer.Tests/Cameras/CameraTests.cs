@@ -90,7 +90,7 @@ public class CameraTests
         Scene scene = TestScenes.Build($$"""
             {
               "camera": { "projection": "{{projection}}", "position": [0, 0, 5], "lookAt": [0, 0, 0], "viewSize": 4 },
-              "render": { "width": 48, "height": 24, "samplesPerPixel": 1, "sampler": "regular" },
+              "render": { "integrator": "report", "width": 48, "height": 24, "samplesPerPixel": 1, "sampler": "regular" },
               "shapes": [{ "type": "sphere", "center": [0.7, 0.3, 0], "material": { "type": "luminaire" } }]
             }
             """);

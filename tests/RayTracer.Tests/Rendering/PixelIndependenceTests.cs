@@ -17,7 +17,7 @@ public class PixelIndependenceTests
         Film film = new RTracer(TestScenes.Build($$"""
             {
               "camera": { "position": [0, 2, 3], "lookAt": [0, 0, 0], "fieldOfView": 0.001 },
-              "render": { "width": {{Edge}}, "height": {{Edge}}, "samplesPerPixel": 1, "sampler": "{{sampler}}", "seed": {{TestSettings.Seed}} },
+              "render": { "integrator": "report", "width": {{Edge}}, "height": {{Edge}}, "samplesPerPixel": 1, "sampler": "{{sampler}}", "seed": {{TestSettings.Seed}} },
               "shapes": [{ "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.5, 0.5, 0.5] } }],
               "lights": [{ "type": "sphere", "center": [0.5, 2, 0.5], "radius": 1, "material": { "type": "luminaire", "color": [1, 1, 1], "multiplier": 5, "exponent": 1 } }]
             }

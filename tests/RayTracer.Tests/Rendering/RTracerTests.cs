@@ -225,7 +225,7 @@ public class RTracerTests
     public void A_white_sphere_in_a_white_world_is_white()
     {
         Scene scene = TestScenes.Build("""
-            { "camera": { "position": [0, 0, 3], "lookAt": [0, 0, 0] }, "render": { "width": 32, "height": 32, "samplesPerPixel": 4 }, "background": [1, 1, 1],
+            { "camera": { "position": [0, 0, 3], "lookAt": [0, 0, 0] }, "render": { "integrator": "report", "width": 32, "height": 32, "samplesPerPixel": 4 }, "background": [1, 1, 1],
               "shapes": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "diffuse", "color": [1, 1, 1] } } ] }
             """);
         Film film = new RTracer(scene).Render().Film;
@@ -239,7 +239,7 @@ public class RTracerTests
     public void A_glass_ball_in_a_white_world_is_all_but_invisible()
     {
         Scene scene = TestScenes.Build("""
-            { "camera": { "position": [0, 0, 3], "lookAt": [0, 0, 0] }, "render": { "width": 32, "height": 32, "samplesPerPixel": 16, "maxSpecularDepth": 64 }, "background": [1, 1, 1],
+            { "camera": { "position": [0, 0, 3], "lookAt": [0, 0, 0] }, "render": { "integrator": "report", "width": 32, "height": 32, "samplesPerPixel": 16, "maxSpecularDepth": 64 }, "background": [1, 1, 1],
               "shapes": [ { "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "dielectric" } } ] }
             """);
         Film film = new RTracer(scene).Render().Film;
@@ -257,7 +257,7 @@ public class RTracerTests
         // A sphere of radiance L and radius r, wholly above the horizon, gives the irradiance π L (r/d)² cos θ.
         Scene scene = TestScenes.Build($$"""
             { "camera": { "position": [0, 4, 0.001], "lookAt": [0, 0, 0], "fieldOfView": 60 },
-              "render": { "width": 16, "height": 16, "samplesPerPixel": 1024, "maxDiffuseDepth": 0, "sphereLightSampling": "{{sampling}}" },
+              "render": { "integrator": "report", "width": 16, "height": 16, "samplesPerPixel": 1024, "maxDiffuseDepth": 0, "sphereLightSampling": "{{sampling}}" },
               "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.5, 0.5, 0.5] } } ],
               "lights": [ { "type": "sphere", "center": [6, 5, 0], "radius": 1, "material": { "type": "luminaire", "multiplier": 10 } } ] }
             """);

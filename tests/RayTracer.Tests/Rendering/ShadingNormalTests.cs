@@ -123,7 +123,7 @@ public class ShadingNormalTests
     }
 
     // A square around the origin with normals at its corners, seen from above or below, and a lamp.
-    private static Scene Load(string normals, int height, string material, string lamp, string render = """ "maxDiffuseDepth": 3, "maxSpecularDepth": 3 """)
+    private static Scene Load(string normals, int height, string material, string lamp, string render = """ "integrator": "report", "maxDiffuseDepth": 3, "maxSpecularDepth": 3 """)
     {
         SceneLoadResult result = SceneLoader.Build(
             SceneReader.ReadText(

@@ -141,7 +141,7 @@ public class PixelFilterTests
             """
             {
               "camera": { "projection": "orthographic", "position": [0, 0, 5], "lookAt": [0, 0, 0], "viewSize": 4 },
-              "render": { "width": 12, "height": 4, "samplesPerPixel": 256 },
+              "render": { "integrator": "report", "width": 12, "height": 4, "samplesPerPixel": 256 },
               "lights": [{ "type": "rectangle", "corner": [0.3, -50, 0], "edgeU": [100, 0, 0], "edgeV": [0, 100, 0], "material": { "type": "luminaire" } }]
             }
             """,

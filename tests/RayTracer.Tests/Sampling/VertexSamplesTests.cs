@@ -13,7 +13,7 @@ public class VertexSamplesTests
     // The camera is within a white sphere with a coat, so that paths end at the depth limits only.
     private static readonly string s_scene = $$"""
         { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "lens": { "shape": "eyeJitter", "jitter": [0.1, 0.1, 0.1] } },
-          "render": { "width": 8, "height": 8, "samplesPerPixel": 2, "maxDiffuseDepth": 20, "maxSpecularDepth": 20 },
+          "render": { "integrator": "report", "width": 8, "height": 8, "samplesPerPixel": 2, "maxDiffuseDepth": 20, "maxSpecularDepth": 20 },
           "materials": { "metal": { "type": "phongMetal", "color": [1, 1, 1], "exponent": 100 } },
           "shapes": [
             { "type": "sphere", "center": [0, 0, 0], "radius": 10, "material": { "type": "diffuseSpecular", "diffuse": { "type": "diffuse", "color": [1, 1, 1] }, "specular": "metal" } },

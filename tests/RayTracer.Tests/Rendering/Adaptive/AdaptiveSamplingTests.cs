@@ -11,7 +11,7 @@ public class AdaptiveSamplingTests
     private const string Lamps = """
         {
           "camera": { "projection": "orthographic", "position": [0, 0, 5], "lookAt": [0, 0, 0], "viewSize": 4 },
-          "render": { "width": 32, "height": 16, "samplesPerPixel": 1024, "sampler": "independent", "seed": SEED },
+          "render": { "integrator": "report", "width": 32, "height": 16, "samplesPerPixel": 1024, "sampler": "independent", "seed": SEED },
           "background": [0.2, 0.2, 0.2],
           "shapes": [ { "type": "plane", "point": [2, 0, 0], "normal": [0, 0, 1], "size": [4, 4], "material":
             { "type": "luminaire", "multiplier": 1, "color": { "type": "checker", "scale": [64, 64], "even": [0, 0, 0], "odd": [2, 1, 4] } } } ]
@@ -197,7 +197,7 @@ public class AdaptiveSamplingTests
     private static Scene SinglePixel(int seed) => TestScenes.Build($$"""
         {
           "camera": { "projection": "orthographic", "position": [0, 0, 5], "lookAt": [0, 0, 0], "viewSize": 4 },
-          "render": { "width": 1, "height": 1, "samplesPerPixel": 1024, "sampler": "independent", "seed": {{seed + (TestSettings.Seed * 1_000_000L)}} },
+          "render": { "integrator": "report", "width": 1, "height": 1, "samplesPerPixel": 1024, "sampler": "independent", "seed": {{seed + (TestSettings.Seed * 1_000_000L)}} },
           "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 0, 1], "size": [4, 4], "material": { "type": "luminaire", "multiplier": 1, "color":
             { "type": "checker", "scale": [2, 2], "even": [0, 0, 0], "odd": { "type": "checker", "scale": [4, 4], "even": [0, 0, 0], "odd":
               { "type": "checker", "scale": [8, 8], "even": [0, 0, 0], "odd": [1, 1, 1] } } } } } ]

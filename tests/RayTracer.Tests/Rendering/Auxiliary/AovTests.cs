@@ -233,7 +233,7 @@ public sealed class AovTests
         Scene[] scenes = [.. Enumerable.Range(0, seeds).Select(seed => TestScenes.Build($$"""
             {
               "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0] },
-              "render": { "width": 8, "height": 8, "samplesPerPixel": 64, "sampler": "independent", "seed": {{seed}} },
+              "render": { "integrator": "report", "width": 8, "height": 8, "samplesPerPixel": 64, "sampler": "independent", "seed": {{seed}} },
               "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 2, "material": { "type": "diffuse" } },
                 { "type": "sphere", "center": [3, 3, 3], "radius": 0.5, "material": { "type": "luminaire", "multiplier": 40 } }]
             }
@@ -260,7 +260,7 @@ public sealed class AovTests
     private static Scene Scene(string shapes, int width = Width, int height = Height, int samples = 1) => TestScenes.Build($$"""
         {
           "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "fieldOfView": 40 },
-          "render": { "width": {{width}}, "height": {{height}}, "samplesPerPixel": {{samples}}, "sampler": "regular", "shutter": [0, 1] },
+          "render": { "integrator": "report", "width": {{width}}, "height": {{height}}, "samplesPerPixel": {{samples}}, "sampler": "regular", "shutter": [0, 1] },
           "shapes": [{{shapes}}]
         }
         """);
