@@ -65,8 +65,8 @@ public class VectorForm<T>(string name, int count, Func<float[], T> make, Func<T
     /// <inheritdoc/>
     public override JsonObject Schema(RecordParameter parameter)
     {
-        JsonObject numbers = SceneSchema.Numbers(count, SceneSchema.Number("number", parameter));
-        return parameter.IsNumber ? SceneSchema.AnyOf(SceneSchema.Number("number", parameter), numbers) : numbers;
+        JsonObject list = SceneSchema.Numbers(count, SceneSchema.Number("number", parameter));
+        return parameter.IsNumber ? SceneSchema.AnyOf(SceneSchema.Number("number", parameter), list) : list;
     }
 
     /// <inheritdoc/>
