@@ -37,6 +37,8 @@ public static class JobRules
         ("--denoise", "passes|--samples|--part", "--denoise compares two halves of all samples: it cannot go together with shares of them or with .rtfilm, --exr-film, --checkpoint and --time"),
         ("--checkpoint", "no film", "{--checkpoint}: films are written to .rtfilm files"),
         ("--resume", "!--checkpoint", "--resume continues from a checkpoint: give --checkpoint FILE"),
+        ("--scale", "--width", "--scale and --width both give the size: leave one of them out"),
+        ("--scale", "--height", "--scale and --height both give the size: leave one of them out"),
         ("--adaptive", "--crop", "--adaptive distributes samples over the whole picture: leave --crop out"),
         ("--adaptive", "--denoise", "--denoise compares two halves with equal numbers of samples, which --adaptive does not give: leave one of them out"),
         ("layers of light", "passes", "layers of light need one rendering, which .rtfilm, --exr-film, --checkpoint and --time may split: leave one of them out"),
