@@ -6,5 +6,8 @@ grep -o '`raytracer render [^`]*`' docs/gallery.md | tr -d '`' | while read -r _
     output=${arguments##* }
     # shellcheck disable=SC2086
     src/RayTracer.Cli/bin/Release/net10.0/raytracer ${arguments% *} "docs/pictures/$output" --quiet < /dev/null
+    # Of a denoised picture, only that is shown.
+    denoised=docs/pictures/${output%.*}.denoised.${output##*.}
+    if [ -e "$denoised" ]; then rm "docs/pictures/$output"; fi
     echo "$output"
 done

@@ -37,6 +37,7 @@ internal static class CommandLine
         ("convert", "Converts scenes of other formats to the native one, and images and films to other image formats.", ConvertVerb.Build),
         ("compare", "Compares two images.", CompareVerb.Build),
         ("compose", "Rebalances the lights of a rendered picture.", ComposeVerb.Build),
+        ("denoise", "Takes noise out of an image.", DenoiseVerb.Build),
         ("view", "Shows an image in the terminal.", ViewVerb.Build),
         ("bench", "Measures how many rays are traced per second.", BenchVerb.Build),
         ("reproduce", "Renders the pictures and tables of the report that the project follows.", ReproduceVerb.Build),

@@ -27,7 +27,7 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
             RenderProgress latest = Latest;
             double seconds = _watch.Elapsed.TotalSeconds;
             string left = latest.PathsDone == 0 ? "?" : Duration(seconds * (1 - latest.Fraction) / latest.Fraction);
-            return $"{latest.Rays / seconds / 1e6:F1} M rays/s, {left} left";
+            return latest.Rays > 0 ? $"{latest.Rays / seconds / 1e6:F1} M rays/s, {left} left" : $"{left} left";
         }
     }
 

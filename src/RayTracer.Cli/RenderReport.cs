@@ -50,6 +50,9 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
         }
     }
 
+    /// <summary>Says what a denoised picture lacks.</summary>
+    public static string Cut(DenoiseResult denoised) => $"denoised; {100 * denoised.CutShare:G2} % of the light stood out of one half of the samples, and was cut";
+
     private void WarnOfBadSamples(Streams streams)
     {
         if (_statistics.NonFiniteSamples == 0)
@@ -81,6 +84,11 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
             output.WriteLine($"time ran out at {header.Samples.Sum(r => r.Count)} of {header.Wanted.Count} samples{film}");
         }
 
+        if (display.Verbose && result.Denoised is { } denoised)
+        {
+            output.WriteLine(Cut(denoised));
+        }
+
         output.WriteLine($"film {result.Hash}");
     }
 
@@ -92,6 +100,12 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
         json["loadSeconds"] = stages.Load;
         json["buildSeconds"] = stages.Build;
         json["renderSeconds"] = result.Seconds;
+        if (result.Denoised is { } denoised)
+        {
+            json["denoiseSeconds"] = stages.Denoise;
+            json["cutShare"] = denoised.CutShare;
+        }
+
         json["writeSeconds"] = stages.Write;
         json["totalSeconds"] = totalSeconds;
         if (StageTimes.PeakMemory is { } bytes)

@@ -15,6 +15,9 @@ internal sealed class StageTimes(Streams? spoken)
     /// <summary>Seconds for reading pictures and models, and building what rays meet.</summary>
     public double Build { get; private set; }
 
+    /// <summary>Seconds for taking out noise.</summary>
+    public double Denoise { get; private set; }
+
     /// <summary>Seconds for writing files.</summary>
     public double Write { get; private set; }
 
@@ -31,7 +34,7 @@ internal sealed class StageTimes(Streams? spoken)
     /// <summary>A stage of a job has come to its end.</summary>
     public void End(JobStage stage)
     {
-        Action end = stage switch { JobStage.Load => EndLoad, JobStage.Build => EndBuild, JobStage.Render => EndRender, _ => EndWrite };
+        Action end = stage switch { JobStage.Load => EndLoad, JobStage.Build => EndBuild, JobStage.Render => EndRender, JobStage.Denoise => EndDenoise, _ => EndWrite };
         end();
     }
 
@@ -43,6 +46,9 @@ internal sealed class StageTimes(Streams? spoken)
 
     /// <summary>The picture has been rendered.</summary>
     public void EndRender() => End("render");
+
+    /// <summary>The noise has been taken out of the picture.</summary>
+    public void EndDenoise() => Denoise = End("denoise");
 
     /// <summary>The files have been written.</summary>
     public void EndWrite()

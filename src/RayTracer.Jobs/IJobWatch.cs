@@ -16,6 +16,9 @@ public enum JobStage
     /// <summary>The picture is rendered.</summary>
     Render,
 
+    /// <summary>The noise is taken out of the picture.</summary>
+    Denoise,
+
     /// <summary>Files are written.</summary>
     Write,
 }
@@ -43,7 +46,7 @@ public interface IJobWatch
     /// <summary>Returns an image that is about to be written, through which the writer is followed.</summary>
     IImageRows Rows(IImageRows image) => image;
 
-    /// <summary>Begins to show how far the rendering is, until that is disposed of; null where nothing is shown.</summary>
+    /// <summary>Begins to show how far the rendering or the denoising is, until that is disposed of; null where nothing is shown.</summary>
     IProgress<RenderProgress>? Begin() => null;
 
     /// <summary>Takes the film as it is after a pass.</summary>

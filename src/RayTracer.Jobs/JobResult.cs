@@ -47,6 +47,9 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>The halves that a denoised picture is made of; null where none is wanted.</summary>
     internal Denoising? Denoising { get; init; }
 
+    /// <summary>The denoised picture; null where there is none.</summary>
+    public DenoiseResult? Denoised { get; init; }
+
     /// <summary>The numbers of samples that the pixels have, in words.</summary>
     public string SamplesText => RangeText is { } range ? $"{MeanSamples}{(IsFromFirst(range) ? "" : $" ({range})")}"
         : Plan is null ? $"{Scene.Render.SamplesPerPixel}"

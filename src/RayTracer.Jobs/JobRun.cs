@@ -24,7 +24,8 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
     /// <summary>Reads pictures; null for <see cref="ImageFile.Read"/>.</summary>
     public Func<string, bool, Picture>? ReadPicture { get; init; }
 
-    private bool NeedsPasses => job.NeedsPasses || watch.ShowsPasses;
+    // Layers of light and different numbers of samples need one rendering.
+    private bool NeedsPasses => job.NeedsPasses || watch.ShowsPasses || (job.Denoise && job.Layers.Count == 0 && !job.Adaptive);
 
     /// <summary>Loads, renders and writes.</summary>
     /// <param name="cancellation">Ends the rendering early; what is done so far is written.</param>
@@ -111,17 +112,44 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
             Auxiliary = films.Auxiliary,
             Denoising = films.Denoising,
             Samples = job.Adaptive || job.Pixel is not null ? null : options.Samples,
-            Statistics = films.Denoising is { } denoising ? denoising.Render(films.Film, options, loaded.Progress, cancellation)
+            Statistics = films.Denoising is { } denoising ? denoising.Render(films.Film, loaded, job.Adaptive ? result.Plan : null)
                 : job.Adaptive ? new PlannedRender(scene, options, result.Plan!).Render(films.Film, loaded.Progress, cancellation)
                 : result.Counted(new RTracer(scene, options).Render(films.Film, loaded.Progress, cancellation)),
         };
     }
 
+    private DenoiseResult? Denoise(Denoising denoising)
+    {
+        IProgress<RenderProgress>? progress = watch.Begin();
+        using IDisposable? shown = progress as IDisposable;
+        DenoiseResult? denoised = denoising.Denoise(job.Threads, progress is null ? null : new DenoisingProgress(progress));
+        if (denoised is null)
+        {
+            watch.Warn("stopped before two halves of the samples could be compared (--denoise): there is no denoised picture");
+        }
+
+        shown?.Dispose();
+        watch.End(JobStage.Denoise);
+        return denoised;
+    }
+
     private JobResult Written(JobResult result)
     {
         bool isWanted = result.Film.TotalSamples > 0 && !(job.IsOfSequence && result.Statistics.Cancelled);
+        if (isWanted && result.Denoising is { } denoising)
+        {
+            result = result with { Denoised = Denoise(denoising) };
+        }
+
         IReadOnlyList<string> files = isWanted ? _files.Write(result, watch) : [];
         watch.End(JobStage.Write);
         return result with { Files = files, IsWritten = files.Count == _files.All.Count && _checkpoints is not { HasFailed: true } };
+    }
+
+    private sealed class DenoisingProgress(IProgress<RenderProgress> shown) : IProgress<double>
+    {
+        private const long Whole = 1000;
+
+        public void Report(double value) => shown.Report(new((long)(value * Whole), Whole, 0));
     }
 }

@@ -45,7 +45,7 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
             _header = AsAll(_header);
         }
 
-        return result with { Statistics = result.Counted(statistics), Header = _header, Checkpoints = Checkpoints, Auxiliary = auxiliary };
+        return result with { Statistics = result.Counted(statistics), Denoising = films.Denoising, Header = _header, Checkpoints = Checkpoints, Auxiliary = auxiliary };
     }
 
     private RenderStatistics Passes()
@@ -59,7 +59,8 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
         int count = 1;
         for (int first = missing.First; first < missing.End && !(first > missing.First && Stopwatch.GetElapsedTime(start) >= Limit);)
         {
-            SampleRange range = new(first, Math.Min(missing.End, first + count));
+            (int half, int end) = films.Denoising is null ? (0, missing.End) : Denoising.Turn(first, missing);
+            SampleRange range = new(first, Math.Min(end, first + count));
             long passStart = Stopwatch.GetTimestamp();
             PassProgress shown = new(loaded.Progress, statistics, total);
             RenderStatistics done = new RTracer(loaded.Scene, loaded.Options with { Samples = range })
@@ -71,6 +72,7 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
             }
 
             film.Merge(pass);
+            films.Denoising?.Add(pass, half, loaded.Options with { Samples = range });
             pass.Clear();
             statistics += done;
             first = range.End;

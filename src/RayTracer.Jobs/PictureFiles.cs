@@ -91,7 +91,7 @@ public sealed class PictureFiles
     /// <returns>Those that were written.</returns>
     public IReadOnlyList<string> Write(JobResult result, IJobWatch watch)
     {
-        Picture? denoised = result.Denoising?.Denoise(_job.Threads)?.Picture;
+        Picture? denoised = result.Denoised?.Picture;
         ImageWriteOptions writing = Options(result, denoised);
         List<string> written = [.. JobFiles.Write(_job.Outputs, result.Film, result.Header, writing, watch)];
         void Write(IEnumerable<string> paths, IImageRows image, ImageWriteOptions options, params KeyValuePair<string, string>[] texts) =>

@@ -79,7 +79,6 @@ public sealed class UsageTests : IDisposable
     [InlineData("render SCENE -o OUT --sample 4", "--sample needs --pixel")]
     [InlineData("render SCENE --pixel 0,0 --noise 1%", "leave --noise and --adaptive out")]
     [InlineData("render SCENE -o OUT --adaptive --crop 0,0,8,8", "leave --crop out")]
-    [InlineData("render SCENE -o OUT --adaptive --denoise", "leave one of them out")]
     [InlineData("render SCENE -o OUT --adaptive --spp 16 --sampler jittered", "--adaptive: the pattern of the jittered sampler needs the number of samples in advance")]
     [InlineData("render SCENE -o OUT --noise 2% --sampler regular", "--noise: the pattern of the regular sampler needs the number of samples in advance")]
     [InlineData("render SCENE -o OUT --pixel 0,0", "--pixel prints numbers and writes no image")]

@@ -53,6 +53,63 @@ public sealed class JobRunTests : IDisposable
         Assert.Equal([JobStage.Load, JobStage.Build, JobStage.Render, JobStage.Write], _watch.Stages);
     }
 
+    [Theory]
+    [InlineData("")]
+    [InlineData("adaptive=true")]
+    [InlineData("time=3600s")]
+    [InlineData("samples=1..13")]
+    [InlineData("noise=0.5")]
+    public void A_denoised_picture_stands_beside_the_same_film(string settings)
+    {
+        RenderJob job = _job.WithSamples(16).With(settings.Split(',', StringSplitOptions.RemoveEmptyEntries)) with { Outputs = [_folder["a.png"]] };
+        string plain = new JobRun(job, _watch).Run(CancellationToken.None)!.Hash;
+        JobResult result = new JobRun(job with { Denoise = true }, _watch).Run(CancellationToken.None)!;
+        Assert.Equal((plain, true), (result.Hash, result.IsWritten));
+        Assert.Equal([JobStage.Render, JobStage.Denoise, JobStage.Write], _watch.Stages.TakeLast(3));
+        Assert.NotEqual(result.Film.ToPicture().Pixels, result.Denoised!.Picture.Pixels);
+    }
+
+    [Fact]
+    public void What_was_rendered_until_a_stop_is_denoised()
+    {
+        RenderJob job = _job.WithSamples(4_000_000) with { Outputs = [_folder["a.png"]], Denoise = true };
+        using CancellationTokenSource stop = new();
+        int reports = 0;
+        _watch.Progress = () => _ = ++reports == 12 ? stop.CancelAsync() : Task.CompletedTask;
+        JobResult result = new JobRun(job, _watch).Run(stop.Token)!;
+        Assert.Equal((true, true), (result.Statistics.Cancelled, result.IsWritten));
+        Assert.True(File.Exists(_folder["a.denoised.png"]));
+    }
+
+    [Fact]
+    public void Without_a_second_half_there_is_no_denoised_picture_and_a_warning()
+    {
+        RenderJob job = _job with { Outputs = [_folder["a.png"]], Denoise = true, Part = (1, 4) };
+        Assert.Null(new JobRun(job, _watch).Run(CancellationToken.None)!.Denoised);
+        Assert.Contains("two halves", Assert.Single(_watch.Lines), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(2, 1)]
+    [InlineData(7, 3)]
+    [InlineData(64, 32)]
+    [InlineData(1000, 500)]
+    public void Halves_take_turns_and_come_out_even(int samples, int ofSecond)
+    {
+        int[] counts = new int[2];
+        for (int first = 5; first < 5 + samples;)
+        {
+            (int half, int end) = Denoising.Turn(first, new(5, 5 + samples));
+            Assert.InRange(end, first + 1, first + 64);
+            Assert.Equal((half, end), Denoising.Turn(end - 1, new(5, 5 + samples)));
+            counts[half] += end - first;
+            Assert.InRange(counts[0] - counts[1], 0, 64);
+            first = end;
+        }
+
+        Assert.Equal((samples - ofSecond, ofSecond), (counts[0], counts[1]));
+    }
+
     [Fact]
     public void Parts_merge_to_the_bits_of_the_whole()
     {

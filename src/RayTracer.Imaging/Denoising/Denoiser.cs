@@ -17,30 +17,45 @@ public static class Denoiser
     /// <param name="first">One half of the samples.</param>
     /// <param name="second">The other half; of the same size.</param>
     /// <param name="threads">How many threads to use; 0 for one a core.</param>
+    /// <param name="progress">Takes how much is done, 0 to 1; may be null.</param>
     /// <param name="cancellation">Ends the work.</param>
     /// <returns>The mean of both halves, without most of its noise; where one has no samples, the mean of all there are.</returns>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
-    public static DenoiseResult Denoise(HalfRender first, HalfRender second, int threads = 0, CancellationToken cancellation = default)
+    public static DenoiseResult Denoise(HalfRender first, HalfRender second, int threads = 0, IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
         (int width, int height) = (first.Film.Width, first.Film.Height);
         return (second.Film.Width, second.Film.Height) == (width, height)
-            ? Denoise(HalfPlanes.Of(first), HalfPlanes.Of(second), threads, cancellation)
+            ? Denoise(HalfPlanes.Of(first), HalfPlanes.Of(second), threads, progress, cancellation)
             : throw new ArgumentException($"Halves of {width}×{height} and {second.Film.Width}×{second.Film.Height} pixels are not of one picture.", nameof(second));
     }
 
-    /// <inheritdoc cref="Denoise(HalfRender, HalfRender, int, CancellationToken)"/>
-    internal static DenoiseResult Denoise(HalfPlanes first, HalfPlanes second, int threads = 0, CancellationToken cancellation = default)
+    /// <summary>Denoises a picture of which no halves are known: its noise is estimated from its pixels alone, which is worse.</summary>
+    /// <param name="picture">The picture.</param>
+    /// <param name="albedo">The surfaces' colours; null where they are not known.</param>
+    /// <param name="normal">The surfaces' normals; null where they are not known.</param>
+    /// <param name="threads">How many threads to use; 0 for one a core.</param>
+    /// <exception cref="ArgumentException">The sizes differ.</exception>
+    public static Picture Denoise(Picture picture, Picture? albedo, Picture? normal, int threads = 0)
+    {
+        HalfPlanes planes = HalfPlanes.Of(picture, albedo, normal);
+        return Denoise(planes, planes, threads).Picture;
+    }
+
+    /// <inheritdoc cref="Denoise(HalfRender, HalfRender, int, IProgress{double}?, CancellationToken)"/>
+    internal static DenoiseResult Denoise(HalfPlanes first, HalfPlanes second, int threads = 0, IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
         DenoiserInput input = new(first, second);
         Picture result = new(first.Spread.Width, first.Spread.Height);
         ParallelOptions parallel = new() { MaxDegreeOfParallelism = threads > 0 ? threads : Environment.ProcessorCount, CancellationToken = cancellation };
         int across = (result.Width + DenoiserTile.Width - 1) / DenoiserTile.Width;
         int down = (result.Height + DenoiserTile.Height - 1) / DenoiserTile.Height;
+        int done = 0;
         Parallel.For(0, across * down, parallel, () => new DenoiserTile(input), (i, _, tile) =>
         {
             tile.Filter(i % across * DenoiserTile.Width, i / across * DenoiserTile.Height);
             tile.Write(result);
+            progress?.Report(Interlocked.Increment(ref done) / (double)(across * down));
             return tile;
         }, _ => { });
         return new(result, input.CutShare);

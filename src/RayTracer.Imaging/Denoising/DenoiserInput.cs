@@ -33,9 +33,9 @@ internal sealed class DenoiserInput
 
         Surfaces = SurfaceColors.Of(Halves);
         Light = [.. Halves.Select(h => h.Color.Select((c, i) => c.With((x, y) => c.Load(x, y) / Surfaces[i].Load(x, y))).ToArray())];
-        PaddedPlane squares = ReferenceEquals(first, second) ? OwnSquares(Light[0]) : HalfSquares(Light[0], Light[1], 0.5f);
+        PaddedPlane squares = ReferenceEquals(first, second) ? OwnSquares(Light[0]) : HalfSquares(Light[0], Light[1], 1);
         squares = squares.Blurred(VarianceRadius);
-        Variances = [.. Halves.Select(h => Variance(squares, h.Spread))];
+        Variances = [.. Halves.Select((h, i) => Variance(squares, h.Spread, Halves[i].Counts, Halves[1 - i].Counts))];
         Features = [new(first.Normal, second.Normal), new(first.Albedo, second.Albedo)];
     }
 
@@ -93,7 +93,7 @@ internal sealed class DenoiserInput
         return factor * sum;
     });
 
-    // Of one picture alone: what is left where slopes and edges are taken away (Immerkær 1996).
+    // Of one picture alone: what is left where slopes and edges are taken away (Immerkær 1996), and as much again for the half that is not there.
     private static PaddedPlane OwnSquares(PaddedPlane[] light) => light[0].With((x, y) =>
     {
         FloatW sum = 0f;
@@ -104,20 +104,21 @@ internal sealed class DenoiserInput
             sum = FloatW.MultiplyAdd(residual, residual, sum);
         }
 
-        return sum * (1f / 36);
+        return sum * (1f / 18);
     });
 
-    // The spread of a pixel's samples is known well but too large, for the samples are stratified; half the squared difference of the
-    // halves is right but noisy. So the one is scaled by the ratio of their means around the pixel (Rousselle, Knaus & Zwicker 2012,
+    // The spread of a pixel's samples is known well but too large, for the samples are stratified; a share of the squared difference of the
+    // halves, half of it for equal ones, is right but noisy. So the one is scaled by the ratio of their means around the pixel (Rousselle, Knaus & Zwicker 2012,
     // section 4.2).
-    private static PaddedPlane Variance(PaddedPlane squares, PaddedPlane spread)
+    private static PaddedPlane Variance(PaddedPlane squares, PaddedPlane spread, PaddedPlane own, PaddedPlane other)
     {
         PaddedPlane around = spread.Blurred(VarianceRadius);
         PaddedPlane near = spread.Blurred(1);
         return spread.With((x, y) =>
         {
             FloatW mean = around.Load(x, y);
-            return squares.Load(x, y) * (mean > 0f).Select(near.Load(x, y) / mean, 1f);
+            FloatW share = other.Load(x, y) / FloatW.Max(1f, own.Load(x, y) + other.Load(x, y));
+            return share * squares.Load(x, y) * (mean > 0f).Select(near.Load(x, y) / mean, 1f);
         });
     }
 

@@ -1,4 +1,5 @@
 using RayTracer.Rendering;
+using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
@@ -51,8 +52,44 @@ internal sealed class HalfPlanes
         return planes;
     }
 
+    /// <summary>Reads a picture as if it were both halves; numbers that are not finite are black.</summary>
+    /// <exception cref="ArgumentException">The sizes differ.</exception>
+    public static HalfPlanes Of(Picture picture, Picture? albedo, Picture? normal)
+    {
+        HalfPlanes planes = new(picture.Width, picture.Height);
+        Read(picture, planes.Color);
+        Read(albedo ?? new(picture.Width, picture.Height), planes.Albedo);
+        planes.Counts.Fill((_, _) => 1f);
+        if (normal is not null)
+        {
+            Read(normal, planes.Normal);
+        }
+        else if (albedo is not null)
+        {
+            // Every pixel shows a surface, as far as is known.
+            planes.Normal[0].Fill((_, _) => 1f);
+        }
+
+        planes.Extend();
+        return planes;
+    }
+
     /// <summary>Lets the edges go on in the margins.</summary>
     public void Extend() => Array.ForEach([.. Color, Spread, Counts, .. Normal, .. Albedo], p => p.Extend());
+
+    private static void Read(Picture picture, PaddedPlane[] to)
+    {
+        if ((picture.Width, picture.Height) != (to[0].Width, to[0].Height))
+        {
+            throw new ArgumentException($"A guide of {picture.Width}×{picture.Height} pixels is not of a picture of {to[0].Width}×{to[0].Height}.", nameof(picture));
+        }
+
+        for (int i = 0; i < picture.Pixels.Length; i++)
+        {
+            float value = picture.Pixels[i];
+            to[i % to.Length][i / to.Length % picture.Width, i / to.Length / picture.Width] = float.IsFinite(value) ? value : 0;
+        }
+    }
 
     private static void Read(AovFilm film, AuxiliaryImage kind, int y, double[] row, PaddedPlane[] to)
     {

@@ -7,7 +7,7 @@ using RayTracer.Textures;
 namespace RayTracer.Session;
 
 /// <summary>
-/// The picture without most of its noise, in the end as the command makes it. It takes two halves of the samples, which the film does not
+/// The picture without most of its noise. It takes two halves of the samples, which the film does not
 /// keep apart: they are rendered once more, whenever the film has twice as many as they. Then both become the first half, so that in all it
 /// takes about as long as the film.
 /// </summary>
@@ -50,7 +50,7 @@ public sealed class DenoisedPicture
             }
 
             Render(order, second, new(next / 2, next), cancellation);
-            _picture = Denoiser.Denoise(first, second, order.Threads, cancellation).Picture;
+            _picture = Denoiser.Denoise(first, second, order.Threads, null, cancellation).Picture;
             (_samples, _of) = (next, order.Picture);
         }
         catch (OperationCanceledException)

@@ -14,9 +14,6 @@ internal static class DenoiserScenes
     private const string Tiles = """{ "type": "diffuse", "color": { "type": "checker", "even": [0.75, 0.7, 0.6], "odd": [0.2, 0.25, 0.3], "scale": [4, 4] } }""";
     private const string Mirror = """{ "type": "phongMetal", "color": [0.9, 0.9, 0.92], "exponent": 1000000 }""";
 
-    /// <summary>The names of those with fireflies, whose errors are judged apart.</summary>
-    public static readonly string[] Fireflies = ["fireflies"];
-
     /// <summary>The scenes: a name, and a file below scenes/ or the shapes of a picture.</summary>
     public static readonly (string Name, string Content)[] All =
     [

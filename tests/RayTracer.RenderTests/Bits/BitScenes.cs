@@ -90,11 +90,12 @@ internal static class BitScenes
     /// <summary>Names of the scenes of lights.</summary>
     public static IReadOnlyList<string> Lights => In("lights");
 
-    // All folders of scenes but those of the report, which are larger, and those that are wrong.
+    // All folders of scenes but those of the report, which are larger, those of which tiles are rendered, and those that are wrong.
     private static IEnumerable<string> Folders =>
-        Directory.GetDirectories(ProjectFolder.PathOf("scenes")).Select(f => Path.GetFileName(f)).Where(f => f is not ("broken" or "report")).Order(StringComparer.Ordinal);
+        Directory.GetDirectories(ProjectFolder.PathOf("scenes")).Select(f => Path.GetFileName(f)).Where(f => f is not ("broken" or "gallery" or "report")).Order(StringComparer.Ordinal);
 
-    private static string[] In(string folder) =>
+    /// <summary>Names of the scenes in a folder.</summary>
+    public static string[] In(string folder) =>
         [.. Directory.GetFiles(ProjectFolder.PathOf("scenes", folder), "*.json").Select(f => $"{folder}/{Path.GetFileNameWithoutExtension(f)}").Order(StringComparer.Ordinal)];
 
     /// <summary>Loads a scene, at 64×64 pixels and 4 samples (the primer's at 32×24).</summary>

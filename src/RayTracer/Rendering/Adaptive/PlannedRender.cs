@@ -14,20 +14,43 @@ public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan
     /// <param name="progress">Told how far the picture is, the plan's samples included; may be null.</param>
     /// <param name="cancellation">Ends the work after the pixels under way; all samples in the film are whole.</param>
     /// <returns>What was done for the picture and the plan.</returns>
-    public RenderStatistics Render(Film film, IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
+    public RenderStatistics Render(Film film, IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default) => Run(progress, (renderer, done) =>
+    {
+        int first = 0;
+        foreach (int end in plan.Samples.Distinct().Order())
+        {
+            int[] pixels = Pixels(samples => samples >= end, film.Width);
+            renderer.Render(film, pixels, pixels, new(first, end), (uint)scene.Render.Seed, done.Add, cancellation);
+            first = end;
+        }
+    });
+
+    /// <summary>Renders each pixel's samples in two halves, which make the picture together.</summary>
+    /// <param name="first">Takes the first half; an empty film of the scene's size.</param>
+    /// <param name="second">Takes the second one, which has one sample more where their number is odd.</param>
+    /// <param name="progress">Takes how far the picture is; may be null.</param>
+    /// <param name="cancellation">Ends the work after the pixels under way; all samples in the films are whole.</param>
+    /// <returns>What was done for the picture and the plan.</returns>
+    public RenderStatistics Render(Film first, Film second, IProgress<RenderProgress>? progress, CancellationToken cancellation) => Run(progress, (renderer, done) =>
+    {
+        foreach ((Film film, bool isSecond) in new[] { (first, false), (second, true) })
+        {
+            foreach (int count in plan.Samples.Distinct().Order())
+            {
+                int[] pixels = Pixels(samples => samples == count, film.Width);
+                SampleRange range = isSecond ? new(count / 2, count) : new(0, count / 2);
+                renderer.Render(film, pixels, pixels, range, (uint)scene.Render.Seed, done.Add, cancellation);
+            }
+        }
+    });
+
+    private RenderStatistics Run(IProgress<RenderProgress>? progress, Action<PixelRenderer, ProgressSum> render)
     {
         PixelRenderer renderer = new(scene, options);
-        ProgressSum done = new(plan.TotalSamples + plan.Statistics.Paths, progress, plan.Statistics.Paths, plan.Statistics.Rays);
         bool cancelled = false;
         try
         {
-            int first = 0;
-            foreach (int end in plan.Samples.Distinct().Order())
-            {
-                int[] pixels = PixelsWith(end, film.Width);
-                renderer.Render(film, pixels, pixels, new(first, end), (uint)scene.Render.Seed, done.Add, cancellation);
-                first = end;
-            }
+            render(renderer, new(plan.TotalSamples + plan.Statistics.Paths, progress, plan.Statistics.Paths, plan.Statistics.Rays));
         }
         catch (OperationCanceledException)
         {
@@ -37,14 +60,13 @@ public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan
         return plan.Add(renderer.Statistics) with { Cancelled = cancelled };
     }
 
-    // The pixels that have so many samples or more.
-    private int[] PixelsWith(int samples, int width)
+    private int[] Pixels(Predicate<int> haveSamples, int width)
     {
         List<int> pixels = [];
         for (int i = 0; i < plan.Blocks.Count; i++)
         {
             Tile block = plan.Blocks[i];
-            for (int pixel = 0; plan.Samples[i] >= samples && pixel < block.Pixels; pixel++)
+            for (int pixel = 0; haveSamples(plan.Samples[i]) && pixel < block.Pixels; pixel++)
             {
                 (int x, int y) = block.Pixel(pixel);
                 pixels.Add((y * width) + x);

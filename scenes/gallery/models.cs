@@ -1,0 +1,338 @@
+// Makes the models of the gallery's scenes: `dotnet run scenes/gallery/models.cs` writes them beside this file.
+#:property PublishAot=false
+#:property TieredCompilation=true
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+string folder = Here();
+
+// Chess pieces: profiles from the bottom to the top, as radius and height; a square of the board is 1 wide.
+Vector2[] foot = [new(0, 0), new(0.4f, 0), new(0.4f, 0), new(0.41f, 0.05f), new(0.4f, 0.1f), new(0.33f, 0.13f), new(0.33f, 0.13f),
+    new(0.34f, 0.17f), new(0.31f, 0.2f)];
+Vector2[] collar(float y, float r) => [new(r, y), new(r + 0.1f, y + 0.02f), new(r + 0.11f, y + 0.05f), new(r + 0.02f, y + 0.07f),
+    new(r + 0.02f, y + 0.07f)];
+Vector2[] ball(float y, float r, int from) => [.. Enumerable.Range(from, 17 - from).Select(i => Polar(r, i / 16f) + new Vector2(0, y))];
+Save("pawn", Lathe([.. foot, new(0.2f, 0.3f), new(0.13f, 0.5f), new(0.11f, 0.62f), .. collar(0.64f, 0.1f), .. ball(0.86f, 0.19f, 4)]));
+Mesh rook = Lathe([
+    .. foot, new(0.24f, 0.3f), new(0.2f, 0.6f), new(0.19f, 0.82f), .. collar(0.84f, 0.17f), new(0.22f, 0.95f), new(0.27f, 1), new(0.27f,
+        1), new(0.27f, 1.13f),
+    new(0.27f, 1.13f), new(0.19f, 1.13f), new(0.19f, 1.13f), new(0.19f, 1.03f), new(0.19f, 1.03f), new(0, 1.03f)]);
+for (int i = 0; i < 6; i++)
+{
+    rook.Wedge(0.19f, 0.27f, 1.13f, 1.23f, MathF.Tau * i / 6, MathF.Tau * (i + 0.62f) / 6);
+}
+
+Save("rook", rook);
+Save("bishop", Lathe([
+    .. foot, new(0.21f, 0.32f), new(0.14f, 0.6f), new(0.12f, 0.84f), .. collar(0.86f, 0.11f), .. collar(0.94f, 0.1f), new(0.14f, 1.03f),
+        new(0.2f, 1.13f),
+    new(0.2f, 1.21f), new(0.15f, 1.33f), new(0.07f, 1.44f), new(0.035f, 1.48f), .. ball(1.52f, 0.055f, 4)]));
+Vector2[] tall = [.. foot, new(0.23f, 0.36f), new(0.155f, 0.7f), new(0.13f, 1.04f), .. collar(1.06f, 0.12f), .. collar(1.14f, 0.11f),
+    new(0.13f, 1.24f)];
+Mesh queen = Lathe([.. tall, new(0.17f, 1.42f), new(0.26f, 1.58f), new(0.26f, 1.58f), new(0.21f, 1.6f), new(0.17f, 1.57f), new(0.1f,
+    1.63f), .. ball(1.7f, 0.07f, 5)]);
+for (int i = 0; i < 9; i++)
+{
+    queen.Ball(Around(0.235f, 1.6f, i / 9f), 0.042f);
+}
+
+Save("queen", queen);
+Mesh king = Lathe([.. tall, new(0.16f, 1.42f), new(0.23f, 1.58f), new(0.23f, 1.58f), new(0.2f, 1.62f), new(0.1f, 1.68f), new(0.05f,
+    1.7f), new(0.05f, 1.7f), new(0, 1.71f)]);
+king.Box(new(-0.03f, 1.68f, -0.03f), new(0.03f, 1.98f, 0.03f));
+king.Box(new(-0.11f, 1.82f, -0.031f), new(0.11f, 1.88f, 0.031f));
+Save("king", king);
+
+// The knight: a turned foot, and a head of ellipses along a bent spine: height and depth of the middle, half depth, half width, tilt.
+Mesh knight = Lathe([.. foot, new(0.3f, 0.24f), new(0.29f, 0.28f), new(0.29f, 0.28f), new(0, 0.29f)]);
+float[][] spine = [
+    [0.26f, 0.02f, 0.25f, 0.22f, 0], [0.4f, -0.03f, 0.23f, 0.18f, -5], [0.58f, -0.08f, 0.22f, 0.15f, 0], [0.76f, -0.09f, 0.21f, 0.14f,
+        12], [0.93f, -0.05f, 0.2f, 0.14f, 30],
+    [1.04f, 0.03f, 0.19f, 0.14f, 60], [1.05f, 0.13f, 0.17f, 0.135f, 88], [0.99f, 0.23f, 0.135f, 0.115f, 112], [0.9f, 0.32f, 0.105f,
+        0.095f, 122], [0.83f, 0.385f, 0.09f, 0.085f, 126],
+    [0.8f, 0.41f, 0.05f, 0.05f, 126]];
+knight.Tube([.. Smooth(spine, 5).Select(s => (new Vector3(0, s[0], s[1]), Tilt(s[4]) * s[2], Vector3.UnitX * s[3]))]);
+foreach (float side in new[] { -1f, 1f })
+{
+    knight.Tube([.. new[] { (1.12f, 0.05f, 0.055f), (1.2f, 0.03f, 0.05f), (1.27f, 0.015f, 0.03f), (1.31f, 0.01f, 0.008f) }
+        .Select(e => (new Vector3(side * 0.075f, e.Item1, e.Item2), Vector3.UnitZ * e.Item3, Vector3.UnitX * e.Item3 * 0.6f))]);
+    knight.Ball(new(side * 0.115f, 1.06f, 0.16f), 0.03f);
+}
+
+knight.Tube([.. Smooth(spine, 5).Skip(4).Take(26).Select((s, i) =>
+    (new Vector3(0, s[0], s[1]) - (Tilt(s[4]) * s[2]), Tilt(s[4]) * (0.05f + (0.02f * (i % 4 / 2))),
+        Vector3.UnitX * (0.045f - (0.001f * i))))]);
+
+Save("knight", knight);
+
+// A ball for materials: a sphere with a groove around it, on a turned stand.
+Save("shader-ball", Lathe([.. Enumerable.Range(3, 12).Select(i => Polar(1, i / 32f) + new Vector2(0, 1.2f)), new(0.97f, 1.03f),
+    new(0.97f, 1.03f),
+    new(0.84f, 1.06f), new(0.84f, 1.06f), new(0.84f, 1.16f), new(0.84f, 1.16f), new(0.985f, 1.18f), new(0.985f, 1.18f),
+    .. Enumerable.Range(17, 16).Select(i => Polar(1, i / 32f) + new Vector2(0, 1.2f))], 64));
+Save("shader-stand", Lathe([new(0, 0), new(0.75f, 0), new(0.75f, 0), new(0.75f, 0.08f), new(0.75f, 0.08f), new(0.55f, 0.14f), new(0.46f,
+    0.25f), new(0.46f, 0.35f), new(0.36f, 0.35f), new(0, 0.33f)], 64));
+
+// A tree.
+Mesh wood = new();
+Mesh leaves = new();
+Grow(wood, leaves, new Random(7), default, Vector3.UnitY, 1.15f, 0.13f, 6);
+Save("tree-wood", wood);
+Save("tree-leaves", leaves);
+
+void Save(string name, Mesh mesh) => mesh.Write(Path.Combine(folder, name + ".ply"));
+
+static string Here([CallerFilePath] string path = "") => Path.GetDirectoryName(path)!;
+
+static Vector2 Polar(float r, float t) => new(r * MathF.Sin(MathF.PI * t), -r * MathF.Cos(MathF.PI * t));
+
+static Vector3 Around(float r, float y, float turn) => new(r * MathF.Cos(MathF.Tau * turn), y, r * MathF.Sin(MathF.Tau * turn));
+
+static Vector3 Tilt(float degrees) => new(0, -MathF.Sin(degrees * MathF.PI / 180), MathF.Cos(degrees * MathF.PI / 180));
+
+// Catmull and Rom's curve through the points, each with some numbers.
+static IEnumerable<float[]> Smooth(float[][] points, int steps)
+{
+    for (int i = 0; i + 1 < points.Length; i++)
+    {
+        float[] a = points[Math.Max(i - 1, 0)], b = points[i], c = points[i + 1], d = points[Math.Min(i + 2, points.Length - 1)];
+        for (int s = 0; s < steps + (i + 2 == points.Length ? 1 : 0); s++)
+        {
+            float t = (float)s / steps;
+            yield return [.. b.Select((_, k) => 0.5f * ((2 * b[k]) + ((c[k] - a[k]) * t) + (((2 * a[k]) - (5 * b[k])
+                + (4 * c[k]) - d[k]) * t * t) + (((3 * (b[k] - c[k])) + d[k] - a[k]) * t * t * t)))];
+        }
+    }
+}
+
+// A body of revolution: a curve through the points, which has an edge where a point stands twice.
+static Mesh Lathe(Vector2[] profile, int around = 40)
+{
+    Mesh mesh = new();
+    List<float[]> run = [];
+    for (int i = 0; i < profile.Length; i++)
+    {
+        run.Add([profile[i].X, profile[i].Y]);
+        if (i + 1 == profile.Length || profile[i] == profile[i + 1])
+        {
+            if (run.Count > 1)
+            {
+                mesh.Revolve([.. Smooth([.. run], run.Count == 2 ? 1 : 4).Select(p => new Vector2(MathF.Max(p[0], 0), p[1]))], around);
+            }
+
+            run = [];
+        }
+    }
+
+    return mesh;
+}
+
+// A tube along a path, of a radius that varies.
+static Mesh Swept(Func<float, Vector3> path, Func<float, float> radius, int along, int around)
+{
+    Mesh mesh = new();
+    mesh.Tube([.. Enumerable.Range(0, along + 1).Select(i =>
+    {
+        float t = (float)i / along;
+        Vector3 forward = Vector3.Normalize(path(t + 0.01f) - path(t - 0.01f));
+        Vector3 u = Vector3.Normalize(Vector3.Cross(forward, MathF.Abs(forward.Y) > 0.7f ? Vector3.UnitX : Vector3.UnitY));
+        return (path(t), u * radius(t), Vector3.Cross(forward, u) * radius(t));
+    })], around);
+    return mesh;
+}
+
+// A branch, and what grows out of it; the last ones bear leaves.
+static void Grow(Mesh wood, Mesh leaves, Random random, Vector3 at, Vector3 forward, float length, float radius, int depth)
+{
+    float Any() => (2 * random.NextSingle()) - 1;
+    Vector3 bend = new Vector3(Any(), Any() + 0.5f, Any()) * 0.22f;
+    Vector3 Path(float t) => at + (length * t * (forward + (bend * t)));
+    float taper = depth == 0 ? 0.7f : 0.35f;
+    wood.Add(Swept(Path, t => radius * (1 - (taper * t)) * (depth == 6 ? 1 + (0.7f * MathF.Exp(-9 * t)) : 1), depth > 3 ? 5 : 2,
+        depth > 3 ? 9 : depth > 1 ? 5 : 3));
+    Vector3 end = Path(1);
+    Vector3 on = Vector3.Normalize(forward + (2 * bend));
+    for (int i = 0; depth <= 1 && i < 11; i++)
+    {
+        Vector3 normal = Vector3.Normalize(new Vector3(Any(), 1 + Any(), Any()));
+        Vector3 u = Vector3.Normalize(Vector3.Cross(normal, new Vector3(Any(), Any(), Any())));
+        leaves.Leaf(Path(random.NextSingle()) + (0.1f * new Vector3(Any(), Any(), Any())), u * 0.12f, Vector3.Cross(normal, u) * 0.05f,
+            normal);
+    }
+
+    int children = depth == 0 ? 0 : depth > 4 ? 3 : random.Next(2, 4);
+    float turn = random.NextSingle();
+    for (int i = 0; i < children; i++)
+    {
+        Vector3 side = Vector3.Normalize(Vector3.Cross(on, Around(1, 0.1f, turn + ((float)i / children))));
+        float spread = 0.45f + (0.35f * random.NextSingle());
+        Grow(wood, leaves, random, end, Vector3.Normalize(on + (side * spread) + (Vector3.UnitY * 0.05f)),
+            length * (0.68f + (0.18f * random.NextSingle())), radius * 0.6f, depth - 1);
+    }
+}
+
+/// <summary>Triangles with a normal at each corner.</summary>
+internal sealed class Mesh
+{
+    private readonly List<(Vector3 Position, Vector3 Normal)> _corners = [];
+    private readonly List<(int A, int B, int C)> _triangles = [];
+
+    public void Add(Mesh other)
+    {
+        int first = _corners.Count;
+        _corners.AddRange(other._corners);
+        _triangles.AddRange(other._triangles.Select(t => (t.A + first, t.B + first, t.C + first)));
+    }
+
+    public void Revolve(Vector2[] curve, int around) => Grid(curve.Length, around, (i, j) =>
+    {
+        Vector2 along = curve[Math.Min(i + 1, curve.Length - 1)] - curve[Math.Max(i - 1, 0)];
+        (float sin, float cos) = MathF.SinCos(MathF.Tau * j / around);
+        return (new(curve[i].X * cos, curve[i].Y, curve[i].X * sin), new(along.Y * cos, -along.X, along.Y * sin));
+    });
+
+    public void Tube((Vector3 Middle, Vector3 U, Vector3 V)[] rings, int around = 24)
+    {
+        Grid(rings.Length, around, (i, j) =>
+        {
+            (float sin, float cos) = MathF.SinCos(-MathF.Tau * j / around);
+            (Vector3 middle, Vector3 u, Vector3 v) = rings[i];
+            return (middle + (u * cos) + (v * sin), (u * cos / u.LengthSquared()) + (v * sin / v.LengthSquared()));
+        });
+    }
+
+    public void Ball(Vector3 middle, float radius, int steps = 10) => Grid(steps + 1, 2 * steps, (i, j) =>
+    {
+        float t = MathF.PI * i / steps;
+        (float sin, float cos) = MathF.SinCos(MathF.PI * j / steps);
+        Vector3 n = new(MathF.Sin(t) * cos, -MathF.Cos(t), MathF.Sin(t) * sin);
+        return (middle + (radius * n), n);
+    });
+
+    public void Box(Vector3 a, Vector3 b)
+    {
+        Vector3 size = b - a;
+        (Vector3 x, Vector3 y, Vector3 z) = (new(size.X, 0, 0), new(0, size.Y, 0), new(0, 0, size.Z));
+        Quad(a + z, x, y);
+        Quad(a + x, -x, y);
+        Quad(a, z, y);
+        Quad(b - y, -z, y);
+        Quad(a + y + z, x, -z);
+        Quad(a, x, z);
+    }
+
+    /// <summary>A part of a wall in a ring, with its top and its ends.</summary>
+    public void Wedge(float inner, float outer, float bottom, float top, float from, float to)
+    {
+        const int Steps = 6;
+        for (int i = 0; i < Steps; i++)
+        {
+            Vector3 a = Direction(from + ((to - from) * i / Steps));
+            Vector3 b = Direction(from + ((to - from) * (i + 1) / Steps));
+            Vector3 up = new(0, top - bottom, 0);
+            Vector3 foot = new(0, bottom, 0);
+            Quad(foot + (b * outer), (a - b) * outer, up);
+            Quad(foot + (a * inner), (b - a) * inner, up);
+            Quad(foot + up + (b * outer), (a - b) * outer, b * (inner - outer));
+        }
+
+        foreach ((float angle, float sign) in new[] { (from, 1f), (to, -1f) })
+        {
+            Vector3 d = Direction(angle);
+            Quad((d * (sign > 0 ? outer : inner)) + new Vector3(0, bottom, 0), d * sign * (inner - outer), new(0, top - bottom, 0));
+        }
+    }
+
+    public void Leaf(Vector3 at, Vector3 u, Vector3 v, Vector3 normal)
+    {
+        int first = _corners.Count;
+        _corners.AddRange([(at, normal), (at + (u * 0.5f) + v, normal), (at + u, normal), (at + (u * 0.5f) - v, normal)]);
+        _triangles.AddRange([(first, first + 1, first + 2), (first, first + 2, first + 3)]);
+    }
+
+    public void Write(string path)
+    {
+        using BinaryWriter writer = new(File.Create(path));
+        writer.Write($"""
+            ply
+            format binary_little_endian 1.0
+            element vertex {_corners.Count}
+            property float x
+            property float y
+            property float z
+            property float nx
+            property float ny
+            property float nz
+            element face {_triangles.Count}
+            property list uchar int vertex_indices
+            end_header
+
+            """.ReplaceLineEndings("\n").ToCharArray());
+        foreach ((Vector3 p, Vector3 normal) in _corners)
+        {
+            Vector3 n = normal == default ? Vector3.UnitY : Vector3.Normalize(normal);
+            foreach (float x in new[] { p.X, p.Y, p.Z, n.X, n.Y, n.Z })
+            {
+                writer.Write(x);
+            }
+        }
+
+        foreach ((int a, int b, int c) in _triangles)
+        {
+            writer.Write((byte)3);
+            writer.Write(a);
+            writer.Write(b);
+            writer.Write(c);
+        }
+
+        Console.WriteLine($"{Path.GetFileName(path)}: {_triangles.Count} triangles, {writer.BaseStream.Length / 1000} kB");
+    }
+
+    private static Vector3 Direction(float angle) => new(MathF.Cos(angle), 0, MathF.Sin(angle));
+
+    // Rows of corners, each of which is closed to a ring; triangles without area, at the poles, are left out.
+    private void Grid(int rows, int around, Func<int, int, (Vector3 Position, Vector3 Normal)> corner)
+    {
+        int first = _corners.Count;
+        for (int i = 0; i < rows; i++)
+        {
+            for (int j = 0; j < around; j++)
+            {
+                _corners.Add(corner(i, j));
+            }
+        }
+
+        for (int i = 0; i + 1 < rows; i++)
+        {
+            for (int j = 0; j < around; j++)
+            {
+                (int a, int b) = (first + (i * around) + j, first + (i * around) + ((j + 1) % around));
+                AddUnlessFlat(a, a + around, b + around);
+                AddUnlessFlat(a, b + around, b);
+            }
+        }
+    }
+
+    private void AddUnlessFlat(int a, int b, int c)
+    {
+        Vector3 p = _corners[a].Position;
+        if (Vector3.Cross(_corners[b].Position - p, _corners[c].Position - p).LengthSquared() > 1e-14f)
+        {
+            _triangles.Add((a, b, c));
+        }
+    }
+
+    private void Quad(Vector3 corner, Vector3 u, Vector3 v)
+    {
+        Triangle(corner, corner + u, corner + u + v);
+        Triangle(corner, corner + u + v, corner + v);
+    }
+
+    private void Triangle(Vector3 a, Vector3 b, Vector3 c)
+    {
+        Vector3 normal = Vector3.Cross(b - a, c - a);
+        int first = _corners.Count;
+        _corners.AddRange([(a, normal), (b, normal), (c, normal)]);
+        _triangles.Add((first, first + 1, first + 2));
+    }
+}

@@ -1,0 +1,106 @@
+using System.CommandLine;
+using RayTracer.Imaging;
+using RayTracer.Jobs;
+using RayTracer.Textures;
+
+namespace RayTracer.Cli;
+
+/// <summary><c>raytracer denoise IMAGE -o FILE</c>: takes noise out of a picture that is there already.</summary>
+internal sealed class DenoiseVerb
+{
+    private readonly Argument<string> _image = new("IMAGE")
+    {
+        Description = "An OpenEXR file, whose layers albedo and normal are used (render --aov albedo,normal), or any other image. Its noise is estimated from "
+            + "its pixels alone, which is worse than render --denoise: that knows two halves of the samples.",
+    };
+
+    private readonly Option<string?> _albedo = new("--albedo") { Description = "An image of the surfaces' colours. Default: the layer, if there is one.", HelpName = "FILE" };
+    private readonly Option<string?> _normal = new("--normal") { Description = "An image of the normals. Default: the layer, if there is one.", HelpName = "FILE" };
+    private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "The number of threads. Default: one for each core.", 1, 1024);
+    private readonly WritingOptions _writing;
+    private readonly VerboseOption _verbose;
+
+    private DenoiseVerb(Command command)
+    {
+        command.Arguments.Add(_image);
+        _writing = new(command, $"The image file: {ImageFormat.Endings()}. Repeatable.");
+        command.AddOptions([_albedo, _normal, _threads, .. _writing.Looks]);
+        _verbose = new(command);
+    }
+
+    public static void Build(Command command, Streams streams)
+    {
+        DenoiseVerb verb = new(command);
+        command.SetAction(result => verb.Run(result, streams));
+    }
+
+    private int Run(ParseResult result, Streams streams)
+    {
+        string path = result.GetValue(_image)!;
+        IReadOnlyList<string> outputs = _writing.Files(result, new(), "", JobFiles.Check);
+        ImageWriteOptions writing = _writing.Writing(result) with { Metadata = PictureTexts.Of(CommandLine.Text(result)) };
+        _writing.WarnOfUnused(result, outputs, streams);
+        string?[] inputs = [path, result.GetValue(_albedo), result.GetValue(_normal)];
+        if (outputs.FirstOrDefault(o => inputs.OfType<string>().Any(i => Path.GetFullPath(i) == Path.GetFullPath(o))) is { } lost)
+        {
+            throw new CommandException(ExitStatus.Usage, $"-o {lost}: this file is read, and would be lost: give another name");
+        }
+
+        StageTimes stages = _verbose.Times(result, streams);
+        (Picture image, _, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
+        Picture? albedo = Guide(path, image, layers, result.GetValue(_albedo), ["albedo.R", "albedo.G", "albedo.B"], isColor: true);
+        Picture? normal = Guide(path, image, layers, result.GetValue(_normal), ["normal.X", "normal.Y", "normal.Z"], isColor: false);
+        if (albedo is null && normal is null)
+        {
+            streams.Warn($"nothing is known of the surfaces in '{path}', so that their details are lost with the noise: give --albedo FILE and --normal FILE, "
+                + "or an .exr image of render --aov albedo,normal");
+        }
+
+        stages.EndLoad();
+        Picture denoised = Denoiser.Denoise(image, albedo, normal, (int)(_threads.Value(result) ?? 0));
+        stages.EndDenoise();
+        int written = JobFiles.Write(outputs, denoised, writing, streams).Count;
+        stages.EndWrite();
+        return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+    }
+
+    private static Picture? Guide(string path, Picture image, IReadOnlyList<ExrLayerChannel> layers, string? file, string[] channels, bool isColor)
+    {
+        Picture? guide = file is null ? Layer(image, layers, channels) : isColor ? ImageFile.Read(file) : Normals(file);
+        return guide is null || (guide.Width, guide.Height) == (image.Width, image.Height) ? guide : throw new CommandException(
+            ExitStatus.Usage, $"'{file}' has {guide.Width}×{guide.Height} pixels, but '{path}' {image.Width}×{image.Height}");
+    }
+
+    private static Picture? Layer(Picture image, IReadOnlyList<ExrLayerChannel> layers, string[] channels)
+    {
+        ExrLayerChannel?[] found = [.. channels.Select(c => layers.FirstOrDefault(l => l.Name == c))];
+        if (found.Contains(null))
+        {
+            return null;
+        }
+
+        Picture layer = new(image.Width, image.Height);
+        double[] row = new double[image.Width];
+        for (int y = 0; y < image.Height; y++)
+        {
+            for (int channel = 0; channel < channels.Length; channel++)
+            {
+                found[channel]!.ReadRow(y, row);
+                for (int x = 0; x < row.Length; x++)
+                {
+                    layer.Pixels[(3 * ((y * image.Width) + x)) + channel] = (float)row[x];
+                }
+            }
+        }
+
+        return layer;
+    }
+
+    // Pictures to look at have coordinates from -1 to 1 as 0 to 1.
+    private static Picture Normals(string file)
+    {
+        Picture normals = ImageFile.Read(file, raw: true);
+        return ImageFile.FormatOf(file) is { } format && format.Features.HasFlag(ImageFeatures.Display)
+            ? new(normals.Width, normals.Height, [.. normals.Pixels.Select(v => (2 * v) - 1)]) : normals;
+    }
+}

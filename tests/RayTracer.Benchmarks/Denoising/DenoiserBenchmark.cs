@@ -1,0 +1,58 @@
+using RayTracer.Description;
+using RayTracer.Imaging;
+using RayTracer.Rendering;
+using RayTracer.Textures;
+
+namespace RayTracer.Benchmarks.Denoising;
+
+/// <summary>Errors before and after denoising, against converged pictures of another seed, as the table of docs/denoiser.md.</summary>
+internal static class DenoiserBenchmark
+{
+    private const int Width = 150;
+    private const int Height = 112;
+
+    // A square, for the jittered sampler.
+    private const int ReferenceSamples = 2304;
+
+    /// <summary>Measures all scenes.</summary>
+    public static int Run()
+    {
+        Console.WriteLine("| scene | samples | relative MSE | denoised | ratio | FLIP | denoised | light cut | processor time a megapixel |");
+        Console.WriteLine("|---|---|---|---|---|---|---|---|---|");
+        foreach ((string Name, string Content) scene in DenoiserScenes.All)
+        {
+            Picture reference = new RTracer(DenoiserScenes.Build(scene, Width, Height, ReferenceSamples, 77)).Render().Film.ToPicture();
+            foreach (int samples in new[] { 4, 16, 64 })
+            {
+                Console.WriteLine($"| {scene.Name} | {samples} | {Row(DenoiserScenes.Build(scene, Width, Height, samples, 1), reference)} |");
+            }
+        }
+
+        return 0;
+    }
+
+    private static string Row(Scene scene, Picture reference)
+    {
+        int count = scene.Render.SamplesPerPixel;
+        HalfRender first = Half(scene, new(0, count / 2));
+        HalfRender second = Half(scene, new(count / 2, count));
+        TimeSpan before = Environment.CpuUsage.TotalTime;
+        DenoiseResult result = Denoiser.Denoise(first, second, 1);
+        double seconds = (Environment.CpuUsage.TotalTime - before).TotalSeconds;
+        first.Film.Merge(second.Film);
+        (double noisy, double noisyFlip) = Errors(first.Film.ToPicture(), reference);
+        (double denoised, double denoisedFlip) = Errors(result.Picture, reference);
+        return $"{noisy:F5} | {denoised:F5} | {denoised / noisy:F2} | {noisyFlip:F3} | {denoisedFlip:F3} | {result.CutShare:P1} | {seconds * 1e6 / (Width * Height):F1} s";
+    }
+
+    private static HalfRender Half(Scene scene, SampleRange samples)
+    {
+        HalfRender half = HalfRender.Create(Width, Height);
+        new RTracer(scene, new() { Samples = samples }).Render(half.Film);
+        new FirstHitPass(scene, new() { Samples = samples }).Render(half.Features);
+        return half;
+    }
+
+    private static (double RelativeMse, double Flip) Errors(Picture image, Picture reference) =>
+        (ImageComparison.Compare(image, reference).RelativeMse, FlipError.Compare(image, reference, FlipError.StandardPixelsPerDegree).Mean);
+}
