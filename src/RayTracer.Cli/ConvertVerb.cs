@@ -87,11 +87,17 @@ internal sealed class ConvertVerb
         }
 
         // The names of files in the scene are meant from where it was.
-        string text = SceneWriter.Write(result.Description!, name => Moved(name, Folder(path), Folder(target)));
+        string text = SceneWriter.Write(WithIntegrator(path, settings, result.Description!), name => Moved(name, Folder(path), Folder(target)));
         AtomicFile.Write(target, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
         stages.End("write");
         return ExitStatus.Fine;
     }
+
+    // A scene that names no integrator, but uses what only the report's has, names that one afterwards.
+    private static SceneDescription WithIntegrator(string path, IReadOnlyList<SceneSetting> settings, SceneDescription scene) =>
+        Path.GetExtension(path).Equals(".json", StringComparison.OrdinalIgnoreCase) && UnseenParts.AreForReport(scene)
+            && SceneReader.Read(path, settings).Root?.Find("render")?.Find("integrator") is null
+            ? scene with { Render = scene.Render with { Integrator = Integrator.Report } } : scene;
 
     private int ConvertImage(string path, string target, ParseResult result, StageTimes stages, Streams streams)
     {

@@ -50,6 +50,6 @@ internal sealed class RenderVerb
     {
         RenderJob job = _options.Put(result, new() { Scene = result.GetValue(_scene)!, Outputs = result.GetValue(_outputs) ?? [] });
         return JobRules.Complaint(job, _display.Of(result).Options) is { } complaint
-            ? throw new CommandException(ExitStatus.Usage, complaint) : job;
+            ? throw new CommandException(ExitStatus.Usage, complaint) : job.Sized();
     }
 }

@@ -61,7 +61,7 @@ public static class JobOptions
     /// <summary>Those that replace what the scene says.</summary>
     public static IReadOnlyList<JobOption> OfScenes { get; } =
     [
-        Short("--width", "width"), Short("--height", "height"), Short("--spp", "samplesPerPixel"), Short("--seed", "seed"),
+        Side("--width", "width"), Side("--height", "height"), Short("--spp", "samplesPerPixel"), Short("--seed", "seed"),
         Short("--sampler", "sampler"), Short("--integrator", "integrator"),
         Short("--max-depth", "maxDepth"), Short("--max-diffuse-depth", "maxDiffuseDepth"), Short("--max-specular-depth", "maxSpecularDepth"),
         Set,
@@ -123,7 +123,10 @@ public static class JobOptions
     /// <summary>All that <c>render</c> has.</summary>
     public static IReadOnlyList<JobOption> All { get; } =
     [
-        .. OfScenes, Threads, .. OfLooks, ExrFilm, Crop,
+        .. OfScenes,
+        new("--scale", "X%", "The size of the picture as a share of the scene's: 50%.", (j, w) => j with { Scale = W.Percentage(w) }, j =>
+            j.Scale is { } scale ? Invariant($"{scale * 100}%") : null),
+        Threads, .. OfLooks, ExrFilm, Crop,
         new("--pixel", "x,y", "Renders only this pixel and prints its radiance.", (j, w) => j with { Pixel = W.Integers(w, "x,y") is [var x, var y] ? (x, y) : null },
             j => j.Pixel is { } p ? $"{p.X},{p.Y}" : null),
         new("--sample", "N", "With --pixel: renders only this sample, from 0.", (j, w) => j with { Sample = (int)W.Integer(w, 0, int.MaxValue - 1) }, j => Text(j.Sample, null)),
@@ -189,6 +192,14 @@ public static class JobOptions
             (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse($"{path}={Value(w)}")] }, j =>
                 j.Settings.LastOrDefault(s => s.Path == path)?.Value)
         { Setting = path };
+    }
+
+    // Of one alone follows the other.
+    private static JobOption Side(string name, string key)
+    {
+        JobOption side = Short(name, key);
+        string description = $"{side.Description} Alone, it keeps the aspect ratio.";
+        return side with { Description = description, Put = (j, w) => side.Put(j, w) with { KeepsAspect = true } };
     }
 
     private static RenderJob PutAovs(RenderJob job, string list)

@@ -37,6 +37,8 @@ public static class JobRules
         ("--denoise", "--resume", "--denoise compares two halves of all samples, which a film that is resumed does not keep apart: leave one of them out"),
         ("--checkpoint", "no film", "{--checkpoint}: films are written to .rtfilm files"),
         ("--resume", "!--checkpoint", "--resume continues from a checkpoint: give --checkpoint FILE"),
+        ("--scale", "--width", "--scale and --width both give the size: leave one of them out"),
+        ("--scale", "--height", "--scale and --height both give the size: leave one of them out"),
         ("--adaptive", "--crop", "--adaptive distributes samples over the whole picture: leave --crop out"),
         ("layers of light", "passes", "layers of light need one rendering, which .rtfilm, --exr-film, --checkpoint and --time may split: leave one of them out"),
         ("layers of light", "--adaptive", "layers of light need equal numbers of samples, which --adaptive does not give: leave one of them out"),

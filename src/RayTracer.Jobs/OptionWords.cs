@@ -24,6 +24,10 @@ public static class OptionWords
         : value >= minimum && value <= maximum ? value
         : throw new FormatException($"must be from {minimum} to {maximum}, but is {word}");
 
+    /// <summary>Reads a share, such as 50%.</summary>
+    public static double Percentage(string word) => word.EndsWith('%') ? Number(word[..^1], 0.1, 10_000) / 100
+        : throw new FormatException($"expected a percentage, as in 50%, not {Quotation.Of(word)}");
+
     /// <summary>Reads a fraction above 0 and below 1, given as such or in per cent.</summary>
     public static double Fraction(string word)
     {

@@ -1,3 +1,4 @@
+using System.Globalization;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
@@ -96,6 +97,12 @@ public sealed record RenderJob
     /// <summary>The output that is a frame kept for an animated PNG, and has no images beside it; null where there is none.</summary>
     public string? Kept { get; init; }
 
+    /// <summary>True where a width or height that is given alone keeps the scene's aspect ratio.</summary>
+    public bool KeepsAspect { get; init; }
+
+    /// <summary>The size of the picture as a share of the scene's; null where settings give it.</summary>
+    public double? Scale { get; init; }
+
     /// <summary>The only frame to render; null for the scene as it is written.</summary>
     public int? Frame => Frames is { Count: 1 } frames ? frames.First : null;
 
@@ -124,6 +131,23 @@ public sealed record RenderJob
     /// <summary>The job with a number of samples for the whole picture, whatever decided on it before.</summary>
     public RenderJob WithSamples(int total) =>
         this with { Noise = null, Settings = [.. Settings.Where(s => s.Path != SamplesPath), SceneSetting.Parse($"{SamplesPath}={total}")] };
+
+    /// <summary>The job with both sides of its picture as settings, where they follow from the scene's; it reads the scene for that.</summary>
+    public RenderJob Sized()
+    {
+        const string width = "render.width", height = "render.height";
+        SceneSetting[] given = [.. Settings.Where(s => s.Path is width or height)];
+        RenderJob unsized = this with { Settings = [.. Settings.Except(given)] };
+        if (!(Scale is not null || (KeepsAspect && given.DistinctBy(s => s.Path).Count() == 1)) || unsized.Describe() is not { Render: var render })
+        {
+            return this;
+        }
+
+        double scale = Scale ?? (double.Parse(given[^1].Value, CultureInfo.InvariantCulture) / (given[^1].Path == width ? render.Width : render.Height));
+        int Side(int length) => int.Max((int)Math.Round(length * scale), 1);
+        return (unsized with { Scale = null, KeepsAspect = false })
+            .With([$"{width}={Side(render.Width)}", $"{height}={Side(render.Height)}"]);
+    }
 
     /// <summary>The job with the film of its checkpoint, where there is one to resume.</summary>
     /// <exception cref="Textures.PictureException">It cannot be read.</exception>

@@ -74,7 +74,7 @@ public sealed class AovTests : IDisposable
             """);
         File.WriteAllText(_scene, """
             { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0] }, "render": { "integrator": "report", "width": 8, "height": 8, "samplesPerPixel": 4 },
-              "shapes": [{ "type": "mesh", "file": "red.ply", "material": { "type": "diffuse", "color": [0.5, 0.25, 1] } }] }
+              "shapes": [{ "type": "mesh", "file": "red.ply", "material": { "type": "diffuse", "color": [0.5, 0.25, 1] } }], "background": "white" }
             """);
         CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.pfm"], "--aov", "albedo", "--quiet");
         Assert.Equal(new CliRun(0, "", ""), run);

@@ -15,7 +15,7 @@ public sealed class CheckTests : IDisposable
         File.WriteAllText(_good, CliRun.Scene);
         _bad = _folder["bad one.json"];
         string balls = string.Concat(Enumerable.Repeat("    { \"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": -1 },\n", 30));
-        File.WriteAllText(_bad, $"{{\n  \"camera\": {{ \"fov\": 30 }},\n  \"background\": 7,\n  \"shapes\": [\n{balls}    {{ \"radius\": 1 }}\n  ]\n}}\n");
+        File.WriteAllText(_bad, $"{{\n  \"camera\": {{ \"fov\": 30 }},\n  \"background\": true,\n  \"shapes\": [\n{balls}    {{ \"radius\": 1 }}\n  ]\n}}\n");
     }
 
     public void Dispose() => _folder.Dispose();

@@ -47,6 +47,19 @@ public class ConvertTests
         Assert.Contains("\"fieldOfView\": 12", File.ReadAllText(folder["scene.json"]), StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("\"ambient\": 0.1", "report")]
+    [InlineData("\"render\": { \"maxDiffuseDepth\": 2 }", "report")]
+    [InlineData("\"ambient\": 0.1, \"render\": { \"integrator\": \"path\" }", null)]
+    [InlineData("\"background\": 1", null)]
+    public void A_scene_that_uses_what_only_the_report_has_names_its_integrator(string scene, string? integrator)
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder["a.json"], $"{{ \"lights\": [{{ \"type\": \"point\", \"position\": [0, 5, 0] }}], {scene} }}");
+        Assert.Equal(0, CliRun.Of("convert", folder["a.json"], folder["b.json"]).Status);
+        Assert.Equal(integrator is not null, File.ReadAllText(folder["b.json"]).Contains($"\"integrator\": \"{integrator}\"", StringComparison.Ordinal));
+    }
+
     [Fact]
     public void Every_image_is_converted_into_every_kind_of_image()
     {

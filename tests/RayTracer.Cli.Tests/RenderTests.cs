@@ -174,6 +174,28 @@ public sealed class RenderTests : IDisposable
         Assert.Matches(@"warning: \d+ samples were clamped at ±16777216", run.Error);
     }
 
+    [Theory]
+    [InlineData("12x8", "--width", "12")]
+    [InlineData("12x8", "--height", "8")]
+    [InlineData("12x8", "--scale", "50%")]
+    [InlineData("48x32", "--scale", "200%")]
+    [InlineData("12x16", "--set", "render.width=12")]
+    [InlineData("12x10", "--width", "12", "--height", "10")]
+    [InlineData("12x10", "--width", "12", "--set", "render.height=10")]
+    public void One_side_alone_and_a_scale_keep_the_aspect_of_the_scene(string size, params string[] options)
+    {
+        CliRun run = CliRun.Of(["render", _scene, "--json", "--spp", "1", .. options]);
+        JsonElement result = JsonDocument.Parse(run.Output).RootElement;
+        Assert.Equal(size, $"{result.GetProperty("width")}x{result.GetProperty("height")}");
+    }
+
+    [Fact]
+    public void A_scale_is_a_percentage_and_goes_with_no_size()
+    {
+        CliRun.Refused(2, "expected a percentage, as in 50%", "render", _scene, "-o", _folder["a.png"], "--scale", "50");
+        CliRun.Refused(2, "--scale and --width", "render", _scene, "-o", _folder["a.png"], "--scale", "50%", "--width", "8");
+    }
+
     [Fact]
     public void A_bad_scene_gives_diagnostics_and_no_image()
     {

@@ -40,7 +40,7 @@ internal static class DefaultView
         }
 
         scene = scene with { Camera = model.Camera ?? Camera(center, extent), Render = scene.Render with { Integrator = Integrator.Path } };
-        if (scene.Lights.Count == 0 && !scene.Shapes.Any(s => IsLamp(s)))
+        if (scene.Lights.Count == 0 && !scene.Shapes.Any(IsLamp))
         {
             notes.Add("the file has no light: a large luminaire and a grey background are added");
             scene = scene with { Background = Background, Lights = [Light(center, extent)] };
@@ -78,12 +78,11 @@ internal static class DefaultView
         Material = new LuminaireMaterialDescription { Color = new SolidTextureDescription { Color = Rgb.White }, Multiplier = LightRadiance },
     };
 
-    // What shines no more than white paper is a screen or a sign, and leaves a scene dark.
+    // Materials that shine are headlights, screens or signs, and leave a scene dark.
     private static bool IsLamp(ShapeDescription shape) => shape switch
     {
         GroupDescription group => group.Shapes.Any(IsLamp),
         InstanceDescription { Of: { } of } => IsLamp(of),
-        PunctualLightDescription => true,
-        _ => shape.Material is LuminaireMaterialDescription { Multiplier: > 1 },
+        _ => shape is PunctualLightDescription,
     };
 }

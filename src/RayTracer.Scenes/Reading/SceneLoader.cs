@@ -135,6 +135,12 @@ public static class SceneLoader
             SceneBudget budget = new();
             SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read, budget).Load, models.Load) { KeepsSources = keepsSources, Budget = budget };
             scene = builder.Build(description);
+            if (scene is not null && read.Description is not null)
+            {
+                // Of a scene with errors it is not known.
+                new UnseenParts(scene, description, builder).WarnOfDarkness();
+            }
+
             RecordOwners owners = new(description);
             diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read, owners)));
         }

@@ -16,6 +16,12 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
     private static readonly RenderDescription Standard = new();
     private readonly Integrator _integrator = scene.Render.Integrator;
 
+    /// <summary>Returns true where a scene uses what only the report's integrator has.</summary>
+    public static bool AreForReport(SceneDescription scene) => !scene.Ambient.IsBlack || scene.Render is not
+    {
+        WeakenedShadows: false, MaxDiffuseDepth: var diffuse, MaxSpecularDepth: var specular,
+    } || (diffuse, specular) != (Standard.MaxDiffuseDepth, Standard.MaxSpecularDepth);
+
     /// <summary>Warns of what the integrator does not show.</summary>
     public void WarnOfIntegrator()
     {

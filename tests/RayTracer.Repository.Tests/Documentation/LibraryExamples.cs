@@ -100,7 +100,7 @@ public class LibraryExamples
         // example: plug-in
         Plugins.Add(typeof(Velvet).Assembly);
         SceneLoadResult result = SceneLoader.LoadText("""
-            { "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "velvet", "color": "crimson" } }] }
+            { "background": "white", "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": { "type": "velvet", "color": "crimson" } }] }
             """, "scene.json", folder: ".");
 
         // end

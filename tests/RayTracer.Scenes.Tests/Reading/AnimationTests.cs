@@ -65,7 +65,7 @@ public class AnimationTests
     {
         using TemporaryFolder folder = new();
         File.WriteAllText(folder["scene.json"], """
-            { "camera": { "position": [0, 0, 5] }, "shapes": [],
+            { "camera": { "position": [0, 0, 5] }, "background": "white",
               "animation": [
                 { "property": "camera.position",
                   "keys": [{ "time": 0, "value": [0, 0, 5] }, { "time": 1, "value": [0, 0, -5] }] }

@@ -10,7 +10,7 @@ public sealed class SceneLoaderTests : IDisposable
         { "render": { "integrator": "report", "samplesPerPixel": 16, "sampler": "jittered" },
           "materials": { "m": { "type": "diffuse", "color": { "type": "image", "file": "sub/marble.png", "raw": true } },
                          "n": { "type": "diffuse", "color": { "type": "image", "file": "sub/marble.png", "raw": true } } },
-          "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": "m" }, { "type": "sphere", "center": [0, 0, 0], "material": "n" }] }
+          "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": "m" }, { "type": "sphere", "center": [0, 0, 0], "material": "n" }], "background": 1 }
         """;
 
     private readonly string _folder = Directory.CreateTempSubdirectory("scenes").FullName;
@@ -93,7 +93,7 @@ public sealed class SceneLoaderTests : IDisposable
     [Fact]
     public void A_warning_does_not_keep_a_scene_from_being_rendered()
     {
-        SceneLoadResult result = SceneLoader.Load(Write("""{ "camera": { "lens": { "focusDistance": 3 } } }"""));
+        SceneLoadResult result = SceneLoader.Load(Write("""{ "camera": { "lens": { "focusDistance": 3 } }, "background": "white" }"""));
         Assert.Equal(Severity.Warning, Assert.Single(result.Diagnostics).Severity);
         Assert.NotNull(result.Scene);
     }
@@ -107,7 +107,7 @@ public sealed class SceneLoaderTests : IDisposable
     [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"mask\", \"material\": { \"type\": \"diffuse\" }, \"interior\": { \"extinction\": [1, 1, 1] } } }]", "there are media inside shapes, which only the volPath integrator shows")]
     public void What_an_integrator_does_not_know_is_warned_of(string integrator, string scene, string warning)
     {
-        SceneLoadResult result = SceneLoader.Load(Write($"{{ {scene.Replace("INTEGRATOR", integrator, StringComparison.Ordinal)} }}"));
+        SceneLoadResult result = SceneLoader.Load(Write($"{{ \"background\": \"white\", {scene.Replace("INTEGRATOR", integrator, StringComparison.Ordinal)} }}"));
         Assert.Equal(warning, Assert.Single(result.Diagnostics).Message);
         Assert.NotNull(result.Scene);
     }
@@ -132,6 +132,23 @@ public sealed class SceneLoaderTests : IDisposable
         string expected = unlit is null ? "" : $"{path}:2:23: warning: with the integrator report, {unlit}: write \"integrator\": \"path\" under \"render\"";
         Assert.Equal(expected, Diagnostic.Format(SceneLoader.Load(path).Diagnostics).Trim());
         Assert.Empty(SceneLoader.Load(path, s => s with { Render = s.Render with { Integrator = Integrator.Path } }).Diagnostics);
+    }
+
+    [Theory]
+    [InlineData("{}", 1, "nothing shines, so the picture is black: add a light, a luminaire, a \"background\" or an \"environment\"")]
+    [InlineData("{ \"ambient\": 1, \"render\": { \"integrator\": \"report\" } }", 0, null)]
+    [InlineData("{ \"render\": { \"integrator\": \"normals\" } }", 0, null)]
+    [InlineData("BALL }", 27, "the camera is inside of an opaque thing without a light, so the picture is black")]
+    [InlineData("BALL, \"lights\": [{ \"type\": \"point\", \"position\": [0, 0.5, 0] }] }", 0, null)]
+    [InlineData("BALL, \"lights\": [{ \"type\": \"point\", \"position\": [0, 5, 0] }] }", 27, "the camera is inside of an opaque thing without a light, so the picture is black")]
+    [InlineData("GLASS }", 0, null)]
+    public void Pictures_that_are_black_are_warned_of(string scene, int column, string? warning)
+    {
+        const string ball = "{ \"camera\": { \"position\": [0, 0, 0.5] }, \"background\": \"white\", \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0]";
+        string path = Write(scene.Replace("BALL", ball + " }]", StringComparison.Ordinal)
+            .Replace("GLASS", ball + ", \"material\": { \"type\": \"dielectric\" } }]", StringComparison.Ordinal));
+        string expected = warning is null ? "" : $"{path}:1:{column}: warning: {warning}";
+        Assert.Equal(expected, Diagnostic.Format(SceneLoader.Load(path).Diagnostics).Trim());
     }
 
     [Fact]

@@ -146,16 +146,16 @@ public class GltfSceneTests
     }
 
     [Fact]
-    public void A_camera_and_lights_of_the_file_are_kept()
+    public void The_camera_of_the_file_is_kept_and_a_glowing_material_is_no_light()
     {
         TestGltf file = TestGltf.Triangle("""{ "emissiveFactor": [1, 1, 1], "extensions": { "KHR_materials_emissive_strength": { "emissiveStrength": 5 } } }""");
         file.Add("cameras", """{ "type": "perspective", "perspective": { "yfov": 0.5, "znear": 0.1 } }""");
         file.Add("nodes", """{ "camera": 0, "translation": [0, 0, 9] }""");
         ImportedModel model = DefaultView.Complete(file.Import());
         Assert.Equal(9, model.Scene.Camera.Position.Z);
-        Assert.Empty(model.Scene.Lights);
-        Assert.True(model.Scene.Background.IsBlack);
-        Assert.Empty(model.Notes);
+        Assert.Single(model.Scene.Lights);
+        Assert.False(model.Scene.Background.IsBlack);
+        Assert.StartsWith("the file has no light", Assert.Single(model.Notes), StringComparison.Ordinal);
     }
 
     [Fact]
