@@ -4,7 +4,7 @@ namespace RayTracer.RenderTests.Bits;
 
 /// <summary>
 /// A tile of each large picture of the gallery, of few samples, has the film hash that lies beside the pictures: the gallery's commands
-/// still give the pictures that it shows.
+/// still give the pictures that it shows. Covers <see cref="RTracer"/> and <see cref="Film"/>.
 /// </summary>
 [Trait("Category", "Pinned")]
 public class GalleryTileTests

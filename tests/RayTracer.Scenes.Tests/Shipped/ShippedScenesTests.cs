@@ -75,9 +75,9 @@ public partial class ShippedScenesTests
             .Where(f => !f.StartsWith("broken/", StringComparison.Ordinal) && f != "raytracer.schema.json")];
 
         Assert.True(notShown > 0);
-        Assert.Empty(scenes.Where(s => !text.Contains($"(../scenes/{s})", StringComparison.Ordinal)));
-        Assert.Empty(scenes.Where(s => text[..notShown].Contains($"(../scenes/{s})",
-            StringComparison.Ordinal) != text.Contains($"render scenes/{s} ", StringComparison.Ordinal)));
+        Assert.DoesNotContain(scenes, s => !text.Contains($"(../scenes/{s})", StringComparison.Ordinal));
+        Assert.DoesNotContain(
+            scenes, s => text[..notShown].Contains($"(../scenes/{s})", StringComparison.Ordinal) != text.Contains($"render scenes/{s} ", StringComparison.Ordinal));
     }
 
     [Fact]
