@@ -114,7 +114,7 @@ public class EquivalentScenesTests
                     Up = Turned(new(0, 1, 0)),
                     Lens = new() { ApertureRadius = 0.0625f * Scale, FocusDistance = 5 * Scale },
                 },
-                Render = new() { Width = Width, Height = Height, SamplesPerPixel = 16, MaxSpecularDepth = 8, Seed = seed },
+                Render = new() { Integrator = Integrator.Report, Width = Width, Height = Height, SamplesPerPixel = 16, MaxSpecularDepth = 8, Seed = seed },
                 Background = new(0.2f, 0.3f, 0.5f),
                 Shapes = IsBackwards ? [.. shapes.Reverse()] : shapes,
             };

@@ -42,7 +42,7 @@ public class MitsubaReaderTests
     {
         using TestScene scene = new();
         string path = scene.Write("scene.xml", """
-            <shape type="sphere"><bsdf type="diffuse"><spectrum name="reflectance" value="400:0, 575:0, 576:1, 830:1"/></bsdf></shape>
+            <shape type="sphere"><bsdf type="diffuse"><spectrum name="reflectance" value="400:0, 575:0, 576:1, 830:1"/></bsdf></shape><emitter type="constant"/>
             """);
         SceneLoadResult load = SceneLoader.Load(path);
         Assert.Equal(
@@ -72,7 +72,7 @@ public class MitsubaReaderTests
         File.WriteAllText(scene["parts/cube.obj"], "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         scene.Write("parts/things.xml", """<shape type="obj"><string name="filename" value="cube.obj"/><ref id="grey"/></shape>""", "");
         File.WriteAllText(scene["parts/grey.xml"], """<bsdf version="3.0.0" type="diffuse" id="grey"/>""");
-        string path = scene.Write("scene.xml", """<include filename="parts/things.xml"/><include filename="parts/grey.xml"/>""");
+        string path = scene.Write("scene.xml", """<include filename="parts/things.xml"/><include filename="parts/grey.xml"/><emitter type="constant"/>""");
         SceneLoadResult load = SceneLoader.Load(path);
         Assert.Equal("", Diagnostic.Format(load.Diagnostics));
         Assert.Equal("parts/cube.obj", Assert.IsType<MeshDescription>(Assert.Single(load.Description!.Shapes)).File);
