@@ -42,7 +42,7 @@ public class MitsubaReaderTests
     {
         using TestScene scene = new();
         string path = scene.Write("scene.xml", """
-            <shape type="sphere"><bsdf type="diffuse"><spectrum name="reflectance" value="400:0, 575:0, 576:1, 830:1"/></bsdf></shape><emitter type="constant"/>
+            <shape type="rectangle"><bsdf type="diffuse"><spectrum name="reflectance" value="400:0, 575:0, 576:1, 830:1"/></bsdf></shape><emitter type="constant"/>
             """);
         SceneLoadResult load = SceneLoader.Load(path);
         Assert.Equal(
