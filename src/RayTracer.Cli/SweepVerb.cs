@@ -86,12 +86,12 @@ internal sealed class SweepVerb
 
     private static JsonObject Json(SweepAxes axes, IReadOnlyList<(SweepCell Cell, string Hash)> films, IReadOnlyList<string> written) =>
         new()
-    {
-        ["films"] = JsonText.List(films.Select(f => new JsonObject
         {
-            ["settings"] = new JsonObject(axes.Changes(f.Cell).Select(s => KeyValuePair.Create(s.Path, (JsonNode?)s.Value))),
-            ["filmHash"] = f.Hash,
-        })),
-        ["outputs"] = JsonText.List(written),
-    };
+            ["films"] = JsonText.List(films.Select(f => new JsonObject
+            {
+                ["settings"] = new JsonObject(axes.Changes(f.Cell).Select(s => KeyValuePair.Create(s.Path, (JsonNode?)s.Value))),
+                ["filmHash"] = f.Hash,
+            })),
+            ["outputs"] = JsonText.List(written),
+        };
 }

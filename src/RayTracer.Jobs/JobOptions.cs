@@ -56,7 +56,8 @@ public static class JobOptions
         "Puts a value in the place of the scene's, with the same checks: --set camera.fieldOfView=35, --set shapes[2].radius=1, "
             + "--set materials.glass.color=red. May be given several times.",
         (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse(w)] },
-        _ => null) { IsRepeated = true };
+        _ => null)
+    { IsRepeated = true };
 
     /// <summary>Those that replace what the scene says.</summary>
     public static IReadOnlyList<JobOption> OfScenes { get; } =
