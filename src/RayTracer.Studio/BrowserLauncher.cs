@@ -73,7 +73,7 @@ internal static class BrowserLauncher
 /// <summary>The browser that opens the page.</summary>
 internal enum BrowserKind
 {
-    /// <summary>A window of its own, of Chromium, Chrome or Edge, where there is one; else the default browser.</summary>
+    /// <summary>A separate window, of Chromium, Chrome or Edge, where there is one; else the default browser.</summary>
     App,
 
     /// <summary>The default browser.</summary>

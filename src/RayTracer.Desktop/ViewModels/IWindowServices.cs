@@ -10,7 +10,7 @@ internal interface IWindowServices
     Task<string?> ChooseFile(string title, string? folder, IReadOnlyList<string> extensions);
 
     /// <summary>
-    /// Asks where to save; null where nothing was chosen. Whoever chooses a file that there is has been asked whether it may be replaced.
+    /// Asks where to save; null where nothing was chosen. A file that exists is returned only after the user agreed to replace it.
     /// </summary>
     /// <param name="title">What the dialog is called.</param>
     /// <param name="folder">Where it begins; null for where the system likes.</param>

@@ -4,7 +4,7 @@ namespace RayTracer.Session;
 
 /// <summary>
 /// Keeps a document's text while it is not saved, a moment after each change, so that it is found again after a crash. Every session has a
-/// file of its own, which it holds a lock for; only what no living session holds is offered.
+/// separate file, which it holds a lock for; only what no living session holds is offered.
 /// </summary>
 public sealed class Recovery : IDisposable
 {

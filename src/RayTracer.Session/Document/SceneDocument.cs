@@ -50,7 +50,7 @@ public sealed class SceneDocument : IDisposable
     public SceneReadResult Read => _lock.Read(() => _read.Value);
 
     /// <summary>
-    /// The newest text that is JSON at least, for whoever shows what stands in it: while somebody types, the text is none at every other
+    /// The newest text that is JSON at least, for views of its content: while somebody types, the text is none at every other
     /// key.
     /// </summary>
     /// <exception cref="DocumentException">There was none yet.</exception>

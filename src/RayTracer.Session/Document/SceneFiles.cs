@@ -5,7 +5,7 @@ using RayTracer.Scenes;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Opens and saves documents. What is not saved is not lost without a word: opening is refused unless whoever asks says that changes may
+/// Opens and saves documents. What is not saved is not lost without a word: opening is refused unless the caller says that changes may
 /// go, and a file is not overwritten that is another one, or that somebody else has changed.
 /// </summary>
 public sealed class SceneFiles
@@ -37,7 +37,7 @@ public sealed class SceneFiles
     public IReadOnlyList<string> Recent => _recent.All;
 
     /// <summary>
-    /// Raised after a document was opened: with what a film or image says about its rendering, and the film that is gone on with; null for
+    /// Raised after a document was opened: with what a film or image says about its rendering, and the film that is resumed; null for
     /// other files.
     /// </summary>
     internal event Action<RenderJob?, FilmStart?>? Opened;
@@ -62,7 +62,7 @@ public sealed class SceneFiles
 
     /// <summary>
     /// Opens a scene file, a scene of Mitsuba or a model file as a new scene that shows it, or a bundle; of a film or an image of the
-    /// program the scene that it was rendered from, as it was rendered. A film is gone on with.
+    /// program the scene that it was rendered from, as it was rendered. A film is resumed.
     /// </summary>
     /// <param name="path">The file's whole path.</param>
     /// <param name="discard">Whether changes that were not saved may go.</param>

@@ -6,7 +6,7 @@ namespace RayTracer.Session;
 
 /// <summary>
 /// Moves cameras as hands do. Movements across the picture are fractions of its height, to the right and downwards. A camera with a
-/// transform is moved in the coordinates of its own.
+/// transform is moved in its local coordinates.
 /// </summary>
 public static class CameraMotion
 {

@@ -3,7 +3,7 @@ using System.Diagnostics;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Where the newest frame hangs. The renderer puts frames up only as fast as somebody looks, and never waits for whoever does; a frame that
+/// Where the newest frame hangs. The renderer puts frames up only as fast as somebody looks, and never waits for a viewer; a frame that
 /// nobody took is gone when the next one comes. Three pictures are enough for all time: one is looked at, one hangs, one is made.
 /// </summary>
 public sealed class FrameBoard

@@ -4,7 +4,7 @@ using RayTracer.Rendering;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Renders the newest order on threads of its own. Whoever gives orders never waits: what is being rendered for an older picture ends by
+/// Renders the newest order on separate threads. The caller never waits: what is being rendered for an older picture ends by
 /// itself after a few milliseconds, but its first preview, which is always made and shown.
 /// </summary>
 public sealed class RenderLoop : IDisposable

@@ -12,7 +12,7 @@ namespace RayTracer.Materials;
 /// <param name="second">The other part.</param>
 public abstract class TwoPartMaterial(Material first, Material second) : Material
 {
-    // Once: of parts of parts of parts, each would ask both of its own.
+    // Once: of parts of parts of parts, each would ask both of its parts.
     private readonly MaterialTraits _joined = (first.Traits | second.Traits) with { Emits = false };
 
     private delegate void Answer(Material part, in SurfaceW surface, in Vec3W direction, out RgbW color);

@@ -3,7 +3,7 @@ using RayTracer.Rendering;
 namespace RayTracer.RenderTests.Bits;
 
 /// <summary>
-/// The same film, to the bit, and the same counts, however the work is cut and whoever does it.
+/// The same film, to the bit, and the same counts, however the work is divided and on whatever machine.
 /// Covers `RTracer`, `Film` and `Wavefront`.
 /// </summary>
 [Trait("Category", "Thorough")]

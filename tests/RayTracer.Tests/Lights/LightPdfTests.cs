@@ -8,7 +8,7 @@ using RayTracer.Tests.Statistics;
 namespace RayTracer.Tests.Lights;
 
 /// <summary>
-/// The densities that lights tell of rays which meet them by chance: those with which they are sampled.
+/// The densities that lights give for rays which meet them by chance: those with which they are sampled.
 /// Covers `AreaLight`, `MeshLight` and `InstancedLight`.
 /// </summary>
 public class LightPdfTests

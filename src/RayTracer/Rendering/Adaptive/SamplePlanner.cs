@@ -31,7 +31,7 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
     public DecidingState? Begun { get; init; }
 
     /// <summary>
-    /// Told now and then, by the thread that decides, how far that has come; may be null. Not for adaptive pictures. What is told has no
+    /// Receives the progress of the decision, on the deciding thread; may be null. Not for adaptive pictures. What is reported has no
     /// part in the decision.
     /// </summary>
     public Action<DecidingState>? Keep { get; init; }
