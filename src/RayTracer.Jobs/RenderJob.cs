@@ -201,7 +201,7 @@ public sealed record RenderJob
 
     private static string Side(string path, double length)
     {
-        double side = double.Max(double.Round(length), 1);
+        long side = long.Max((long)double.Round(length), 1);
         return RecordType.Of(typeof(RenderDescription)).Find(path["render.".Length..])!.RangeComplaint(side) is { } complaint
             ? throw new JobException(JobFault.Request, $"{path} {complaint}") : string.Create(CultureInfo.InvariantCulture, $"{path}={side}");
     }
