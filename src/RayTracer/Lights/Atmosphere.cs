@@ -8,8 +8,8 @@ namespace RayTracer.Lights;
 /// amounts of air are fractions of what lies above a point of the ground.
 /// </summary>
 /// <remarks>
-/// Optical depths of molecules, haze and ozone as in Preetham, Shirley &amp; Smits 1999, appendix A.1. How they are spread over the heights, the
-/// march along rays and the light that is scattered more than once are after Hillaire 2020, with wavelengths in place of three channels.
+/// Optical depths of molecules, haze and ozone as in Preetham, Shirley &amp; Smits 1999, appendix A.1. How they are spread over the heights,
+/// the march along rays and the light that is scattered more than once are after Hillaire 2020, with wavelengths in place of three channels.
 /// </remarks>
 internal sealed unsafe class Atmosphere
 {
@@ -26,10 +26,13 @@ internal sealed unsafe class Atmosphere
     // What haze scatters of the light that it takes away.
     private const float HazeAlbedo = 0.9f;
 
-    // The sun's light outside the air at each wavelength, in W/(m² nm) (ASTM E490), and what a centimetre of ozone absorbs (Preetham, Shirley & Smits
-    // 1999, table 2).
+    // The sun's light outside the air at each wavelength, in W/(m² nm) (ASTM E490), and what a centimetre of ozone absorbs (Preetham, Shirley &
+    // Smits 1999, table 2).
     private static readonly float[] s_sun =
-        [1.72765f, 1.6887f, 1.91198f, 2.02042f, 1.93377f, 1.91686f, 1.8685f, 1.85149f, 1.8341f, 1.8147f, 1.7533f, 1.68194f, 1.6048f, 1.55622f, 1.474f, 1.41018f];
+    [
+        1.72765f, 1.6887f, 1.91198f, 2.02042f, 1.93377f, 1.91686f, 1.8685f, 1.85149f,
+        1.8341f, 1.8147f, 1.7533f, 1.68194f, 1.6048f, 1.55622f, 1.474f, 1.41018f,
+    ];
 
     private static readonly float[] s_ozone =
         [0, 0, 0.002f, 0.006f, 0.014f, 0.030f, 0.048f, 0.075f, 0.103f, 0.120f, 0.125f, 0.105f, 0.079f, 0.057f, 0.036f, 0.023f];
@@ -84,7 +87,8 @@ internal sealed unsafe class Atmosphere
         return sum;
     }
 
-    /// <summary>The light that comes to the ground along rays, per phase function (1/sr) of molecules and of haze, and what was scattered more than once.</summary>
+    /// <summary>The light that comes to the ground along rays: for each 1/sr of the phase functions of molecules and of haze, and what was scattered
+    /// more than once.</summary>
     /// <param name="cosine">Cosine of the angle from the zenith, not negative.</param>
     /// <param name="toSun">Cosine of the angle to the sun.</param>
     /// <param name="light">The three colours.</param>
@@ -204,8 +208,8 @@ internal sealed unsafe class Atmosphere
         }
     }
 
-    // The mean of all light that was scattered before, at each height (Hillaire 2020, section 5.5): of what was scattered once, and of the share that
-    // is scattered again and again, as if to all sides.
+    // The mean of all light that was scattered before, at each height (Hillaire 2020, section 5.5): of what was scattered once, and of the share
+    // that is scattered again and again, as if to all sides.
     private void Scatter(float ground)
     {
         Column(0f, _sunCosine, out AirW column);

@@ -28,7 +28,8 @@ internal sealed class DaylightSky
     /// <summary>The sun's light on a surface that faces it, in thousands of lux.</summary>
     public Rgb Sun { get; }
 
-    /// <summary>A picture of all directions, as <see cref="ImageEnvironment"/> takes them: the sky down to the horizon, and then the ground in its light.</summary>
+    /// <summary>A picture of all directions, as <see cref="ImageEnvironment"/> takes them: the sky down to the horizon, and then the ground in its
+    /// light.</summary>
     /// <param name="height">Rows, an odd number; twice as many columns, less two.</param>
     /// <param name="ground">The colour of the ground.</param>
     /// <param name="sunScale">Factor on the sun that lights the ground.</param>

@@ -35,7 +35,8 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
     public float SunScale { get; init; } = 1;
 
     /// <summary>The colour of the ground.</summary>
-    [Parameter("The colour of the ground below the horizon, matt and endlessly far away, which also brightens the sky; [0, 0, 0] is a black one.", Minimum = 0, Maximum = 1)]
+    [Parameter("The colour of the ground below the horizon, matt and endlessly far away, which also brightens the sky; [0, 0, 0] is a "
+        + "black one.", Minimum = 0, Maximum = 1)]
     public Rgb Ground { get; init; } = new(0.3f, 0.3f, 0.3f);
 
     /// <summary>The size of the sun.</summary>

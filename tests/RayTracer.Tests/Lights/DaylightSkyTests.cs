@@ -112,5 +112,6 @@ public class DaylightSkyTests
         return new Rgb((float)sum[0], (float)sum[1], (float)sum[2]) * (float)(Math.PI / (Rows * Columns)) + sun;
     }
 
-    private static EnvironmentLight Build(SkyEnvironmentDescription sky) => sky.Build(new SceneBuilder((_, _) => throw new NotSupportedException()))!;
+    private static EnvironmentLight Build(SkyEnvironmentDescription sky) =>
+        sky.Build(new SceneBuilder((_, _) => throw new NotSupportedException()))!;
 }
