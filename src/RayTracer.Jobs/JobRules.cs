@@ -36,6 +36,8 @@ public static class JobRules
         ("--denoise", "--resume", "--denoise compares two halves of all samples, which a film that is resumed does not keep apart: leave one of them out"),
         ("--checkpoint", "no film", "{--checkpoint}: films are written to .rtfilm files"),
         ("--resume", "!--checkpoint", "--resume continues from a checkpoint: give --checkpoint FILE"),
+        ("--overwrite", "!--checkpoint", "--overwrite replaces a checkpoint: give --checkpoint FILE"),
+        ("--overwrite", "--resume", "--overwrite begins from scratch, and --resume continues: leave one of them out"),
         ("--scale", "--width", "--scale and --width both give the size: leave one of them out"),
         ("--scale", "--height", "--scale and --height both give the size: leave one of them out"),
         ("--adaptive", "--crop", "--adaptive distributes samples over the whole picture: leave --crop out"),

@@ -31,6 +31,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
     /// <exception cref="ImageWriteException">A file cannot be written, which was found out before the work.</exception>
     public JobResult? Run(CancellationToken cancellation)
     {
+        using InputFiles inputs = InputFiles.Begin();
         _files.Check();
         if (Compute(cancellation) is not { } result)
         {
@@ -53,6 +54,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         }
 
         watch.End(JobStage.Build);
+        _files.CheckInputs();
         JobFiles.CheckSize(job.Outputs, job.Writing, scene.Render.Width, scene.Render.Height);
         RenderOptions options = Shares.Options(job, scene.Render);
         JobFilms films = new(job, scene);
@@ -81,6 +83,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
 
     private JobResult Render(LoadedJob loaded, JobFilms films)
     {
+        _checkpoints?.CheckLost(loaded);
         JobResult result = new(loaded.Scene, films.Film, new() { Cancelled = true }, loaded.Options.Threads, 0) { Light = films.Light };
         try
         {
