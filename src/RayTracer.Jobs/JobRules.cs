@@ -29,7 +29,6 @@ public static class JobRules
         ("--pixel", "--noise|--adaptive", "--pixel renders a given number of samples: leave --noise and --adaptive out"),
         ("--adaptive", "--samples|--part", "--adaptive decides how many samples there are: leave --samples and --part out"),
         ("--preview", "--pixel", "--pixel prints numbers: leave --preview out"),
-        ("--preview", "--adaptive|--denoise|layers of light", "--preview shows passes over the whole picture, which --adaptive, --denoise and layers of light do not make: leave it out"),
         ("--adaptive", "passes", "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot resume: leave it out"),
         ("--noise", "--samples|--part", "--noise decides how many samples there are: leave --samples and --part out"),
         ("--samples", "--part", "--samples and --part cannot go together"),
@@ -75,7 +74,7 @@ public static class JobRules
         string? apng = job.Outputs.FirstOrDefault(AnimatedPng.IsNamed);
         Add("files", job.Outputs.Count > 0);
         Add("nowhere", job.Outputs.Count == 0 && job.Checkpoint is null && !more.Contains("--json"));
-        Add("passes", job.NeedsPasses);
+        Add("passes", job.KeepsFilm);
         Add("auxiliary images", job.Aovs.Count > 0);
         Add("layers of light", job.Layers.Count > 0);
         Add("only films", job.Outputs.Count > 0 && job.Outputs.All(FilmFile.IsNamed));

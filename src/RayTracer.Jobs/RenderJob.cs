@@ -117,8 +117,8 @@ public sealed record RenderJob
     public int? GivenSamples =>
         Settings.LastOrDefault(s => s.Path == SamplesPath) is { } setting && int.TryParse(setting.Value, out int samples) ? samples : null;
 
-    /// <summary>True if the film must hold whole ranges of samples whenever the rendering stops.</summary>
-    public bool NeedsPasses => Time is not null || Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
+    /// <summary>True if the film goes to a file, now or later.</summary>
+    public bool KeepsFilm => Time is not null || Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
 
     /// <summary>The settings that a film names: the scene's, the frame, and the noise that decided on the number of its samples.</summary>
     public IReadOnlyList<string> FilmSettings => [.. Settings.Select(s => s.Text), .. JobOptions.Kept(this, JobOptionUse.Films)];
