@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -199,7 +200,7 @@ public sealed class JobRunTests : IDisposable
 
         public void End(JobStage stage) => Stages.Add(stage);
 
-        public IProgress<RenderProgress> Begin() => this;
+        public IProgress<RenderProgress> Begin(RenderDescription render) => this;
 
         public void Report(RenderProgress value) => Progress?.Invoke();
     }
