@@ -100,7 +100,8 @@ Save("bowl", Lathe([new(0, 0.1f), new(0.5f, 0.1f), new(0.5f, 0.1f), new(0.52f, 0
 Mesh jug = Lathe([new(0, 0), new(0.55f, 0), new(0.55f, 0), new(0.58f, 0.05f), new(0.55f, 0.1f), new(0.5f, 0.13f), new(0.5f, 0.13f),
     new(0.75f, 0.45f), new(0.88f, 0.95f), new(0.8f, 1.45f), new(0.5f, 1.9f), new(0.38f, 2.2f), new(0.38f, 2.2f), new(0.42f, 2.24f),
     new(0.38f, 2.28f), new(0.38f, 2.28f), new(0.4f, 2.55f), new(0.52f, 2.8f), new(0.54f, 2.84f), new(0.5f, 2.84f), new(0.37f, 2.55f),
-    new(0.34f, 2.2f), new(0, 1.9f)], 72).Bent(p => p with { X = p.X * (1 - (0.25f * MathF.Exp(-40 * (p.Y - 2.84f) * (p.Y - 2.84f)) * MathF.Sign(p.X))) });
+    new(0.34f, 2.2f), new(0, 1.9f)], 72)
+    .Bent(p => p with { X = p.X * (1 - (0.25f * MathF.Exp(-40 * (p.Y - 2.84f) * (p.Y - 2.84f)) * MathF.Sign(p.X))) });
 jug.Add(Swept(t => new(0.42f + (0.85f * MathF.Sin(MathF.PI * t * 0.93f)), 2.5f - (1.35f * t) + (0.3f * MathF.Sin(MathF.PI * t)), 0),
     t => 0.07f + (0.02f * MathF.Cos(MathF.Tau * t)), 24, 16));
 Save("jug", jug);
@@ -112,7 +113,8 @@ cloth.Sheet(56, 72, (u, v) =>
     float fold = (0.06f * MathF.Exp(-25 * crease * crease)) + (0.03f * MathF.Sin((2.3f * z) + (0.9f * x) + (2 * MathF.Sin(0.7f * x)))
         * MathF.Sin(1.3f * x));
     float over = MathF.Max(z - 2.05f, 0);
-    return new(x + (0.12f * MathF.Sin(3 * x) * over), 0.045f + fold - (1.6f * over * over) - (0.1f * over), z - (0.6f * over) + (over * 0.3f * MathF.Sin(4.2f * x)));
+    return new(x + (0.12f * MathF.Sin(3 * x) * over), 0.045f + fold - (1.6f * over * over) - (0.1f * over),
+        z - (0.6f * over) + (over * 0.3f * MathF.Sin(4.2f * x)));
 });
 Save("cloth", cloth);
 
@@ -127,8 +129,8 @@ for (int i = 0; i < 20; i++)
     carpet.Wedge(1.45f, 2.35f, y - Rise + 0.012f, y + 0.012f, from, to + 0.026f);
     foreach (float at in new[] { 0.25f, 0.75f })
     {
-        balusters.Add(Lathe([new(0.013f, -0.02f), new(0.013f, 0.36f), new(0.013f, 0.36f), new(0.024f, 0.42f), new(0.024f, 0.42f), new(0.034f, 0.47f),
-            new(0.034f, 0.47f), new(0.024f, 0.52f), new(0.024f, 0.52f), new(0.013f, 0.58f), new(0.013f, 0.58f), new(0.013f, 0.98f)], 8)
+        balusters.Add(Lathe([new(0.013f, -0.02f), new(0.013f, 0.36f), new(0.013f, 0.36f), new(0.024f, 0.42f), new(0.024f, 0.42f),
+            new(0.034f, 0.47f), new(0.034f, 0.47f), new(0.024f, 0.52f), new(0.024f, 0.52f), new(0.013f, 0.58f), new(0.013f, 0.58f), new(0.013f, 0.98f)], 8)
             .Bent(p => p + Around(Well + 0.05f, y, -(i + at) / 20)));
     }
 }
@@ -139,7 +141,8 @@ Save("stairs-carpet", carpet);
 Save("stairs-balusters", balusters);
 Save("stairs-rail", Swept(t => Around(Well + 0.05f, 0.99f - (Rise / 2) + (Turn * t), -t), _ => 0.04f, 96, 12));
 Mesh band = new();
-foreach ((float r, float y, float dr, float dy) in new[] { (Well, -0.34f, 0f, 0.4f), (Well, 0.06f, 0.1f, 0f), (Well + 0.1f, 0.06f, 0f, -0.4f) })
+foreach ((float r, float y, float dr, float dy) in new[]
+    { (Well, -0.34f, 0f, 0.4f), (Well, 0.06f, 0.1f, 0f), (Well + 0.1f, 0.06f, 0f, -0.4f) })
 {
     band.Sheet(1, 96, (u, v) => Around(r + (u * dr), y - (Rise / 2) + (u * dy) + (Turn * v), -v));
 }
@@ -172,7 +175,8 @@ using (BinaryWriter writer = new(File.Create(Path.Combine(folder, "dusk.hdr"))))
         float glow = 0.5f + (0.5f * MathF.Cos(MathF.Tau * (((i % 128) + 0.5f) / 128 - 0.57f)));
         float above = MathF.Max(height, 0);
         Vector3 sky = Vector3.Lerp(new(0.03f, 0.06f, 0.16f), new(0.004f, 0.01f, 0.04f), MathF.Min(1.4f * above, 1))
-            + (new Vector3(0.6f, 0.2f, 0.06f) * glow * glow * MathF.Exp(-7 * above)) + (new Vector3(0.1f, 0.05f, 0.09f) * glow * MathF.Exp(-4 * above));
+            + (new Vector3(0.6f, 0.2f, 0.06f) * glow * glow * MathF.Exp(-7 * above))
+            + (new Vector3(0.1f, 0.05f, 0.09f) * glow * MathF.Exp(-4 * above));
         Vector3 color = height < 0 ? new(0.004f, 0.006f, 0.01f) : sky;
         int exponent = (int)MathF.Ceiling(MathF.Log2(MathF.Max(color.X, MathF.Max(color.Y, color.Z))) + 0.01f);
         Vector3 mantissa = color * MathF.Pow(2, 8 - exponent);
@@ -186,8 +190,8 @@ cushion.Sheet(28, 48, (u, v) =>
 {
     float Soft(float x) => MathF.Sign(x) * MathF.Pow(MathF.Abs(x), 0.45f);
     (float sin, float cos) = MathF.SinCos(MathF.Tau * -v);
-    (float up, float out1) = MathF.SinCos(MathF.PI * (u - 0.5f));
-    return new(Soft(out1) * Soft(cos), -Soft(up), Soft(out1) * Soft(sin));
+    (float up, float outwards) = MathF.SinCos(MathF.PI * (u - 0.5f));
+    return new(Soft(outwards) * Soft(cos), -Soft(up), Soft(outwards) * Soft(sin));
 });
 Save("cushion", cushion);
 Mesh curtain = new();
@@ -196,15 +200,16 @@ curtain.Sheet(16, 120, (u, v) => new(
     2.42f * (1 - u),
     (0.045f + (0.02f * u)) * MathF.Sin((MathF.Tau * 7 * v) + (0.6f * MathF.Sin(5 * u)) + (1.5f * v))));
 Save("curtain", curtain);
-Save("vase", Lathe([new(0, 0), new(0.05f, 0), new(0.05f, 0), new(0.055f, 0.008f), new(0.085f, 0.07f), new(0.09f, 0.12f), new(0.06f, 0.19f), new(0.034f, 0.24f),
-    new(0.04f, 0.275f), new(0.052f, 0.29f), new(0.046f, 0.288f), new(0.03f, 0.24f), new(0, 0.2f)], 48));
+Save("vase", Lathe([new(0, 0), new(0.05f, 0), new(0.05f, 0), new(0.055f, 0.008f), new(0.085f, 0.07f), new(0.09f, 0.12f),
+    new(0.06f, 0.19f), new(0.034f, 0.24f), new(0.04f, 0.275f), new(0.052f, 0.29f), new(0.046f, 0.288f), new(0.03f, 0.24f), new(0, 0.2f)], 48));
 (Mesh stems, Mesh blossoms) = (new(), new());
 for (int i = 0; i < 11; i++)
 {
     Vector3 lean = Around(0.05f + (0.014f * i), 0, i * 0.382f);
     Vector3 Stem(float t) => new(lean.X * t * (0.6f + (0.8f * t)), 0.2f + ((0.34f - (0.012f * i)) * t), lean.Z * t * (0.6f + (0.8f * t)));
     stems.Add(Swept(Stem, _ => 0.0035f, 8, 6));
-    blossoms.Add(Lathe([new(0, 0), new(0.014f, 0.004f), new(0.023f, 0.02f), new(0.025f, 0.035f), new(0.018f, 0.056f), new(0.012f, 0.064f), new(0, 0.05f)], 18)
+    blossoms.Add(Lathe([new(0, 0), new(0.014f, 0.004f), new(0.023f, 0.02f), new(0.025f, 0.035f), new(0.018f, 0.056f),
+        new(0.012f, 0.064f), new(0, 0.05f)], 18)
         .Bent(p => Stem(1) + p + (lean * p.Y * 6) + (p * 0.12f * MathF.Cos(3 * MathF.Atan2(p.Z, p.X)))));
     for (int k = 0; k < 2; k++)
     {
@@ -217,8 +222,8 @@ for (int i = 0; i < 11; i++)
 
 Save("tulip-leaves", stems);
 Save("tulip-blossoms", blossoms);
-Save("table", Lathe([new(0, 0), new(0.2f, 0), new(0.2f, 0), new(0.2f, 0.02f), new(0.1f, 0.05f), new(0.035f, 0.09f), new(0.03f, 0.2f), new(0.05f, 0.3f),
-    new(0.045f, 0.36f), new(0.025f, 0.42f), new(0.03f, 0.56f), new(0.08f, 0.6f), new(0.08f, 0.6f), new(0.36f, 0.605f), new(0.36f, 0.605f),
+Save("table", Lathe([new(0, 0), new(0.2f, 0), new(0.2f, 0), new(0.2f, 0.02f), new(0.1f, 0.05f), new(0.035f, 0.09f),
+    new(0.03f, 0.2f), new(0.05f, 0.3f), new(0.045f, 0.36f), new(0.025f, 0.42f), new(0.03f, 0.56f), new(0.08f, 0.6f), new(0.08f, 0.6f), new(0.36f, 0.605f), new(0.36f, 0.605f),
     new(0.375f, 0.615f), new(0.36f, 0.63f), new(0.36f, 0.63f), new(0, 0.63f)], 64));
 
 void Save(string name, Mesh mesh) => mesh.Write(Path.Combine(folder, name + ".ply"));
