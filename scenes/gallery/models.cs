@@ -130,7 +130,8 @@ for (int i = 0; i < 20; i++)
     foreach (float at in new[] { 0.25f, 0.75f })
     {
         balusters.Add(Lathe([new(0.013f, -0.02f), new(0.013f, 0.36f), new(0.013f, 0.36f), new(0.024f, 0.42f), new(0.024f, 0.42f),
-            new(0.034f, 0.47f), new(0.034f, 0.47f), new(0.024f, 0.52f), new(0.024f, 0.52f), new(0.013f, 0.58f), new(0.013f, 0.58f), new(0.013f, 0.98f)], 8)
+            new(0.034f, 0.47f), new(0.034f, 0.47f), new(0.024f, 0.52f), new(0.024f, 0.52f), new(0.013f, 0.58f), new(0.013f, 0.58f),
+            new(0.013f, 0.98f)], 8)
             .Bent(p => p + Around(Well + 0.05f, y, -(i + at) / 20)));
     }
 }
@@ -201,7 +202,8 @@ curtain.Sheet(16, 120, (u, v) => new(
     (0.045f + (0.02f * u)) * MathF.Sin((MathF.Tau * 7 * v) + (0.6f * MathF.Sin(5 * u)) + (1.5f * v))));
 Save("curtain", curtain);
 Save("vase", Lathe([new(0, 0), new(0.05f, 0), new(0.05f, 0), new(0.055f, 0.008f), new(0.085f, 0.07f), new(0.09f, 0.12f),
-    new(0.06f, 0.19f), new(0.034f, 0.24f), new(0.04f, 0.275f), new(0.052f, 0.29f), new(0.046f, 0.288f), new(0.03f, 0.24f), new(0, 0.2f)], 48));
+    new(0.06f, 0.19f), new(0.034f, 0.24f), new(0.04f, 0.275f), new(0.052f, 0.29f), new(0.046f, 0.288f), new(0.03f, 0.24f),
+    new(0, 0.2f)], 48));
 (Mesh stems, Mesh blossoms) = (new(), new());
 for (int i = 0; i < 11; i++)
 {
@@ -223,8 +225,8 @@ for (int i = 0; i < 11; i++)
 Save("tulip-leaves", stems);
 Save("tulip-blossoms", blossoms);
 Save("table", Lathe([new(0, 0), new(0.2f, 0), new(0.2f, 0), new(0.2f, 0.02f), new(0.1f, 0.05f), new(0.035f, 0.09f),
-    new(0.03f, 0.2f), new(0.05f, 0.3f), new(0.045f, 0.36f), new(0.025f, 0.42f), new(0.03f, 0.56f), new(0.08f, 0.6f), new(0.08f, 0.6f), new(0.36f, 0.605f), new(0.36f, 0.605f),
-    new(0.375f, 0.615f), new(0.36f, 0.63f), new(0.36f, 0.63f), new(0, 0.63f)], 64));
+    new(0.03f, 0.2f), new(0.05f, 0.3f), new(0.045f, 0.36f), new(0.025f, 0.42f), new(0.03f, 0.56f), new(0.08f, 0.6f), new(0.08f, 0.6f),
+    new(0.36f, 0.605f), new(0.36f, 0.605f), new(0.375f, 0.615f), new(0.36f, 0.63f), new(0.36f, 0.63f), new(0, 0.63f)], 64));
 
 void Save(string name, Mesh mesh) => mesh.Write(Path.Combine(folder, name + ".ply"));
 
