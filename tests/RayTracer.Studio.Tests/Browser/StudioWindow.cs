@@ -163,10 +163,16 @@ internal sealed class StudioWindow : IAsyncDisposable
     /// <summary>Waits until the document's text is so.</summary>
     public Task Text(string what, Func<string, bool> isSo) => Until(what, () => Task.FromResult(isSo(Session.Document.Text)));
 
-    /// <summary>Keeps a screenshot: among the results, and where pictures are renewed, in the documentation.</summary>
+    /// <summary>Keeps a screenshot: of a thorough run among the results, and where pictures are renewed, in the documentation.</summary>
     public async Task Shot(string name, bool isShown = false)
     {
-        string folder = isShown && Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") == "1"
+        bool isRenewed = isShown && Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") == "1";
+        if (!isRenewed && !TestSettings.Thorough)
+        {
+            return;
+        }
+
+        string folder = isRenewed
             ? ProjectFolder.PathOf("docs", "studio")
             : ProjectFolder.PathOf("artifacts", "studio");
         Directory.CreateDirectory(folder);
