@@ -163,18 +163,15 @@ internal sealed class StudioWindow : IAsyncDisposable
     /// <summary>Waits until the document's text is so.</summary>
     public Task Text(string what, Func<string, bool> isSo) => Until(what, () => Task.FromResult(isSo(Session.Document.Text)));
 
-    /// <summary>Keeps a screenshot: of a thorough run among the results, and where pictures are renewed, in the documentation.</summary>
+    /// <summary>Keeps a screenshot where pictures are renewed: in the documentation if it is shown there, else among the results.</summary>
     public async Task Shot(string name, bool isShown = false)
     {
-        bool isRenewed = isShown && Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") == "1";
-        if (!isRenewed && !TestSettings.Thorough)
+        if (Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") != "1")
         {
             return;
         }
 
-        string folder = isRenewed
-            ? ProjectFolder.PathOf("docs", "studio")
-            : ProjectFolder.PathOf("artifacts", "studio");
+        string folder = isShown ? ProjectFolder.PathOf("docs", "studio") : ProjectFolder.PathOf("artifacts", "studio");
         Directory.CreateDirectory(folder);
         await Page.ScreenshotAsync(new() { Path = Path.Combine(folder, name + ".png"), Animations = ScreenshotAnimations.Disabled });
     }
