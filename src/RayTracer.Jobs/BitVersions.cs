@@ -1,5 +1,6 @@
 using System.Collections;
 using RayTracer.Description;
+using RayTracer.Materials;
 
 namespace RayTracer.Jobs;
 
