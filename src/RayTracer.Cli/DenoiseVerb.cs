@@ -40,14 +40,8 @@ internal sealed class DenoiseVerb
         IReadOnlyList<string> outputs = _writing.Files(result, new(), "", JobFiles.Check);
         ImageWriteOptions writing = _writing.Writing(result) with { Metadata = PictureTexts.Of(CommandLine.Text(result)) };
         _writing.WarnOfUnused(result, outputs, streams);
-        string?[] inputs = [path, result.GetValue(_albedo), result.GetValue(_normal)];
-        if (outputs.FirstOrDefault(o => inputs.OfType<string>().Any(i => Path.GetFullPath(i) == Path.GetFullPath(o))) is { } lost)
-        {
-            throw new CommandException(ExitStatus.Usage, $"-o {lost}: this file is read, and would be lost: give another name");
-        }
-
         StageTimes stages = _verbose.Times(result, streams);
-        (Picture image, _, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
+        (Picture image, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
         Picture? albedo = Guide(path, image, layers, result.GetValue(_albedo), ["albedo.R", "albedo.G", "albedo.B"], isColor: true);
         Picture? normal = Guide(path, image, layers, result.GetValue(_normal), ["normal.X", "normal.Y", "normal.Z"], isColor: false);
         if (albedo is null && normal is null)
@@ -59,7 +53,7 @@ internal sealed class DenoiseVerb
         stages.EndLoad();
         Picture denoised = Denoiser.Denoise(image, albedo, normal, (int)(_threads.Value(result) ?? 0));
         stages.EndDenoise();
-        int written = JobFiles.Write(outputs, denoised, writing, streams).Count;
+        int written = JobFiles.Write(outputs, denoised, writing.OfImage(path, texts), streams).Count;
         stages.EndWrite();
         return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }

@@ -17,6 +17,7 @@ internal sealed class SweepRun(
     RenderJob job, SweepAxes axes, Func<SceneDescription, SceneDescription> change, Display display, Streams streams)
 {
     private readonly List<(SweepCell Cell, string Hash)> _films = [];
+    private Exposure? _exposure;
 
     /// <summary>The sheet; null where nothing was rendered.</summary>
     public ContactSheet? Sheet { get; private set; }
@@ -32,7 +33,7 @@ internal sealed class SweepRun(
         (int Width, int Height)? size = null;
         foreach (SweepCell cell in axes.Samples)
         {
-            SceneLoadResult loaded = SceneLoader.Load(job.Scene, change, null, axes.Settings(cell));
+            SceneLoadResult loaded = Job(cell).Load(change);
             streams.Read(loaded.Diagnostics);
             if (loaded.Scene is not { Render: var render })
             {
@@ -63,11 +64,13 @@ internal sealed class SweepRun(
         return failed;
     }
 
+    private RenderJob Job(SweepCell cell) => (job with { Settings = axes.Settings(cell) }).Sized();
+
     private int Render(SweepCell cell, CancellationToken cancellation)
     {
         string changes = string.Join(' ', axes.Changes(cell).Select(s => s.Text));
         ConsoleRun watch = new(new(Quiet: true, Verbose: display.Verbose), streams);
-        if (new JobRun(job with { Settings = axes.Settings(cell) }, watch) { Change = change }.Compute(cancellation) is not { } outcome)
+        if (new JobRun(Job(cell), watch) { Change = change }.Compute(cancellation) is not { } outcome)
         {
             streams.Fail($"these errors are with {changes}");
             return SceneFile.FailureStatus(job.Scene);
@@ -81,7 +84,7 @@ internal sealed class SweepRun(
         }
 
         // As it is to be seen, whatever the file: labels have no exposure.
-        Sheet.Place(new ToneMappedRows(outcome.Film, job.Writing.ToneMap, job.Writing.Exposure), cell.Column, cell.Row, cell.Block);
+        Sheet.Place(Looks(outcome).Shown(outcome.Film), cell.Column, cell.Row, cell.Block);
         _films.Add((cell, outcome.Hash));
         outcome.WarnOfClamped(streams);
         if (!display.Quiet)
@@ -90,6 +93,13 @@ internal sealed class SweepRun(
         }
 
         return ExitStatus.Fine;
+    }
+
+    // With one exposure, where pictures decide on theirs: that of the first one, so that the others compare with it.
+    private ImageWriteOptions Looks(JobResult outcome)
+    {
+        ImageWriteOptions looks = job.Writing.For(outcome.Scene.Render);
+        return looks.Exposure is { IsAuto: true } ? looks with { Exposure = _exposure ??= looks.Exposed(outcome.Film).Exposure } : looks;
     }
 
     private static string OtherSize((int Width, int Height) size, (int Width, int Height) other) =>

@@ -62,7 +62,10 @@ public static class JobOptions
     /// <summary>Those that replace what the scene says.</summary>
     public static IReadOnlyList<JobOption> OfScenes { get; } =
     [
-        Side("--width", "width"), Side("--height", "height"), Short("--spp", "samplesPerPixel"), Short("--seed", "seed"),
+        Side("--width", "width"), Side("--height", "height"),
+        new("--scale", "X%", "The size of the picture as a share of the scene's: 50%.", (j, w) => j with { Scale = W.Percentage(w) }, j =>
+            j.Scale is { } scale ? Invariant($"{scale * 100}%") : null),
+        Short("--spp", "samplesPerPixel"), Short("--seed", "seed"),
         Short("--sampler", "sampler"), Short("--integrator", "integrator"),
         Short("--max-depth", "maxDepth"), Short("--max-diffuse-depth", "maxDiffuseDepth"), Short("--max-specular-depth", "maxSpecularDepth"),
         Set,
@@ -71,12 +74,14 @@ public static class JobOptions
     /// <summary>Those of how pictures look.</summary>
     public static IReadOnlyList<JobOption> OfLooks { get; } =
     [
-        new("--exposure", "X", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light).", (j, w) => Written(j, o => o with { Exposure = (float)W.Number(w, -100, 100) }),
-            j => Text(j.Writing.Exposure, 0f)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
-        new("--tonemap", string.Join('|', W.Of<ToneMap>()), $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; clamp cuts it off.",
+        new("--exposure", "X|auto", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light); "
+            + "auto: as its brightness asks for. Replaces the scene's.",
+            (j, w) => Written(j, o => o with { Exposure = W.Exposure(w) }),
+            j => j.Writing.Exposure?.ToString()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
+        new("--tonemap", string.Join('|', W.Of<ToneMap>()), $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; "
+            + "clamp cuts it off. Replaces the scene's.",
             (j, w) => Written(j, o => o with { ToneMap = W.Choice(w, W.Of<ToneMap>(), Enum.GetValues<ToneMap>()) }),
-            j => j.Writing.ToneMap == ToneMap.Clamp ? null
-                : $"{j.Writing.ToneMap}".ToLowerInvariant()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
+            j => j.Writing.ToneMap?.ToString().ToLowerInvariant()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
         new("--bit-depth", "8|16", $"{ImageFormat.Names(ImageFeatures.BitDepth)}: bits a channel; 8 without it.", (j, w) => Written(
             j, o => o with { BitDepth = W.Choice(w, ["8", "16"], [8, 16]) }),
             j => Text(j.Writing.BitDepth, 8)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.BitDepth },
@@ -125,8 +130,6 @@ public static class JobOptions
     public static IReadOnlyList<JobOption> All { get; } =
     [
         .. OfScenes,
-        new("--scale", "X%", "The size of the picture as a share of the scene's: 50%.", (j, w) => j with { Scale = W.Percentage(w) }, j =>
-            j.Scale is { } scale ? Invariant($"{scale * 100}%") : null),
         Threads, .. OfLooks, ExrFilm, Crop,
         new("--pixel", "x,y", "Renders only this pixel and prints its radiance.", (j, w) => j with { Pixel = W.Integers(w, "x,y") is [var x, var y] ? (x, y) : null },
             j => j.Pixel is { } p ? $"{p.X},{p.Y}" : null),
@@ -152,6 +155,8 @@ public static class JobOptions
         .. OfLongRenders,
         new("--resume", null, "Resumes the film of --checkpoint, if it is there: it must be of this very picture. If it is not there, begins from scratch. So the same command can be "
             + "given again.", (j, _) => j with { Resume = true }, j => Flag(j.Resume)),
+        new("--overwrite", null, "Begins from scratch where the file of --checkpoint holds a film of this very picture, which is lost. One of another picture stays.",
+            (j, _) => j with { Overwrite = true }, j => Flag(j.Overwrite)),
     ];
 
     /// <summary>The option of a name; null where there is none.</summary>

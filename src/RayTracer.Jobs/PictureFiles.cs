@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Textures;
@@ -34,6 +35,10 @@ public sealed class PictureFiles
     /// <summary>All files.</summary>
     public IReadOnlyList<string> All => [.. _job.Outputs, .. _images.Select(f => f.Path), .. _denoised, .. _layers.Select(l => l.Path)];
 
+    private string[] Checkpoint => _job.Checkpoint is { } file ? [file] : [];
+
+    private IEnumerable<string> Written => All.Concat(Checkpoint);
+
     // Outputs that hold no layers.
     private IEnumerable<string> Pictures => _job.Outputs.Distinct()
         .Where(o => o != _job.Kept && Path.GetExtension(o).Length > 0 && !ImageFormat.Has(o, ImageFeatures.Layers) && !FilmFile.IsNamed(o));
@@ -43,17 +48,20 @@ public sealed class PictureFiles
     /// <exception cref="ImageWriteException">A folder is missing or closed to us, or has no room for another file.</exception>
     public void Check()
     {
-        string[] checkpoint = _job.Checkpoint is { } file ? [file] : [];
-        foreach (string path in All.Concat(checkpoint))
+        foreach (string path in Written)
         {
             JobFiles.CheckFilm(path);
         }
 
         if (!_job.IsOfSequence)
         {
-            UnfinishedFilms.Check(_job.Outputs.Concat(checkpoint), (_job.Resumed ?? _job.Decision)?.Path);
+            UnfinishedFilms.Check(_job.Outputs, (_job.Resumed ?? _job.Decision)?.Path);
         }
     }
+
+    /// <summary>Finds out, once the scene is loaded, whether a file would replace one that the scene is read from.</summary>
+    /// <exception cref="ImageWriteException">One would.</exception>
+    public void CheckInputs() => Written.ToList().ForEach(AtomicFile.Check);
 
     /// <summary>Lists the files of layers of light.</summary>
     /// <param name="layers">The layers' names.</param>
@@ -74,16 +82,20 @@ public sealed class PictureFiles
     /// <summary>Returns the details of writing the picture: its texts, and the layers that there are.</summary>
     /// <param name="result">The outcome of the job.</param>
     /// <param name="denoised">The denoised picture; null where there is none.</param>
-    public ImageWriteOptions Options(JobResult result, Picture? denoised = null) => _job.Writing with
+    public ImageWriteOptions Options(JobResult result, Picture? denoised = null)
     {
-        Metadata = PictureTexts.Of(_job, result),
-        ExrLayers =
-        [
-            .. result.Auxiliary is { } images ? AovFiles.Layers(images) : [],
-            .. result.Light is { } light ? AovFiles.Layers(light) : [],
-            .. denoised is null ? [] : DenoisedFiles.Layers(denoised),
-        ],
-    };
+        ImageWriteOptions writing = _job.Writing.For(result.Scene.Render).Exposed(result.Film);
+        return writing with
+        {
+            Metadata = [.. PictureTexts.Of(_job, result), .. PictureTexts.OfTone(PictureTone.Text(writing))],
+            ExrLayers =
+            [
+                .. result.Auxiliary is { } images ? AovFiles.Layers(images) : [],
+                .. result.Light is { } light ? AovFiles.Layers(light) : [],
+                .. denoised is null ? [] : DenoisedFiles.Layers(denoised),
+            ],
+        };
+    }
 
     /// <summary>Writes all files; reports why those fail that cannot be written.</summary>
     /// <param name="result">The outcome of the job.</param>

@@ -232,27 +232,32 @@ public sealed class Film : IImageRows
     /// <summary>A sum of a channel of a pixel, in its units.</summary>
     internal Int128 Sum(int x, int y, int channel) => _sums[(Index(x, y) * SumsPerPixel) + channel];
 
-    /// <summary>Adds one sum of a pixel, in its units.</summary>
-    internal void AddSum(long pixel, int sum, Int128 value) => _sums[(pixel * SumsPerPixel) + sum] += value;
-
-    /// <summary>Adds sums and numbers of samples of pixels in a row.</summary>
+    /// <summary>Adds samples of pixels in a row, or takes them away.</summary>
     /// <param name="x">Column of the first pixel.</param>
     /// <param name="y">Row.</param>
     /// <param name="sums">The sums of each pixel, in their units.</param>
-    /// <param name="counts">The number of samples of each pixel.</param>
-    internal void AddRow(int x, int y, ReadOnlySpan<long> sums, ReadOnlySpan<uint> counts)
+    /// <param name="rest">What those do not hold of each pixel (<see cref="SumRest"/>); nothing where they hold all.</param>
+    /// <param name="samples">The number of samples of each pixel, those that were left out included.</param>
+    /// <param name="sign">1 to add, −1 to take away.</param>
+    internal void AddRow(int x, int y, ReadOnlySpan<long> sums, ReadOnlySpan<long> rest, int samples, int sign = 1)
     {
         int first = (y * Width) + x;
         Span<Int128> targetSums = _sums.AsSpan(first * SumsPerPixel, sums.Length);
         for (int i = 0; i < sums.Length; i++)
         {
-            targetSums[i] += sums[i];
+            targetSums[i] += sign * sums[i];
         }
 
-        Span<uint> targetCounts = _counts.AsSpan(first, counts.Length);
-        for (int i = 0; i < counts.Length; i++)
+        Span<uint> targetCounts = _counts.AsSpan(first, sums.Length / SumsPerPixel);
+        for (int i = 0; i < targetCounts.Length; i++)
         {
-            targetCounts[i] += counts[i];
+            targetCounts[i] += (uint)(sign * samples);
+        }
+
+        for (int i = 0; i < rest.Length; i++)
+        {
+            targetSums[(i * SumsPerPixel) + SquareSum] += (Int128)(sign * SumRest.HighSquare(rest[i])) << SumRest.SquareShift;
+            targetCounts[i] -= (uint)(sign * SumRest.Missing(rest[i]));
         }
     }
 

@@ -7,23 +7,25 @@ namespace RayTracer.Rendering;
 
 /// <summary>
 /// Adds up the samples of one tile in 64-bit fixed point, which holds up to <see cref="MaxSamples"/> samples a pixel, before they
-/// go to the film's 128-bit sums.
+/// go to the film's 128-bit sums. No more than that can be taken back from the film again (<see cref="PassCell"/>).
 /// </summary>
 internal sealed unsafe class SampleAccumulator(int maxPixels)
 {
     /// <summary>Samples a pixel that fit into 64 bits.</summary>
     public const int MaxSamples = 64;
 
-    // 64 · 16² · 2⁴⁸ = 2⁶²; brighter samples go to the film at once.
+    // 64 · 16² · 2⁴⁸ = 2⁶²; of the squares of brighter samples, the bits from 2⁵⁶ on are added up apart.
     private const float OrdinaryLimit = 16;
     private readonly PinnedBuffer<long> _sums = new((long)maxPixels * Film.SumsPerPixel);
-    private readonly PinnedBuffer<uint> _counts = new(maxPixels);
+    private readonly PinnedBuffer<long> _rest = new(maxPixels);
     private readonly PinnedBuffer<long> _units = new((long)Film.SumsPerPixel * FloatW.Count);
     private readonly PinnedBuffer<uint> _pixels = new(FloatW.Count);
     private readonly List<BadSample> _bad = [];
     private Film _film = null!;
     private Tile _tile;
     private ReadOnlyMemory<int> _targets;
+    private int _samples;
+    private bool _hasRest;
 
     /// <summary>Samples that were not finite, and so were left out.</summary>
     public long NonFinite { get; private set; }
@@ -35,21 +37,22 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     public IReadOnlyList<BadSample> Bad => _bad;
 
     /// <summary>Prepares for the samples of a tile.</summary>
-    public void Begin(Film film, in Tile tile)
+    /// <param name="film">The film.</param>
+    /// <param name="tile">The tile.</param>
+    /// <param name="samples">How many samples of each pixel there will be.</param>
+    public void Begin(Film film, in Tile tile, int samples)
     {
-        _film = film;
-        _tile = tile;
-        _targets = default;
+        (_film, _tile, _targets, _samples) = (film, tile, default, samples);
         Clear(tile.Pixels);
     }
 
     /// <summary>Prepares for the samples of single pixels.</summary>
     /// <param name="film">The film.</param>
     /// <param name="targets">The numbers of its pixels.</param>
-    public void BeginPixels(Film film, ReadOnlyMemory<int> targets)
+    /// <param name="samples">How many samples of each pixel there will be.</param>
+    public void BeginPixels(Film film, ReadOnlyMemory<int> targets, int samples)
     {
-        _film = film;
-        _targets = targets;
+        (_film, _targets, _samples) = (film, targets, samples);
         Clear(targets.Length);
     }
 
@@ -81,7 +84,6 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             sums[1] += green[lane];
             sums[2] += blue[lane];
             sums[Film.SquareSum] += square[lane];
-            _counts.Pointer[pixel[lane]]++;
         }
 
         for (uint rest = inUse & ~ordinary; rest != 0; rest &= rest - 1)
@@ -124,46 +126,56 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
 
         Rgb clamped = new(Clamp(value.R), Clamp(value.G), Clamp(value.B));
         Clamped += clamped == value ? 0 : 1;
-        long target = FilmPixel(pixel);
-        _film.AddSum(target, 0, (Int128)double.Round(clamped.R * Film.ChannelUnits));
-        _film.AddSum(target, 1, (Int128)double.Round(clamped.G * Film.ChannelUnits));
-        _film.AddSum(target, 2, (Int128)double.Round(clamped.B * Film.ChannelUnits));
+        long* sums = _sums.Pointer + ((nint)pixel * Film.SumsPerPixel);
+        sums[0] += (long)double.Round(clamped.R * Film.ChannelUnits);
+        sums[1] += (long)double.Round(clamped.G * Film.ChannelUnits);
+        sums[2] += (long)double.Round(clamped.B * Film.ChannelUnits);
         double y = clamped.Luminance;
-        _film.AddSum(target, Film.SquareSum, (Int128)double.Round(y * y * Film.SquareUnits));
-        _counts.Pointer[pixel]++;
+        Int128 square = (Int128)double.Round(y * y * Film.SquareUnits);
+        sums[Film.SquareSum] += (long)(square & ((1L << SumRest.SquareShift) - 1));
+        AddRest(pixel, (long)(square >> SumRest.SquareShift), 0);
+    }
+
+    private void AddRest(int pixel, long highSquare, int missing)
+    {
+        if (!_hasRest)
+        {
+            NativeMemory.Clear(_rest.Pointer, (nuint)(_targets.IsEmpty ? _tile.Pixels : _targets.Length) * sizeof(long));
+            _hasRest = true;
+        }
+
+        _rest.Pointer[pixel] += SumRest.Of(highSquare, missing);
     }
 
     private static float Clamp(float channel) => float.Clamp(channel, -Film.SampleLimit, Film.SampleLimit);
 
     /// <summary>Hands everything to the film.</summary>
-    public void End()
+    /// <param name="half">Takes it as well; null for none.</param>
+    /// <param name="cell">Keeps what was handed over, so that it can be taken back; null where nobody will.</param>
+    public void End(Film? half = null, PassCell? cell = null)
     {
-        long* sums = _sums.Pointer;
-        uint* counts = _counts.Pointer;
-        foreach (int target in _targets.Span)
+        int pixel = 0;
+        foreach ((int x, int y, int length) in PixelRuns.Of(_tile, _targets, _film.Width))
         {
-            (int y, int x) = int.DivRem(target, _film.Width);
-            _film.AddRow(x, y, new(sums, Film.SumsPerPixel), new(counts++, 1));
-            sums += Film.SumsPerPixel;
-        }
-
-        for (int row = 0; _targets.IsEmpty && row < _tile.Height; row++)
-        {
-            _film.AddRow(_tile.X, _tile.Y + row, new(sums, _tile.Width * Film.SumsPerPixel), new(counts, _tile.Width));
-            sums += _tile.Width * Film.SumsPerPixel;
-            counts += _tile.Width;
+            ReadOnlySpan<long> sums = new(_sums.Pointer + ((nint)pixel * Film.SumsPerPixel), length * Film.SumsPerPixel);
+            ReadOnlySpan<long> rest = _hasRest ? new(_rest.Pointer + pixel, length) : default;
+            _film.AddRow(x, y, sums, rest, _samples);
+            half?.AddRow(x, y, sums, rest, _samples);
+            cell?.Keep(x, y, sums, rest);
+            pixel += length;
         }
     }
 
     private void Clear(int pixels)
     {
         NativeMemory.Clear(_sums.Pointer, (nuint)pixels * Film.SumsPerPixel * sizeof(long));
-        NativeMemory.Clear(_counts.Pointer, (nuint)pixels * sizeof(uint));
+        _hasRest = false;
     }
 
     private void NoteBad(int pixel, int sample, Rgb value)
     {
         NonFinite++;
+        AddRest(pixel, 0, missing: 1);
         (int y, int x) = int.DivRem((int)FilmPixel(pixel), _film.Width);
         _bad.Add(new(x, y, sample, value));
 
