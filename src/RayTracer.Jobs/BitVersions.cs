@@ -25,7 +25,7 @@ public static class BitVersions
         new("meshes with literal shading normals or materials that transmit", 17, (scene, records) =>
             records.Any(r => Name(r) is "mesh" or "model")
                 && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
-        new("boundaries that shadow rays cross", 20, (scene, records) =>
+        new("boundaries that shadow rays cross", 21, (scene, records) =>
             scene.Render.WeakenedShadows || records.Any(r => IsBoundary(r) || HasPriority(r))),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
