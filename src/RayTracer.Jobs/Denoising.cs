@@ -1,101 +1,71 @@
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
+using RayTracer.Scenes;
+using RayTracer.Textures;
 
 namespace RayTracer.Jobs;
 
-/// <summary>Keeps two halves of a picture's samples apart while it is rendered, and denoises it. The film is the same to the bit as without.</summary>
-internal sealed class Denoising
+/// <summary>
+/// Denoises a film that keeps two halves of its samples (<see cref="FilmPlane.Half"/>). What the camera rays meet is found by rays of their
+/// own, afterwards: so films need not keep it.
+/// </summary>
+/// <param name="scene">The scene that the film shows.</param>
+/// <param name="options">How it was computed, and from which sample on.</param>
+public sealed class Denoising(Scene scene, RenderOptions options)
 {
-    // So many samples of a half know the surfaces well enough.
-    private const int MostFeatureSamples = 64;
-
-    // Samples of both halves together.
-    private const int LongestTurns = 128;
-    private readonly int[] _features = new int[2];
-    private readonly Scene _scene;
-    private readonly HalfRender[] _halves;
-
-    private Denoising(Scene scene)
-    {
-        _scene = scene;
-        RenderDescription render = scene.Render;
-        _halves = [HalfRender.Create(render.Width, render.Height), HalfRender.Create(render.Width, render.Height)];
-    }
+    private const int MostSamples = 128;
 
     /// <summary>Memory of what is needed besides the film, in bytes.</summary>
     public static long Bytes(int width, int height) =>
         (2 * (FilmMemory.Bytes(width, height) + AovFilm.Bytes(HalfRender.Kinds, width, height))) + (Denoiser.BytesPerPixel * (long)width * height);
 
-    /// <summary>Prepares.</summary>
-    /// <exception cref="JobException">There are too few samples.</exception>
-    public static Denoising Create(Scene scene) => scene.Render.SamplesPerPixel > 1
-        ? new(scene)
-        : throw new JobException(JobFault.Request, "--denoise compares two halves of the samples, but there is only 1 a pixel: give --spp 2 or more");
-
-    /// <summary>
-    /// Returns the half that a sample belongs to, and where its turn ends. Turns become longer, so that both halves have samples soon, and
-    /// yet there are few; they do not depend on how long passes take.
-    /// </summary>
-    /// <param name="first">The sample.</param>
-    /// <param name="all">All samples.</param>
-    public static (int Half, int End) Turn(int first, SampleRange all)
+    /// <summary>Prepares for a film in a file, whose scene is loaded for that; null where the scene is wrong, which was reported.</summary>
+    /// <param name="film">The film.</param>
+    /// <param name="scene">The scene's file, where it is no longer where it was; else null.</param>
+    /// <param name="threads">The number of threads.</param>
+    /// <param name="watch">Takes what there is to report.</param>
+    /// <exception cref="JobException">The scene is another.</exception>
+    public static Denoising? Of(HeldFilm film, string? scene, int threads, IJobWatch watch)
     {
-        int since = first - all.First;
-        int begin = since < 2 ? 0 : since < LongestTurns ? 1 << int.Log2(since) : since / LongestTurns * LongestTurns;
-        int end = Math.Min(all.Count, begin + Math.Clamp(begin, 2, LongestTurns));
-        int middle = (begin + end + 1) / 2;
-        return since < middle ? (0, all.First + middle) : (1, all.First + end);
-    }
-
-    /// <summary>Adds a pass over samples of one half.</summary>
-    /// <param name="pass">The samples.</param>
-    /// <param name="half">The half.</param>
-    /// <param name="options">Which they are.</param>
-    public void Add(Film pass, int half, RenderOptions options)
-    {
-        _halves[half].Film.Merge(pass);
-        AddFeatures(half, options);
-    }
-
-    /// <summary>Renders all samples in one go, where there can be no passes.</summary>
-    /// <param name="film">Takes the picture.</param>
-    /// <param name="loaded">What to render.</param>
-    /// <param name="plan">The numbers of samples of the pixels; null where all have the same.</param>
-    public RenderStatistics Render(Film film, LoadedJob loaded, SamplePlan? plan)
-    {
-        SampleRange all = plan is null ? loaded.Samples : new(0, plan.Fewest);
-        int middle = all.First + (all.Count / 2);
-        RenderOptions[] options = [.. new SampleRange[] { new(all.First, middle), new(middle, all.End) }.Select(r => loaded.Options with { Samples = r })];
-        (Film first, Film second) = (_halves[0].Film, _halves[1].Film);
-        RenderStatistics statistics = plan is null
-            ? new RTracer(_scene, options[0]).Render(first, loaded.Progress, loaded.Cancellation)
-            : new PlannedRender(_scene, loaded.Options, plan).Render(first, second, loaded.Progress, loaded.Cancellation);
-        if (plan is null && !statistics.Cancelled)
+        FilmHeader header = film.Header;
+        RenderJob job = JobOrigin.Of(header, film.Path).WithSamples(header.Total);
+        job = job with { Scene = scene ?? job.Scene };
+        SceneLoadResult load = job.Load();
+        watch.Read(load.Diagnostics);
+        if (load is not { Scene: { } built, Description: { } description })
         {
-            statistics += new RTracer(_scene, options[1]).Render(second, loaded.Progress, loaded.Cancellation);
+            return null;
         }
 
-        film.Merge(first);
-        film.Merge(second);
-        AddFeatures(0, options[0]);
-        AddFeatures(1, options[1]);
-        return statistics;
+        string content = OldFilms.Current(header, description, job.Scene, header.Crop).Content;
+        return content == ContentHash.Of(description, job.Scene, header.Crop)
+            ? new(built, new() { Threads = threads, Crop = header.Crop, Samples = header.Samples[0] }) : throw LoadedJob.OtherScene(job.Scene);
     }
 
-    /// <summary>The denoised picture; null where the rendering was stopped before both halves had samples.</summary>
-    public DenoiseResult? Denoise(int threads, IProgress<double>? progress) =>
-        _halves.All(h => h.Film.TotalSamples > 0) ? Denoiser.Denoise(_halves[0], _halves[1], threads, progress: progress) : null;
-
-    // A moment's work, without which the samples would be worth nothing here: so it is not cancelled.
-    private void AddFeatures(int half, RenderOptions options)
+    /// <summary>Returns the denoised picture; null where a half has no samples.</summary>
+    /// <param name="film">The film.</param>
+    /// <param name="progress">Takes how much is done, 0 to 1; may be null.</param>
+    public DenoiseResult? Denoise(Film film, IProgress<double>? progress)
     {
-        SampleRange samples = options.Samples!.Value;
-        int count = Math.Min(samples.Count, MostFeatureSamples - _features[half]);
-        if (count > 0)
-        {
-            new FirstHitPass(_scene, options with { Samples = new(samples.First, samples.First + count) }).Render(_halves[half].Features);
-            _features[half] += count;
-        }
+        (HalfRender first, HalfRender second) = HalfRender.Of(scene, options with { Samples = SamplesOf(film) }, film);
+        return first.Film.TotalSamples > 0 && second.Film.TotalSamples > 0 ? Denoiser.Denoise(first, second, options.Threads, progress) : null;
+    }
+
+    /// <summary>Returns the denoised picture of a film that keeps no halves: its noise is estimated from its pixels, which is worse.</summary>
+    /// <param name="film">The film.</param>
+    public Picture DenoiseWhole(Film film)
+    {
+        AovFilm features = new(film, HalfRender.Kinds);
+        new FirstHitPass(scene, options with { Samples = SamplesOf(film) }).Render(features);
+        return Denoiser.Denoise(new HalfRender(film, features), options.Threads);
+    }
+
+    // No more than a pixel of the film has, and enough to know the surfaces: looking for them must not take longer than the picture.
+    private SampleRange SamplesOf(Film film)
+    {
+        int first = options.Samples?.First ?? 0;
+        long pixels = options.Crop?.Pixels ?? ((long)film.Width * film.Height);
+        return new(first, first + (int)Math.Clamp((film.TotalSamples + pixels - 1) / pixels, 1, MostSamples));
     }
 }

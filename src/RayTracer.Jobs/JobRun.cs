@@ -90,6 +90,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
             long begun = Stopwatch.GetTimestamp();
             result = result with { Plan = _decision.Plan(loaded, _checkpoints) };
             loaded = loaded.With(_decision.Earlier ?? SampleDecision.RangeOf(result.Plan));
+            result = result with { Denoising = job.Denoise ? new(loaded.Scene, loaded.Options) : null };
             return NeedsPasses
                 ? new PassRender(loaded, films, watch) { Limit = job.Time - Stopwatch.GetElapsedTime(begun), Checkpoints = _checkpoints }.Render(result)
                 : AtOnce(result, loaded, films);
@@ -110,22 +111,20 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         return result with
         {
             Auxiliary = films.Auxiliary,
-            Denoising = films.Denoising,
             Samples = job.Adaptive || job.Pixel is not null ? null : options.Samples,
-            Statistics = films.Denoising is { } denoising ? denoising.Render(films.Film, loaded, job.Adaptive ? result.Plan : null)
-                : job.Adaptive ? new PlannedRender(scene, options, result.Plan!).Render(films.Film, loaded.Progress, cancellation)
+            Statistics = job.Adaptive ? new PlannedRender(scene, options, result.Plan!).Render(films.Film, loaded.Progress, cancellation)
                 : result.Counted(new RTracer(scene, options).Render(films.Film, loaded.Progress, cancellation)),
         };
     }
 
-    private DenoiseResult? Denoise(Denoising denoising)
+    private DenoiseResult? Denoise(Denoising denoising, Film film)
     {
         IProgress<RenderProgress>? progress = watch.Begin();
         using IDisposable? shown = progress as IDisposable;
-        DenoiseResult? denoised = denoising.Denoise(job.Threads, progress is null ? null : new DenoisingProgress(progress));
+        DenoiseResult? denoised = denoising.Denoise(film, progress is null ? null : new DenoisingProgress(progress));
         if (denoised is null)
         {
-            watch.Warn("stopped before two halves of the samples could be compared (--denoise): there is no denoised picture");
+            watch.Warn("all samples so far are of one of the two halves that --denoise compares: there is no denoised picture");
         }
 
         shown?.Dispose();
@@ -138,7 +137,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         bool isWanted = result.Film.TotalSamples > 0 && !(job.IsOfSequence && result.Statistics.Cancelled);
         if (isWanted && result.Denoising is { } denoising)
         {
-            result = result with { Denoised = Denoise(denoising) };
+            result = result with { Denoised = Denoise(denoising, result.Film) };
         }
 
         IReadOnlyList<string> files = isWanted ? _files.Write(result, watch) : [];

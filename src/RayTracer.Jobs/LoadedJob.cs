@@ -36,6 +36,7 @@ internal sealed record LoadedJob(
         Scene = Path.GetFullPath(Job.Scene),
         Settings = Job.FilmSettings,
         Software = ProgramName.Text,
+        Planes = Job.Planes,
     };
 
     /// <summary>Returns the header of the film that is resumed, or of a new one.</summary>

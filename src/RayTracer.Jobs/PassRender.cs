@@ -45,22 +45,21 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
             _header = AsAll(_header);
         }
 
-        return result with { Statistics = result.Counted(statistics), Denoising = films.Denoising, Header = _header, Checkpoints = Checkpoints, Auxiliary = auxiliary };
+        return result with { Statistics = result.Counted(statistics), Header = _header, Checkpoints = Checkpoints, Auxiliary = auxiliary };
     }
 
     private RenderStatistics Passes()
     {
         SampleRange missing = new(_header.Samples is [.., var last] ? last.End : loaded.Samples.First, loaded.Samples.End);
         Film film = films.Film;
-        Film pass = new(film.Width, film.Height);
+        Film pass = new(film.Width, film.Height, film.Planes);
         RenderStatistics statistics = new();
         long total = (long)(loaded.Options.Crop ?? new(0, 0, film.Width, film.Height)).Pixels * missing.Count;
         long start = Stopwatch.GetTimestamp();
         int count = 1;
         for (int first = missing.First; first < missing.End && !(first > missing.First && Stopwatch.GetElapsedTime(start) >= Limit);)
         {
-            (int half, int end) = films.Denoising is null ? (0, missing.End) : Denoising.Turn(first, missing);
-            SampleRange range = new(first, Math.Min(end, first + count));
+            SampleRange range = new(first, Math.Min(missing.End, first + count));
             long passStart = Stopwatch.GetTimestamp();
             PassProgress shown = new(loaded.Progress, statistics, total);
             RenderStatistics done = new RTracer(loaded.Scene, loaded.Options with { Samples = range })
@@ -72,7 +71,6 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
             }
 
             film.Merge(pass);
-            films.Denoising?.Add(pass, half, loaded.Options with { Samples = range });
             pass.Clear();
             statistics += done;
             first = range.End;

@@ -89,27 +89,6 @@ public sealed class JobRunTests : IDisposable
         Assert.Contains("two halves", Assert.Single(_watch.Lines), StringComparison.Ordinal);
     }
 
-    [Theory]
-    [InlineData(2, 1)]
-    [InlineData(7, 3)]
-    [InlineData(64, 32)]
-    [InlineData(1000, 500)]
-    public void Halves_take_turns_and_come_out_even(int samples, int ofSecond)
-    {
-        int[] counts = new int[2];
-        for (int first = 5; first < 5 + samples;)
-        {
-            (int half, int end) = Denoising.Turn(first, new(5, 5 + samples));
-            Assert.InRange(end, first + 1, first + 64);
-            Assert.Equal((half, end), Denoising.Turn(end - 1, new(5, 5 + samples)));
-            counts[half] += end - first;
-            Assert.InRange(counts[0] - counts[1], 0, 64);
-            first = end;
-        }
-
-        Assert.Equal((samples - ofSecond, ofSecond), (counts[0], counts[1]));
-    }
-
     [Fact]
     public void Parts_merge_to_the_bits_of_the_whole()
     {
@@ -125,6 +104,54 @@ public sealed class JobRunTests : IDisposable
         Assert.Equal("samples 1..1 are missing of 4", FilmMerge.Of([files[0], files[2]]).Missing);
         JobException twice = Assert.Throws<JobException>(() => FilmMerge.Of([files[0], files[0]]));
         Assert.Contains("are in both", twice.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Parts_with_halves_merge_to_the_whole_and_without_one_there_are_none()
+    {
+        RenderJob job = _job.WithSamples(13) with { Halves = true };
+        string[] files = [.. Enumerable.Range(1, 4).Select(i => _folder[$"{i}.rtfilm"])];
+        for (int i = 0; i < 4; i++)
+        {
+            new JobRun(job with { Outputs = [files[i]], Part = (i + 1, 4) }, _watch).Run(CancellationToken.None);
+        }
+
+        JobResult whole = new JobRun(job with { Outputs = [_folder["whole.rtfilm"]] }, _watch).Run(CancellationToken.None)!;
+        FilmMerge merge = FilmMerge.Of([files[2], files[0], files[3], files[1]]);
+        Assert.Equal((whole.Hash, 0), (merge.Add().ComputeHash(), merge.Lost.Count));
+        Assert.NotEqual(whole.Hash, whole.Film.ComputeHash([]));
+
+        new JobRun(job with { Halves = false, Outputs = [files[1]], Part = (2, 4) }, _watch).Run(CancellationToken.None);
+        merge = FilmMerge.Of(files);
+        Assert.Equal((files[1], FilmPlane.Half), Assert.Single(merge.Lost));
+        Assert.Equal(whole.Film.ComputeHash([]), merge.Add().ComputeHash());
+    }
+
+    [Fact]
+    public void A_resumed_film_is_denoised_as_if_it_had_not_been_stopped()
+    {
+        RenderJob job = _job.WithSamples(12) with { Outputs = [_folder["a.pfm"]], Denoise = true };
+        new JobRun(job, _watch).Run(CancellationToken.None);
+        byte[] denoised = File.ReadAllBytes(_folder["a.denoised.pfm"]);
+        string film = _folder["a.rtfilm"];
+        JobResult few = new JobRun(_job.WithSamples(5) with { Outputs = [film], Halves = true }, _watch).Run(CancellationToken.None)!;
+        Assert.Equal([FilmPlane.Half], few.Header!.Planes);
+        JobResult more = new JobRun(job with { Resumed = HeldFilm.Read(film), Outputs = [_folder["b.pfm"], film] }, _watch).Run(CancellationToken.None)!;
+        Assert.Equal(denoised, File.ReadAllBytes(_folder["b.denoised.pfm"]));
+        Assert.Equal(more.Hash, FilmFile.Read(film).Film.ComputeHash());
+        Assert.Contains("\"halves=true\"", new Dictionary<string, string>(PictureTexts.Of(more.Header!, more.Hash))[PictureTexts.SettingsKey], StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("denoise=true")]
+    [InlineData("halves=true")]
+    public void A_film_without_halves_is_not_given_any_later(string setting)
+    {
+        string film = _folder["a.rtfilm"];
+        new JobRun(_job.WithSamples(5) with { Outputs = [film] }, _watch).Run(CancellationToken.None);
+        RenderJob more = _job.WithSamples(12).With([setting]) with { Outputs = [_folder["a.png"]], Resumed = HeldFilm.Read(film) };
+        JobException fault = Assert.Throws<JobException>(() => new JobRun(more, _watch).Run(CancellationToken.None));
+        Assert.StartsWith($"'{film}' does not keep two halves of its samples", fault.Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -16,6 +16,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
 
     // 64 · 16² · 2⁴⁸ = 2⁶²; brighter samples go to the film at once.
     private const float OrdinaryLimit = 16;
+    private const int HalfSums = Film.SumsPerPixel + 1;
     private readonly PinnedBuffer<long> _sums = new((long)maxPixels * Film.SumsPerPixel);
     private readonly PinnedBuffer<uint> _counts = new(maxPixels);
     private readonly PinnedBuffer<long> _units = new((long)Film.SumsPerPixel * FloatW.Count);
@@ -24,6 +25,11 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private Film _film = null!;
     private Tile _tile;
     private ReadOnlyMemory<int> _targets;
+
+    // Where the film keeps a half of the samples: bit i is whether the first sample and i more is one of it.
+    private PinnedBuffer<long>? _halfSums;
+    private ulong _half;
+    private int _firstSample;
 
     /// <summary>Samples that were not finite, and so were left out.</summary>
     public long NonFinite { get; private set; }
@@ -34,23 +40,24 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <summary>The first samples that were not finite.</summary>
     public IReadOnlyList<BadSample> Bad => _bad;
 
-    /// <summary>Prepares for the samples of a tile.</summary>
-    public void Begin(Film film, in Tile tile)
+    /// <summary>Prepares for some samples of a tile, at most <see cref="MaxSamples"/> of a pixel.</summary>
+    public void Begin(Film film, in Tile tile, SampleRange samples)
     {
         _film = film;
         _tile = tile;
         _targets = default;
-        Clear(tile.Pixels);
+        Clear(tile.Pixels, samples);
     }
 
     /// <summary>Prepares for the samples of single pixels.</summary>
     /// <param name="film">The film.</param>
     /// <param name="targets">The numbers of its pixels.</param>
-    public void BeginPixels(Film film, ReadOnlyMemory<int> targets)
+    /// <param name="samples">The samples, at most <see cref="MaxSamples"/>.</param>
+    public void BeginPixels(Film film, ReadOnlyMemory<int> targets, SampleRange samples)
     {
         _film = film;
         _targets = targets;
-        Clear(targets.Length);
+        Clear(targets.Length, samples);
     }
 
     /// <summary>Adds a packet of samples.</summary>
@@ -84,12 +91,38 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             _counts.Pointer[pixel[lane]]++;
         }
 
+        if (_half != 0)
+        {
+            AddToHalf(ordinary, samples);
+        }
+
         for (uint rest = inUse & ~ordinary; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
             AddUnusual((int)pixel[lane], (int)samples[lane], new(radiance.R[lane], radiance.G[lane], radiance.B[lane]));
         }
     }
+
+    // Of the packet whose pixels and units were stored.
+    private void AddToHalf(uint ordinary, UIntW samples)
+    {
+        for (uint rest = ordinary; rest != 0; rest &= rest - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(rest);
+            if (IsOfHalf((int)samples[lane]))
+            {
+                long* sums = _halfSums!.Pointer + ((nint)_pixels.Pointer[lane] * HalfSums);
+                for (int sum = 0; sum < Film.SumsPerPixel; sum++)
+                {
+                    sums[sum] += _units.Pointer[(sum * FloatW.Count) + lane];
+                }
+
+                sums[Film.SumsPerPixel]++;
+            }
+        }
+    }
+
+    private bool IsOfHalf(int sample) => (_half >> (sample - _firstSample) & 1) != 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void ToChannelUnits(FloatW value, long* units)
@@ -124,13 +157,19 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
 
         Rgb clamped = new(Clamp(value.R), Clamp(value.G), Clamp(value.B));
         Clamped += clamped == value ? 0 : 1;
-        long target = FilmPixel(pixel);
-        _film.AddSum(target, 0, (Int128)double.Round(clamped.R * Film.ChannelUnits));
-        _film.AddSum(target, 1, (Int128)double.Round(clamped.G * Film.ChannelUnits));
-        _film.AddSum(target, 2, (Int128)double.Round(clamped.B * Film.ChannelUnits));
         double y = clamped.Luminance;
-        _film.AddSum(target, Film.SquareSum, (Int128)double.Round(y * y * Film.SquareUnits));
+        Span<Int128> sums = stackalloc Int128[HalfSums];
+        sums[0] = (Int128)double.Round(clamped.R * Film.ChannelUnits);
+        sums[1] = (Int128)double.Round(clamped.G * Film.ChannelUnits);
+        sums[2] = (Int128)double.Round(clamped.B * Film.ChannelUnits);
+        sums[Film.SquareSum] = (Int128)double.Round(y * y * Film.SquareUnits);
+        sums[Film.SumsPerPixel] = 1;
+        _film.AddSums(FilmPixel(pixel), sums[..Film.SumsPerPixel]);
         _counts.Pointer[pixel]++;
+        if (_half != 0 && IsOfHalf(sample))
+        {
+            _film.AddPlaneSums(FilmPlane.Half, FilmPixel(pixel), sums);
+        }
     }
 
     private static float Clamp(float channel) => float.Clamp(channel, -Film.SampleLimit, Film.SampleLimit);
@@ -138,27 +177,44 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <summary>Hands everything to the film.</summary>
     public void End()
     {
-        long* sums = _sums.Pointer;
-        uint* counts = _counts.Pointer;
+        int first = 0;
         foreach (int target in _targets.Span)
         {
-            (int y, int x) = int.DivRem(target, _film.Width);
-            _film.AddRow(x, y, new(sums, Film.SumsPerPixel), new(counts++, 1));
-            sums += Film.SumsPerPixel;
+            Hand(target, first++, 1);
         }
 
         for (int row = 0; _targets.IsEmpty && row < _tile.Height; row++)
         {
-            _film.AddRow(_tile.X, _tile.Y + row, new(sums, _tile.Width * Film.SumsPerPixel), new(counts, _tile.Width));
-            sums += _tile.Width * Film.SumsPerPixel;
-            counts += _tile.Width;
+            Hand(((_tile.Y + row) * _film.Width) + _tile.X, first, _tile.Width);
+            first += _tile.Width;
         }
     }
 
-    private void Clear(int pixels)
+    private void Hand(int target, int first, int pixels)
+    {
+        _film.AddRow(target, new(_sums.Pointer + ((nint)first * Film.SumsPerPixel), pixels * Film.SumsPerPixel), new(_counts.Pointer + first, pixels));
+        if (_half != 0)
+        {
+            _film.AddPlaneSums(FilmPlane.Half, target, new ReadOnlySpan<long>(_halfSums!.Pointer + ((nint)first * HalfSums), pixels * HalfSums));
+        }
+    }
+
+    private void Clear(int pixels, SampleRange samples)
     {
         NativeMemory.Clear(_sums.Pointer, (nuint)pixels * Film.SumsPerPixel * sizeof(long));
         NativeMemory.Clear(_counts.Pointer, (nuint)pixels * sizeof(uint));
+        (_half, _firstSample) = (0, samples.First);
+        int kept = _film.Planes.Contains(FilmPlane.Half) ? samples.Count : 0;
+        for (int i = 0; i < kept; i++)
+        {
+            _half |= FilmPlane.IsOfHalf(samples.First + i) ? 1UL << i : 0;
+        }
+
+        if (_half != 0)
+        {
+            _halfSums ??= new((long)maxPixels * HalfSums);
+            NativeMemory.Clear(_halfSums.Pointer, (nuint)pixels * HalfSums * sizeof(long));
+        }
     }
 
     private void NoteBad(int pixel, int sample, Rgb value)

@@ -54,7 +54,7 @@ internal sealed unsafe class Wavefront
     /// <param name="samples">The samples, at most <see cref="SampleAccumulator.MaxSamples"/>.</param>
     public void Render(Film film, in Tile tile, SampleRange samples)
     {
-        _accumulator.Begin(film, tile);
+        _accumulator.Begin(film, tile, samples);
         Follow(tile, samples);
         _accumulator.End();
         Paths += (long)tile.Pixels * samples.Count;
@@ -68,7 +68,7 @@ internal sealed unsafe class Wavefront
     /// <param name="seed">Selects the random numbers, in the place of the scene's seed.</param>
     public void Render(Film film, ReadOnlySpan<int> pixels, ReadOnlyMemory<int> targets, SampleRange samples, uint seed)
     {
-        _accumulator.BeginPixels(film, targets);
+        _accumulator.BeginPixels(film, targets, samples);
         _generator.Begin(pixels, samples, seed);
         Follow(samples);
         _accumulator.End();

@@ -14,43 +14,20 @@ public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan
     /// <param name="progress">Told how far the picture is, the plan's samples included; may be null.</param>
     /// <param name="cancellation">Ends the work after the pixels under way; all samples in the film are whole.</param>
     /// <returns>What was done for the picture and the plan.</returns>
-    public RenderStatistics Render(Film film, IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default) => Run(progress, (renderer, done) =>
-    {
-        int first = 0;
-        foreach (int end in plan.Samples.Distinct().Order())
-        {
-            int[] pixels = Pixels(samples => samples >= end, film.Width);
-            renderer.Render(film, pixels, pixels, new(first, end), (uint)scene.Render.Seed, done.Add, cancellation);
-            first = end;
-        }
-    });
-
-    /// <summary>Renders each pixel's samples in two halves, which make the picture together.</summary>
-    /// <param name="first">Takes the first half; an empty film of the scene's size.</param>
-    /// <param name="second">Takes the second one, which has one sample more where their number is odd.</param>
-    /// <param name="progress">Takes how far the picture is; may be null.</param>
-    /// <param name="cancellation">Ends the work after the pixels under way; all samples in the films are whole.</param>
-    /// <returns>What was done for the picture and the plan.</returns>
-    public RenderStatistics Render(Film first, Film second, IProgress<RenderProgress>? progress, CancellationToken cancellation) => Run(progress, (renderer, done) =>
-    {
-        foreach ((Film film, bool isSecond) in new[] { (first, false), (second, true) })
-        {
-            foreach (int count in plan.Samples.Distinct().Order())
-            {
-                int[] pixels = Pixels(samples => samples == count, film.Width);
-                SampleRange range = isSecond ? new(count / 2, count) : new(0, count / 2);
-                renderer.Render(film, pixels, pixels, range, (uint)scene.Render.Seed, done.Add, cancellation);
-            }
-        }
-    });
-
-    private RenderStatistics Run(IProgress<RenderProgress>? progress, Action<PixelRenderer, ProgressSum> render)
+    public RenderStatistics Render(Film film, IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
     {
         PixelRenderer renderer = new(scene, options);
+        ProgressSum done = new(plan.TotalSamples + plan.Statistics.Paths, progress, plan.Statistics.Paths, plan.Statistics.Rays);
         bool cancelled = false;
         try
         {
-            render(renderer, new(plan.TotalSamples + plan.Statistics.Paths, progress, plan.Statistics.Paths, plan.Statistics.Rays));
+            int first = 0;
+            foreach (int end in plan.Samples.Distinct().Order())
+            {
+                int[] pixels = Pixels(samples => samples >= end, film.Width);
+                renderer.Render(film, pixels, pixels, new(first, end), (uint)scene.Render.Seed, done.Add, cancellation);
+                first = end;
+            }
         }
         catch (OperationCanceledException)
         {
