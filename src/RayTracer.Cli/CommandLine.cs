@@ -59,7 +59,7 @@ internal static class CommandLine
         try
         {
             PluginFile.LoadAll(args);
-            ParseResult result = Root(args.FirstOrDefault(), streams).Parse(args, new() { ResponseFileTokenReplacer = null });
+            ParseResult result = Parse(args, streams);
             string? stray = Stray(result);
             string? empty = EmptyWord(result);
             if ((stray is not null || empty is not null || result.Errors.Count > 0) && result.Action is not HelpAction)
@@ -75,6 +75,9 @@ internal static class CommandLine
             return Report(e, streams);
         }
     }
+
+    /// <summary>Parses a command without running it.</summary>
+    public static ParseResult Parse(string[] args, Streams streams) => Root(args.FirstOrDefault(), streams).Parse(args, new() { ResponseFileTokenReplacer = null });
 
     /// <summary>A command as it is typed, without the word --, so that more words can follow.</summary>
     public static string Text(ParseResult result)
@@ -125,9 +128,11 @@ internal static class CommandLine
         return root;
     }
 
-    // A word that has no place; one that looks like an option comes first, even where the parser took it for an argument. After --, no word
-    // is an option.
-    private static string? Stray(ParseResult result)
+    /// <summary>
+    /// Returns a word that has no place; one that looks like an option comes first, even where the parser took it for an argument. After --,
+    /// no word is an option.
+    /// </summary>
+    public static string? Stray(ParseResult result)
     {
         HashSet<string> names = Names(result);
         IEnumerable<string> arguments = result.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens)

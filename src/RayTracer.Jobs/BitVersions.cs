@@ -24,6 +24,7 @@ public static class BitVersions
         new("meshes with literal shading normals or materials that transmit", 17, (scene, records) =>
             records.Any(r => Name(r) is "mesh" or "model")
                 && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
+        new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 
     /// <summary>Those that a scene has.</summary>

@@ -7,7 +7,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Lights;
 
 /// <summary>Describes a <see cref="SkyEnvironment"/>.</summary>
-[SceneType("sky", "A clear or hazy daytime sky and its sun (Preetham, Shirley & Smits 1999). Below the horizon it is black.")]
+[SceneType("sky", "A clear or hazy daytime sky, its sun, and the ground below the horizon in their light (after Hillaire 2020).")]
 public sealed record SkyEnvironmentDescription : EnvironmentDescription
 {
     // The sun's angular radius as seen from the earth.
@@ -34,6 +34,11 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
     [Parameter("Factor on the sun alone; 0 is a sky without a sun.", Minimum = 0)]
     public float SunScale { get; init; } = 1;
 
+    /// <summary>The colour of the ground.</summary>
+    [Parameter("The colour of the ground below the horizon, matt and endlessly far away, which also brightens the sky; [0, 0, 0] is a "
+        + "black one.", Minimum = 0, Maximum = 1)]
+    public Rgb Ground { get; init; } = new(0.3f, 0.3f, 0.3f);
+
     /// <summary>The size of the sun.</summary>
     [Parameter("The sun's diameter as a multiple of the real one (0.533°), with the same total light: larger ones make softer shadows.",
         Minimum = 0.1, Maximum = 100)]
@@ -47,17 +52,16 @@ public sealed record SkyEnvironmentDescription : EnvironmentDescription
         float turns = SunAzimuth / 360;
         LaneMath.SinCosTurn(turns - float.Floor(turns), out float x, out float z);
         Vector3 toSun = new(level * x, up, -level * z);
-        PreethamSky sky = new(Turbidity, toSun);
-        Rgb sun = sky.Sun() * (Scale * SunScale);
+        DaylightSky sky = new(Turbidity, toSun, Ground);
         float height = ConeHeight(SunRadius * SunSize);
-        sun *= ConeHeight(SunRadius) / height;
+        Rgb sun = sky.Sun * (Scale * SunScale / (2 * float.Pi * height));
         if (!(sun.R <= ImageEnvironment.Brightest) || !(Scale * 1000 <= ImageEnvironment.Brightest))
         {
             builder.Error(this, nameof(Scale), "the sky and sun become too bright to compute with");
             return null;
         }
 
-        ImageEnvironment picture = new(sky.Paint(SkyEnvironment.Rows), Scale, turn);
+        ImageEnvironment picture = new(sky.Paint(SkyEnvironment.Rows, Ground, SunScale), Scale, turn);
         return sun.IsBlack ? picture : new SkyEnvironment(picture, turn.Vector(toSun).Unit(), height, sun);
     }
 

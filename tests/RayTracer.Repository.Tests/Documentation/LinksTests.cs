@@ -2,13 +2,16 @@ using System.Text.RegularExpressions;
 
 namespace RayTracer.Repository.Tests.Documentation;
 
-/// <summary>What the README and the pages under docs point to is there.</summary>
+/// <summary>The files that the pages at the root and under docs point to are there.</summary>
 public partial class LinksTests
 {
-    public static TheoryData<string> Pages => new(Directory.GetFiles(ProjectFolder.PathOf("docs"), "*.md", SearchOption.AllDirectories)
-        .Append(ProjectFolder.PathOf("README.md"))
+    public static TheoryData<string> Pages => new(Paths);
+
+    /// <summary>The pages, from the repository's root.</summary>
+    public static IEnumerable<string> Paths => Directory.GetFiles(ProjectFolder.PathOf("docs"), "*.md", SearchOption.AllDirectories)
+        .Concat(Directory.GetFiles(ProjectFolder.Root, "*.md"))
         .Select(p => Path.GetRelativePath(ProjectFolder.Root, p).Replace('\\', '/'))
-        .Order(StringComparer.Ordinal));
+        .Order(StringComparer.Ordinal);
 
     [Theory]
     [MemberData(nameof(Pages))]
