@@ -29,7 +29,7 @@ public static class JobRules
         ("--pixel", "--noise|--adaptive", "--pixel renders a given number of samples: leave --noise and --adaptive out"),
         ("--adaptive", "--samples|--part", "--adaptive decides how many samples there are: leave --samples and --part out"),
         ("--preview", "--pixel", "--pixel prints numbers: leave --preview out"),
-        ("--preview", "--adaptive|--denoise|layers of light", "--preview shows passes over the whole picture, which --adaptive, --denoise and layers of light do not make: leave it out"),
+        ("--preview", "--adaptive|layers of light", "--preview shows passes over the whole picture, which --adaptive and layers of light do not make: leave it out"),
         ("--adaptive", "passes", "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot resume: leave it out"),
         ("--noise", "--samples|--part", "--noise decides how many samples there are: leave --samples and --part out"),
         ("--samples", "--part", "--samples and --part cannot go together"),

@@ -86,7 +86,6 @@ public sealed class DisplayTests : IDisposable
 
     [Theory]
     [InlineData("--adaptive")]
-    [InlineData("--denoise")]
     [InlineData("--aov", "direct")]
     public void A_preview_needs_passes(params string[] options)
     {
