@@ -67,7 +67,7 @@ internal sealed class ClusterVerb
 
         return new()
         {
-            Job = given,
+            Job = given.Sized(),
             Tasks = (int)tasks,
             Render = [given.Scene, .. _overrides.Words(result)],
             Looks = [.. _writing.Words(result)],

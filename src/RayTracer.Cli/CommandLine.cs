@@ -56,6 +56,7 @@ internal static class CommandLine
     public static int Run(string[] args, Streams streams)
     {
         Importers.Register();
+        using InputFiles inputs = InputFiles.Begin();
         try
         {
             PluginFile.LoadAll(args);

@@ -82,6 +82,7 @@ internal static class ComposeVerb
     {
         try
         {
+            InputFiles.Add(path);
             return read(File.ReadAllBytes(path));
         }
         catch (PictureException e)

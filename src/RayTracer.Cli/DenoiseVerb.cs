@@ -42,12 +42,6 @@ internal sealed class DenoiseVerb
         IReadOnlyList<string> outputs = _writing.Files(result, new(), "", JobFiles.Check);
         ImageWriteOptions writing = _writing.Writing(result) with { Metadata = PictureTexts.Of(CommandLine.Text(result)) };
         _writing.WarnOfUnused(result, outputs, streams);
-        string?[] inputs = [path, result.GetValue(_albedo), result.GetValue(_normal)];
-        if (outputs.FirstOrDefault(o => inputs.OfType<string>().Any(i => Path.GetFullPath(i) == Path.GetFullPath(o))) is { } lost)
-        {
-            throw new CommandException(ExitStatus.Usage, $"-o {lost}: this file is read, and would be lost: give another name");
-        }
-
         StageTimes stages = _verbose.Times(result, streams);
         HeldFilm? film = CarriedFilm.Is(path) ? HeldFilm.Read(path) : null;
         bool isOfFilm = film is not null && (film.Film.Planes.Contains(FilmPlane.Half) || !HasGuides(result, path));

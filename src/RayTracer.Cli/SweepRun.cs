@@ -32,7 +32,7 @@ internal sealed class SweepRun(
         (int Width, int Height)? size = null;
         foreach (SweepCell cell in axes.Samples)
         {
-            SceneLoadResult loaded = SceneLoader.Load(job.Scene, change, null, axes.Settings(cell));
+            SceneLoadResult loaded = Job(cell).Load(change);
             streams.Read(loaded.Diagnostics);
             if (loaded.Scene is not { Render: var render })
             {
@@ -63,11 +63,13 @@ internal sealed class SweepRun(
         return failed;
     }
 
+    private RenderJob Job(SweepCell cell) => (job with { Settings = axes.Settings(cell) }).Sized();
+
     private int Render(SweepCell cell, CancellationToken cancellation)
     {
         string changes = string.Join(' ', axes.Changes(cell).Select(s => s.Text));
         ConsoleRun watch = new(new(Quiet: true, Verbose: display.Verbose), streams);
-        if (new JobRun(job with { Settings = axes.Settings(cell) }, watch) { Change = change }.Compute(cancellation) is not { } outcome)
+        if (new JobRun(Job(cell), watch) { Change = change }.Compute(cancellation) is not { } outcome)
         {
             streams.Fail($"these errors are with {changes}");
             return SceneFile.FailureStatus(job.Scene);

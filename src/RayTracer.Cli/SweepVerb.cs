@@ -21,7 +21,7 @@ internal sealed class SweepVerb
     private readonly WritingOptions _writing;
     private readonly JobOptionSet _overrides;
     private readonly ParsedOption<long?> _cell = OptionValues.Integer(
-        "--cell", $"Columns of each picture, its rows by the scene's shape; without it (and --width and --height), at most {StandardCell}.", 8, 1 << 16);
+        "--cell", $"Columns of each picture, its rows by the scene's shape; without it (and --width, --height and --scale), at most {StandardCell}.", 8, 1 << 16);
 
     private readonly DisplayOptions _display;
 
@@ -46,9 +46,14 @@ internal sealed class SweepVerb
         IReadOnlyList<string> outputs = _writing.Files(result, display, "the films' hashes", JobFiles.Check);
         _writing.WarnOfUnused(result, outputs, streams, isSeen: true);
         StageTimes stages = _display.Times(result, streams);
-        RenderJob job = _overrides.Given(result) with { Scene = result.GetValue(_scene)!, Writing = _writing.Writing(result) };
+        RenderJob job = _overrides.Given(result) with { Scene = result.GetValue(_scene)!, Outputs = outputs, Writing = _writing.Writing(result) };
+        if (JobRules.Complaint(job, "--json") is { } complaint)
+        {
+            throw new CommandException(ExitStatus.Usage, complaint);
+        }
+
         SweepAxes axes = new(job.Settings);
-        bool isSized = _cell.Value(result) is null && job.Settings.Any(s => s.Path is "render.width" or "render.height");
+        bool isSized = _cell.Value(result) is null && (job.Scale is not null || job.Settings.Any(s => s.Path is "render.width" or "render.height"));
         SweepRun run = new(job, axes, scene => isSized ? scene : Fit(scene, result), display, streams);
         if (!run.Check())
         {

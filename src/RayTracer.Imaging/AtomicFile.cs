@@ -161,6 +161,11 @@ internal static class AtomicFile
             throw new NotSupportedException("that is a pipe or a device, which a file would replace");
         }
 
+        if (InputFiles.Contain(target))
+        {
+            throw new NotSupportedException("this file is read, and would be lost: give another name");
+        }
+
         // Else it would be found out when the file is renamed: the temporary one has a shorter name.
         string name = Path.GetFileName(target);
         int length = OperatingSystem.IsWindows() ? name.Length : Encoding.UTF8.GetByteCount(name);

@@ -14,7 +14,7 @@ public static class ImageFile
     /// </param>
     /// <returns>Linear RGB.</returns>
     /// <exception cref="PictureException">The file is missing, of no known format, damaged or too large; the message names it.</exception>
-    public static Picture Read(string path, bool raw = false) => OfFile(path, file => Decode(file, raw));
+    public static Picture Read(string path, bool raw = false) => OfInput(path, file => Decode(file, raw));
 
     /// <summary>Reads a picture file that is in memory; its format is recognized by its first bytes.</summary>
     /// <param name="file">The whole file.</param>
@@ -38,7 +38,7 @@ public static class ImageFile
     /// </returns>
     /// <exception cref="PictureException">As for <see cref="Read"/>.</exception>
     public static (Picture Picture, IReadOnlyList<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) ReadAll(string path) =>
-        OfFile(path, file => (Decode(file), Known(file).ReadText(file), Known(file).ReadLayers(file)));
+        OfInput(path, file => (Decode(file), Known(file).ReadText(file), Known(file).ReadLayers(file)));
 
     /// <summary>Returns whether a file is there and its first bytes are those of a picture or film.</summary>
     /// <param name="path">The file.</param>
@@ -154,6 +154,13 @@ public static class ImageFile
 
     private static ImageFormat Known(ReadOnlySpan<byte> file) => ImageFormat.Of(file)
         ?? throw new PictureException($"its first bytes are not those of a supported picture format ({ImageFormat.Names()})");
+
+    /// <summary>As <see cref="OfFile"/>, of a picture that is read to make another file of it.</summary>
+    private static T OfInput<T>(string path, Func<byte[], T> read)
+    {
+        InputFiles.Add(path);
+        return OfFile(path, read);
+    }
 
     /// <summary>Reads something from a file, or from its beginning.</summary>
     /// <param name="path">The file.</param>

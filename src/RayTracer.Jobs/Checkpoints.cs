@@ -22,7 +22,7 @@ public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
     private TimeSpan _cost;
 
     // What may be replaced: what was there before, and what was written since.
-    private (string Content, SampleRange Wanted)? _known = There(path);
+    private FilmHeader? _known = There(path);
 
     /// <summary>True if the latest could not be written.</summary>
     public bool HasFailed { get; private set; }
@@ -32,6 +32,25 @@ public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
 
     /// <summary>The time that took in all, failures included.</summary>
     public TimeSpan Spent { get; private set; }
+
+    /// <summary>Keeps a film that is there, and is not resumed, from being lost.</summary>
+    /// <exception cref="JobException">There is one of another picture, or one of this that was not to be overwritten.</exception>
+    internal void CheckLost(LoadedJob loaded)
+    {
+        bool isOwn = (loaded.Job.Resumed ?? loaded.Job.Decision) is { Path: var own } && Path.GetFullPath(own) == Path.GetFullPath(path);
+        if (isOwn || _known is not { } there)
+        {
+            return;
+        }
+
+        // That of a decision on the number of samples begins with the picture's.
+        bool isOther = !loaded.Current(there).Content.StartsWith(loaded.NewHeader().Content, StringComparison.Ordinal);
+        if (isOther || !loaded.Job.Overwrite)
+        {
+            string advice = isOther || loaded.Job.Resumed is not null ? "give another name, or delete it" : "--resume continues it, --overwrite begins from scratch";
+            throw new JobException(JobFault.File, $"'{path}' holds samples {there.SamplesText} of {(isOther ? "another" : "this")} picture: {advice}");
+        }
+    }
 
     /// <summary>Writes one if it is time for it.</summary>
     public void Offer(Film film, FilmHeader header)
@@ -51,7 +70,7 @@ public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
         {
             CheckThere(header);
             JobFiles.WriteFilm(path, film, header);
-            _known = (header.Content, header.Wanted);
+            _known = header;
             HasFailed = false;
             Count++;
         }
@@ -67,11 +86,13 @@ public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
         Spent += _cost;
     }
 
-    private static (string Content, SampleRange Wanted)? There(string path)
+    private static (string Content, SampleRange Wanted)? Key(FilmHeader? header) => header is null ? null : (header.Content, header.Wanted);
+
+    private static FilmHeader? There(string path)
     {
         try
         {
-            return CarriedFilm.ReadHeader(path) is var header ? (header.Content, header.Wanted) : null;
+            return CarriedFilm.ReadHeader(path);
         }
         catch (PictureException)
         {
@@ -82,7 +103,7 @@ public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
 
     private void CheckThere(FilmHeader header)
     {
-        if (There(path) is { } there && there != _known && there != (header.Content, header.Wanted))
+        if (Key(There(path)) is { } there && there != Key(_known) && there != Key(header))
         {
             throw new ImageWriteException($"Cannot write '{path}': another rendering has written its film there meanwhile.");
         }

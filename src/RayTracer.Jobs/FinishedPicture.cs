@@ -44,6 +44,8 @@ public static class FinishedPicture
 
     private static bool Holds(string file, Predicate<string> read)
     {
+        // An output that is looked at counts as no input.
+        using InputFiles looked = InputFiles.Begin();
         try
         {
             return File.Exists(file) && read(file);

@@ -11,8 +11,13 @@ public sealed record HeldFilm(FilmHeader Header, Film Film, string Path)
 {
     /// <summary>Reads one.</summary>
     /// <exception cref="Textures.PictureException">It cannot be read.</exception>
-    public static HeldFilm Read(string path) =>
-        CarriedFilm.Read(path) is var (header, film) ? new(header, film, path) : throw new InvalidOperationException();
+    public static HeldFilm Read(string path)
+    {
+        // It is brought up to date itself, so that it counts as no input.
+        using InputFiles own = InputFiles.Begin();
+        (FilmHeader header, Film film) = CarriedFilm.Read(path);
+        return new(header, film, path);
+    }
 }
 
 /// <summary>Films in files whose rendering is not finished.</summary>

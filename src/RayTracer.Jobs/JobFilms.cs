@@ -11,11 +11,10 @@ internal sealed class JobFilms
     /// <summary>Prepares them.</summary>
     /// <param name="job">What to render.</param>
     /// <param name="scene">Its scene.</param>
-    /// <param name="hasPasses">Whether it is rendered in passes, which have a film more.</param>
     /// <exception cref="JobException">They cannot be had, or there is not enough memory.</exception>
-    public JobFilms(RenderJob job, Scene scene, bool hasPasses)
+    public JobFilms(RenderJob job, Scene scene)
     {
-        Film = job.Resumed?.Film ?? FilmOf(job, scene, hasPasses);
+        Film = job.Resumed?.Film ?? FilmOf(job, scene);
         if ((Film.Width, Film.Height) != (scene.Render.Width, scene.Render.Height))
         {
             throw LoadedJob.OtherScene(job.Scene);
@@ -54,12 +53,12 @@ internal sealed class JobFilms
         }
     }
 
-    private static Film FilmOf(RenderJob job, Scene scene, bool hasPasses)
+    private static Film FilmOf(RenderJob job, Scene scene)
     {
         (int width, int height) = (scene.Render.Width, scene.Render.Height);
         IReadOnlyList<FilmPlane> planes = PlanesOf(job);
-        long bytes = (FilmMemory.Bytes(width, height, planes) * (hasPasses ? 2 : 1)) + AovFilm.Bytes(job.Aovs, width, height) + LightPathAovFilm.Bytes(job.Layers, scene)
-            + (job.Denoise ? Denoising.Bytes(width, height) : 0);
+        long bytes = FilmMemory.Bytes(width, height, planes) + ((long)PassCell.BytesPerPixel * width * height) + AovFilm.Bytes(job.Aovs, width, height)
+            + LightPathAovFilm.Bytes(job.Layers, scene) + (job.Denoise ? Denoising.Bytes(width, height) : 0);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         return bytes <= available && (long)width * height <= Film.MaxPixels ? new(width, height, planes) : throw new JobException(
             JobFault.File, $"a film of {width}×{height} pixels takes {FilmMemory.Text(bytes)} of memory, more than is available ({FilmMemory.Text(available)})");

@@ -62,7 +62,10 @@ public static class JobOptions
     /// <summary>Those that replace what the scene says.</summary>
     public static IReadOnlyList<JobOption> OfScenes { get; } =
     [
-        Side("--width", "width"), Side("--height", "height"), Short("--spp", "samplesPerPixel"), Short("--seed", "seed"),
+        Side("--width", "width"), Side("--height", "height"),
+        new("--scale", "X%", "The size of the picture as a share of the scene's: 50%.", (j, w) => j with { Scale = W.Percentage(w) }, j =>
+            j.Scale is { } scale ? Invariant($"{scale * 100}%") : null),
+        Short("--spp", "samplesPerPixel"), Short("--seed", "seed"),
         Short("--sampler", "sampler"), Short("--integrator", "integrator"),
         Short("--max-depth", "maxDepth"), Short("--max-diffuse-depth", "maxDiffuseDepth"), Short("--max-specular-depth", "maxSpecularDepth"),
         Set,
@@ -125,8 +128,6 @@ public static class JobOptions
     public static IReadOnlyList<JobOption> All { get; } =
     [
         .. OfScenes,
-        new("--scale", "X%", "The size of the picture as a share of the scene's: 50%.", (j, w) => j with { Scale = W.Percentage(w) }, j =>
-            j.Scale is { } scale ? Invariant($"{scale * 100}%") : null),
         Threads, .. OfLooks, ExrFilm, Crop,
         new("--pixel", "x,y", "Renders only this pixel and prints its radiance.", (j, w) => j with { Pixel = W.Integers(w, "x,y") is [var x, var y] ? (x, y) : null },
             j => j.Pixel is { } p ? $"{p.X},{p.Y}" : null),
@@ -154,6 +155,8 @@ public static class JobOptions
         .. OfLongRenders,
         new("--resume", null, "Resumes the film of --checkpoint, if it is there: it must be of this very picture. If it is not there, begins from scratch. So the same command can be "
             + "given again.", (j, _) => j with { Resume = true }, j => Flag(j.Resume)),
+        new("--overwrite", null, "Begins from scratch where the file of --checkpoint holds a film of this very picture, which is lost. One of another picture stays.",
+            (j, _) => j with { Overwrite = true }, j => Flag(j.Overwrite)),
     ];
 
     /// <summary>The option of a name; null where there is none.</summary>

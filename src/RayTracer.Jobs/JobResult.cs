@@ -29,7 +29,7 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>The header of the film's file; null where it need not hold whole passes.</summary>
     public FilmHeader? Header { get; init; }
 
-    /// <summary>The samples of the pixels, where all have the same and no passes were made.</summary>
+    /// <summary>The samples of the pixels, where all have the same.</summary>
     public SampleRange? Samples { get; init; }
 
     /// <summary>The checkpoints; null where there are none.</summary>
@@ -57,7 +57,7 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
 
     /// <summary>The samples that all pixels have, the last one included; null where that is not the same for all, or none.</summary>
     public string? RangeText => Header is { Samples.Count: > 0 } header ? header.SamplesText
-        : Samples is { } range && !Statistics.Cancelled ? FilmHeader.Text(range) : null;
+        : Samples is { Count: > 0 } range ? FilmHeader.Text(range) : null;
 
     /// <summary>The mean number of samples of a pixel.</summary>
     public double MeanSamples => Header?.Samples.Sum(r => r.Count) ?? Samples?.Count ?? Plan?.MeanSamples ?? Scene.Render.SamplesPerPixel;

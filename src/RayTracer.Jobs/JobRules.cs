@@ -29,7 +29,6 @@ public static class JobRules
         ("--pixel", "--noise|--adaptive", "--pixel renders a given number of samples: leave --noise and --adaptive out"),
         ("--adaptive", "--samples|--part", "--adaptive decides how many samples there are: leave --samples and --part out"),
         ("--preview", "--pixel", "--pixel prints numbers: leave --preview out"),
-        ("--preview", "--adaptive|layers of light", "--preview shows passes over the whole picture, which --adaptive and layers of light do not make: leave it out"),
         ("--adaptive", "passes", "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot resume: leave it out"),
         ("--noise", "--samples|--part", "--noise decides how many samples there are: leave --samples and --part out"),
         ("--samples", "--part", "--samples and --part cannot go together"),
@@ -37,6 +36,8 @@ public static class JobRules
         ("--halves", "no film in a file", "--halves is for films, but none is written: give -o FILE.rtfilm, --checkpoint FILE.rtfilm or --exr-film"),
         ("--checkpoint", "no film", "{--checkpoint}: films are written to .rtfilm files"),
         ("--resume", "!--checkpoint", "--resume continues from a checkpoint: give --checkpoint FILE"),
+        ("--overwrite", "!--checkpoint", "--overwrite replaces a checkpoint: give --checkpoint FILE"),
+        ("--overwrite", "--resume", "--overwrite begins from scratch, and --resume continues: leave one of them out"),
         ("--scale", "--width", "--scale and --width both give the size: leave one of them out"),
         ("--scale", "--height", "--scale and --height both give the size: leave one of them out"),
         ("--adaptive", "--crop", "--adaptive distributes samples over the whole picture: leave --crop out"),
@@ -73,12 +74,12 @@ public static class JobRules
         string? apng = job.Outputs.FirstOrDefault(AnimatedPng.IsNamed);
         Add("files", job.Outputs.Count > 0);
         Add("nowhere", job.Outputs.Count == 0 && job.Checkpoint is null && !more.Contains("--json"));
-        Add("passes", job.NeedsPasses);
+        Add("passes", job.KeepsFilm);
         Add("auxiliary images", job.Aovs.Count > 0);
         Add("layers of light", job.Layers.Count > 0);
         Add("only films", job.Outputs.Count > 0 && job.Outputs.All(FilmFile.IsNamed));
         Add("no film", job.Checkpoint is { } checkpoint && !FilmFile.IsNamed(checkpoint));
-        Add("no film in a file", !job.KeepsFilm);
+        Add("no film in a file", !job.HasFilmFile);
         Add("no .exr", !job.Outputs.Any(FilmExr.IsNamed));
         Add("several frames", isSequence, job.Frames?.Count);
         Add("one frame", job.Frames is not null && !isSequence);

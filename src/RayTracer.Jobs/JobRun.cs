@@ -24,9 +24,6 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
     /// <summary>Reads pictures; null for <see cref="ImageFile.Read"/>.</summary>
     public Func<string, bool, Picture>? ReadPicture { get; init; }
 
-    // Layers of light and different numbers of samples need one rendering.
-    private bool NeedsPasses => job.NeedsPasses || watch.ShowsPasses || (job.Denoise && job.Layers.Count == 0 && !job.Adaptive);
-
     /// <summary>Loads, renders and writes.</summary>
     /// <param name="cancellation">Ends the rendering early; what is done so far is written.</param>
     /// <returns>The outcome; null where the scene is wrong, which was reported.</returns>
@@ -34,6 +31,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
     /// <exception cref="ImageWriteException">A file cannot be written, which was found out before the work.</exception>
     public JobResult? Run(CancellationToken cancellation)
     {
+        using InputFiles inputs = InputFiles.Begin();
         _files.Check();
         if (Compute(cancellation) is not { } result)
         {
@@ -56,9 +54,10 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         }
 
         watch.End(JobStage.Build);
+        _files.CheckInputs();
         JobFiles.CheckSize(job.Outputs, job.Writing, scene.Render.Width, scene.Render.Height);
         RenderOptions options = Shares.Options(job, scene.Render);
-        JobFilms films = new(job, scene, NeedsPasses);
+        JobFilms films = new(job, scene);
         _files.Add(films.Light?.Names ?? []);
         IProgress<RenderProgress>? progress = watch.Begin();
         using IDisposable? shown = progress as IDisposable;
@@ -84,37 +83,20 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
 
     private JobResult Render(LoadedJob loaded, JobFilms films)
     {
+        _checkpoints?.CheckLost(loaded);
         JobResult result = new(loaded.Scene, films.Film, new() { Cancelled = true }, loaded.Options.Threads, 0) { Light = films.Light };
         try
         {
             long begun = Stopwatch.GetTimestamp();
             result = result with { Plan = _decision.Plan(loaded, _checkpoints) };
             loaded = loaded.With(_decision.Earlier ?? SampleDecision.RangeOf(result.Plan));
-            result = result with { Denoising = job.Denoise ? new(loaded.Scene, loaded.Options) : null };
-            return NeedsPasses
-                ? new PassRender(loaded, films, watch) { Limit = job.Time - Stopwatch.GetElapsedTime(begun), Checkpoints = _checkpoints }.Render(result)
-                : AtOnce(result, loaded, films);
+            return new PassRender(loaded, films, watch) { Limit = job.Time - Stopwatch.GetElapsedTime(begun), Checkpoints = _checkpoints }.Render(result);
         }
         catch (OperationCanceledException)
         {
             // There is no picture yet.
             return result;
         }
-    }
-
-    private JobResult AtOnce(JobResult result, LoadedJob loaded, JobFilms films)
-    {
-        (Scene scene, RenderOptions options, CancellationToken cancellation) = (loaded.Scene, loaded.Options, loaded.Cancellation);
-
-        // First, so that they are whole even where the picture is stopped early.
-        new FirstHitPass(scene, options).Render(films.Auxiliary, cancellation);
-        return result with
-        {
-            Auxiliary = films.Auxiliary,
-            Samples = job.Adaptive || job.Pixel is not null ? null : options.Samples,
-            Statistics = job.Adaptive ? new PlannedRender(scene, options, result.Plan!).Render(films.Film, loaded.Progress, cancellation)
-                : result.Counted(new RTracer(scene, options).Render(films.Film, loaded.Progress, cancellation)),
-        };
     }
 
     private DenoiseResult? Denoise(Denoising denoising, Film film)

@@ -49,7 +49,7 @@ internal sealed record LoadedJob(
             return header;
         }
 
-        FilmHeader old = OldFilms.Current(film.Header, Description, Job.Scene, header.Crop);
+        FilmHeader old = Current(film.Header);
         if (old.Content != header.Content)
         {
             throw OtherFilm(old);
@@ -61,6 +61,9 @@ internal sealed record LoadedJob(
             : throw new JobException(
             JobFault.File, $"'{film.Path}' holds samples {old.SamplesText}, which are not the first of the requested {FilmHeader.Text(header.Wanted)}");
     }
+
+    /// <summary>Returns a header as this version writes it, where it is of this picture.</summary>
+    public FilmHeader Current(FilmHeader film) => OldFilms.Current(film, Description, Job.Scene, Options.Crop);
 
     /// <summary>The complaint about a scene that a film is not of.</summary>
     public static JobException OtherScene(string path) =>

@@ -72,7 +72,7 @@ public static class OldFilms
     public static FilmHeader Current(FilmHeader header, string file)
     {
         RenderJob job = JobOrigin.Of(header, file);
-        return header.Words is not null && SceneLoader.Describe(job.Scene, null, job.Settings, job.Frame) is { } scene
+        return header.Words is not null && SceneLoader.Read(job.Scene, job.Settings, job.Frame).Description is { } scene
             ? Current(header, scene, job.Scene, header.Crop) : header;
     }
 

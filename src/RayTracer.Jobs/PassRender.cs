@@ -5,18 +5,18 @@ using RayTracer.Rendering;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// Renders samples in passes, each of some samples of every pixel, so that the film always holds whole ranges of samples: it can be written
-/// at any
-/// time, and ends well at a limit of time or a signal. The bits are those of one go.
+/// Renders the samples that a job lacks, and does between passes what there is to do: the film always holds whole ranges of samples then, so
+/// that it can be written and shown, and the rendering can end for want of time.
 /// </summary>
 /// <param name="loaded">What to render.</param>
 /// <param name="films">What to render into.</param>
 /// <param name="watch">Is shown the film after each pass.</param>
 internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch watch)
 {
-    private const int MostSamples = 64;
     private readonly RenderJob _job = loaded.Job;
-    private FilmHeader _header = loaded.Header();
+    private readonly long _start = Stopwatch.GetTimestamp();
+    private readonly FilmHeader? _begun = loaded.Job.KeepsFilm ? loaded.Header() : null;
+    private FilmHeader? _header;
 
     /// <summary>When to stop, after the pass under way, which is the first at least; null for no limit.</summary>
     public TimeSpan? Limit { get; init; }
@@ -25,82 +25,101 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
     public Checkpoints? Checkpoints { get; init; }
 
     // What is shown shall change.
-    private double LongestPass => watch.ShowsPasses ? 0.5 : 5;
+    private TimeSpan LongestPass => TimeSpan.FromSeconds(watch.ShowsPasses ? 0.5 : 5);
+
+    private bool HasWorkAfterPasses => Limit is not null || Checkpoints is not null || watch.ShowsPasses || films.Auxiliary.NeedsRays;
 
     /// <summary>Renders what is missing.</summary>
     /// <returns>The outcome; a pass that was cancelled does not count.</returns>
     /// <exception cref="JobException">The film to resume is of another picture, or an unfinished one would be written over.</exception>
     public JobResult Render(JobResult result)
     {
-        if (_job.IsOfSequence)
+        if (_job.IsOfSequence && _begun is not null)
         {
-            UnfinishedFilms.Check(_job.Outputs, replacement: _header with { Samples = [loaded.Samples] });
+            UnfinishedFilms.Check(_job.Outputs, replacement: _begun with { Samples = [loaded.Samples] });
         }
 
-        RenderStatistics statistics = Passes();
-        AovFilm? auxiliary = _header.Samples is [var done] ? Auxiliary(loaded.Options with { Samples = done }) : films.Auxiliary;
-        if (_job is { Time: not null, GivenSamples: null, Noise: null, Part: null, Samples: null })
+        SampleRange all = _job.Adaptive ? new(0, result.Plan!.Most) : loaded.Samples;
+        SampleRange missing = new(_begun is { Samples: [.., var last] } ? last.End : all.First, all.End);
+        AovFilm? auxiliary = Auxiliary(new(all.First, missing.First));
+        RenderStatistics statistics = missing.Count > 0 ? Passes(missing, result.Plan) : new();
+        SampleRange done = new(missing.First, missing.First + statistics.SamplesPerPixel);
+        Keep(done);
+        if (_header is not null && _job is { Time: not null, GivenSamples: null, Noise: null, Part: null, Samples: null })
         {
             // Nobody asked for more than there was time for.
             _header = AsAll(_header);
         }
 
-        return result with { Statistics = result.Counted(statistics), Header = _header, Checkpoints = Checkpoints, Auxiliary = auxiliary };
-    }
-
-    private RenderStatistics Passes()
-    {
-        SampleRange missing = new(_header.Samples is [.., var last] ? last.End : loaded.Samples.First, loaded.Samples.End);
-        Film film = films.Film;
-        Film pass = new(film.Width, film.Height, film.Planes);
-        RenderStatistics statistics = new();
-        long total = (long)(loaded.Options.Crop ?? new(0, 0, film.Width, film.Height)).Pixels * missing.Count;
-        long start = Stopwatch.GetTimestamp();
-        int count = 1;
-        for (int first = missing.First; first < missing.End && !(first > missing.First && Stopwatch.GetElapsedTime(start) >= Limit);)
+        if (_header is { Samples.Count: > 0 })
         {
-            SampleRange range = new(first, Math.Min(missing.End, first + count));
-            long passStart = Stopwatch.GetTimestamp();
-            PassProgress shown = new(loaded.Progress, statistics, total);
-            RenderStatistics done = new RTracer(loaded.Scene, loaded.Options with { Samples = range })
-                .Render(pass, shown, loaded.Cancellation);
-            if (done.Cancelled)
-            {
-                statistics = statistics with { Cancelled = true };
-                break;
-            }
-
-            film.Merge(pass);
-            pass.Clear();
-            statistics += done;
-            first = range.End;
-            Keep(range, isLast: first >= missing.End);
-            count = NextCount(Stopwatch.GetElapsedTime(passStart).TotalSeconds / range.Count, Limit - Stopwatch.GetElapsedTime(start));
+            Checkpoints?.Write(films.Film, _header);
         }
 
-        if (_header.Samples.Count > 0)
+        return result with
         {
-            Checkpoints?.Write(film, _header);
+            Statistics = _job.Adaptive ? statistics : result.Counted(statistics),
+            Samples = _job.Adaptive || _job.Pixel is not null ? null : new(all.First, done.End),
+            Plan = _job.Adaptive ? result.Plan!.UpTo(done.End) : result.Plan,
+            Denoising = _job.Denoise ? new(loaded.Scene, loaded.Options) : null,
+            Header = _header,
+            Checkpoints = Checkpoints,
+            Auxiliary = auxiliary,
+        };
+    }
+
+    private RenderStatistics Passes(SampleRange missing, SamplePlan? plan)
+    {
+        RenderOptions options = loaded.Options with
+        {
+            Samples = missing,
+            AfterPass = HasWorkAfterPasses ? pass => AfterPass(pass, missing) : null,
+        };
+        return _job.Adaptive
+            ? new PlannedRender(loaded.Scene, options, plan!).Render(films.Film, loaded.Progress, loaded.Cancellation)
+            : new RTracer(loaded.Scene, options).Render(films.Film, loaded.Progress, loaded.Cancellation);
+    }
+
+    // All of it is quickly done, without which the samples would be worth less: so it is not cancelled.
+    private TimeSpan AfterPass(SampleRange pass, SampleRange missing)
+    {
+        // Pixels with more samples than most are seen as sharply as those.
+        SampleRange seen = new(pass.First, Math.Min(pass.End, loaded.Samples.End));
+        if (seen.Count > 0)
+        {
+            new FirstHitPass(loaded.Scene, loaded.Options with { Samples = seen }).Render(films.Auxiliary);
         }
 
-        return statistics;
+        Keep(new(missing.First, pass.End));
+        if (_header is not null)
+        {
+            Checkpoints?.Offer(films.Film, _header);
+        }
+
+        watch.Offer(films.Film, isLast: pass.End >= missing.End);
+        return Limit - Stopwatch.GetElapsedTime(_start) is { } left && left < LongestPass ? left : LongestPass;
     }
 
-    private void Keep(SampleRange range, bool isLast)
+    // Takes down which samples there are.
+    private void Keep(SampleRange range)
     {
-        _header = _header with { Samples = FilmMerge.Join(_header.Samples, range) };
-        _header = _job.IsOpenEnded ? AsAll(_header) : _header;
-        Checkpoints?.Offer(films.Film, _header);
-        watch.Offer(films.Film, isLast);
+        if (_begun is not null)
+        {
+            _header = range.Count > 0 ? _begun with { Samples = FilmMerge.Join(_begun.Samples, range) } : _begun;
+            _header = _job.IsOpenEnded ? AsAll(_header) : _header;
+        }
     }
 
-    // Of the samples that passes came to, so not before them; a half of them is worth nothing.
-    private AovFilm? Auxiliary(RenderOptions options)
+    // Those of the samples of a film that is resumed; a half of them is worth nothing.
+    private AovFilm? Auxiliary(SampleRange held)
     {
         try
         {
-            loaded.Cancellation.ThrowIfCancellationRequested();
-            new FirstHitPass(loaded.Scene, options).Render(films.Auxiliary, loaded.Cancellation);
+            if (held.Count > 0)
+            {
+                new FirstHitPass(loaded.Scene, loaded.Options with { Samples = held }).Render(films.Auxiliary, loaded.Cancellation);
+            }
+
             return films.Auxiliary;
         }
         catch (OperationCanceledException)
@@ -117,16 +136,4 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
     // What is said of a film that shall hold no more samples than it does.
     private static FilmHeader AsAll(FilmHeader header) =>
         header.Samples is [var all] ? header with { Wanted = all, Total = all.End } : header;
-
-    private int NextCount(double secondsPerSample, TimeSpan? left)
-    {
-        double seconds = left is { } rest ? Math.Min(LongestPass, rest.TotalSeconds) : LongestPass;
-        return (int)double.Clamp(seconds / Math.Max(1e-9, secondsPerSample), 1, MostSamples);
-    }
-
-    /// <summary>Shows a pass as a part of the whole.</summary>
-    private sealed class PassProgress(IProgress<RenderProgress>? whole, RenderStatistics before, long total) : IProgress<RenderProgress>
-    {
-        public void Report(RenderProgress value) => whole?.Report(new(before.Paths + value.PathsDone, total, before.Rays + value.Rays));
-    }
 }

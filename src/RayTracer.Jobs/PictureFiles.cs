@@ -34,6 +34,10 @@ public sealed class PictureFiles
     /// <summary>All files.</summary>
     public IReadOnlyList<string> All => [.. _job.Outputs, .. _images.Select(f => f.Path), .. _denoised, .. _layers.Select(l => l.Path)];
 
+    private string[] Checkpoint => _job.Checkpoint is { } file ? [file] : [];
+
+    private IEnumerable<string> Written => All.Concat(Checkpoint);
+
     // Outputs that hold no layers.
     private IEnumerable<string> Pictures => _job.Outputs.Distinct()
         .Where(o => o != _job.Kept && Path.GetExtension(o).Length > 0 && !ImageFormat.Has(o, ImageFeatures.Layers) && !FilmFile.IsNamed(o));
@@ -43,17 +47,20 @@ public sealed class PictureFiles
     /// <exception cref="ImageWriteException">A folder is missing or closed to us, or has no room for another file.</exception>
     public void Check()
     {
-        string[] checkpoint = _job.Checkpoint is { } file ? [file] : [];
-        foreach (string path in All.Concat(checkpoint))
+        foreach (string path in Written)
         {
             JobFiles.CheckFilm(path);
         }
 
         if (!_job.IsOfSequence)
         {
-            UnfinishedFilms.Check(_job.Outputs.Concat(checkpoint), (_job.Resumed ?? _job.Decision)?.Path);
+            UnfinishedFilms.Check(_job.Outputs, (_job.Resumed ?? _job.Decision)?.Path);
         }
     }
+
+    /// <summary>Finds out, once the scene is loaded, whether a file would replace one that the scene is read from.</summary>
+    /// <exception cref="ImageWriteException">One would.</exception>
+    public void CheckInputs() => Written.ToList().ForEach(AtomicFile.Check);
 
     /// <summary>Lists the files of layers of light.</summary>
     /// <param name="layers">The layers' names.</param>

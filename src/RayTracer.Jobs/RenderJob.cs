@@ -14,6 +14,10 @@ public sealed record RenderJob
     /// <summary>The path of the number of samples among the settings.</summary>
     public const string SamplesPath = "render.samplesPerPixel";
 
+    private const string WidthPath = "render.width";
+    private const string HeightPath = "render.height";
+    private SizedScene? _sized;
+
     /// <summary>The scene's file, as its user named it.</summary>
     public required string Scene { get; init; }
 
@@ -83,6 +87,9 @@ public sealed record RenderJob
     /// <summary>True if the film of the checkpoint, where there is one, is resumed.</summary>
     public bool Resume { get; init; }
 
+    /// <summary>True if the film of the checkpoint, where there is one of this picture, is replaced from scratch.</summary>
+    public bool Overwrite { get; init; }
+
     /// <summary>The film that samples are added to; null for a new one.</summary>
     public HeldFilm? Resumed { get; init; }
 
@@ -113,14 +120,14 @@ public sealed record RenderJob
     public int? GivenSamples =>
         Settings.LastOrDefault(s => s.Path == SamplesPath) is { } setting && int.TryParse(setting.Value, out int samples) ? samples : null;
 
-    /// <summary>True if the film must hold whole ranges of samples whenever the rendering stops.</summary>
-    public bool NeedsPasses => Time is not null || KeepsFilm;
+    /// <summary>True if the film goes to a file, now or later.</summary>
+    public bool KeepsFilm => Time is not null || HasFilmFile;
 
-    /// <summary>True if the film goes into a file.</summary>
-    public bool KeepsFilm => Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
+    /// <summary>True if there is a file that the film comes from or goes to.</summary>
+    public bool HasFilmFile => Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
 
     /// <summary>What films in files hold beside the picture: halves of the samples where that was asked for, or where they are compared.</summary>
-    public IReadOnlyList<FilmPlane> Planes => Resumed?.Film.Planes ?? (Halves || (Denoise && KeepsFilm) ? [FilmPlane.Half] : []);
+    public IReadOnlyList<FilmPlane> Planes => Resumed?.Film.Planes ?? (Halves || (Denoise && HasFilmFile) ? [FilmPlane.Half] : []);
 
     /// <summary>The settings that a film names: the scene's, the frame, and the noise that decided on the number of its samples.</summary>
     public IReadOnlyList<string> FilmSettings => [.. Settings.Select(s => s.Text), .. JobOptions.Kept(this, JobOptionUse.Films)];
@@ -141,21 +148,21 @@ public sealed record RenderJob
     public RenderJob WithSamples(int total) =>
         this with { Noise = null, Settings = [.. Settings.Where(s => s.Path != SamplesPath), SceneSetting.Parse($"{SamplesPath}={total}")] };
 
-    /// <summary>The job with both sides of its picture as settings, where they follow from the scene's; it reads the scene for that.</summary>
+    /// <summary>The job with both sides of its picture as settings, where they follow from the scene's; it reads the scene for that, to be built without reading it again.</summary>
+    /// <exception cref="JobException">The picture would be too large or too small.</exception>
     public RenderJob Sized()
     {
-        const string width = "render.width", height = "render.height";
-        SceneSetting[] given = [.. Settings.Where(s => s.Path is width or height)];
-        RenderJob unsized = this with { Settings = [.. Settings.Except(given)] };
-        if (!(Scale is not null || (KeepsAspect && given.DistinctBy(s => s.Path).Count() == 1)) || unsized.Describe() is not { Render: var render })
+        SceneSetting[] given = [.. Settings.Where(s => s.Path is WidthPath or HeightPath)];
+        bool isOpen = Scale is not null || (KeepsAspect && given.DistinctBy(s => s.Path).Count() == 1);
+        RenderJob unsized = this with { Settings = [.. Settings.Except(given)], Scale = null, KeepsAspect = false };
+        if (!isOpen || unsized.Read() is not { Description.Render: var render } read)
         {
             return this;
         }
 
-        double scale = Scale ?? (double.Parse(given[^1].Value, CultureInfo.InvariantCulture) / (given[^1].Path == width ? render.Width : render.Height));
-        int Side(int length) => int.Max((int)Math.Round(length * scale), 1);
-        return (unsized with { Scale = null, KeepsAspect = false })
-            .With([$"{width}={Side(render.Width)}", $"{height}={Side(render.Height)}"]);
+        double scale = Scale ?? (double.Parse(given[^1].Value, CultureInfo.InvariantCulture) / (given[^1].Path == WidthPath ? render.Width : render.Height));
+        RenderJob sized = unsized.With([Side(WidthPath, render.Width * scale), Side(HeightPath, render.Height * scale)]);
+        return sized with { _sized = new(read, sized.Settings, Frame) };
     }
 
     /// <summary>The job with the film of its checkpoint, where there is one to resume.</summary>
@@ -174,18 +181,49 @@ public sealed record RenderJob
     /// <summary>Reads the scene, and builds it.</summary>
     /// <param name="change">Changes the description before the scene is built; may be null.</param>
     /// <param name="readPicture">Reads pictures; null for <see cref="ImageFile.Read"/>.</param>
-    public SceneLoadResult Load(Func<SceneDescription, SceneDescription>? change = null, Func<string, bool, Textures.Picture>? readPicture = null) => Text is null
-        ? SceneLoader.Load(Scene, change, readPicture, Settings, Frame)
-        : SceneLoader.LoadText(Text, Path.GetFileName(Scene), Path.GetDirectoryName(Scene)!, change, Frame, readPicture, Settings);
+    public SceneLoadResult Load(Func<SceneDescription, SceneDescription>? change = null, Func<string, bool, Textures.Picture>? readPicture = null)
+    {
+        if (_sized?.Take(this) is not { } read)
+        {
+            return Read().Build(change, readPicture);
+        }
+
+        int Given(string path) => int.Parse(Settings.Last(s => s.Path == path).Value, CultureInfo.InvariantCulture);
+        return read.Build(
+            scene =>
+            {
+                SceneDescription sized = scene with { Render = scene.Render with { Width = Given(WidthPath), Height = Given(HeightPath) } };
+                return change?.Invoke(sized) ?? sized;
+            },
+            readPicture);
+    }
 
     /// <summary>The description of the scene, without building it; null where it has errors.</summary>
-    public SceneDescription? Describe() => Text is null ? SceneLoader.Describe(Scene, null, Settings, Frame)
-        : SceneLoader.DescribeText(Text, Path.GetFileName(Scene), Settings, Frame);
+    public SceneDescription? Describe() => Read().Description;
 
     /// <summary>The command that follows one sample's path again.</summary>
     public string ReplayCommand(BadSample bad) =>
         (new RenderJob { Scene = Scene, Settings = Settings, Frames = Frames, Pixel = (bad.X, bad.Y), Sample = bad.Sample }).Command;
 
+    private ReadScene Read() => Text is null ? SceneLoader.Read(Scene, Settings, Frame)
+        : SceneLoader.ReadText(Text, Path.GetFileName(Scene), Path.GetDirectoryName(Scene)!, Settings, Frame);
+
+    private static string Side(string path, double length)
+    {
+        long side = long.Max((long)double.Round(length), 1);
+        return RecordType.Of(typeof(RenderDescription)).Find(path["render.".Length..])!.RangeComplaint(side) is { } complaint
+            ? throw new JobException(JobFault.Request, $"{path} {complaint}") : string.Create(CultureInfo.InvariantCulture, $"{path}={side}");
+    }
+
     // A name that looks like an option.
     private static string Argument(string word) => word is ['-', ..] ? $"./{word}" : word;
+
+    // A scene that was read for its size, and is built once, without the settings of its sides: nothing keeps it after that.
+    private sealed class SizedScene(ReadScene scene, IReadOnlyList<SceneSetting> settings, int? frame)
+    {
+        private ReadScene? _scene = scene;
+
+        public ReadScene? Take(RenderJob job) =>
+            job.Settings == settings && job.Frame == frame ? Interlocked.Exchange(ref _scene, null) : null;
+    }
 }

@@ -57,7 +57,7 @@ public sealed class ClusterTests : IDisposable
     [LinuxFact]
     public void A_task_goes_on_with_what_it_had_begun()
     {
-        string[] samples = ["--width", "20", "--height", "12", "--spp", "400"];
+        string[] samples = ["--width", "20", "--spp", "400"];
         Assert.Equal(0, CliRun.Of(["cluster", "slurm", _scene, .. samples, "--tasks", "2", "-o", _folder["out.exr"], "--program", ProcessTests.Program, "--quiet"]).Status);
         string script = _folder["out.slurm/render.sh"];
         string name = Regex.Match(File.ReadAllText(script), @"\.[0-9a-f]{8}-400-2-", RegexOptions.None, TimeSpan.FromSeconds(1)).Value;
@@ -66,12 +66,12 @@ public sealed class ClusterTests : IDisposable
 
         // A hundred samples that came to nothing: so it shows that they are kept.
         FilmHeader header = FilmFile.ReadHeader(begun);
-        FilmFile.Write(begun, new(20, 12), header with { Samples = [new(200, 300)] });
+        FilmFile.Write(begun, new(20, 13), header with { Samples = [new(200, 300)] });
         Assert.Equal(0, ProgramFactAttribute.Run("env", "SLURM_ARRAY_TASK_ID=2", "bash", script).ExitCode);
         string done = Assert.Single(Directory.GetFiles(_folder["out.slurm"], "*.rtfilm"));
         (FilmHeader written, Film film) = FilmFile.Read(done);
         Assert.True(written.IsComplete);
-        Assert.Equal(20 * 12 * 100, film.TotalSamples);
+        Assert.Equal(20 * 13 * 100, film.TotalSamples);
     }
 
     [Theory]

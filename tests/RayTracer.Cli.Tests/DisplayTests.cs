@@ -85,16 +85,6 @@ public sealed class DisplayTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--adaptive")]
-    [InlineData("--aov", "direct")]
-    public void A_preview_needs_passes(params string[] options)
-    {
-        CliRun run = CliRun.Of(["render", _scene, "-o", _folder["a.png"], "--preview", .. options]);
-        Assert.Equal(2, run.Status);
-        Assert.Contains("--preview shows passes over the whole picture", run.Error, StringComparison.Ordinal);
-    }
-
-    [Theory]
     [InlineData(TerminalGraphics.Blocks, "\e[4A", "▀")]
     [InlineData(TerminalGraphics.Letters, "\e[4A", " ")]
     [InlineData(TerminalGraphics.Kitty, "\e_Ga=d,q=2\e\\\e[H\e_G", "f=100")]

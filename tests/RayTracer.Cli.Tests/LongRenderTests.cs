@@ -55,10 +55,10 @@ public sealed class LongRenderTests : IDisposable
     {
         string film = _folder["a.rtfilm"];
         CliRun.Fine("render", _scene, "--spp", "16", "--samples", "0..3", "-o", film);
-        CliRun.Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" continues; delete it to begin from scratch", "render", _scene, "--spp", "16", "--part", "1/2", "--checkpoint", Unfinished(film));
+        CliRun.Refused(4, $"'{film}' holds samples 0..3 of this picture: --resume continues it", "render", _scene, "--spp", "16", "--part", "1/2", "--checkpoint", Unfinished(film));
         CliRun.Refused(4, $"'{film}' holds samples 0..3 of an unfinished rendering: \"raytracer resume {film}\" continues; delete it to begin from scratch", "render", _scene, "--spp", "1", "-o", film);
         CliRun.Fine("resume", film, "--quiet");
-        CliRun.Fine("render", _scene, "--spp", "16", "--checkpoint", film, "--quiet");
+        CliRun.Fine("render", _scene, "--spp", "16", "--checkpoint", film, "--overwrite", "--quiet");
     }
 
     [Fact]

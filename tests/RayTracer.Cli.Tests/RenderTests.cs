@@ -189,6 +189,27 @@ public sealed class RenderTests : IDisposable
         Assert.Equal(size, $"{result.GetProperty("width")}x{result.GetProperty("height")}");
     }
 
+    // A pipe gives its content once.
+    [ProgramFact("mkfifo")]
+    public async Task A_scene_whose_size_is_derived_is_read_once()
+    {
+        string pipe = _folder["pipe.json"];
+        ProgramFactAttribute.Run("mkfifo", pipe);
+        string film = CliRun.FilmHash("render", _scene, "--width", "12", "--height", "8", "--json");
+        Task writing = Task.Run(() => File.WriteAllText(pipe, File.ReadAllText(_scene)));
+        Assert.Equal(film, CliRun.FilmHash("render", pipe, "--width", "12", "--json"));
+        await writing;
+    }
+
+    [Fact]
+    public void A_derived_size_is_kept_by_the_picture_and_has_the_limits_of_one_that_is_given()
+    {
+        CliRun.Fine("render", _scene, "-o", _folder["a.png"], "--scale", "50%", "--spp", "1", "--quiet");
+        Assert.Contains("render.width=12", ImageFile.ReadText(_folder["a.png"]).First(t => t.Key == "Settings").Value, StringComparison.Ordinal);
+        CliRun.Fine("verify", _folder["a.png"]);
+        CliRun.Refused(2, "render.width must be", "render", _scene, "-o", _folder["a.png"], "--height", "65536");
+    }
+
     [Fact]
     public void A_scale_is_a_percentage_and_goes_with_no_size()
     {

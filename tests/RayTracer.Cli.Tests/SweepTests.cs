@@ -65,6 +65,14 @@ public sealed class SweepTests : IDisposable
         Assert.Equal(0, CliRun.Of("sweep", _scene, "--set", "camera.fieldOfView=20,60", "-o", sheet, "--width", "10", "--height", "8", "--spp", "1").Status);
         Picture small = ImageFile.Read(sheet);
         Assert.Equal((8 + (2 * 18), 8 + 20 + 16), (small.Width, small.Height));
+        foreach (string[] size in new[] { ["--width", "12"], new[] { "--scale", "50%" } })
+        {
+            CliRun.Fine(["sweep", _scene, "--set", "camera.fieldOfView=20,60", "-o", sheet, "--spp", "1", .. size]);
+            Picture derived = ImageFile.Read(sheet);
+            Assert.Equal((8 + (2 * 20), 8 + 20 + 16), (derived.Width, derived.Height));
+        }
+
+        CliRun.Refused(2, "--scale and --width", "sweep", _scene, "--set", "render.seed=1,2", "-o", sheet, "--scale", "50%", "--width", "8");
     }
 
     [Theory]

@@ -26,32 +26,30 @@ public sealed class UnfinishedFilmTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Stopped_while_auxiliary_images_are_made_the_picture_is_whole()
-    {
-        string[] outputs = ["-o", _folder["a.rtfilm"], "-o", _folder["a.png"], "-o", _folder["a.exr"]];
-        File.WriteAllText(_folder["a.depth.png"], "a good one");
-
-        // The only checkpoint is the last one.
-        CliRun run = StopAtFirstCheckpoint(["render", _scene, "--spp", "3", "--checkpoint", _film, "--aov", "depth", .. outputs]);
-        Assert.Equal(Stopped, run.Status);
-        Assert.Contains("the auxiliary images (--aov) were made: they are left out", run.Error, StringComparison.Ordinal);
-        Assert.True(FilmFile.ReadHeader(_folder["a.rtfilm"]).IsComplete);
-        Assert.Contains(new("SampleRange", "0..2"), ImageFile.ReadText(_folder["a.png"]));
-        Assert.Equal("a good one", File.ReadAllText(_folder["a.depth.png"]));
-        Assert.False(File.ReadAllBytes(_folder["a.exr"]).AsSpan().IndexOf("depth.Z"u8) >= 0);
-    }
-
-    [Fact]
-    public void Stopped_between_passes_there_are_no_auxiliary_images_and_what_there_is_can_be_verified()
+    public void Stopped_between_passes_auxiliary_images_are_of_the_samples_that_there_are_and_the_picture_can_be_verified()
     {
         string[] outputs = ["-o", _folder["a.png"], "-o", _folder["a.exr"]];
         CliRun run = StopAtFirstCheckpoint(["render", _scene, "--spp", "1000", "--checkpoint", _film, "--checkpoint-interval", "0", "--aov", "depth", .. outputs]);
         Assert.Equal(Stopped, run.Status);
-        Assert.Contains("they are left out", run.Error, StringComparison.Ordinal);
-        Assert.False(File.Exists(_folder["a.depth.png"]));
-        Assert.False(File.ReadAllBytes(_folder["a.exr"]).AsSpan().IndexOf("depth.Z"u8) >= 0);
-        Assert.Contains("unfinished", ImageFile.ReadText(_folder["a.png"]).First(t => t.Key == "Samples").Value, StringComparison.Ordinal);
+        Assert.True(File.ReadAllBytes(_folder["a.exr"]).AsSpan().IndexOf("depth.Z"u8) >= 0);
+        Dictionary<string, string> texts = new(ImageFile.ReadText(_folder["a.png"]));
+        Assert.Contains("unfinished", texts["Samples"], StringComparison.Ordinal);
         CliRun.Fine("verify", _folder["a.png"]);
+        CliRun.Fine("render", _scene, "--spp", "1000", "--samples", texts["SampleRange"], "--aov", "depth", "-o", _folder["b.png"]);
+        Assert.Equal(ImageFile.Read(_folder["b.depth.png"]).Pixels, ImageFile.Read(_folder["a.depth.png"]).Pixels);
+    }
+
+    [Fact]
+    public void Stopped_before_those_of_a_film_that_is_resumed_are_made_auxiliary_images_are_left_out()
+    {
+        CliRun.Fine("render", _scene, "--spp", "4", "--checkpoint", _film);
+        using CancellationTokenSource source = new();
+        source.Cancel();
+        using StringWriter error = new();
+        CliRun run = Run(["render", _scene, "--spp", "8", "--checkpoint", _film, "--resume", "--aov", "depth", "-o", _folder["a.exr"]], source, error, () => { });
+        Assert.Equal(Stopped, run.Status);
+        Assert.Contains("the auxiliary images (--aov) were made: they are left out", run.Error, StringComparison.Ordinal);
+        Assert.False(File.ReadAllBytes(_folder["a.exr"]).AsSpan().IndexOf("depth.Z"u8) >= 0);
     }
 
     [Fact]
@@ -70,7 +68,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         using StringWriter output = new();
         using StringWriter error = new();
         ConsoleRun console = new(new(Quiet: true, Json: true), new(output, error));
-        JobRun run = new(job, console)
+        JobRun run = new(job.WithCheckpoint(), console)
         {
             Change = s =>
             {
@@ -95,7 +93,8 @@ public sealed class UnfinishedFilmTests : IDisposable
         CliRun.Refused(4, $"'{group}' holds samples 0..0 of an unfinished rendering", "merge", "--partial", _film, "-o", group);
         File.Delete(group);
         CliRun.Fine("merge", "--partial", _film, "-o", group);
-        CliRun.Fine("merge", "--partial", group, _folder["b.rtfilm"], "-o", group);
+        CliRun.Fine("merge", "--partial", group, _folder["b.rtfilm"], "-o", _folder["both.rtfilm"]);
+        File.Move(_folder["both.rtfilm"], group, overwrite: true);
         Assert.Equal("0..1, 4..7", FilmFile.ReadHeader(group).SamplesText);
         CliRun.Refused(4, $"'{group}' holds samples 0..1, 4..7 of an unfinished rendering: merge the missing samples in; delete it to begin from scratch", "merge", "--partial", _film, "-o", group);
         CliRun.Refused(4, "merge the missing samples in", "render", _scene, "-o", group);
@@ -172,7 +171,7 @@ public sealed class UnfinishedFilmTests : IDisposable
         Assert.Equal((120 * 80, 2), (decision.Width, decision.Height));
         CliRun.Refused(4, $"'{_film}' holds no samples of the picture yet", "merge", _film, "--json");
         CliRun.Refused(4, $"'{_film}' holds no samples of the picture yet", "verify", _film);
-        CliRun.Refused(4, $"\"raytracer resume {_film}\" continues", command);
+        CliRun.Refused(4, " of this picture: --resume continues it", command);
         CliRun.Refused(2, "--spp 9: it is being decided how many samples", "resume", _film, "--spp", "9");
         CliRun.Refused(4, $"the film is not of '{_scene}'", [.. command, "--resume", "--seed", "3"]);
 
@@ -193,7 +192,7 @@ public sealed class UnfinishedFilmTests : IDisposable
     {
         RenderJob job = OldFilms.OfWords(words[1..], "the command");
         ConsoleRun console = new(new(Quiet: true), new(TextWriter.Null, error));
-        JobRun run = new(job, console)
+        JobRun run = new(job.WithCheckpoint(), console)
         {
             Change = scene =>
             {

@@ -45,7 +45,6 @@ public sealed class JobRulesTests
     [Theory]
     [InlineData("--frames 0..9 -o f#.png", "--preview", "--preview shows one picture: give one frame")]
     [InlineData("--pixel 1,1", "--preview", "--pixel prints numbers: leave --preview out")]
-    [InlineData("--adaptive -o a.png", "--preview", "--preview shows passes over the whole picture")]
     public void Options_of_a_face_count_too(string words, string option, string sentence)
     {
         Assert.Null(JobRules.Complaint(Job(words)));

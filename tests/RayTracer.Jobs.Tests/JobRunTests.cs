@@ -167,15 +167,84 @@ public sealed class JobRunTests : IDisposable
     }
 
     [Theory]
-    [InlineData(false, true)]
-    [InlineData(true, false)]
-    public void A_stopped_picture_is_written_unless_it_is_one_of_several(bool isOfSequence, bool isThere)
+    [InlineData("", "a.png")]
+    [InlineData("adaptive=true", "a.png")]
+    [InlineData("denoise=true", "a.png,a.denoised.png")]
+    [InlineData("denoise=true;adaptive=true", "a.png,a.denoised.png")]
+    [InlineData("denoise=true;aov=emission", "a.png,a.denoised.png,a.emission.png")]
+    [InlineData("aov=depth", "a.png,a.depth.png")]
+    [InlineData("aov=direct", "a.png,a.direct.png")]
+    [InlineData("part=2/3", "a.png")]
+    [InlineData("samples=3..50000", "a.png")]
+    [InlineData("crop=2,1,5,4", "a.png")]
+    [InlineData("noise=0.000001", "a.png")]
+    public void A_stopped_picture_has_the_samples_of_its_whole_passes(string settings, string files)
     {
-        RenderJob job = _job.WithSamples(4_000_000) with { Outputs = [_folder["a.png"]], IsOfSequence = isOfSequence };
+        RenderJob job = _job.WithSamples(60_000).With(settings.Split(';', StringSplitOptions.RemoveEmptyEntries)) with { Outputs = [_folder["a.png"]], Threads = 2 };
         using CancellationTokenSource stop = new();
-        _watch.Progress = stop.Cancel;
+        _watch.Reported = p =>
+        {
+            if (p.SamplesDone >= 3)
+            {
+                stop.Cancel();
+            }
+        };
         JobResult result = new JobRun(job, _watch).Run(stop.Token)!;
-        Assert.Equal((true, isThere, isThere), (result.Statistics.Cancelled, result.IsWritten, File.Exists(_folder["a.png"])));
+        Assert.Equal((true, true), (result.Statistics.Cancelled, result.IsWritten));
+        Assert.Equal(files.Split(',').Select(f => _folder[f]).Order(), result.Files.Order());
+        int samples = result.Statistics.SamplesPerPixel;
+        Assert.InRange(samples, 3, 50_000);
+        Tile area = job.Crop ?? new(0, 0, result.Film.Width, result.Film.Height);
+        Assert.All(Enumerable.Range(0, area.Pixels), i => Assert.Equal((uint)samples, result.Film.SampleCount(area.Pixel(i).X, area.Pixel(i).Y)));
+        Film film = new(result.Film.Width, result.Film.Height);
+        int first = job.Samples?.First ?? (job.Part is null ? 0 : 20_000);
+        new RTracer(result.Scene, new() { Samples = new(first, first + samples), Crop = job.Crop }).Render(film);
+        Assert.Equal(film.ComputeHash(), result.Hash);
+        if (job.Aovs.Count > 0)
+        {
+            AovFilm seen = new(film, job.Aovs);
+            new FirstHitPass(result.Scene, new() { Samples = new(0, samples) }).Render(seen);
+            double[][] rows = [.. new[] { seen, result.Auxiliary! }.Select(a => Row(a, job.Aovs[0]))];
+            Assert.Equal(rows[0], rows[1]);
+        }
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("denoise=true")]
+    [InlineData("adaptive=true")]
+    [InlineData("aov=direct")]
+    public void Between_passes_the_film_is_shown_with_as_many_samples_of_each_pixel(string settings)
+    {
+        RenderJob job = _job.WithSamples(40).With(settings.Split(';', StringSplitOptions.RemoveEmptyEntries)) with { Outputs = [_folder["a.png"]] };
+        List<(uint[] Counts, bool IsLast)> shown = [];
+        _watch.Offered = (film, isLast) =>
+            shown.Add(([.. Enumerable.Range(0, film.Width * film.Height).Select(i => film.SampleCount(i % film.Width, i / film.Width))], isLast));
+        JobResult result = new JobRun(job, _watch).Run(CancellationToken.None)!;
+        Assert.Equal(shown.Count - 1, shown.FindIndex(s => s.IsLast));
+        Assert.All(shown, s => Assert.True(s.Counts.Distinct().Count() == 1 || result.Plan is not null));
+        Assert.Equal([1u, 2u, 4u], shown.Select(s => s.Counts.Max()).Where(c => c is 1 or 2 or 4));
+    }
+
+    [Fact]
+    public void Nothing_is_written_of_a_picture_that_is_stopped_in_its_first_pass()
+    {
+        RenderJob job = _job with { Outputs = [_folder["a.png"]], Checkpoint = _folder["a.rtfilm"] };
+        JobResult result = new JobRun(job, _watch).Run(new(canceled: true))!;
+        Assert.Equal((true, false, 0L), (result.Statistics.Cancelled, result.IsWritten, result.Film.TotalSamples));
+        Assert.Empty(result.Files);
+        Assert.False(File.Exists(_folder["a.rtfilm"]));
+    }
+
+    [Fact]
+    public void A_stopped_picture_that_is_one_of_several_is_not_written()
+    {
+        RenderJob job = _job.WithSamples(4_000_000) with { Outputs = [_folder["a.png"]], IsOfSequence = true };
+        using CancellationTokenSource stop = new();
+        int reports = 0;
+        _watch.Progress = () => _ = ++reports == 12 ? stop.CancelAsync() : Task.CompletedTask;
+        JobResult result = new JobRun(job, _watch).Run(stop.Token)!;
+        Assert.Equal((true, false, false), (result.Statistics.Cancelled, result.IsWritten, File.Exists(_folder["a.png"])));
     }
 
     [Theory]
@@ -208,6 +277,13 @@ public sealed class JobRunTests : IDisposable
         Assert.NotEmpty(_watch.Lines);
     }
 
+    private static double[] Row(AovFilm images, AuxiliaryImage image)
+    {
+        double[] values = new double[images.Width * image.Letters.Length];
+        images.ReadRow(image, images.Height / 2, values);
+        return values;
+    }
+
     private string Hash() => new RTracer(SceneLoader.Load(_job.Scene).Scene!).Render().Film.ComputeHash();
 
     private sealed class Watch : IJobWatch, IProgress<RenderProgress>
@@ -217,6 +293,12 @@ public sealed class JobRunTests : IDisposable
         public List<JobStage> Stages { get; } = [];
 
         public Action? Progress { get; set; }
+
+        public Action<RenderProgress>? Reported { get; set; }
+
+        public Action<Film, bool>? Offered { get; set; }
+
+        public bool ShowsPasses => Offered is not null;
 
         public void Warn(string message) => Lines.Add(message);
 
@@ -228,6 +310,12 @@ public sealed class JobRunTests : IDisposable
 
         public IProgress<RenderProgress> Begin() => this;
 
-        public void Report(RenderProgress value) => Progress?.Invoke();
+        public void Offer(Film film, bool isLast) => Offered?.Invoke(film, isLast);
+
+        public void Report(RenderProgress value)
+        {
+            Progress?.Invoke();
+            Reported?.Invoke(value);
+        }
     }
 }

@@ -45,6 +45,6 @@ public sealed class RenderJobTests
     [InlineData("a.rtfilm", false, true)]
     [InlineData("a.exr", false, false)]
     [InlineData("a.exr", true, true)]
-    public void What_holds_the_film_is_rendered_in_passes(string output, bool exrFilm, bool isInPasses) =>
-        Assert.Equal(isInPasses, new RenderJob { Scene = "a.json", Outputs = [output], Writing = new() { ExrFilm = exrFilm } }.NeedsPasses);
+    public void A_job_knows_whether_its_film_goes_to_a_file(string output, bool exrFilm, bool keepsFilm) =>
+        Assert.Equal(keepsFilm, new RenderJob { Scene = "a.json", Outputs = [output], Writing = new() { ExrFilm = exrFilm } }.KeepsFilm);
 }

@@ -18,11 +18,16 @@ internal static class CarriedFilm
     public static FilmHeader ReadHeader(string path) => FilmExr.IsImage(path) ? FilmExr.ReadHeader(path) : FilmFile.ReadHeader(path);
 
     /// <inheritdoc cref="FilmFile.Read(string)"/>
-    public static (FilmHeader Header, Film Film) Read(string path) => FilmExr.IsImage(path) ? FilmExr.Read(path) : FilmFile.Read(path);
+    public static (FilmHeader Header, Film Film) Read(string path)
+    {
+        InputFiles.Add(path);
+        return FilmExr.IsImage(path) ? FilmExr.Read(path) : FilmFile.Read(path);
+    }
 
     /// <inheritdoc cref="FilmFile.AddTo"/>
     public static FilmHeader AddTo(string path, Film film, params Lock[] adding)
     {
+        InputFiles.Add(path);
         if (!FilmExr.IsImage(path))
         {
             return FilmFile.AddTo(path, film, adding);

@@ -1,8 +1,9 @@
 using RayTracer.Description;
+using RayTracer.Imaging;
 
 namespace RayTracer.Scenes;
 
-/// <summary>Says why a file cannot be opened.</summary>
+/// <summary>The gate that every file of a scene passes: says why one cannot be opened, and keeps what is read from being written over.</summary>
 internal static class FileSearch
 {
     /// <summary>The reason why a scene cannot read a file: there is none, with the most similar name beside it, or it is none that ends; else null.</summary>
@@ -17,6 +18,7 @@ internal static class FileSearch
 
         if (File.Exists(path))
         {
+            InputFiles.Add(path);
             return isStream || Length(path) > 0 ? null : "it is empty, or a pipe or a device: only ordinary files are read";
         }
 

@@ -19,20 +19,29 @@ public static class SceneLoader
     /// <param name="frame">The frame of the animation; null for the scene as it is written.</param>
     public static SceneLoadResult Load(
         string path, Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null,
-        int? frame = null)
+        int? frame = null) => Read(path, settings, frame).Build(overrides, readPicture);
+
+    /// <summary>Reads a scene, which is then built without reading its file again.</summary>
+    /// <param name="path">As for <see cref="Load"/>.</param>
+    /// <param name="settings">As for <see cref="Load"/>.</param>
+    /// <param name="frame">As for <see cref="Load"/>.</param>
+    public static ReadScene Read(string path, IReadOnlyList<SceneSetting>? settings = null, int? frame = null)
     {
+        string folder = Path.GetDirectoryName(path) ?? "";
+        ModelFolder models = new(folder);
         if (ImageFile.FormatOf(path) is { } format)
         {
             string advice = format is FilmFormat
                 ? $"\"raytracer resume {path}\" resumes it, \"raytracer convert {path} FILE.png\" makes an image of it"
                 : $"\"raytracer view {path}\" shows it";
             string message = $"this is {format.FileName}, not a scene: {advice}";
-            return new(null, null, [new(path, 0, 0, Severity.Error, message) { Rule = DiagnosticRule.Unreadable }]);
+            Diagnostic diagnostic = new(path, 0, 0, Severity.Error, message) { Rule = DiagnosticRule.Unreadable };
+            return new(new(null, null, null, new(), [diagnostic]), folder, models, frame);
         }
 
-        string folder = Path.GetDirectoryName(path) ?? "";
-        ModelFolder models = new(folder);
-        return Build(Read(path, models, settings, frame), folder, models, AtFrame(overrides, frame), readPicture, keepsSources: false);
+        SceneReadResult read = ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models), settings)
+            : SceneFormat.Of(path) is { } other ? Set(other.Read(path), settings) : SceneReader.Read(path, settings, frame);
+        return new(read, folder, models, frame);
     }
 
     /// <summary>Builds the scene of a text in the native format.</summary>
@@ -46,24 +55,11 @@ public static class SceneLoader
     public static SceneLoadResult LoadText(
         string text, string fileName, string folder, Func<SceneDescription, SceneDescription>? overrides = null, int? frame = null, Func<string, bool, Picture>? readPicture = null,
         IReadOnlyList<SceneSetting>? settings = null) =>
-        Build(SceneReader.ReadText(text, fileName, settings, frame), folder, new ModelFolder(folder), AtFrame(overrides, frame), readPicture, keepsSources: false);
+        ReadText(text, fileName, folder, settings, frame).Build(overrides, readPicture);
 
-    /// <summary>The description of a scene, without building it.</summary>
-    /// <param name="path">As for <see cref="Load"/>.</param>
-    /// <param name="overrides">As for <see cref="Load"/>.</param>
-    /// <param name="settings">As for <see cref="Load"/>.</param>
-    /// <param name="frame">As for <see cref="Load"/>.</param>
-    /// <returns>The description; null where the file has errors.</returns>
-    public static SceneDescription? Describe(
-        string path, Func<SceneDescription, SceneDescription>? overrides = null, IReadOnlyList<SceneSetting>? settings = null, int? frame = null)
-    {
-        SceneDescription? scene = Read(path, new ModelFolder(Path.GetDirectoryName(path) ?? ""), settings, frame).Description;
-        return scene is null ? null : AtFrame(overrides, frame)?.Invoke(scene) ?? scene;
-    }
-
-    /// <summary>As <see cref="Describe"/>, of a text in the native format.</summary>
-    public static SceneDescription? DescribeText(string text, string fileName, IReadOnlyList<SceneSetting>? settings = null, int? frame = null) =>
-        SceneReader.ReadText(text, fileName, settings, frame).Description is { } scene ? AtFrame(null, frame)?.Invoke(scene) ?? scene : null;
+    /// <summary>As <see cref="Read"/>, of a text in the native format.</summary>
+    public static ReadScene ReadText(string text, string fileName, string folder, IReadOnlyList<SceneSetting>? settings = null, int? frame = null) =>
+        new(SceneReader.ReadText(text, fileName, settings, frame), folder, new ModelFolder(folder), frame);
 
     private static SceneReadResult Set(SceneReadResult read, IReadOnlyList<SceneSetting>? settings)
     {
@@ -102,19 +98,7 @@ public static class SceneLoader
         Func<string, ImportedModel>? readModel = null) =>
         Build(read, folder, new ModelFolder(folder, readModel), overrides, readPicture, keepsSources: true);
 
-    private static SceneReadResult Read(string path, ModelFolder models, IReadOnlyList<SceneSetting>? settings, int? frame) =>
-        ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models), settings)
-        : SceneFormat.Of(path) is { } format ? Set(format.Read(path), settings) : SceneReader.Read(path, settings, frame);
-
-    // What moves does so by the time of the frame: the shutter opens then.
-    private static Func<SceneDescription, SceneDescription>? AtFrame(Func<SceneDescription, SceneDescription>? overrides, int? frame) => frame is not { } number ? overrides : scene =>
-    {
-        SceneDescription changed = overrides?.Invoke(scene) ?? scene;
-        float time = number / changed.Render.FramesPerSecond;
-        return changed with { Render = changed.Render with { Shutter = changed.Render.Shutter + new System.Numerics.Vector2(time) } };
-    };
-
-    private static SceneLoadResult Build(
+    internal static SceneLoadResult Build(
         SceneReadResult read, string folder, ModelFolder models, Func<SceneDescription, SceneDescription>? overrides, Func<string, bool, Picture>? readPicture,
         bool keepsSources)
     {

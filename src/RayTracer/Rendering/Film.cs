@@ -235,11 +235,11 @@ public sealed class Film : IImageRows
     /// <param name="y">Row, from the top.</param>
     /// <param name="sums">The plane's sums of each pixel, as <see cref="ReadPlane"/> gives them.</param>
     /// <exception cref="ArgumentException">The film does not have the plane.</exception>
-    public void AddPlane(FilmPlane plane, int y, ReadOnlySpan<Int128> sums) => AddPlaneSums(plane, Index(0, y), sums);
+    public void AddPlane(FilmPlane plane, int y, ReadOnlySpan<Int128> sums) => Add(PlaneRow(plane, Index(0, y), sums.Length), sums);
 
     /// <summary>As <see cref="AddPlane(FilmPlane, int, ReadOnlySpan{Int128})"/>, of a row whose sums all fit into 64 bits.</summary>
     /// <inheritdoc cref="AddPlane(FilmPlane, int, ReadOnlySpan{Int128})"/>
-    public void AddPlane(FilmPlane plane, int y, ReadOnlySpan<long> sums) => AddPlaneSums(plane, Index(0, y), sums);
+    public void AddPlane(FilmPlane plane, int y, ReadOnlySpan<long> sums) => Add(PlaneRow(plane, Index(0, y), sums.Length), sums);
 
     private static void Add(Span<Int128> target, ReadOnlySpan<Int128> sums)
     {
@@ -313,31 +313,59 @@ public sealed class Film : IImageRows
     /// <summary>A sum of a channel of a pixel, in its units.</summary>
     internal Int128 Sum(int x, int y, int channel) => _sums[(Index(x, y) * SumsPerPixel) + channel];
 
-    /// <summary>Adds to the sums of a pixel, in their units.</summary>
-    internal void AddSums(long pixel, ReadOnlySpan<Int128> sums) => Add(_sums.AsSpan((int)pixel * SumsPerPixel, SumsPerPixel), sums);
-
-    /// <summary>Adds sums and numbers of samples of pixels in a row.</summary>
-    /// <param name="first">Number of the first pixel.</param>
+    /// <summary>Adds samples of pixels in a row, or takes them away.</summary>
+    /// <param name="x">Column of the first pixel.</param>
+    /// <param name="y">Row.</param>
     /// <param name="sums">The sums of each pixel, in their units.</param>
-    /// <param name="counts">The number of samples of each pixel.</param>
-    internal void AddRow(int first, ReadOnlySpan<long> sums, ReadOnlySpan<uint> counts)
+    /// <param name="rest">What those do not hold of each pixel (<see cref="SumRest"/>); nothing where they hold all.</param>
+    /// <param name="samples">The number of samples of each pixel, those that were left out included.</param>
+    /// <param name="isOfHalf">Whether they are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
+    /// <param name="sign">1 to add, −1 to take away.</param>
+    internal void AddRow(int x, int y, ReadOnlySpan<long> sums, ReadOnlySpan<long> rest, int samples, bool isOfHalf, int sign = 1)
     {
-        Add(_sums.AsSpan(first * SumsPerPixel, sums.Length), sums);
-        Span<uint> targetCounts = _counts.AsSpan(first, counts.Length);
-        for (int i = 0; i < counts.Length; i++)
+        int first = (y * Width) + x;
+        Span<Int128> targetSums = _sums.AsSpan(first * SumsPerPixel, sums.Length);
+        for (int i = 0; i < sums.Length; i++)
         {
-            targetCounts[i] += counts[i];
+            targetSums[i] += sign * sums[i];
+        }
+
+        Span<uint> targetCounts = _counts.AsSpan(first, sums.Length / SumsPerPixel);
+        for (int i = 0; i < targetCounts.Length; i++)
+        {
+            targetCounts[i] += (uint)(sign * samples);
+        }
+
+        for (int i = 0; i < rest.Length; i++)
+        {
+            targetSums[(i * SumsPerPixel) + SquareSum] += (Int128)(sign * SumRest.HighSquare(rest[i])) << SumRest.SquareShift;
+            targetCounts[i] -= (uint)(sign * SumRest.Missing(rest[i]));
+        }
+
+        if (isOfHalf)
+        {
+            AddToHalf(first, sums, rest, samples, sign);
         }
     }
 
-    /// <summary>Adds to a plane's sums of pixels in a row.</summary>
-    /// <param name="plane">The plane.</param>
-    /// <param name="first">Number of the first pixel.</param>
-    /// <param name="sums">The plane's sums of each pixel.</param>
-    internal void AddPlaneSums(FilmPlane plane, long first, ReadOnlySpan<long> sums) => Add(PlaneRow(plane, first, sums.Length), sums);
+    private void AddToHalf(int first, ReadOnlySpan<long> sums, ReadOnlySpan<long> rest, int samples, int sign)
+    {
+        int perPixel = FilmPlane.Half.Sums.Count;
+        int pixels = sums.Length / SumsPerPixel;
+        Span<Int128> target = PlaneRow(FilmPlane.Half, first, pixels * perPixel);
+        for (int pixel = 0; pixel < pixels; pixel++)
+        {
+            Span<Int128> own = target.Slice(pixel * perPixel, perPixel);
+            for (int i = 0; i < SumsPerPixel; i++)
+            {
+                own[i] += sign * sums[(pixel * SumsPerPixel) + i];
+            }
 
-    /// <inheritdoc cref="AddPlaneSums(FilmPlane, long, ReadOnlySpan{long})"/>
-    internal void AddPlaneSums(FilmPlane plane, long first, ReadOnlySpan<Int128> sums) => Add(PlaneRow(plane, first, sums.Length), sums);
+            long more = rest.IsEmpty ? 0 : rest[pixel];
+            own[SquareSum] += (Int128)(sign * SumRest.HighSquare(more)) << SumRest.SquareShift;
+            own[SumsPerPixel] += sign * (samples - SumRest.Missing(more));
+        }
+    }
 
     private static ReadOnlySpan<byte> Bytes<T>(Span<T> values)
         where T : unmanaged

@@ -50,6 +50,19 @@ public sealed class FilmPlane
         return (sample >> block & 1) == 0;
     }
 
+    /// <summary>The first sample after some others whose half is another than theirs.</summary>
+    /// <param name="first">The first of them.</param>
+    internal static int EndOfTurn(int first)
+    {
+        int end = first + 1;
+        while (IsOfHalf(end) == IsOfHalf(first))
+        {
+            end++;
+        }
+
+        return end;
+    }
+
     /// <inheritdoc/>
     public override string ToString() => Name;
 }

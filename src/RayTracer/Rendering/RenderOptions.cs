@@ -22,6 +22,13 @@ public sealed record RenderOptions
     /// Takes layers of light beside the film, of the same samples; null where none are wanted, and then they cost nothing.
     /// </summary>
     public LightPathAovFilm? Layers { get; init; }
+
+    /// <summary>
+    /// Called after each pass, on the thread that called, while nothing is written to the film: takes the samples of the pass, and returns
+    /// how long the next one may take; nothing or less ends the rendering. Null where nobody looks: then threads begin a pass while others
+    /// still finish the one before.
+    /// </summary>
+    public Func<SampleRange, TimeSpan>? AfterPass { get; init; }
 }
 
 /// <summary>The progress of a rendering.</summary>
@@ -30,6 +37,12 @@ public sealed record RenderOptions
 /// <param name="Rays">Rays traced so far.</param>
 public readonly record struct RenderProgress(long PathsDone, long PathsTotal, long Rays)
 {
+    /// <summary>The pass that is under way, from 1; 0 where there are no passes.</summary>
+    public int Pass { get; init; }
+
+    /// <summary>The samples that every pixel has from the passes before.</summary>
+    public int SamplesDone { get; init; }
+
     /// <summary>The part that is done, 0 to 1.</summary>
     public double Fraction => PathsTotal == 0 ? 1 : (double)PathsDone / PathsTotal;
 }
@@ -63,7 +76,10 @@ public sealed record RenderStatistics
     /// <summary>The number of bad samples that are kept by name.</summary>
     public const int MaxBadSamples = 16;
 
-    /// <summary>Light paths followed.</summary>
+    /// <summary>The samples that every pixel was given: all, unless the rendering ended early.</summary>
+    public int SamplesPerPixel { get; init; }
+
+    /// <summary>Light paths followed, without those of a pass that was broken off.</summary>
     public long Paths { get; init; }
 
     /// <summary>Rays whose nearest hit was looked for.</summary>
@@ -90,6 +106,7 @@ public sealed record RenderStatistics
     /// <summary>Returns the work of two renderings of the same scene together.</summary>
     public static RenderStatistics operator +(RenderStatistics a, RenderStatistics b) => new()
     {
+        SamplesPerPixel = a.SamplesPerPixel + b.SamplesPerPixel,
         Paths = a.Paths + b.Paths,
         ClosestHitRays = a.ClosestHitRays + b.ClosestHitRays,
         ShadowRays = a.ShadowRays + b.ShadowRays,

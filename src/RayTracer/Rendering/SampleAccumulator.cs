@@ -7,29 +7,25 @@ namespace RayTracer.Rendering;
 
 /// <summary>
 /// Adds up the samples of one tile in 64-bit fixed point, which holds up to <see cref="MaxSamples"/> samples a pixel, before they
-/// go to the film's 128-bit sums.
+/// go to the film's 128-bit sums. No more than that can be taken back from the film again (<see cref="PassCell"/>).
 /// </summary>
 internal sealed unsafe class SampleAccumulator(int maxPixels)
 {
     /// <summary>Samples a pixel that fit into 64 bits.</summary>
     public const int MaxSamples = 64;
 
-    // 64 · 16² · 2⁴⁸ = 2⁶²; brighter samples go to the film at once.
+    // 64 · 16² · 2⁴⁸ = 2⁶²; of the squares of brighter samples, the bits from 2⁵⁶ on are added up apart.
     private const float OrdinaryLimit = 16;
-    private const int HalfSums = Film.SumsPerPixel + 1;
     private readonly PinnedBuffer<long> _sums = new((long)maxPixels * Film.SumsPerPixel);
-    private readonly PinnedBuffer<uint> _counts = new(maxPixels);
+    private readonly PinnedBuffer<long> _rest = new(maxPixels);
     private readonly PinnedBuffer<long> _units = new((long)Film.SumsPerPixel * FloatW.Count);
     private readonly PinnedBuffer<uint> _pixels = new(FloatW.Count);
     private readonly List<BadSample> _bad = [];
     private Film _film = null!;
     private Tile _tile;
     private ReadOnlyMemory<int> _targets;
-
-    // Where the film keeps a half of the samples: bit i is whether the first sample and i more is one of it.
-    private PinnedBuffer<long>? _halfSums;
-    private ulong _half;
-    private int _firstSample;
+    private int _samples;
+    private bool _hasRest;
 
     /// <summary>Samples that were not finite, and so were left out.</summary>
     public long NonFinite { get; private set; }
@@ -40,24 +36,24 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <summary>The first samples that were not finite.</summary>
     public IReadOnlyList<BadSample> Bad => _bad;
 
-    /// <summary>Prepares for some samples of a tile, at most <see cref="MaxSamples"/> of a pixel.</summary>
-    public void Begin(Film film, in Tile tile, SampleRange samples)
+    /// <summary>Prepares for the samples of a tile.</summary>
+    /// <param name="film">The film.</param>
+    /// <param name="tile">The tile.</param>
+    /// <param name="samples">How many samples of each pixel there will be.</param>
+    public void Begin(Film film, in Tile tile, int samples)
     {
-        _film = film;
-        _tile = tile;
-        _targets = default;
-        Clear(tile.Pixels, samples);
+        (_film, _tile, _targets, _samples) = (film, tile, default, samples);
+        Clear(tile.Pixels);
     }
 
     /// <summary>Prepares for the samples of single pixels.</summary>
     /// <param name="film">The film.</param>
     /// <param name="targets">The numbers of its pixels.</param>
-    /// <param name="samples">The samples, at most <see cref="MaxSamples"/>.</param>
-    public void BeginPixels(Film film, ReadOnlyMemory<int> targets, SampleRange samples)
+    /// <param name="samples">How many samples of each pixel there will be.</param>
+    public void BeginPixels(Film film, ReadOnlyMemory<int> targets, int samples)
     {
-        _film = film;
-        _targets = targets;
-        Clear(targets.Length, samples);
+        (_film, _targets, _samples) = (film, targets, samples);
+        Clear(targets.Length);
     }
 
     /// <summary>Adds a packet of samples.</summary>
@@ -88,12 +84,6 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             sums[1] += green[lane];
             sums[2] += blue[lane];
             sums[Film.SquareSum] += square[lane];
-            _counts.Pointer[pixel[lane]]++;
-        }
-
-        if (_half != 0)
-        {
-            AddToHalf(ordinary, samples);
         }
 
         for (uint rest = inUse & ~ordinary; rest != 0; rest &= rest - 1)
@@ -102,27 +92,6 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             AddUnusual((int)pixel[lane], (int)samples[lane], new(radiance.R[lane], radiance.G[lane], radiance.B[lane]));
         }
     }
-
-    // Of the packet whose pixels and units were stored.
-    private void AddToHalf(uint ordinary, UIntW samples)
-    {
-        for (uint rest = ordinary; rest != 0; rest &= rest - 1)
-        {
-            int lane = BitOperations.TrailingZeroCount(rest);
-            if (IsOfHalf((int)samples[lane]))
-            {
-                long* sums = _halfSums!.Pointer + ((nint)_pixels.Pointer[lane] * HalfSums);
-                for (int sum = 0; sum < Film.SumsPerPixel; sum++)
-                {
-                    sums[sum] += _units.Pointer[(sum * FloatW.Count) + lane];
-                }
-
-                sums[Film.SumsPerPixel]++;
-            }
-        }
-    }
-
-    private bool IsOfHalf(int sample) => (_half >> (sample - _firstSample) & 1) != 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void ToChannelUnits(FloatW value, long* units)
@@ -157,69 +126,55 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
 
         Rgb clamped = new(Clamp(value.R), Clamp(value.G), Clamp(value.B));
         Clamped += clamped == value ? 0 : 1;
+        long* sums = _sums.Pointer + ((nint)pixel * Film.SumsPerPixel);
+        sums[0] += (long)double.Round(clamped.R * Film.ChannelUnits);
+        sums[1] += (long)double.Round(clamped.G * Film.ChannelUnits);
+        sums[2] += (long)double.Round(clamped.B * Film.ChannelUnits);
         double y = clamped.Luminance;
-        Span<Int128> sums = stackalloc Int128[HalfSums];
-        sums[0] = (Int128)double.Round(clamped.R * Film.ChannelUnits);
-        sums[1] = (Int128)double.Round(clamped.G * Film.ChannelUnits);
-        sums[2] = (Int128)double.Round(clamped.B * Film.ChannelUnits);
-        sums[Film.SquareSum] = (Int128)double.Round(y * y * Film.SquareUnits);
-        sums[Film.SumsPerPixel] = 1;
-        _film.AddSums(FilmPixel(pixel), sums[..Film.SumsPerPixel]);
-        _counts.Pointer[pixel]++;
-        if (_half != 0 && IsOfHalf(sample))
+        Int128 square = (Int128)double.Round(y * y * Film.SquareUnits);
+        sums[Film.SquareSum] += (long)(square & ((1L << SumRest.SquareShift) - 1));
+        AddRest(pixel, (long)(square >> SumRest.SquareShift), 0);
+    }
+
+    private void AddRest(int pixel, long highSquare, int missing)
+    {
+        if (!_hasRest)
         {
-            _film.AddPlaneSums(FilmPlane.Half, FilmPixel(pixel), sums);
+            NativeMemory.Clear(_rest.Pointer, (nuint)(_targets.IsEmpty ? _tile.Pixels : _targets.Length) * sizeof(long));
+            _hasRest = true;
         }
+
+        _rest.Pointer[pixel] += SumRest.Of(highSquare, missing);
     }
 
     private static float Clamp(float channel) => float.Clamp(channel, -Film.SampleLimit, Film.SampleLimit);
 
     /// <summary>Hands everything to the film.</summary>
-    public void End()
+    /// <param name="isOfHalf">Whether the samples are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
+    /// <param name="cell">Keeps what was handed over, so that it can be taken back; null where nobody will.</param>
+    public void End(bool isOfHalf = false, PassCell? cell = null)
     {
-        int first = 0;
-        foreach (int target in _targets.Span)
+        int pixel = 0;
+        foreach ((int x, int y, int length) in PixelRuns.Of(_tile, _targets, _film.Width))
         {
-            Hand(target, first++, 1);
-        }
-
-        for (int row = 0; _targets.IsEmpty && row < _tile.Height; row++)
-        {
-            Hand(((_tile.Y + row) * _film.Width) + _tile.X, first, _tile.Width);
-            first += _tile.Width;
+            ReadOnlySpan<long> sums = new(_sums.Pointer + ((nint)pixel * Film.SumsPerPixel), length * Film.SumsPerPixel);
+            ReadOnlySpan<long> rest = _hasRest ? new(_rest.Pointer + pixel, length) : default;
+            _film.AddRow(x, y, sums, rest, _samples, isOfHalf);
+            cell?.Keep(x, y, sums, rest);
+            pixel += length;
         }
     }
 
-    private void Hand(int target, int first, int pixels)
-    {
-        _film.AddRow(target, new(_sums.Pointer + ((nint)first * Film.SumsPerPixel), pixels * Film.SumsPerPixel), new(_counts.Pointer + first, pixels));
-        if (_half != 0)
-        {
-            _film.AddPlaneSums(FilmPlane.Half, target, new ReadOnlySpan<long>(_halfSums!.Pointer + ((nint)first * HalfSums), pixels * HalfSums));
-        }
-    }
-
-    private void Clear(int pixels, SampleRange samples)
+    private void Clear(int pixels)
     {
         NativeMemory.Clear(_sums.Pointer, (nuint)pixels * Film.SumsPerPixel * sizeof(long));
-        NativeMemory.Clear(_counts.Pointer, (nuint)pixels * sizeof(uint));
-        (_half, _firstSample) = (0, samples.First);
-        int kept = _film.Planes.Contains(FilmPlane.Half) ? samples.Count : 0;
-        for (int i = 0; i < kept; i++)
-        {
-            _half |= FilmPlane.IsOfHalf(samples.First + i) ? 1UL << i : 0;
-        }
-
-        if (_half != 0)
-        {
-            _halfSums ??= new((long)maxPixels * HalfSums);
-            NativeMemory.Clear(_halfSums.Pointer, (nuint)pixels * HalfSums * sizeof(long));
-        }
+        _hasRest = false;
     }
 
     private void NoteBad(int pixel, int sample, Rgb value)
     {
         NonFinite++;
+        AddRest(pixel, 0, missing: 1);
         (int y, int x) = int.DivRem((int)FilmPixel(pixel), _film.Width);
         _bad.Add(new(x, y, sample, value));
 

@@ -48,30 +48,28 @@ internal sealed unsafe class Wavefront
 
     public long ShadowRays => _shader.ShadowRays;
 
-    /// <summary>Renders some samples of every pixel of a tile into the film.</summary>
-    /// <param name="film">The film; no other thread may use the tile's pixels.</param>
+    /// <summary>Follows the paths of some samples of every pixel of a tile; the accumulator has them then.</summary>
+    /// <param name="film">The film that they are for.</param>
     /// <param name="tile">The pixels.</param>
     /// <param name="samples">The samples, at most <see cref="SampleAccumulator.MaxSamples"/>.</param>
-    public void Render(Film film, in Tile tile, SampleRange samples)
+    public void Follow(Film film, in Tile tile, SampleRange samples)
     {
-        _accumulator.Begin(film, tile, samples);
+        _accumulator.Begin(film, tile, samples.Count);
         Follow(tile, samples);
-        _accumulator.End();
         Paths += (long)tile.Pixels * samples.Count;
     }
 
-    /// <summary>Renders some samples of single pixels into a film.</summary>
-    /// <param name="film">The film; no other thread may use its pixels that are written to.</param>
+    /// <summary>Follows the paths of some samples of single pixels; the accumulator has them then.</summary>
+    /// <param name="film">The film that they are for.</param>
     /// <param name="pixels">The pixels' numbers in the picture, row by row.</param>
     /// <param name="targets">Where each goes: numbers of pixels of the film.</param>
     /// <param name="samples">The samples, at most <see cref="SampleAccumulator.MaxSamples"/>.</param>
     /// <param name="seed">Selects the random numbers, in the place of the scene's seed.</param>
-    public void Render(Film film, ReadOnlySpan<int> pixels, ReadOnlyMemory<int> targets, SampleRange samples, uint seed)
+    public void Follow(Film film, ReadOnlySpan<int> pixels, ReadOnlyMemory<int> targets, SampleRange samples, uint seed)
     {
-        _accumulator.BeginPixels(film, targets, samples);
+        _accumulator.BeginPixels(film, targets, samples.Count);
         _generator.Begin(pixels, samples, seed);
         Follow(samples);
-        _accumulator.End();
         Paths += (long)pixels.Length * samples.Count;
     }
 

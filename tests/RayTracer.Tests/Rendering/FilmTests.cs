@@ -60,7 +60,7 @@ public class FilmTests
     {
         SampleAccumulator accumulator = new(4);
         Film film = new(4, 4);
-        accumulator.Begin(film, new(2, 1, 2, 2), new(0, 64));
+        accumulator.Begin(film, new(2, 1, 2, 2), samples: 1);
         accumulator.Add(3, UIntW.Iota, 7u, new(new FloatW(System.Numerics.Vector<float>.One), Nan(lane: 1), 1f));
         accumulator.End();
         Assert.Equal(1, accumulator.NonFinite);
@@ -76,7 +76,7 @@ public class FilmTests
     {
         SampleAccumulator accumulator = new(1);
         Film film = new(1, 1);
-        accumulator.Begin(film, new(0, 0, 1, 1), new(0, 64));
+        accumulator.Begin(film, new(0, 0, 1, 1), samples: 1);
         accumulator.Add(1, 0u, 0u, new(1e30f, -1e30f, 5f));
         accumulator.End();
         Assert.Equal(1, accumulator.Clamped);
@@ -183,7 +183,7 @@ public class FilmTests
     public void Clamping_is_counted_once_a_sample_and_only_beyond_the_limit()
     {
         SampleAccumulator accumulator = new(1);
-        accumulator.Begin(new Film(1, 1), new(0, 0, 1, 1), new(0, 64));
+        accumulator.Begin(new Film(1, 1), new(0, 0, 1, 1), samples: 3);
         accumulator.Add(1, 0u, 0u, new(1e30f, 1e30f, -1e30f));
         accumulator.Add(1, 0u, 1u, new(Film.SampleLimit, -Film.SampleLimit, 100f));
         accumulator.Add(1, 0u, 2u, new(Film.SampleLimit + 2, 0f, 0f));
@@ -217,7 +217,7 @@ public class FilmTests
     {
         Film film = new(1, 1);
         SampleAccumulator accumulator = new(1);
-        accumulator.Begin(film, new(0, 0, 1, 1), new(0, 64));
+        accumulator.Begin(film, new(0, 0, 1, 1), samples.Length);
         foreach (Rgb sample in samples)
         {
             accumulator.Add(1, 0u, 0u, sample);

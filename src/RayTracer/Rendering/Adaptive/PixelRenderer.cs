@@ -9,7 +9,9 @@ namespace RayTracer.Rendering;
 /// <param name="options">How to compute it.</param>
 internal sealed class PixelRenderer(Scene scene, RenderOptions options)
 {
-    private const int LargestList = 4096;
+    /// <summary>The most pixels that are rendered together.</summary>
+    public const int LargestList = 4096;
+
     private const int SmallestList = 64;
     private const int PathsPerList = 16384;
     private readonly ConcurrentBag<Wavefront> _idle = [];
@@ -26,6 +28,13 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
         BadSamples = [.. _idle.SelectMany(w => w.Accumulator.Bad).Order().Take(RenderStatistics.MaxBadSamples)],
     };
 
+    /// <summary>Returns how many of some pixels should be rendered together.</summary>
+    /// <param name="pixels">The number of pixels.</param>
+    /// <param name="samples">The samples of each.</param>
+    /// <param name="threads">The number of threads.</param>
+    public static int ListLength(int pixels, int samples, int threads) =>
+        Math.Clamp(Math.Min(PathsPerList / samples, pixels / (8 * threads)), SmallestList, LargestList);
+
     /// <summary>Renders.</summary>
     /// <param name="film">Takes the samples.</param>
     /// <param name="pixels">The pixels' numbers in the picture, row by row.</param>
@@ -37,7 +46,7 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
     /// <exception cref="OperationCanceledException">It was cancelled: some pixels have all the samples, others have none.</exception>
     public void Render(Film film, int[] pixels, int[] targets, SampleRange samples, uint seed, Action<long, long> report, CancellationToken cancellation)
     {
-        int length = Math.Clamp(Math.Min(PathsPerList / samples.Count, pixels.Length / (8 * _threads)), SmallestList, LargestList);
+        int length = ListLength(pixels.Length, samples.Count, _threads);
         int lists = ((pixels.Length - 1) / length) + 1;
         ParallelOptions parallel = new() { MaxDegreeOfParallelism = _threads, CancellationToken = cancellation };
         Parallel.For(0, lists, parallel, list =>
@@ -50,7 +59,8 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
             for (int first = samples.First; first < samples.End; first += SampleAccumulator.MaxSamples)
             {
                 SampleRange block = new(first, Math.Min(samples.End, first + SampleAccumulator.MaxSamples));
-                worker.Render(film, pixels.AsSpan(start, count), targets.AsMemory(start, count), block, seed);
+                worker.Follow(film, pixels.AsSpan(start, count), targets.AsMemory(start, count), block, seed);
+                worker.Accumulator.End();
             }
 
             report(worker.Paths - paths, worker.ClosestHitRays + worker.ShadowRays - rays);

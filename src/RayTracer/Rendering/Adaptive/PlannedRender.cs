@@ -1,8 +1,8 @@
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Renders a picture whose pixels have the numbers of samples that a plan says. Each pixel is what it is in a plain picture with that many
-/// samples, to the bit.
+/// Renders a picture whose pixels have the numbers of samples that a plan says, in passes as <see cref="RTracer"/>. Each pixel is what it is
+/// in a plain picture with that many samples, to the bit.
 /// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="options">How to compute it.</param>
@@ -11,30 +11,37 @@ public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan
 {
     /// <summary>Renders.</summary>
     /// <param name="film">An empty film of the scene's size.</param>
-    /// <param name="progress">Told how far the picture is, the plan's samples included; may be null.</param>
-    /// <param name="cancellation">Ends the work after the pixels under way; all samples in the film are whole.</param>
+    /// <param name="progress">Takes how far the picture is, the plan's samples included; may be null.</param>
+    /// <param name="cancellation">Ends the work after the pixels under way. The film has the samples of all complete passes then: as many of
+    /// each pixel as that comes to (<see cref="RenderStatistics.SamplesPerPixel"/>), or as the plan says where that is less.</param>
     /// <returns>What was done for the picture and the plan.</returns>
     public RenderStatistics Render(Film film, IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
     {
-        PixelRenderer renderer = new(scene, options);
-        ProgressSum done = new(plan.TotalSamples + plan.Statistics.Paths, progress, plan.Statistics.Paths, plan.Statistics.Rays);
-        bool cancelled = false;
-        try
+        int threads = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
+        PassCell cell = new(new(0, 0, film.Width, film.Height));
+        PassLoop loop = new(scene, options, film, [cell], pass => [.. Cut(cell, pass, threads)])
         {
-            int first = 0;
-            foreach (int end in plan.Samples.Distinct().Order())
+            Threads = threads,
+            LargestItem = PixelRenderer.LargestList,
+            TotalPaths = plan.TotalSamples + plan.Statistics.Paths,
+            Before = plan.Statistics,
+        };
+        return plan.Add(loop.Render(new(0, plan.Most), progress, cancellation));
+    }
+
+    // Pixels that get the same number of samples go together.
+    private IEnumerable<PassItem> Cut(PassCell cell, SampleRange pass, int threads)
+    {
+        foreach (int end in plan.Samples.Where(s => s > pass.First).Select(s => Math.Min(s, pass.End)).Distinct().Order())
+        {
+            SampleRange samples = new(pass.First, end);
+            int[] pixels = Pixels(count => Math.Min(count, pass.End) == end, cell.Area.Width);
+            int length = PixelRenderer.ListLength(pixels.Length, samples.Count, threads);
+            for (int first = 0; first < pixels.Length; first += length)
             {
-                int[] pixels = Pixels(samples => samples >= end, film.Width);
-                renderer.Render(film, pixels, pixels, new(first, end), (uint)scene.Render.Seed, done.Add, cancellation);
-                first = end;
+                yield return new(cell, default, pixels.AsMemory(first, Math.Min(length, pixels.Length - first)), samples);
             }
         }
-        catch (OperationCanceledException)
-        {
-            cancelled = true;
-        }
-
-        return plan.Add(renderer.Statistics) with { Cancelled = cancelled };
     }
 
     private int[] Pixels(Predicate<int> haveSamples, int width)

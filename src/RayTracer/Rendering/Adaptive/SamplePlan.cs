@@ -21,6 +21,9 @@ public sealed record SamplePlan(Tile Area, IReadOnlyList<Tile> Blocks, IReadOnly
         ShadowRays = picture.ShadowRays + Statistics.ShadowRays,
     };
 
+    /// <summary>The plan with at most so many samples of each pixel.</summary>
+    public SamplePlan UpTo(int samples) => samples >= Most ? this : this with { Samples = [.. Samples.Select(s => Math.Min(s, samples))] };
+
     /// <summary>Samples of all pixels together.</summary>
     public long TotalSamples => Blocks.Zip(Samples, (block, samples) => (long)block.Pixels * samples).Sum();
 

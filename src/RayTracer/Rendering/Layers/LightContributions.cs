@@ -56,6 +56,7 @@ internal sealed unsafe class LightContributions : PathObserver
     public override void Begin(in Tile tile, SampleRange samples)
     {
         _tile = tile;
+        _film.Begin(tile);
         _waiting.Clear();
         long needed = (long)tile.Pixels * samples.Count * _width;
         if (needed > _room)

@@ -17,7 +17,11 @@ public sealed class LightPathAovFilm
 
     // Of all layers that a scene has, where each is among those that are kept; −1 for others.
     private readonly int[] _place;
-    private readonly Int128[][] _sums;
+
+    // Of the latest pass, which may be taken back, and of those before: the upper halves of 128 bits only where they are needed.
+    private readonly long[][] _pass;
+    private readonly long[][] _sums;
+    private readonly int[]?[] _upper;
     private readonly Film _film;
 
     /// <summary>Makes empty layers.</summary>
@@ -31,7 +35,8 @@ public sealed class LightPathAovFilm
         _film = film;
         Groups = new(scene);
         (_place, Names) = Places(scene, Groups, kinds);
-        _sums = [.. Names.Select(_ => new Int128[checked(3L * film.Width * film.Height)])];
+        long[][] Sums() => [.. Names.Select(_ => new long[checked(3L * film.Width * film.Height)])];
+        (_pass, _sums, _upper) = (Sums(), Sums(), new int[]?[Names.Count]);
     }
 
     /// <summary>The names of the layers that a scene's film would have.</summary>
@@ -65,7 +70,7 @@ public sealed class LightPathAovFilm
 
     /// <summary>A layer as an image.</summary>
     /// <param name="layer">Its place among <see cref="Names"/>.</param>
-    public IImageRows Image(int layer) => new Rows(this, _sums[layer]);
+    public IImageRows Image(int layer) => new Rows(this, layer);
 
     private static (int[] Places, IReadOnlyList<string> Names) Places(Scene scene, LightGroups groups, IEnumerable<LightPathAov> kinds)
     {
@@ -95,6 +100,30 @@ public sealed class LightPathAovFilm
         return (places, names);
     }
 
+    /// <summary>Begins a pass over a tile: what it has so far will not be taken back.</summary>
+    internal void Begin(in Tile tile)
+    {
+        for (int layer = 0; layer < _sums.Length; layer++)
+        {
+            for (int y = tile.Y; y < tile.Y + tile.Height; y++)
+            {
+                Settle(layer, (((long)y * _film.Width) + tile.X) * 3, tile.Width * 3);
+            }
+        }
+    }
+
+    /// <summary>Takes back what the latest pass gave to a tile.</summary>
+    internal void TakeBack(in Tile tile)
+    {
+        foreach (long[] pass in _pass)
+        {
+            for (int y = tile.Y; y < tile.Y + tile.Height; y++)
+            {
+                Array.Clear(pass, ((y * _film.Width) + tile.X) * 3, tile.Width * 3);
+            }
+        }
+    }
+
     /// <summary>Adds what a sample of a pixel has of a layer, in the film's units.</summary>
     /// <param name="layer">The layer's number among all that the scene has.</param>
     /// <param name="pixel">The pixel's number.</param>
@@ -104,17 +133,48 @@ public sealed class LightPathAovFilm
     {
         if (_place[layer] >= 0)
         {
-            _sums[_place[layer]][(3 * pixel) + channel] += units;
+            _pass[_place[layer]][(3 * pixel) + channel] += units;
         }
     }
 
     /// <summary>All that is stored of a layer, for comparison.</summary>
-    internal byte[] Content(int layer) => MemoryMarshal.AsBytes<Int128>(_sums[layer]).ToArray();
+    internal byte[] Content(int layer) =>
+        MemoryMarshal.AsBytes<Int128>(Enumerable.Range(0, _sums[layer].Length).Select(i => Sum(layer, i)).ToArray()).ToArray();
 
     /// <summary>A sum of a layer, in the film's units.</summary>
-    internal Int128 Sum(int layer, int x, int y, int channel) => _sums[layer][(3L * (((long)y * _film.Width) + x)) + channel];
+    internal Int128 Sum(int layer, int x, int y, int channel) => Sum(layer, (3L * (((long)y * _film.Width) + x)) + channel);
 
-    private sealed class Rows(LightPathAovFilm layers, Int128[] sums) : IImageRows
+    private Int128 Sum(int layer, long place) =>
+        ((Int128)(_upper[layer]?[place] ?? 0) << 64) + _sums[layer][place] + _pass[layer][place];
+
+    private void Settle(int layer, long first, int count)
+    {
+        (long[] sums, long[] pass) = (_sums[layer], _pass[layer]);
+        for (long i = first; i < first + count; i++)
+        {
+            long sum = sums[i] + pass[i];
+            if (((sum ^ sums[i]) & (sum ^ pass[i])) < 0)
+            {
+                // Both have the sign that the sum should have.
+                Upper(layer)[i] += pass[i] < 0 ? -1 : 1;
+            }
+
+            (sums[i], pass[i]) = (sum, 0);
+        }
+    }
+
+    // Several threads may be the first.
+    private int[] Upper(int layer)
+    {
+        if (_upper[layer] is null)
+        {
+            Interlocked.CompareExchange(ref _upper[layer], new int[_sums[layer].LongLength], null);
+        }
+
+        return _upper[layer]!;
+    }
+
+    private sealed class Rows(LightPathAovFilm layers, int layer) : IImageRows
     {
         public int Width => layers._film.Width;
 
@@ -128,7 +188,7 @@ public sealed class LightPathAovFilm
                 double scale = count == 0 ? 0 : 1 / (Film.ChannelUnits * count);
                 for (int channel = 0; channel < 3; channel++)
                 {
-                    rgb[(3 * x) + channel] = (float)((double)sums[(3L * (((long)y * Width) + x)) + channel] * scale);
+                    rgb[(3 * x) + channel] = (float)((double)layers.Sum(layer, x, y, channel) * scale);
                 }
             }
         }

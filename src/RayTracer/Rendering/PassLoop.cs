@@ -1,0 +1,277 @@
+using System.Diagnostics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Renders samples of a picture in passes over all of its pixels, on several threads. Each pass doubles the samples, up to 64 or some seconds
+/// a pass. A thread that finds nothing left of a pass begins the next one, while others still work: it only waits before it hands over
+/// samples of pixels that lack those of the pass before. So when the rendering is stopped, every pass but the last is complete as soon as
+/// all threads have handed over what they have, and the last is taken back.
+/// </summary>
+/// <param name="scene">The scene.</param>
+/// <param name="options">How to compute it.</param>
+/// <param name="film">Takes the samples.</param>
+/// <param name="cells">All cells.</param>
+/// <param name="cut">Cuts a pass into pieces, of all pixels that have such samples.</param>
+internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, PassCell[] cells, Func<SampleRange, PassItem[]> cut)
+{
+    // The seconds of a pass, where one sample a pixel does not take longer.
+    private const double Longest = 5;
+    private readonly Lock _beginning = new();
+    private volatile Pass? _pass;
+    private volatile Exception? _failure;
+    private SampleRange _samples;
+    private TimeSpan _longest = TimeSpan.FromSeconds(Longest);
+    private long _began;
+    private CancellationToken _cancellation;
+    private IProgress<RenderProgress>? _progress;
+    private long _pathsDone;
+    private long _raysDone;
+
+    /// <summary>The number of threads.</summary>
+    public required int Threads { get; init; }
+
+    /// <summary>The most pixels of a piece.</summary>
+    public required int LargestItem { get; init; }
+
+    /// <summary>All paths that there will be.</summary>
+    public required long TotalPaths { get; init; }
+
+    /// <summary>What was done before, for the progress.</summary>
+    public RenderStatistics Before { get; init; } = new();
+
+    /// <summary>Renders.</summary>
+    /// <param name="samples">The samples.</param>
+    /// <param name="progress">Takes how far the rendering is; may be null.</param>
+    /// <param name="cancellation">Ends the rendering after the pieces under way.</param>
+    public RenderStatistics Render(SampleRange samples, IProgress<RenderProgress>? progress, CancellationToken cancellation)
+    {
+        (_samples, _progress, _cancellation) = (samples, progress, cancellation);
+        (_pathsDone, _raysDone) = (Before.Paths, Before.Rays);
+        Wavefront?[] workers = new Wavefront?[Threads];
+        long dropped = 0;
+        try
+        {
+            while (_longest > TimeSpan.Zero && Begin())
+            {
+                Run(workers);
+                if (!_pass!.IsTaken)
+                {
+                    dropped = Drop();
+                    break;
+                }
+
+                _longest = options.AfterPass?.Invoke(_pass.Samples) ?? _longest;
+            }
+        }
+        finally
+        {
+            Array.ForEach(cells, cell => cell.Free());
+        }
+
+        return Summarize([.. workers.OfType<Wavefront>()], dropped);
+    }
+
+    private RenderStatistics Summarize(Wavefront[] workers, long dropped) => new()
+    {
+        SamplesPerPixel = (_pass!.IsTaken ? _pass.Samples.End : _pass.Samples.First) - _samples.First,
+        Paths = workers.Sum(w => w.Paths) - dropped,
+        ClosestHitRays = workers.Sum(w => w.ClosestHitRays),
+        ShadowRays = workers.Sum(w => w.ShadowRays),
+        NonFiniteSamples = workers.Sum(w => w.Accumulator.NonFinite),
+        ClampedSamples = workers.Sum(w => w.Accumulator.Clamped),
+        BadSamples = [.. workers.SelectMany(w => w.Accumulator.Bad).Order().Take(RenderStatistics.MaxBadSamples)],
+        Cancelled = !_pass.IsTaken,
+    };
+
+    // False where all samples are there.
+    private bool Begin()
+    {
+        int first = _pass?.Samples.End ?? _samples.First;
+        if (first >= _samples.End)
+        {
+            return false;
+        }
+
+        bool hasHalf = film.Planes.Contains(FilmPlane.Half);
+        int end = hasHalf ? FilmPlane.EndOfTurn(first) : _samples.End;
+        SampleRange range = new(first, Math.Min(Math.Min(end, _samples.End), first + NextCount(first - _samples.First)));
+        PassItem[] items = cut(range);
+        _pass = new(range, items, [.. items.Select(i => i.Cell.Planned)], (_pass?.Number ?? 0) + 1)
+        {
+            IsOfHalf = hasHalf && FilmPlane.IsOfHalf(first),
+        };
+        foreach (PassItem item in items)
+        {
+            item.Cell.Planned += item.Count;
+        }
+
+        _began = Stopwatch.GetTimestamp();
+        return true;
+    }
+
+    // As many samples as there are. Powers of two, so that there are powers of two for as long as possible: low-discrepancy points like them.
+    private int NextCount(int done)
+    {
+        double seconds = _pass is null ? double.PositiveInfinity : Stopwatch.GetElapsedTime(_began).TotalSeconds / _pass.Samples.Count;
+        double most = double.Clamp(_longest.TotalSeconds / double.Max(seconds, 1e-9), 1, SampleAccumulator.MaxSamples);
+        return 1 << int.Log2((int)double.Min(int.Max(done, 1), most));
+    }
+
+    // Renders passes to the end, or one where somebody looks after each.
+    private void Run(Wavefront?[] workers)
+    {
+        void Work(int i)
+        {
+            try
+            {
+                Render(workers[i] ??= new(scene, options.StreamSize, LargestItem, options.Layers is { } layers ? new LightContributions(scene, layers) : null));
+            }
+            catch (Exception e)
+            {
+                _failure = e;
+            }
+        }
+
+        Thread[] others = [.. Enumerable.Range(1, workers.Length - 1).Select(i => new Thread(() => Work(i)) { IsBackground = true })];
+        int started = 0;
+        try
+        {
+            for (; started < others.Length; started++)
+            {
+                others[started].Start();
+            }
+
+            Work(0);
+        }
+        catch (Exception e) when (e is ThreadStartException or OutOfMemoryException)
+        {
+            // Too few threads can be had: nothing may go on writing to the film after this returns.
+            _failure = e;
+        }
+
+        Array.ForEach(others[..started], t => t.Join());
+        if (_failure is { } failure)
+        {
+            throw new InvalidOperationException("Rendering failed.", failure);
+        }
+    }
+
+    private void Render(Wavefront worker)
+    {
+        while (_failure is null && !_cancellation.IsCancellationRequested && Take() is var (pass, index))
+        {
+            long rays = worker.ClosestHitRays + worker.ShadowRays;
+            if (Render(worker, pass, index))
+            {
+                Report(pass, pass.Items[index].Paths, worker.ClosestHitRays + worker.ShadowRays - rays);
+            }
+        }
+    }
+
+    // What is taken is handed over: so nothing may be taken after the rendering was stopped.
+    private (Pass Pass, int Index)? Take()
+    {
+        while (true)
+        {
+            Pass pass = _pass!;
+            if (pass.Take() is { } index)
+            {
+                return (pass, index);
+            }
+
+            lock (_beginning)
+            {
+                if (options.AfterPass is not null || (_pass == pass && (_cancellation.IsCancellationRequested || !Begin())))
+                {
+                    return null;
+                }
+            }
+        }
+    }
+
+    private bool Render(Wavefront worker, Pass pass, int index)
+    {
+        PassItem item = pass.Items[index];
+        bool Await() => _failure is null && (item.Cell.Has(pass.Before[index]) || AwaitLong(item.Cell, pass.Before[index]));
+        if (options.Layers is not null && !Await())
+        {
+            return false;
+        }
+
+        if (item.Pixels.IsEmpty)
+        {
+            worker.Follow(film, item.Tile, item.Samples);
+        }
+        else
+        {
+            worker.Follow(film, item.Pixels.Span, item.Pixels, item.Samples, (uint)scene.Render.Seed);
+        }
+
+        if (!Await())
+        {
+            return false;
+        }
+
+        worker.Accumulator.End(pass.IsOfHalf, item.Cell);
+        item.Cell.Count(item.Count);
+        return true;
+    }
+
+    private bool AwaitLong(PassCell cell, long pixels)
+    {
+        SpinWait.SpinUntil(() => cell.Has(pixels) || _failure is not null);
+        return _failure is null;
+    }
+
+    // Takes back what there is of the pass that was broken off.
+    private long Drop()
+    {
+        long paths = 0;
+        foreach (PassItem item in _pass!.Taken)
+        {
+            paths += item.Paths;
+            foreach ((int X, int Y, int Length) run in PixelRuns.Of(item.Tile, item.Pixels, film.Width))
+            {
+                item.Cell.TakeBack(film, run, item.Samples.Count, _pass.IsOfHalf);
+            }
+
+            options.Layers?.TakeBack(item.Tile);
+        }
+
+        return paths;
+    }
+
+    private void Report(Pass pass, long paths, long rays)
+    {
+        long done = Interlocked.Add(ref _pathsDone, paths);
+        long traced = Interlocked.Add(ref _raysDone, rays);
+        _progress?.Report(new(done, Math.Max(done, TotalPaths), traced) { Pass = pass.Number, SamplesDone = pass.Samples.First - _samples.First });
+    }
+
+    /// <summary>A pass.</summary>
+    /// <param name="samples">The samples of pixels that have that many.</param>
+    /// <param name="items">Its pieces.</param>
+    /// <param name="before">For each piece, how many pixels its cell must have been handed before.</param>
+    /// <param name="number">Its number, from 1.</param>
+    private sealed class Pass(SampleRange samples, PassItem[] items, long[] before, int number)
+    {
+        private int _taken;
+
+        public SampleRange Samples => samples;
+
+        public PassItem[] Items => items;
+
+        public long[] Before => before;
+
+        public int Number => number;
+
+        public bool IsOfHalf { get; init; }
+
+        public bool IsTaken => _taken >= items.Length;
+
+        public ReadOnlySpan<PassItem> Taken => items.AsSpan(0, Math.Min(_taken, items.Length));
+
+        public int? Take() => Interlocked.Increment(ref _taken) is var taken && taken <= items.Length ? taken - 1 : null;
+    }
+}
