@@ -57,7 +57,7 @@ public class PassLoopTests
             accumulator.Add(1, 0u, 0u, new(value, value, value));
             accumulator.End(cell: cell);
             string after = film.ComputeHash();
-            cell.TakeBack(film, (0, 0, 1), 1);
+            cell.TakeBack(film, (0, 0, 1), 1, isOfHalf: false);
             Assert.Equal(before, film.ComputeHash());
             accumulator.End(cell: cell);
             Assert.Equal(after, film.ComputeHash());
