@@ -43,7 +43,7 @@ internal sealed class DenoiseVerb
         ImageWriteOptions writing = _writing.Writing(result) with { Metadata = PictureTexts.Of(CommandLine.Text(result)) };
         _writing.WarnOfUnused(result, outputs, streams);
         StageTimes stages = _verbose.Times(result, streams);
-        HeldFilm? film = CarriedFilm.Is(path) ? HeldFilm.Read(path) : null;
+        HeldFilm? film = CarriedFilm.Is(path) && CarriedFilm.Read(path) is var (header, held) ? new(header, held, path) : null;
         bool isOfFilm = film is not null && (film.Film.Planes.Contains(FilmPlane.Half) || !HasGuides(result, path));
         Picture? denoised = isOfFilm ? OfFilm(film!, result, stages, streams) : OfImage(path, result, stages, streams);
         stages.EndDenoise();
@@ -52,6 +52,7 @@ internal sealed class DenoiseVerb
             return SceneFile.FailureStatus(path);
         }
 
+        writing = film is null ? writing.OfImage(path, ImageFile.ReadText(path)) : writing.With(film.Header.Tone);
         int written = JobFiles.Write(outputs, denoised, writing, streams).Count;
         stages.EndWrite();
         return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;

@@ -1,4 +1,5 @@
 using Microsoft.Playwright;
+using RayTracer.Description;
 using RayTracer.Imaging;
 using static Microsoft.Playwright.Assertions;
 
