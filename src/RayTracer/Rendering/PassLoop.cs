@@ -93,12 +93,13 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
             return false;
         }
 
-        (int half, int end) = options.Halves is null ? (0, _samples.End) : SampleHalves.Turn(first, _samples);
-        SampleRange range = new(first, Math.Min(end, first + NextCount(first - _samples.First)));
+        bool hasHalf = film.Planes.Contains(FilmPlane.Half);
+        int end = hasHalf ? FilmPlane.EndOfTurn(first) : _samples.End;
+        SampleRange range = new(first, Math.Min(Math.Min(end, _samples.End), first + NextCount(first - _samples.First)));
         PassItem[] items = cut(range);
         _pass = new(range, items, [.. items.Select(i => i.Cell.Planned)], (_pass?.Number ?? 0) + 1)
         {
-            Half = options.Halves?.Films[half],
+            IsOfHalf = hasHalf && FilmPlane.IsOfHalf(first),
         };
         foreach (PassItem item in items)
         {
@@ -212,7 +213,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
             return false;
         }
 
-        worker.Accumulator.End(pass.Half, item.Cell);
+        worker.Accumulator.End(pass.IsOfHalf, item.Cell);
         item.Cell.Count(item.Count);
         return true;
     }
@@ -232,11 +233,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
             paths += item.Paths;
             foreach ((int X, int Y, int Length) run in PixelRuns.Of(item.Tile, item.Pixels, film.Width))
             {
-                item.Cell.TakeBack(film, run, item.Samples.Count);
-                if (_pass.Half is { } half)
-                {
-                    item.Cell.TakeBack(half, run, item.Samples.Count);
-                }
+                item.Cell.TakeBack(film, run, item.Samples.Count, _pass.IsOfHalf);
             }
 
             options.Layers?.TakeBack(item.Tile);
@@ -269,7 +266,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
 
         public int Number => number;
 
-        public Film? Half { get; init; }
+        public bool IsOfHalf { get; init; }
 
         public bool IsTaken => _taken >= items.Length;
 

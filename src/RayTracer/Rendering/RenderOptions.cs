@@ -29,9 +29,6 @@ public sealed record RenderOptions
     /// still finish the one before.
     /// </summary>
     public Func<SampleRange, TimeSpan>? AfterPass { get; init; }
-
-    /// <summary>Two halves of the samples, which are kept apart as well; null for none.</summary>
-    internal SampleHalves? Halves { get; init; }
 }
 
 /// <summary>The progress of a rendering.</summary>
