@@ -13,7 +13,7 @@ namespace RayTracer.Rendering;
 /// <param name="film">Takes the samples.</param>
 /// <param name="cells">All cells.</param>
 /// <param name="cut">Cuts a pass into pieces, of all pixels that have such samples.</param>
-internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, PassCell[] cells, Func<SampleRange, PassItem[]> cut)
+internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, PassCell[] cells, Func<SampleRange, List<PassItem>> cut)
 {
     // The seconds of a pass, where one sample a pixel does not take longer.
     private const double Longest = 5;
@@ -95,16 +95,9 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
 
         (int half, int end) = options.Halves is null ? (0, _samples.End) : SampleHalves.Turn(first, _samples);
         SampleRange range = new(first, Math.Min(end, first + NextCount(first - _samples.First)));
-        PassItem[] items = cut(range);
-        _pass = new(range, items, [.. items.Select(i => i.Cell.Planned)], (_pass?.Number ?? 0) + 1)
-        {
-            Half = options.Halves?.Films[half],
-        };
-        foreach (PassItem item in items)
-        {
-            item.Cell.Planned += item.Count;
-        }
-
+        PassItem[] items = [.. cut(range)];
+        Array.ForEach(items, item => item.Plan());
+        _pass = new(range, items, (_pass?.Number ?? 0) + 1, options.Halves?.Films[half]);
         _began = Stopwatch.GetTimestamp();
         return true;
     }
@@ -158,25 +151,25 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
 
     private void Render(Wavefront worker)
     {
-        while (_failure is null && !_cancellation.IsCancellationRequested && Take() is var (pass, index))
+        while (_failure is null && !_cancellation.IsCancellationRequested && Take(out Pass pass) is { } item)
         {
             long rays = worker.ClosestHitRays + worker.ShadowRays;
-            if (Render(worker, pass, index))
+            if (Render(worker, pass, item))
             {
-                Report(pass, pass.Items[index].Paths, worker.ClosestHitRays + worker.ShadowRays - rays);
+                Report(pass, item.Paths, worker.ClosestHitRays + worker.ShadowRays - rays);
             }
         }
     }
 
     // What is taken is handed over: so nothing may be taken after the rendering was stopped.
-    private (Pass Pass, int Index)? Take()
+    private PassItem? Take(out Pass pass)
     {
         while (true)
         {
-            Pass pass = _pass!;
-            if (pass.Take() is { } index)
+            pass = _pass!;
+            if (pass.Take() is { } item)
             {
-                return (pass, index);
+                return item;
             }
 
             lock (_beginning)
@@ -189,37 +182,30 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         }
     }
 
-    private bool Render(Wavefront worker, Pass pass, int index)
+    private bool Render(Wavefront worker, Pass pass, PassItem item)
     {
-        PassItem item = pass.Items[index];
-        bool Await() => _failure is null && (item.Cell.Has(pass.Before[index]) || AwaitLong(item.Cell, pass.Before[index]));
-        if (options.Layers is not null && !Await())
+        if (options.Layers is not null && !Await(item))
         {
             return false;
         }
 
-        if (item.Pixels.IsEmpty)
-        {
-            worker.Follow(film, item.Tile, item.Samples);
-        }
-        else
-        {
-            worker.Follow(film, item.Pixels.Span, item.Pixels, item.Samples, (uint)scene.Render.Seed);
-        }
-
-        if (!Await())
+        item.Follow(worker, film, (uint)scene.Render.Seed);
+        if (!Await(item))
         {
             return false;
         }
 
-        worker.Accumulator.End(pass.Half, item.Cell);
-        item.Cell.Count(item.Count);
+        item.HandOver(worker, pass.Half);
         return true;
     }
 
-    private bool AwaitLong(PassCell cell, long pixels)
+    private bool Await(PassItem item)
     {
-        SpinWait.SpinUntil(() => cell.Has(pixels) || _failure is not null);
+        if (!item.IsNext)
+        {
+            SpinWait.SpinUntil(() => item.IsNext || _failure is not null);
+        }
+
         return _failure is null;
     }
 
@@ -230,16 +216,16 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         foreach (PassItem item in _pass!.Taken)
         {
             paths += item.Paths;
-            foreach ((int X, int Y, int Length) run in PixelRuns.Of(item.Tile, item.Pixels, film.Width))
+            item.TakeBack(film);
+            if (_pass.Half is { } half)
             {
-                item.Cell.TakeBack(film, run, item.Samples.Count);
-                if (_pass.Half is { } half)
-                {
-                    item.Cell.TakeBack(half, run, item.Samples.Count);
-                }
+                item.TakeBack(half);
             }
 
-            options.Layers?.TakeBack(item.Tile);
+            if (options.Layers is { } layers)
+            {
+                item.TakeBack(layers);
+            }
         }
 
         return paths;
@@ -255,26 +241,22 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
     /// <summary>A pass.</summary>
     /// <param name="samples">The samples of pixels that have that many.</param>
     /// <param name="items">Its pieces.</param>
-    /// <param name="before">For each piece, how many pixels its cell must have been handed before.</param>
     /// <param name="number">Its number, from 1.</param>
-    private sealed class Pass(SampleRange samples, PassItem[] items, long[] before, int number)
+    /// <param name="half">Takes the samples as well; null for none.</param>
+    private sealed class Pass(SampleRange samples, PassItem[] items, int number, Film? half)
     {
         private int _taken;
 
         public SampleRange Samples => samples;
 
-        public PassItem[] Items => items;
-
-        public long[] Before => before;
-
         public int Number => number;
 
-        public Film? Half { get; init; }
+        public Film? Half => half;
 
         public bool IsTaken => _taken >= items.Length;
 
         public ReadOnlySpan<PassItem> Taken => items.AsSpan(0, Math.Min(_taken, items.Length));
 
-        public int? Take() => Interlocked.Increment(ref _taken) is var taken && taken <= items.Length ? taken - 1 : null;
+        public PassItem? Take() => Interlocked.Increment(ref _taken) is var taken && taken <= items.Length ? items[taken - 1] : null;
     }
 }

@@ -123,7 +123,7 @@ public class PassLoopTests
     }
 
     [Fact]
-    public void Who_looks_between_passes_sees_whole_ones_and_may_end_the_rendering()
+    public void Between_passes_the_film_is_whole_and_the_rendering_can_be_ended()
     {
         Film film = new(48, 32);
         List<(SampleRange Pass, string Hash)> seen = [];
