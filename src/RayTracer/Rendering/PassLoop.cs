@@ -3,8 +3,8 @@ using System.Diagnostics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Renders samples of a picture in passes over all of its pixels, on several threads. Each pass doubles the samples, up to 64 or some seconds
-/// a pass. A thread that finds nothing left of a pass begins the next one, while others still work: it only waits before it hands over
+/// Renders samples of a picture in passes over all of its pixels, on several threads. Each pass doubles the samples, or takes a second, up to 64
+/// samples or 5 s. A thread that finds nothing left of a pass begins the next one, while others still work: it only waits before it hands over
 /// samples of pixels that lack those of the pass before. So when the rendering is stopped, every pass but the last is complete as soon as
 /// all threads have handed over what they have, and the last is taken back.
 /// </summary>
@@ -102,12 +102,20 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         return true;
     }
 
-    // As many samples as there are. Powers of two, so that there are powers of two for as long as possible: low-discrepancy points like them.
+    // As many samples as there are, or as take a moment: many short passes would cost time. Powers of two in all for as long as possible,
+    // which low-discrepancy points like.
     private int NextCount(int done)
     {
-        double seconds = _pass is null ? double.PositiveInfinity : Stopwatch.GetElapsedTime(_began).TotalSeconds / _pass.Samples.Count;
-        double most = double.Clamp(_longest.TotalSeconds / double.Max(seconds, 1e-9), 1, SampleAccumulator.MaxSamples);
-        return 1 << int.Log2((int)double.Min(int.Max(done, 1), most));
+        if (_pass is null)
+        {
+            return 1;
+        }
+
+        double seconds = double.Max(Stopwatch.GetElapsedTime(_began).TotalSeconds / _pass.Samples.Count, 1e-9);
+        double wanted = double.Max(done, options.ShortestPass.TotalSeconds / seconds);
+        int count = (int)double.Clamp(_longest.TotalSeconds / seconds, 1, double.Min(wanted, SampleAccumulator.MaxSamples));
+        int total = 1 << int.Log2(done + count);
+        return total > done ? total - done : 1 << int.Log2(count);
     }
 
     // Renders passes to the end, or one where somebody looks after each.

@@ -133,7 +133,7 @@ public class PassLoopTests
             return pass.End == 8 ? TimeSpan.Zero : TimeSpan.FromHours(1);
         }
 
-        RenderStatistics statistics = new RTracer(s_scene, new() { TileSize = 8, Threads = 3, AfterPass = After }).Render(film);
+        RenderStatistics statistics = new RTracer(s_scene, new() { TileSize = 8, Threads = 3, AfterPass = After, ShortestPass = TimeSpan.Zero }).Render(film);
         Assert.Equal((8, false), (statistics.SamplesPerPixel, statistics.Cancelled));
         Assert.Equal([new(0, 1), new(1, 2), new(2, 4), new(4, 8)], seen.Select(s => s.Pass));
         Assert.All(seen, s => Assert.Equal(Of(s_scene, new(0, s.Pass.End)).ComputeHash(), s.Hash));
@@ -154,11 +154,25 @@ public class PassLoopTests
     }
 
     [Fact]
+    public void Passes_that_are_quick_more_than_double_the_samples()
+    {
+        List<int> passes = [];
+        new RTracer(s_scene, new() { AfterPass = pass => Add(pass.Count), ShortestPass = TimeSpan.FromHours(1) }).Render(new Film(48, 32));
+        Assert.Equal([1, 15], passes);
+
+        TimeSpan Add(int count)
+        {
+            passes.Add(count);
+            return TimeSpan.FromHours(1);
+        }
+    }
+
+    [Fact]
     public void No_pass_has_more_than_64_samples()
     {
         List<int> passes = [];
         Scene scene = TestScenes.Build(TestScenes.Everything.Replace("SAMPLER", "sobol", StringComparison.Ordinal).Replace("\"samplesPerPixel\": 16", "\"samplesPerPixel\": 300", StringComparison.Ordinal));
-        new RTracer(scene, new() { Crop = new(0, 0, 4, 4), AfterPass = pass => Add(pass.Count) }).Render(new Film(48, 32));
+        new RTracer(scene, new() { Crop = new(0, 0, 4, 4), AfterPass = pass => Add(pass.Count), ShortestPass = TimeSpan.Zero }).Render(new Film(48, 32));
         Assert.Equal([1, 1, 2, 4, 8, 16, 32, 64, 64, 64, 44], passes);
 
         TimeSpan Add(int count)
@@ -174,7 +188,7 @@ public class PassLoopTests
         using ManualResetEventSlim later = new();
         int held = 0;
         bool wasReached = false;
-        Film film = new RTracer(s_scene, new() { TileSize = 8, Threads = 2 }).Render(new Report(p =>
+        Film film = new RTracer(s_scene, new() { TileSize = 8, Threads = 2, ShortestPass = TimeSpan.Zero }).Render(new Report(p =>
         {
             if (p.Pass >= 3)
             {
@@ -204,7 +218,7 @@ public class PassLoopTests
         Film film = new(48, 32);
         using CancellationTokenSource stop = new();
         int reports = 0;
-        RenderStatistics statistics = new RTracer(scene, new() { TileSize = 8, Threads = 2 }).Render(film, new Report(p =>
+        RenderStatistics statistics = new RTracer(scene, new() { TileSize = 8, Threads = 2, ShortestPass = TimeSpan.Zero }).Render(film, new Report(p =>
         {
             if (p.Pass == 3 && Interlocked.Increment(ref reports) == 22)
             {
@@ -226,11 +240,11 @@ public class PassLoopTests
             .Replace("\"samplesPerPixel\": 16", "\"samplesPerPixel\": 2", StringComparison.Ordinal));
         Film film = new(edge, edge);
 
-        // All that is allocated on the way, each thread's room for its paths included.
+        // All that is allocated on the way, the thread's room for its paths included.
         const long others = 4 << 20;
-        long before = GC.GetTotalAllocatedBytes(precise: true);
+        long before = GC.GetAllocatedBytesForCurrentThread();
         new RTracer(scene, new() { Threads = 1, Samples = new(0, 2) }).Render(film);
-        Assert.InRange(GC.GetTotalAllocatedBytes(precise: true) - before, 0, (32L * edge * edge) + others);
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, (32L * edge * edge) + others);
     }
 
     private static Film Of(Scene scene, SampleRange samples)
@@ -245,7 +259,7 @@ public class PassLoopTests
     {
         using CancellationTokenSource source = new();
         int reports = 0;
-        return new RTracer(scene, options).Render(
+        return new RTracer(scene, options with { ShortestPass = TimeSpan.Zero }).Render(
             film, new Report(p => { if (p.Pass == pass && Interlocked.Increment(ref reports) == 5) { source.Cancel(); } }), source.Token);
     }
 
