@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
@@ -86,11 +87,14 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
     public void End(JobStage stage) => _stages.End(stage);
 
     /// <inheritdoc/>
-    public IProgress<RenderProgress>? Begin() => _progress =
+    public IProgress<RenderProgress>? Begin(RenderDescription render) => _progress =
         ShowsPasses ? ProgressDisplay.Start(
-            new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, _job!.Writing))
+            new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, _job!.Writing.For(render)) { Limit = Limit })
         : display.Quiet || _job?.Pixel is not null ? null
-        : ProgressDisplay.Start(streams);
+        : ProgressDisplay.Start(streams, Limit);
+
+    // It is the rendering's, which is the first that is shown.
+    private TimeSpan? Limit => _progress is null ? _job?.Time : null;
 
     /// <inheritdoc/>
     public void Offer(Film film, bool isLast) => (_progress as PreviewDisplay)?.Offer(film, isLast);

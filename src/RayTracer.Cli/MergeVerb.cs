@@ -51,6 +51,11 @@ internal sealed class MergeVerb
             streams.Warn(missing);
         }
 
+        foreach ((string path, FilmPlane plane) in merge.Lost)
+        {
+            streams.Warn($"'{path}' has no plane '{plane}' as others have, so that what is merged has none (render --halves)");
+        }
+
         UnfinishedFilms.Check(outputs, replacement: merge.Header);
         stages.End("headers");
         Film film = merge.Add();
@@ -65,7 +70,7 @@ internal sealed class MergeVerb
         string hash = film.ComputeHash();
         int samples = header.Samples.Sum(r => r.Count);
         IReadOnlyList<string> written = JobFiles.Write(
-            outputs, film, header, _writing.Writing(result) with { Metadata = PictureTexts.Of(header, hash) }, streams);
+            outputs, film, header, _writing.Writing(result).With(header.Tone) with { Metadata = PictureTexts.Of(header, hash) }, streams);
         Display display = _display.Of(result);
         if (display.Json)
         {

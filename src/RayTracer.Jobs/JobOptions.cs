@@ -71,15 +71,22 @@ public static class JobOptions
         Set,
     ];
 
+    /// <summary>The type of the picture's numbers.</summary>
+    public static JobOption ExrType { get; } = new("--exr-type", "half|float", $"{ImageFormat.Names(ImageFeatures.PixelType)}: the type of the picture's numbers; half without it (convert: float).",
+        (j, w) => Written(j, o => o with { ExrPixelType = W.Choice(w, ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]) }), j => j.Writing.ExrPixelType == ExrPixelType.Half ? null : "float")
+    { Use = JobOptionUse.Pictures, Feature = ImageFeatures.PixelType };
+
     /// <summary>Those of how pictures look.</summary>
     public static IReadOnlyList<JobOption> OfLooks { get; } =
     [
-        new("--exposure", "X", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light).", (j, w) => Written(j, o => o with { Exposure = (float)W.Number(w, -100, 100) }),
-            j => Text(j.Writing.Exposure, 0f)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
-        new("--tonemap", string.Join('|', W.Of<ToneMap>()), $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; clamp cuts it off.",
+        new("--exposure", "X|auto", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light); "
+            + "auto: as its brightness asks for. Replaces the scene's.",
+            (j, w) => Written(j, o => o with { Exposure = W.Exposure(w) }),
+            j => j.Writing.Exposure?.ToString()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
+        new("--tonemap", string.Join('|', W.Of<ToneMap>()), $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; "
+            + "clamp cuts it off. Replaces the scene's.",
             (j, w) => Written(j, o => o with { ToneMap = W.Choice(w, W.Of<ToneMap>(), Enum.GetValues<ToneMap>()) }),
-            j => j.Writing.ToneMap == ToneMap.Clamp ? null
-                : $"{j.Writing.ToneMap}".ToLowerInvariant()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
+            j => j.Writing.ToneMap?.ToString().ToLowerInvariant()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
         new("--bit-depth", "8|16", $"{ImageFormat.Names(ImageFeatures.BitDepth)}: bits a channel; 8 without it.", (j, w) => Written(
             j, o => o with { BitDepth = W.Choice(w, ["8", "16"], [8, 16]) }),
             j => Text(j.Writing.BitDepth, 8)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.BitDepth },
@@ -91,6 +98,7 @@ public static class JobOptions
             (j, w) => Written(j, o => o with { JpegChroma = W.Choice(w, W.Of<JpegChroma>(), Enum.GetValues<JpegChroma>()) }), j =>
                 j.Writing.JpegChroma?.ToString().ToLowerInvariant())
         { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Chroma },
+        ExrType,
     ];
 
     /// <summary>The option that images carry the film; of verbs that have it.</summary>
@@ -136,6 +144,8 @@ public static class JobOptions
             + "(emission to lights, which is one for each light). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", PutAovs, AovText) { Use = JobOptionUse.Pictures },
         new("--denoise", null, "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png).",
             (j, _) => j with { Denoise = true }, j => Flag(j.Denoise)) { Use = JobOptionUse.Pictures },
+        new("--halves", null, "Films keep two halves of the samples apart, for the verb denoise, and for resume and merge with --denoise; which implies it.",
+            (j, _) => j with { Halves = true }, j => Flag(j.Planes.Contains(FilmPlane.Half))) { Use = JobOptionUse.Pictures },
         new("--noise", "X%", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: "
             + "stratified samplers (sobol) come out better.", (j, w) =>
                 j with { Noise = W.Fraction(w) }, j => Text(j.Noise, null)) { Use = JobOptionUse.Films },

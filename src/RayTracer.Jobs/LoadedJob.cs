@@ -35,7 +35,9 @@ internal sealed record LoadedJob(
         Crop = Options.Crop,
         Scene = Path.GetFullPath(Job.Scene),
         Settings = Job.FilmSettings,
+        Tone = PictureTone.Text(Job.Writing.For(Scene.Render)),
         Software = ProgramName.Text,
+        Planes = Job.Planes,
     };
 
     /// <summary>Returns the header of the film that is resumed, or of a new one.</summary>

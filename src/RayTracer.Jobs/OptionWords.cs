@@ -24,6 +24,10 @@ public static class OptionWords
         : value >= minimum && value <= maximum ? value
         : throw new FormatException($"must be from {minimum} to {maximum}, but is {word}");
 
+    /// <summary>Reads an exposure: stops, or auto.</summary>
+    public static Exposure Exposure(string word) => word.Equals(Description.Exposure.AutoWord, StringComparison.OrdinalIgnoreCase)
+        ? Description.Exposure.Auto : (float)Number(word, -Description.Exposure.Limit, Description.Exposure.Limit);
+
     /// <summary>Reads a share, such as 50%.</summary>
     public static double Percentage(string word) => word.EndsWith('%') ? Number(word[..^1], 0.1, 10_000) / 100
         : throw new FormatException($"expected a percentage, as in 50%, not {Quotation.Of(word)}");
@@ -35,7 +39,7 @@ public static class OptionWords
         return !double.TryParse(isPercent ? word[..^1] : word, NumberStyles.Float, null, out double value)
                 ? throw new FormatException($"expected a number, as in 1% or 0.01, not {Quotation.Of(word)}")
             : (isPercent ? value / 100 : value) is > 0 and < 1 and double fraction ? fraction
-            : throw new FormatException($"must be above 0 and below 100%, but is {word}");
+            : throw new FormatException($"must be above 0 and below 100%, but is {word}{(!isPercent && value is >= 1 and < 100 ? $" ({word}%?)" : "")}");
     }
 
     /// <summary>Reads one of some words, however they are capitalised, each of which stands for a value.</summary>

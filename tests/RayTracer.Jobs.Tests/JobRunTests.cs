@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -104,6 +105,54 @@ public sealed class JobRunTests : IDisposable
         Assert.Equal("samples 1..1 are missing of 4", FilmMerge.Of([files[0], files[2]]).Missing);
         JobException twice = Assert.Throws<JobException>(() => FilmMerge.Of([files[0], files[0]]));
         Assert.Contains("are in both", twice.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Parts_with_halves_merge_to_the_whole_and_without_one_there_are_none()
+    {
+        RenderJob job = _job.WithSamples(13) with { Halves = true };
+        string[] files = [.. Enumerable.Range(1, 4).Select(i => _folder[$"{i}.rtfilm"])];
+        for (int i = 0; i < 4; i++)
+        {
+            new JobRun(job with { Outputs = [files[i]], Part = (i + 1, 4) }, _watch).Run(CancellationToken.None);
+        }
+
+        JobResult whole = new JobRun(job with { Outputs = [_folder["whole.rtfilm"]] }, _watch).Run(CancellationToken.None)!;
+        FilmMerge merge = FilmMerge.Of([files[2], files[0], files[3], files[1]]);
+        Assert.Equal((whole.Hash, 0), (merge.Add().ComputeHash(), merge.Lost.Count));
+        Assert.NotEqual(whole.Hash, whole.Film.ComputeHash([]));
+
+        new JobRun(job with { Halves = false, Outputs = [files[1]], Part = (2, 4) }, _watch).Run(CancellationToken.None);
+        merge = FilmMerge.Of(files);
+        Assert.Equal((files[1], FilmPlane.Half), Assert.Single(merge.Lost));
+        Assert.Equal(whole.Film.ComputeHash([]), merge.Add().ComputeHash());
+    }
+
+    [Fact]
+    public void A_resumed_film_is_denoised_as_if_it_had_not_been_stopped()
+    {
+        RenderJob job = _job.WithSamples(12) with { Outputs = [_folder["a.pfm"]], Denoise = true };
+        new JobRun(job, _watch).Run(CancellationToken.None);
+        byte[] denoised = File.ReadAllBytes(_folder["a.denoised.pfm"]);
+        string film = _folder["a.rtfilm"];
+        JobResult few = new JobRun(_job.WithSamples(5) with { Outputs = [film], Halves = true }, _watch).Run(CancellationToken.None)!;
+        Assert.Equal([FilmPlane.Half], few.Header!.Planes);
+        JobResult more = new JobRun(job with { Resumed = HeldFilm.Read(film), Outputs = [_folder["b.pfm"], film] }, _watch).Run(CancellationToken.None)!;
+        Assert.Equal(denoised, File.ReadAllBytes(_folder["b.denoised.pfm"]));
+        Assert.Equal(more.Hash, FilmFile.Read(film).Film.ComputeHash());
+        Assert.Contains("\"halves=true\"", new Dictionary<string, string>(PictureTexts.Of(more.Header!, more.Hash))[PictureTexts.SettingsKey], StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("denoise=true")]
+    [InlineData("halves=true")]
+    public void A_film_without_halves_is_not_given_any_later(string setting)
+    {
+        string film = _folder["a.rtfilm"];
+        new JobRun(_job.WithSamples(5) with { Outputs = [film] }, _watch).Run(CancellationToken.None);
+        RenderJob more = _job.WithSamples(12).With([setting]) with { Outputs = [_folder["a.png"]], Resumed = HeldFilm.Read(film) };
+        JobException fault = Assert.Throws<JobException>(() => new JobRun(more, _watch).Run(CancellationToken.None));
+        Assert.StartsWith($"'{film}' does not keep two halves of its samples", fault.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -262,7 +311,7 @@ public sealed class JobRunTests : IDisposable
 
         public void End(JobStage stage) => Stages.Add(stage);
 
-        public IProgress<RenderProgress> Begin() => this;
+        public IProgress<RenderProgress> Begin(RenderDescription render) => this;
 
         public void Offer(Film film, bool isLast) => Offered?.Invoke(film, isLast);
 

@@ -37,22 +37,23 @@ internal sealed class PassItem(PassCell cell, Tile tile, ReadOnlyMemory<int> pix
 
     /// <summary>Hands over what has been followed.</summary>
     /// <param name="worker">Has it.</param>
-    /// <param name="half">Takes it as well; null for none.</param>
-    public void HandOver(Wavefront worker, Film? half)
+    /// <param name="isOfHalf">Whether it is of <see cref="FilmPlane.Half"/>, and the film has that.</param>
+    public void HandOver(Wavefront worker, bool isOfHalf)
     {
-        worker.Accumulator.End(half, cell);
+        worker.Accumulator.End(isOfHalf, cell);
         cell.Count(Pixels);
     }
 
     /// <summary>Takes back what was handed over.</summary>
-    /// <param name="film">A film that it was handed over to.</param>
-    public void TakeBack(Film film)
+    /// <param name="film">The film that it was handed over to.</param>
+    /// <param name="isOfHalf">Whether it is of <see cref="FilmPlane.Half"/>.</param>
+    public void TakeBack(Film film, bool isOfHalf)
     {
         (int X, int Y, int Length) run;
         for (int pixel = 0; pixel < Pixels; pixel += run.Length)
         {
             run = PixelRuns.At(pixel, tile, pixels.Span, film.Width);
-            cell.TakeBack(film, run, samples.Count);
+            cell.TakeBack(film, run, samples.Count, isOfHalf);
         }
     }
 

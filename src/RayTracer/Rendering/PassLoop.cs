@@ -93,11 +93,12 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
             return false;
         }
 
-        (int half, int end) = options.Halves is null ? (0, _samples.End) : SampleHalves.Turn(first, _samples);
-        SampleRange range = new(first, Math.Min(end, first + NextCount(first - _samples.First)));
+        bool hasHalf = film.Planes.Contains(FilmPlane.Half);
+        int end = hasHalf ? FilmPlane.EndOfTurn(first) : _samples.End;
+        SampleRange range = new(first, Math.Min(Math.Min(end, _samples.End), first + NextCount(first - _samples.First)));
         PassItem[] items = [.. cut(range)];
         Array.ForEach(items, item => item.Plan());
-        _pass = new(range, items, (_pass?.Number ?? 0) + 1, options.Halves?.Films[half]);
+        _pass = new(range, items, (_pass?.Number ?? 0) + 1, hasHalf && FilmPlane.IsOfHalf(first));
         _began = Stopwatch.GetTimestamp();
         return true;
     }
@@ -203,7 +204,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
             return false;
         }
 
-        item.HandOver(worker, pass.Half);
+        item.HandOver(worker, pass.IsOfHalf);
         return true;
     }
 
@@ -224,12 +225,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         foreach (PassItem item in _pass!.Taken)
         {
             paths += item.Paths;
-            item.TakeBack(film);
-            if (_pass.Half is { } half)
-            {
-                item.TakeBack(half);
-            }
-
+            item.TakeBack(film, _pass.IsOfHalf);
             if (options.Layers is { } layers)
             {
                 item.TakeBack(layers);
@@ -250,8 +246,8 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
     /// <param name="samples">The samples of pixels that have that many.</param>
     /// <param name="items">Its pieces.</param>
     /// <param name="number">Its number, from 1.</param>
-    /// <param name="half">Takes the samples as well; null for none.</param>
-    private sealed class Pass(SampleRange samples, PassItem[] items, int number, Film? half)
+    /// <param name="isOfHalf">Whether the samples are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
+    private sealed class Pass(SampleRange samples, PassItem[] items, int number, bool isOfHalf)
     {
         private int _taken;
 
@@ -259,7 +255,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
 
         public int Number => number;
 
-        public Film? Half => half;
+        public bool IsOfHalf => isOfHalf;
 
         public bool IsTaken => _taken >= items.Length;
 

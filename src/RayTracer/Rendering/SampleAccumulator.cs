@@ -150,9 +150,9 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private static float Clamp(float channel) => float.Clamp(channel, -Film.SampleLimit, Film.SampleLimit);
 
     /// <summary>Hands everything to the film.</summary>
-    /// <param name="half">Takes it as well; null for none.</param>
+    /// <param name="isOfHalf">Whether the samples are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
     /// <param name="cell">Keeps what was handed over, so that it can be taken back; null where nobody will.</param>
-    public void End(Film? half = null, PassCell? cell = null)
+    public void End(bool isOfHalf = false, PassCell? cell = null)
     {
         int length;
         for (int pixel = 0; pixel < Pixels; pixel += length)
@@ -160,8 +160,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             (int x, int y, length) = PixelRuns.At(pixel, _tile, _targets.Span, _film.Width);
             ReadOnlySpan<long> sums = new(_sums.Pointer + ((nint)pixel * Film.SumsPerPixel), length * Film.SumsPerPixel);
             ReadOnlySpan<long> rest = _hasRest ? new(_rest.Pointer + pixel, length) : default;
-            _film.AddRow(x, y, sums, rest, _samples);
-            half?.AddRow(x, y, sums, rest, _samples);
+            _film.AddRow(x, y, sums, rest, _samples, isOfHalf);
             cell?.Keep(x, y, sums, rest);
         }
     }
