@@ -113,13 +113,16 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, TextWri
         int frames = 0;
         long rays = 0;
         long start = Stopwatch.GetTimestamp();
-        for (; Stopwatch.GetElapsedTime(start).TotalSeconds < plan.FrameSeconds; frames++)
+        double seconds;
+        do
         {
+            rays += new RTracer(scene, new() { Threads = threads }).Render(null, cancellation).Statistics.Rays;
             cancellation.ThrowIfCancellationRequested();
-            rays += new RTracer(scene, new() { Threads = threads }).Render().Statistics.Rays;
+            frames++;
+            seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
         }
+        while (seconds < plan.FrameSeconds);
 
-        double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
         return (frames / seconds, rays / seconds);
     }
 
