@@ -73,7 +73,7 @@ internal static class ComposeVerb
         }
 
         stages.End("compose");
-        int written = JobFiles.Write(outputs, composed, writing, streams).Count;
+        int written = JobFiles.Write(outputs, composed, writing.OfImage(path, ImageFile.ReadText(path)), streams).Count;
         stages.EndWrite();
         return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
@@ -86,9 +87,9 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
     public void End(JobStage stage) => _stages.End(stage);
 
     /// <inheritdoc/>
-    public IProgress<RenderProgress>? Begin() => _progress =
+    public IProgress<RenderProgress>? Begin(RenderDescription render) => _progress =
         ShowsPasses ? ProgressDisplay.Start(
-            new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, _job!.Writing))
+            new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, _job!.Writing.For(render)))
         : display.Quiet || _job?.Pixel is not null ? null
         : ProgressDisplay.Start(streams);
 

@@ -115,7 +115,8 @@ internal sealed class ConvertVerb
             return ConvertFilm(path, target, writing, result, stages);
         }
 
-        (IImageRows image, IEnumerable<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = Read(path);
+        (IImageRows image, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = Read(path);
+        writing = writing.OfImage(path, texts);
         stages.EndLoad();
         (int width, int height) = Size(image, (int?)_width.Value(result), (int?)_height.Value(result));
         bool isWhole = (width, height) == (image.Width, image.Height);
@@ -124,10 +125,15 @@ internal sealed class ConvertVerb
             streams.Warn($"'{target}' lacks the layers {LayersOf(layers)} of '{path}': only the picture is scaled down");
         }
 
-        ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), writing with { Metadata = isWhole ? [.. texts] : [], ExrLayers = isWhole ? layers : [] });
+        ImageFile.Write(target, isWhole ? image : ScaledRows.Shrink(image, width, height), writing with { Metadata = isWhole ? Texts(texts, writing) : [], ExrLayers = isWhole ? layers : [] });
         stages.End("write");
         return ExitStatus.Fine;
     }
+
+    // Those that it had, and how light is shown now.
+    private static IReadOnlyList<KeyValuePair<string, string>> Texts(
+        IReadOnlyList<KeyValuePair<string, string>> texts, ImageWriteOptions writing) => PictureTone.Text(writing) is { } tone
+        ? [.. texts.Where(t => t.Key != PictureTone.Key), new(PictureTone.Key, tone)] : texts;
 
     private int ConvertFilm(string path, string target, ImageWriteOptions writing, ParseResult result, StageTimes stages)
     {
@@ -152,7 +158,7 @@ internal sealed class ConvertVerb
     private static string LayersOf(IEnumerable<ExrLayerChannel> channels) =>
         string.Join(", ", channels.Select(c => c.Name.LastIndexOf('.') is > 0 and var point ? c.Name[..point] : c.Name).Distinct());
 
-    private static (IImageRows Image, IEnumerable<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) Read(string path)
+    private static (IImageRows Image, IReadOnlyList<KeyValuePair<string, string>> Texts, IReadOnlyList<ExrLayerChannel> Layers) Read(string path)
     {
         if (CarriedFilm.Is(path))
         {
@@ -164,7 +170,7 @@ internal sealed class ConvertVerb
         (Picture picture, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
 
         // What other programs wrote into a file stays there: it may be long, and no text of ours.
-        return (picture, texts.Where(t => PictureTexts.Keys.Contains(t.Key)), layers);
+        return (picture, [.. texts.Where(t => PictureTexts.Keys.Contains(t.Key))], layers);
     }
 
     private static (int Width, int Height) Size(IImageRows image, int? width, int? height)

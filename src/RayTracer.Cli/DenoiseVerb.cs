@@ -41,7 +41,7 @@ internal sealed class DenoiseVerb
         ImageWriteOptions writing = _writing.Writing(result) with { Metadata = PictureTexts.Of(CommandLine.Text(result)) };
         _writing.WarnOfUnused(result, outputs, streams);
         StageTimes stages = _verbose.Times(result, streams);
-        (Picture image, _, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
+        (Picture image, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
         Picture? albedo = Guide(path, image, layers, result.GetValue(_albedo), ["albedo.R", "albedo.G", "albedo.B"], isColor: true);
         Picture? normal = Guide(path, image, layers, result.GetValue(_normal), ["normal.X", "normal.Y", "normal.Z"], isColor: false);
         if (albedo is null && normal is null)
@@ -53,7 +53,7 @@ internal sealed class DenoiseVerb
         stages.EndLoad();
         Picture denoised = Denoiser.Denoise(image, albedo, normal, (int)(_threads.Value(result) ?? 0));
         stages.EndDenoise();
-        int written = JobFiles.Write(outputs, denoised, writing, streams).Count;
+        int written = JobFiles.Write(outputs, denoised, writing.OfImage(path, texts), streams).Count;
         stages.EndWrite();
         return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }

@@ -65,7 +65,7 @@ internal sealed class MergeVerb
         string hash = film.ComputeHash();
         int samples = header.Samples.Sum(r => r.Count);
         IReadOnlyList<string> written = JobFiles.Write(
-            outputs, film, header, _writing.Writing(result) with { Metadata = PictureTexts.Of(header, hash) }, streams);
+            outputs, film, header, _writing.Writing(result).With(header.Tone) with { Metadata = PictureTexts.Of(header, hash) }, streams);
         Display display = _display.Of(result);
         if (display.Json)
         {

@@ -31,7 +31,7 @@ internal sealed class PreviewDisplay(TextWriter error, TerminalGraphics graphics
         }
 
         _drawn = Stopwatch.GetTimestamp();
-        string picture = TerminalPicture.Draw(new ToneMappedRows(film, looks.ToneMap, looks.Exposure), Columns(film), graphics);
+        string picture = TerminalPicture.Draw(looks.Shown(film), Columns(film), graphics);
         lock (_lock)
         {
             _picture = picture;

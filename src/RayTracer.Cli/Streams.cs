@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -26,7 +27,7 @@ internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerm
     public void Warn(string message) => Error.WriteLine($"raytracer: warning: {message}");
 
     /// <inheritdoc/>
-    public IProgress<RenderProgress>? Begin() => HasTerminal ? ProgressDisplay.Start(this) : null;
+    public IProgress<RenderProgress>? Begin(RenderDescription render) => HasTerminal ? ProgressDisplay.Start(this) : null;
 
     /// <summary>Shows diagnostics as a compiler does.</summary>
     public void Read(IReadOnlyList<Diagnostic> diagnostics)

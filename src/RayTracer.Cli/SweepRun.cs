@@ -17,6 +17,7 @@ internal sealed class SweepRun(
     RenderJob job, SweepAxes axes, Func<SceneDescription, SceneDescription> change, Display display, Streams streams)
 {
     private readonly List<(SweepCell Cell, string Hash)> _films = [];
+    private Exposure? _exposure;
 
     /// <summary>The sheet; null where nothing was rendered.</summary>
     public ContactSheet? Sheet { get; private set; }
@@ -83,7 +84,7 @@ internal sealed class SweepRun(
         }
 
         // As it is to be seen, whatever the file: labels have no exposure.
-        Sheet.Place(new ToneMappedRows(outcome.Film, job.Writing.ToneMap, job.Writing.Exposure), cell.Column, cell.Row, cell.Block);
+        Sheet.Place(Looks(outcome).Shown(outcome.Film), cell.Column, cell.Row, cell.Block);
         _films.Add((cell, outcome.Hash));
         outcome.WarnOfClamped(streams);
         if (!display.Quiet)
@@ -92,6 +93,13 @@ internal sealed class SweepRun(
         }
 
         return ExitStatus.Fine;
+    }
+
+    // With one exposure, where pictures decide on theirs: that of the first one, so that the others compare with it.
+    private ImageWriteOptions Looks(JobResult outcome)
+    {
+        ImageWriteOptions looks = job.Writing.For(outcome.Scene.Render);
+        return looks.Exposure is { IsAuto: true } ? looks with { Exposure = _exposure ??= looks.Exposed(outcome.Film).Exposure } : looks;
     }
 
     private static string OtherSize((int Width, int Height) size, (int Width, int Height) other) =>

@@ -64,7 +64,7 @@ internal sealed class SweepVerb
         using StopSignals signals = new(streams);
         int failed = run.Render(signals.Token);
         stages.End("pictures");
-        ImageWriteOptions writing = job.Writing with { Exposure = 0, ToneMap = ToneMap.Clamp, Metadata = PictureTexts.Of(CommandLine.Text(result), job.Scene) };
+        ImageWriteOptions writing = job.Writing with { Exposure = null, ToneMap = null, Metadata = PictureTexts.Of(CommandLine.Text(result), job.Scene) };
         IReadOnlyList<string> written = run.Sheet is { } sheet ? JobFiles.Write(outputs, sheet.Picture, writing, streams) : [];
         stages.EndWrite();
         if (display.Json)

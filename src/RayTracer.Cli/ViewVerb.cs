@@ -1,5 +1,7 @@
 using System.CommandLine;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
+using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
@@ -13,15 +15,15 @@ internal static class ViewVerb
         Argument<string> image = new("IMAGE") { Description = "The image file: PNG, JPEG, PFM, OpenEXR or Radiance HDR." };
         ParsedOption<long?> columns = OptionValues.Integer("--columns", "Number of terminal columns that the picture may take. Default: all (80 without a terminal).", 1, 10_000);
         ParsedOption<TerminalGraphics?> graphics = OptionValues.Choice<TerminalGraphics>("--as", "How the terminal shows it. Default: as TERM and similar variables say, and as letters under NO_COLOR.");
-        ParsedOption<double?> exposure = OptionValues.Number("--exposure", "Exposure in stops (each doubles the light).", -100, 100);
-        ParsedOption<ToneMap?> toneMap = OptionValues.Choice<ToneMap>("--tonemap", "How bright light is compressed into what a screen can show; clamp cuts it off.");
+        JobOptionSet looks = new(JobOptions.OfLooks.Where(o => o.Feature == ImageFeatures.Display));
         command.Arguments.Add(image);
-        command.AddOptions(columns, graphics, exposure, toneMap);
+        command.AddOptions([columns, graphics, .. looks.Symbols]);
 
         command.SetAction(result =>
         {
-            ToneMappedRows seen = new(
-                ImageFile.Read(result.GetValue(image)!), toneMap.Value(result) ?? ToneMap.Clamp, (float)(exposure.Value(result) ?? 0));
+            string path = result.GetValue(image)!;
+            (Picture picture, IReadOnlyList<KeyValuePair<string, string>> texts, _) = ImageFile.ReadAll(path);
+            ToneMappedRows seen = looks.Given(result).Writing.OfImage(path, texts).Shown(picture);
             TerminalGraphics how = graphics.Value(result) ?? TerminalPicture.Of(Environment.GetEnvironmentVariable);
             streams.Output.Write(TerminalPicture.Draw(seen, (int)(columns.Value(result) ?? Columns()), how));
             return ExitStatus.Fine;

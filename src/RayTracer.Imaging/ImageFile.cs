@@ -131,7 +131,7 @@ public static class ImageFile
     private static void Encode(Stream stream, ImageFormat format, IImageRows image, ImageWriteOptions options)
     {
         bool isForDisplay = format.Features.HasFlag(ImageFeatures.Display);
-        format.Write(stream, isForDisplay ? new ToneMappedRows(image, options.ToneMap, options.Exposure) : image, options);
+        format.Write(stream, isForDisplay ? options.Shown(image) : image, options);
     }
 
     private const int LongestExtension = 16;

@@ -1,3 +1,6 @@
+using RayTracer.Description;
+using RayTracer.Textures;
+
 namespace RayTracer.Imaging;
 
 /// <summary>The options of <see cref="ImageFile.Write"/>; what does not apply to the format of the file is ignored.</summary>
@@ -7,12 +10,13 @@ public sealed record ImageWriteOptions
     public int BitDepth { get; init; } = 8;
 
     /// <summary>
-    /// PNG and JPEG: the tone map; by default none, <see cref="ToneMap.Clamp"/>. PFM and OpenEXR hold the linear light as it is.
+    /// PNG and JPEG: the tone map; null for none, <see cref="RayTracer.Description.ToneMap.Clamp"/>. PFM and OpenEXR hold the linear light as it
+    /// is.
     /// </summary>
-    public ToneMap ToneMap { get; init; } = ToneMap.Clamp;
+    public ToneMap? ToneMap { get; init; }
 
-    /// <summary>PNG and JPEG: the exposure in stops, −100 to 100; each stop doubles the light.</summary>
-    public float Exposure { get; init; }
+    /// <summary>PNG and JPEG: the exposure, −100 to 100 stops, each of which doubles the light, or automatic; null for 0.</summary>
+    public Exposure? Exposure { get; init; }
 
     /// <summary>JPEG: the quality, 1 to 100; 90 by default.</summary>
     public int JpegQuality { get; init; } = JpegWriter.StandardQuality;
@@ -34,6 +38,17 @@ public sealed record ImageWriteOptions
 
     /// <summary>OpenEXR: whether the film itself goes along, as <see cref="FilmExr"/> writes it.</summary>
     public bool ExrFilm { get; init; }
+
+    /// <summary>The options with the exposure and the tone map of a scene, where none are given.</summary>
+    public ImageWriteOptions For(RenderDescription render) =>
+        this with { ToneMap = ToneMap ?? render.ShownToneMap, Exposure = Exposure ?? render.Exposure };
+
+    /// <summary>The options with the exposure in stops, where an image decides on it.</summary>
+    public ImageWriteOptions Exposed(IImageRows image) => this with { Exposure = (Exposure ?? default).StopsFor(image) };
+
+    /// <summary>An image as a display shows it.</summary>
+    public ToneMappedRows Shown(IImageRows image) =>
+        new(image, ToneMap ?? Description.ToneMap.Clamp, (Exposure ?? default).StopsFor(image));
 
     /// <summary>Returns whether a file of some name shall carry the film.</summary>
     public bool TakesFilm(string path) => FilmFile.IsNamed(path) || (ExrFilm && FilmExr.IsNamed(path));

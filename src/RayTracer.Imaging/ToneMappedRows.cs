@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Textures;
 
@@ -19,7 +20,7 @@ public sealed class ToneMappedRows : IImageRows
     /// <exception cref="ArgumentOutOfRangeException">An exposure that is outside its range or NaN, or an undefined curve.</exception>
     public ToneMappedRows(IImageRows source, ToneMap map, float exposureStops)
     {
-        if (!(exposureStops is >= -100 and <= 100))
+        if (!(exposureStops is >= -Exposure.Limit and <= Exposure.Limit))
         {
             throw new ArgumentOutOfRangeException(nameof(exposureStops), $"The exposure must be between -100 and 100 stops, not {exposureStops}.");
         }

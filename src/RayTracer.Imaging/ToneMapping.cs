@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Numerics;
 
 namespace RayTracer.Imaging;
@@ -17,6 +18,7 @@ public static class ToneMapping
     /// <returns>Linear light of the display. It may lie slightly outside [0, 1], which the encoding cuts off.</returns>
     public static Rgb Apply(ToneMap map, Rgb colour) => map switch
     {
+        ToneMap.Soft => Soft(Bounded(colour)),
         ToneMap.Reinhard => Reinhard(Bounded(colour)),
         ToneMap.Aces => Aces(Bounded(colour)),
         ToneMap.Agx => Agx(Bounded(colour)),
@@ -26,6 +28,24 @@ public static class ToneMapping
     private static Rgb Bounded(Rgb c) => new(Bounded(c.R), Bounded(c.G), Bounded(c.B));
 
     private static float Bounded(float v) => v > Brightest ? Brightest : v < 0 ? 0 : v;
+
+    // Khronos Group 2024: what exceeds the shoulder in the strongest channel is compressed towards 1, and the stronger, the more white is
+    // added. Its offset, which takes reflections of white surroundings from the colours of things, is for viewers without them.
+    private static Rgb Soft(Rgb c)
+    {
+        const float Shoulder = 0.7f;
+        const float Fading = 0.05f;
+        const float Room = 1 - Shoulder;
+        float peak = MathF.Max(c.R, MathF.Max(c.G, c.B));
+        if (peak <= Shoulder)
+        {
+            return c;
+        }
+
+        float shown = 1 - (Room * Room / (peak - Shoulder + Room));
+        float white = 1 - (1 / ((Fading * (peak - shown)) + 1));
+        return (c * (shown / peak * (1 - white))) + (new Rgb(shown, shown, shown) * white);
+    }
 
     // Reinhard et al. 2002, Equation 3: the luminance L becomes L/(1 + L), so every channel is scaled by 1/(1 + L).
     private static Rgb Reinhard(Rgb c) => c * (1 / (1 + c.Luminance));
@@ -71,22 +91,4 @@ public static class ToneMapping
 
     // x^2.2 = x²·x^⅕
     private static float DisplayPower(double x) => x <= 0 ? 0 : (float)(x * x * PortableMath.FifthRoot(x));
-}
-
-/// <summary>The curves that bring linear light of any strength into the [0, 1] that a display can show.</summary>
-public enum ToneMap
-{
-    /// <summary>As it is; what lies outside [0, 1] is cut off. The only choice under which a PNG is exactly the film.</summary>
-    Clamp,
-
-    /// <summary>L/(1 + L) of the luminance, hue kept (Reinhard, Stark, Shirley, Ferwerda 2002, Equation 3).</summary>
-    Reinhard,
-
-    /// <summary>
-    /// Film-like: Stephen Hill's fit of the ACES reference rendering and sRGB output transforms (Hill 2016, in Pettineo's BakingLab).
-    /// </summary>
-    Aces,
-
-    /// <summary>Film-like, bright colours fade to white: Troy Sobotka's AgX in the polynomial approximation of Wrensch 2023.</summary>
-    Agx,
 }

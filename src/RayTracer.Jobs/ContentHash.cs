@@ -44,7 +44,7 @@ public class ContentHash : IDisposable
     /// <param name="path">The scene's file; others are looked for from its folder.</param>
     /// <param name="crop">The part that is rendered; null for all.</param>
     public static string OfPicture(SceneDescription scene, string path, Tile? crop) =>
-        string.Create(CultureInfo.InvariantCulture, $"{Of(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
+        string.Create(CultureInfo.InvariantCulture, $"{Of(scene, path, crop)}-{scene.Render.SamplesPerPixel}{Tone(scene.Render)}");
 
     /// <inheritdoc/>
     public void Dispose()
@@ -75,6 +75,14 @@ public class ContentHash : IDisposable
     // which was the default when hashes were first made.
     private static object Absent(RecordParameter parameter) =>
         parameter.ValueType == typeof(Integrator) ? Integrator.Report : parameter.Default!;
+
+    // The film does not depend on it.
+    private static bool IsOfDisplay(RecordParameter parameter) =>
+        parameter.ValueType == typeof(ToneMap) || parameter.ValueType == typeof(Exposure);
+
+    // Nothing for light as it is, as pictures of the scenes that were shown so have it.
+    internal static string Tone(RenderDescription render) =>
+        (render.ShownToneMap, render.Exposure) == (ToneMap.Clamp, default) ? "" : $"-{render.ShownToneMap}-{render.Exposure}";
 
     // Equal numbers may have other bits: 0 and −0.
     private static IEnumerable<string> Parts(object value) => value switch
@@ -157,7 +165,7 @@ public class ContentHash : IDisposable
         foreach (RecordParameter parameter in type.Parameters)
         {
             object? value = parameter.Get(record);
-            if (!Counts(parameter, value))
+            if (IsOfDisplay(parameter) || !Counts(parameter, value))
             {
                 continue;
             }

@@ -20,7 +20,7 @@ public static class FinishedPicture
             : OldFilms.OfPicture(scene, job.Scene, job.Crop);
 
         // Texts stand before the pixels, which may be missing.
-        return texts.GetValueOrDefault(PictureTexts.ContentKey) == content && Looks(made).SequenceEqual(Looks(job))
+        return texts.GetValueOrDefault(PictureTexts.ContentKey) == content && Looks(made, scene).SequenceEqual(Looks(job, scene))
             && ImageFile.Read(f).Width > 0;
     });
 
@@ -40,7 +40,11 @@ public static class FinishedPicture
             && header.Content == ContentHash.Of(scene, job.Scene, job.Crop)
         && (wanted is null || header.Wanted == wanted) && FilmFile.Read(f).Film.Width > 0);
 
-    private static IEnumerable<string> Looks(RenderJob job) => JobOptions.Kept(job with { Crop = null, Frames = null }, JobOptionUse.Pictures).Concat(JobOptions.Kept(job with { Frames = null }, JobOptionUse.Films));
+    private static IEnumerable<string> Looks(RenderJob job, SceneDescription scene)
+    {
+        RenderJob shown = job with { Frames = null, Writing = job.Writing.For(scene.Render) };
+        return JobOptions.Kept(shown with { Crop = null }, JobOptionUse.Pictures).Concat(JobOptions.Kept(shown, JobOptionUse.Films));
+    }
 
     private static bool Holds(string file, Predicate<string> read)
     {

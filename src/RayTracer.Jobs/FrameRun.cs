@@ -44,6 +44,9 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
 {
     private const string KeptEnding = ".frames";
     private readonly FrameRange _frames = job.Frames!;
+
+    // All frames have one exposure, so that none flickers.
+    private readonly Lazy<Exposure?> _exposure = new(() => FirstExposure(job));
     private readonly Dictionary<(string Path, bool Raw), Picture> _pictures = [];
     private readonly List<RenderedFrame> _done = [];
     private readonly string[] _animated = [.. job.Outputs.Where(o => FrameFiles.IsAnimated(o, job.Frames))];
@@ -160,7 +163,31 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
     {
         string[] files = [.. job.Outputs.Except(_animated).Select(o => FrameRange.Name(o, frame))];
         string? kept = KeptFolder is null ? null : FrameRange.Name(KeptPattern!, frame);
-        return job with { Frames = new(frame, frame, 1), Part = null, Outputs = kept is null ? files : [.. files, kept], Kept = kept, IsOfSequence = true };
+        return job with { Frames = new(frame, frame, 1), Part = null, Outputs = kept is null ? files : [.. files, kept], Kept = kept, IsOfSequence = true, Writing = job.Writing with { Exposure = _exposure.Value } };
+    }
+
+    // Of the first frame of all, where pictures decide on it, found out by few samples of few pixels: so each run and each part that
+    // renders some of the frames comes to the same.
+    private static Exposure? FirstExposure(RenderJob job)
+    {
+        const int Width = 160, Samples = 16;
+        RenderJob first = job with { Frames = new(job.Frames!.First, job.Frames.First, 1) };
+        if (!(job.Writing.Exposure ?? first.Describe()?.Render.Exposure ?? default).IsAuto)
+        {
+            return job.Writing.Exposure;
+        }
+
+        SceneDescription Small(SceneDescription scene) => scene with
+        {
+            Render = scene.Render with
+            {
+                Width = Width,
+                Height = Math.Max(1, (int)((long)Width * scene.Render.Height / scene.Render.Width)),
+                SamplesPerPixel = Samples,
+            },
+        };
+        return first.Load(Small).Scene is { } scene
+            ? Exposure.Auto.StopsFor(new RTracer(scene, new() { Threads = job.Threads }).Render().Film) : job.Writing.Exposure;
     }
 
     private SceneDescription? Describe(RenderJob one)

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Textures;
@@ -47,7 +48,7 @@ public interface IJobWatch
     IImageRows Rows(IImageRows image) => image;
 
     /// <summary>Begins to show how far the rendering or the denoising is, until that is disposed of; null where nothing is shown.</summary>
-    IProgress<RenderProgress>? Begin() => null;
+    IProgress<RenderProgress>? Begin(RenderDescription render) => null;
 
     /// <summary>Takes the film as it is after a pass.</summary>
     /// <param name="film">The film.</param>

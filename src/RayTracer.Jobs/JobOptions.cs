@@ -74,12 +74,14 @@ public static class JobOptions
     /// <summary>Those of how pictures look.</summary>
     public static IReadOnlyList<JobOption> OfLooks { get; } =
     [
-        new("--exposure", "X", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light).", (j, w) => Written(j, o => o with { Exposure = (float)W.Number(w, -100, 100) }),
-            j => Text(j.Writing.Exposure, 0f)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
-        new("--tonemap", string.Join('|', W.Of<ToneMap>()), $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; clamp cuts it off.",
+        new("--exposure", "X|auto", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light); "
+            + "auto: as its brightness asks for. Replaces the scene's.",
+            (j, w) => Written(j, o => o with { Exposure = W.Exposure(w) }),
+            j => j.Writing.Exposure?.ToString()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
+        new("--tonemap", string.Join('|', W.Of<ToneMap>()), $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; "
+            + "clamp cuts it off. Replaces the scene's.",
             (j, w) => Written(j, o => o with { ToneMap = W.Choice(w, W.Of<ToneMap>(), Enum.GetValues<ToneMap>()) }),
-            j => j.Writing.ToneMap == ToneMap.Clamp ? null
-                : $"{j.Writing.ToneMap}".ToLowerInvariant()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
+            j => j.Writing.ToneMap?.ToString().ToLowerInvariant()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
         new("--bit-depth", "8|16", $"{ImageFormat.Names(ImageFeatures.BitDepth)}: bits a channel; 8 without it.", (j, w) => Written(
             j, o => o with { BitDepth = W.Choice(w, ["8", "16"], [8, 16]) }),
             j => Text(j.Writing.BitDepth, 8)) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.BitDepth },

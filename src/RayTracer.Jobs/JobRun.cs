@@ -59,7 +59,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         RenderOptions options = Shares.Options(job, scene.Render);
         JobFilms films = new(job, scene);
         _files.Add(films.Light?.Names ?? []);
-        IProgress<RenderProgress>? progress = watch.Begin();
+        IProgress<RenderProgress>? progress = watch.Begin(scene.Render);
         using IDisposable? shown = progress as IDisposable;
         long start = Stopwatch.GetTimestamp();
         JobResult result = Render(new(job, scene, description, options with { Layers = films.Light }, progress, cancellation), films);
@@ -99,9 +99,9 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         }
     }
 
-    private DenoiseResult? Denoise(Denoising denoising)
+    private DenoiseResult? Denoise(Denoising denoising, RenderDescription render)
     {
-        IProgress<RenderProgress>? progress = watch.Begin();
+        IProgress<RenderProgress>? progress = watch.Begin(render);
         using IDisposable? shown = progress as IDisposable;
         DenoiseResult? denoised = denoising.Denoise(job.Threads, progress is null ? null : new DenoisingProgress(progress));
         if (denoised is null)
@@ -119,7 +119,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         bool isWanted = result.Film.TotalSamples > 0 && !(job.IsOfSequence && result.Statistics.Cancelled);
         if (isWanted && result.Denoising is { } denoising)
         {
-            result = result with { Denoised = Denoise(denoising) };
+            result = result with { Denoised = Denoise(denoising, result.Scene.Render) };
         }
 
         IReadOnlyList<string> files = isWanted ? _files.Write(result, watch) : [];

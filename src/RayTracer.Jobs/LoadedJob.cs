@@ -35,6 +35,7 @@ internal sealed record LoadedJob(
         Crop = Options.Crop,
         Scene = Path.GetFullPath(Job.Scene),
         Settings = Job.FilmSettings,
+        Tone = PictureTone.Text(Job.Writing.For(Scene.Render)),
         Software = ProgramName.Text,
     };
 

@@ -95,7 +95,7 @@ public static class OldFilms
 
     /// <summary>The content hash of a whole picture of the first format; empty where its bits have changed since.</summary>
     public static string OfPicture(SceneDescription scene, string path, Tile? crop) =>
-        BitVersions.Of(scene).Count > 0 ? ""
+        BitVersions.Of(scene).Count > 0 || ContentHash.Tone(scene.Render).Length > 0 ? ""
             : string.Create(CultureInfo.InvariantCulture, $"{Content(scene, path, crop)}-{scene.Render.SamplesPerPixel}");
 
     private static RenderJob Put(RenderJob job, JobOption option, string word, string file)

@@ -24,6 +24,10 @@ public static class OptionWords
         : value >= minimum && value <= maximum ? value
         : throw new FormatException($"must be from {minimum} to {maximum}, but is {word}");
 
+    /// <summary>Reads an exposure: stops, or auto.</summary>
+    public static Exposure Exposure(string word) => word.Equals(Description.Exposure.AutoWord, StringComparison.OrdinalIgnoreCase)
+        ? Description.Exposure.Auto : (float)Number(word, -Description.Exposure.Limit, Description.Exposure.Limit);
+
     /// <summary>Reads a share, such as 50%.</summary>
     public static double Percentage(string word) => word.EndsWith('%') ? Number(word[..^1], 0.1, 10_000) / 100
         : throw new FormatException($"expected a percentage, as in 50%, not {Quotation.Of(word)}");

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Textures;
@@ -81,16 +82,20 @@ public sealed class PictureFiles
     /// <summary>Returns the details of writing the picture: its texts, and the layers that there are.</summary>
     /// <param name="result">The outcome of the job.</param>
     /// <param name="denoised">The denoised picture; null where there is none.</param>
-    public ImageWriteOptions Options(JobResult result, Picture? denoised = null) => _job.Writing with
+    public ImageWriteOptions Options(JobResult result, Picture? denoised = null)
     {
-        Metadata = PictureTexts.Of(_job, result),
-        ExrLayers =
-        [
-            .. result.Auxiliary is { } images ? AovFiles.Layers(images) : [],
-            .. result.Light is { } light ? AovFiles.Layers(light) : [],
-            .. denoised is null ? [] : DenoisedFiles.Layers(denoised),
-        ],
-    };
+        ImageWriteOptions writing = _job.Writing.For(result.Scene.Render).Exposed(result.Film);
+        return writing with
+        {
+            Metadata = [.. PictureTexts.Of(_job, result), .. PictureTexts.OfTone(PictureTone.Text(writing))],
+            ExrLayers =
+            [
+                .. result.Auxiliary is { } images ? AovFiles.Layers(images) : [],
+                .. result.Light is { } light ? AovFiles.Layers(light) : [],
+                .. denoised is null ? [] : DenoisedFiles.Layers(denoised),
+            ],
+        };
+    }
 
     /// <summary>Writes all files; reports why those fail that cannot be written.</summary>
     /// <param name="result">The outcome of the job.</param>

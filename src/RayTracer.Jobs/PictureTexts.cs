@@ -23,7 +23,7 @@ public static class PictureTexts
     internal const string NotReached = "not reached";
 
     /// <summary>The keys of what is said of each picture.</summary>
-    public static IReadOnlyList<string> Keys { get; } = ["Software", CommandKey, SettingsKey, "Scene", "Samples", "FilmHash", "SampleRange"];
+    public static IReadOnlyList<string> Keys { get; } = ["Software", CommandKey, SettingsKey, "Scene", "Samples", "FilmHash", "SampleRange", PictureTone.Key];
 
     /// <summary>The texts of a picture.</summary>
     /// <param name="job">What was rendered.</param>
@@ -45,7 +45,13 @@ public static class PictureTexts
     /// <param name="header">What the film's file says.</param>
     /// <param name="hash">The film's hash.</param>
     public static IReadOnlyList<KeyValuePair<string, string>> Of(FilmHeader header, string hash) =>
-        Of(JobOrigin.Of(header).WithSamples(header.Total), hash, $"{header.Samples.Sum(r => r.Count)}", header.SamplesText);
+    [
+        .. Of(JobOrigin.Of(header).WithSamples(header.Total), hash, $"{header.Samples.Sum(r => r.Count)}", header.SamplesText),
+        .. OfTone(header.Tone),
+    ];
+
+    /// <summary>The text of how a display shows a picture, if there is one.</summary>
+    internal static IEnumerable<KeyValuePair<string, string>> OfTone(string? tone) => tone is null ? [] : [new(PictureTone.Key, tone)];
 
     /// <summary>The texts of a picture that a job made.</summary>
     public static IReadOnlyList<KeyValuePair<string, string>> Of(RenderJob job, JobResult result)

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Session;
 
@@ -23,7 +24,7 @@ internal static class StateEndpoints
     {
         SessionState state = SessionState.Of(session);
         return new(
-            state.Version, state.Document, state.Selection, RenderState.Of(state.Render, state.Settings), new(state.Tone.Exposure, state.Tone.ToneMap, ToneMaps),
+            state.Version, state.Document, state.Selection, RenderState.Of(state.Render, state.Settings), new(state.Tone.Exposure.Stops, state.Tone.Exposure.IsAuto, state.Tone.ToneMap, ToneMaps),
             state.Snapshots, state.Recovery, state.Notice, state.Jobs);
     }
 
@@ -36,7 +37,7 @@ internal sealed record StudioState(
     IReadOnlyList<RecoveryEntry> Recovery, Notice? Message, IReadOnlyList<Job> Jobs);
 
 /// <summary>The exposure and tone map of the screen, and the tone maps to choose from.</summary>
-internal sealed record ToneState(float Exposure, ToneMap ToneMap, IReadOnlyList<ToneMap> Choices);
+internal sealed record ToneState(float Exposure, bool IsAuto, ToneMap ToneMap, IReadOnlyList<ToneMap> Choices);
 
 /// <summary>The progress of the picture, as reported to pages.</summary>
 internal sealed record RenderState(

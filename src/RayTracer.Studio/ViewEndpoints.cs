@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Session;
@@ -16,7 +17,7 @@ internal static class ViewEndpoints
         view.MapPost("/tone", (ToneRequest tone) =>
         {
             Tone before = session.View.Tone;
-            session.View.Tone = new(tone.Exposure ?? before.Exposure, tone.ToneMap ?? before.ToneMap);
+            session.View.Tone = new(tone.IsAuto == true ? Exposure.Auto : tone.Exposure ?? (tone.IsAuto == false ? default : before.Exposure), tone.ToneMap ?? before.ToneMap);
         });
         view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, restart: request.Action == "restart"));
         view.MapPost("/snapshot", () => session.Snapshots.Capture());
@@ -34,7 +35,7 @@ internal static class ViewEndpoints
 
     internal sealed record HandlesRequest(string Pointer, GizmoKind Kind, float Length);
 
-    internal sealed record ToneRequest(float? Exposure, ToneMap? ToneMap);
+    internal sealed record ToneRequest(float? Exposure, bool? IsAuto, ToneMap? ToneMap);
 
     /// <summary>The changes of the settings; what is null stays.</summary>
     internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, string? Map)

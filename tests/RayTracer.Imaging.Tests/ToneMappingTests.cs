@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Numerics;
 using RayTracer.Textures;
@@ -7,6 +8,7 @@ namespace RayTracer.Imaging.Tests;
 public class ToneMappingTests
 {
     [Theory]
+    [InlineData(ToneMap.Soft)]
     [InlineData(ToneMap.Reinhard)]
     [InlineData(ToneMap.Aces)]
     [InlineData(ToneMap.Agx)]
@@ -27,6 +29,7 @@ public class ToneMappingTests
     }
 
     [Theory]
+    [InlineData(ToneMap.Soft)]
     [InlineData(ToneMap.Reinhard)]
     [InlineData(ToneMap.Aces)]
     [InlineData(ToneMap.Agx)]
@@ -41,6 +44,25 @@ public class ToneMappingTests
                 Assert.True(float.IsFinite(mapped.R) && float.IsFinite(mapped.G) && float.IsFinite(mapped.B));
             }
         }
+    }
+
+    [Theory]
+    [InlineData(4, 2, 0)]
+    [InlineData(0.3, 8, 1)]
+    [InlineData(40, 30, 50)]
+    public void The_soft_curve_keeps_hues_that_clamping_changes(float r, float g, float b)
+    {
+        Rgb shown = ToneMapping.Apply(ToneMap.Soft, new Rgb(r, g, b));
+        Assert.All([shown.R, shown.G, shown.B], v => Assert.InRange(v, 0, 1));
+        Assert.Equal((double)(g - b) / (r - b), (shown.G - shown.B) / (shown.R - shown.B), 1e-3);
+    }
+
+    [Fact]
+    public void The_soft_curve_shows_the_colours_of_things_as_they_are_and_goes_on_without_a_kink()
+    {
+        Rgb colour = new(0.7f, 0.1f, 0.4f);
+        Assert.Equal(colour, ToneMapping.Apply(ToneMap.Soft, colour));
+        Assert.Equal(0.701f, ToneMapping.Apply(ToneMap.Soft, new Rgb(0.701f, 0.701f, 0.701f)).R, 1e-5f);
     }
 
     [Fact]

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -260,7 +261,7 @@ public sealed class JobRunTests : IDisposable
 
         public void End(JobStage stage) => Stages.Add(stage);
 
-        public IProgress<RenderProgress> Begin() => this;
+        public IProgress<RenderProgress> Begin(RenderDescription render) => this;
 
         public void Offer(Film film, bool isLast) => Offered?.Invoke(film, isLast);
 

@@ -9,6 +9,7 @@ namespace RayTracer.Imaging;
 public sealed record FilmHeader
 {
     private const string SettingsKey = "settings";
+    private const string ToneKey = "tone";
     private const string WordsKey = "overrides";
 
     /// <summary>Width in pixels.</summary>
@@ -41,6 +42,9 @@ public sealed record FilmHeader
     /// <summary>The words of a command line that a file of the first format holds in place of settings; null in any other.</summary>
     public IReadOnlyList<string>? Words { get; init; }
 
+    /// <summary>A text on how a display shows its picture; null for light as it is.</summary>
+    public string? Tone { get; init; }
+
     /// <summary>The program that wrote it.</summary>
     public string Software { get; init; } = "";
 
@@ -72,6 +76,11 @@ public sealed record FilmHeader
 
         json["scene"] = Scene;
         json[Words is null ? SettingsKey : WordsKey] = List(Words ?? Settings);
+        if (Tone is not null)
+        {
+            json[ToneKey] = Tone;
+        }
+
         json["software"] = Software;
         return JsonSerializer.SerializeToUtf8Bytes(json);
     }
@@ -99,6 +108,7 @@ public sealed record FilmHeader
                 Scene = Text(json.GetProperty("scene")),
                 Settings = json.TryGetProperty(SettingsKey, out JsonElement settings) ? [.. settings.EnumerateArray().Select(Text)] : [],
                 Words = json.TryGetProperty(SettingsKey, out _) ? null : [.. json.GetProperty(WordsKey).EnumerateArray().Select(Text)],
+                Tone = json.TryGetProperty(ToneKey, out JsonElement tone) ? Text(tone) : null,
                 Software = Text(json.GetProperty("software")),
             };
             return header.IsSound ? header : throw new PictureException("its header makes no sense");

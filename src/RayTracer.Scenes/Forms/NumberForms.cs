@@ -92,3 +92,25 @@ internal sealed class ColorForm() : VectorForm<Rgb>("color", 3, c => new(c[0], c
 
     public override string Words(RecordParameter parameter) => "colour";
 }
+
+/// <summary>An exposure: stops, or the word for the one that the picture asks for.</summary>
+internal sealed class ExposureForm() : ParameterForm("exposure")
+{
+    public override bool Fits(RecordParameter parameter) => parameter.ValueType == typeof(Exposure);
+
+    public override object? Read(RecordReader reader, RecordParameter parameter, JsonNode node) =>
+        node is { Kind: JsonKind.String, Text: Exposure.AutoWord } ? Exposure.Auto
+        : node.Kind == JsonKind.String ? reader.Unknown(
+            node, $"unknown value {Quotation.Of(node.Text)} for {Quotation.Of(parameter.Key)}", [Exposure.AutoWord], "expected a number or")
+        : reader.Numbers.Number(parameter, node) is float stops ? (Exposure)stops : null;
+
+    public override Json? Write(SceneWriter writer, object value) =>
+        (Exposure)value is { IsAuto: false, Stops: var stops } ? SceneWriter.Number(stops) : Exposure.AutoWord;
+
+    public override JsonObject Schema(RecordParameter parameter) =>
+        SceneSchema.AnyOf(SceneSchema.Number("number", parameter), new() { ["const"] = Exposure.AutoWord });
+
+    public override string Words(RecordParameter parameter) => $"number or `\"{Exposure.AutoWord}\"`";
+
+    public override object? Parse(RecordParameter parameter, JsonNode node) => node.Number;
+}

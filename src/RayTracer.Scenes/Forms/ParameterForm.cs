@@ -32,6 +32,7 @@ public abstract class ParameterForm(string name)
         Pair,
         Triple,
         new ColorForm(),
+        new ExposureForm(),
         new TextureForm(),
         new ThingForm(SceneTypes.Materials),
         new ThingForm(SceneTypes.Shapes),

@@ -39,7 +39,7 @@ internal static class DefaultView
             notes.Add("the file has no camera: the whole model is shown from the front, right and above");
         }
 
-        scene = scene with { Camera = model.Camera ?? Camera(center, extent), Render = scene.Render with { Integrator = Integrator.Path } };
+        scene = scene with { Camera = model.Camera ?? Camera(center, extent), Render = scene.Render with { Integrator = Integrator.Path, Exposure = Exposure.Auto } };
         if (scene.Lights.Count == 0 && !scene.Shapes.Any(IsLamp))
         {
             notes.Add("the file has no light: a large luminaire and a grey background are added");

@@ -102,7 +102,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
             Film film = merge.Add(progress, cancellation);
             SessionWatch watch = new(progress, 1, cancellation);
             JobFiles.Write(
-                [full], film, merge.Header, writing with { Metadata = PictureTexts.Of(merge.Header, film.ComputeHash()) }, watch);
+                [full], film, merge.Header, writing.With(merge.Header.Tone) with { Metadata = PictureTexts.Of(merge.Header, film.ComputeHash()) }, watch);
             watch.RequireWritten();
             return $"wrote {full}, samples {merge.Header.SamplesText}{(merge.Missing is { } gaps ? $"; {gaps}" : "")}";
         });

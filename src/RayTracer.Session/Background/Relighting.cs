@@ -60,7 +60,7 @@ public sealed class Relighting(SceneDocument document, PictureView view, JobList
     /// <param name="factors">What lights are multiplied by: red, green and blue; others stay.</param>
     /// <exception cref="SessionException">No picture is open.</exception>
     public byte[] Png(IReadOnlyDictionary<string, float[]> factors) =>
-        ImageFile.Encode(".png", Compose(factors), new() { Exposure = view.Tone.Exposure, ToneMap = view.Tone.ToneMap });
+        ImageFile.Encode(".png", Compose(factors), view.Tone.Writing);
 
     /// <summary>Writes the picture with its lights balanced, as a job.</summary>
     /// <param name="path">The file; relative to the document's folder.</param>
@@ -75,7 +75,7 @@ public sealed class Relighting(SceneDocument document, PictureView view, JobList
         RenderJob job = _jobs.Saved(full);
         ViewJobs.Check(job, overwrite);
         Picture picture = Compose(factors);
-        ImageWriteOptions writing = job.Writing with { Metadata = PictureTexts.Of(Command(factors, full)) };
+        ImageWriteOptions writing = view.Tone.Writing with { Metadata = PictureTexts.Of(Command(factors, full)) };
         return _jobs.Start($"writing {Path.GetFileName(full)}", watch =>
         {
             JobFiles.Write([full], picture, writing, watch);

@@ -104,6 +104,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         Total = order.Scene.Render.SamplesPerPixel,
         Crop = order.Region,
         Scene = scene.File,
+        Tone = PictureTone.Text(new ImageWriteOptions().For(order.Scene.Render)),
         Settings = order.Start?.Header is { } begun ? OldFilms.Settings(begun) : [],
         Software = ProgramName.Text,
     };

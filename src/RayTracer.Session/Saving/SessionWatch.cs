@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -30,7 +31,7 @@ internal sealed class SessionWatch(IProgress<double> whole, int count, Cancellat
         _errors.AddRange(diagnostics.Where(d => d.Severity == Severity.Error).Select(d => d.Message));
 
     /// <inheritdoc/>
-    public IProgress<RenderProgress> Begin() => this;
+    public IProgress<RenderProgress> Begin(RenderDescription render) => this;
 
     /// <inheritdoc/>
     public IImageRows Rows(IImageRows image) => new ReportedRows(image, this);

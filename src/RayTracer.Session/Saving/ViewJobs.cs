@@ -25,7 +25,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
     public RenderJob Saved(string? output)
     {
         string path = document.Place.Path ?? document.Place.Name;
-        (ViewSettings settings, Tone tone) = (view.Settings, view.Tone);
+        (ViewSettings settings, Tone? tone) = (view.Settings, view.GivenTone);
         bool hasOwnSamples = settings.Samples is { } samples && samples != document.Read.Description?.Render.SamplesPerPixel;
         return new()
         {
@@ -34,7 +34,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
             Settings = hasOwnSamples ? [SceneSetting.Parse($"{RenderJob.SamplesPath}={settings.Samples}")] : [],
             Crop = settings.Region,
             Threads = settings.Threads,
-            Writing = new() { Exposure = tone.Exposure, ToneMap = tone.ToneMap },
+            Writing = tone?.Writing ?? new(),
         };
     }
 

@@ -22,7 +22,7 @@ public static class FramePixels
     public static void Write(LinearPicture picture, Tone tone, int reduction, Memory<byte> rgba)
     {
         (int width, int height) = (picture.Width / reduction, picture.Height / reduction);
-        float factor = DisplayPixels.Factor(tone.Exposure);
+        float factor = DisplayPixels.Factor(tone.Exposure.StopsFor(picture));
         float[] row = new float[3 * width];
         for (int y = 0; y < height; y++)
         {

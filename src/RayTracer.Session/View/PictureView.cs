@@ -14,7 +14,7 @@ public sealed class PictureView : IDisposable
     private DocumentPlace? _place;
     private ViewportScene? _shown;
     private ViewSettings _settings = new();
-    private Tone _tone = Tone.Plain;
+    private Tone? _tone;
 
     // The camera in the user's hand, and the revision whose text has it.
     private CameraDescription? _movedCamera;
@@ -59,15 +59,18 @@ public sealed class PictureView : IDisposable
     /// <summary>The user's settings.</summary>
     public ViewSettings Settings => _lock.Read(() => _settings);
 
+    /// <summary>The exposure and tone map that the user chose; null for the scene's.</summary>
+    public Tone? GivenTone => _lock.Read(() => _tone);
+
     /// <summary>The exposure and tone map of the screen. A change needs no rendering.</summary>
     /// <exception cref="SessionException">The exposure is out of range.</exception>
     public Tone Tone
     {
-        get => _lock.Read(() => _tone);
+        get => _lock.Read(() => _tone ?? (_shown is { } shown ? Tone.Of(shown.Scene.Render) : Tone.Plain));
 
         set
         {
-            if (!(value.Exposure is >= -100 and <= 100) || !Enum.IsDefined(value.ToneMap))
+            if (!(value.Exposure.Stops is >= -Exposure.Limit and <= Exposure.Limit) || !Enum.IsDefined(value.ToneMap))
             {
                 throw new SessionException("The exposure must be from -100 to 100 stops, and the tone map an existing one.");
             }
@@ -226,7 +229,7 @@ public sealed class PictureView : IDisposable
             {
                 if (_place != _document.Place || _shown is null)
                 {
-                    (_place, Home, _movedCamera) = (_document.Place, good.Read.Description!.Camera, null);
+                    (_place, Home, _movedCamera, _tone) = (_document.Place, good.Read.Description!.Camera, null, null);
                 }
 
                 _movedCamera = good.Revision >= _movedUntil ? null : _movedCamera;

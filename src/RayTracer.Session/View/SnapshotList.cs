@@ -50,7 +50,7 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
     {
         (LinearPicture? picture, Tone tone) = Find(id);
         using MemoryStream stream = new();
-        PngWriter.Write(stream, new ToneMappedRows(picture, tone.ToneMap, tone.Exposure));
+        PngWriter.Write(stream, tone.Writing.Shown(picture));
         return stream.ToArray();
     }
 

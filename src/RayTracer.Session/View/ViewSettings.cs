@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 
@@ -46,10 +47,16 @@ public enum RenderQuality
 }
 
 /// <summary>The exposure and tone map of the screen.</summary>
-/// <param name="Exposure">In stops, −100 to 100: each doubles the light.</param>
+/// <param name="Exposure">In stops, −100 to 100, each of which doubles the light; or automatic.</param>
 /// <param name="ToneMap">The curve.</param>
-public sealed record Tone(float Exposure, ToneMap ToneMap)
+public sealed record Tone(Exposure Exposure, ToneMap ToneMap)
 {
+    /// <summary>The options of files that show the same.</summary>
+    public ImageWriteOptions Writing => new() { Exposure = Exposure, ToneMap = ToneMap };
+
+    /// <summary>That of a scene.</summary>
+    public static Tone Of(RenderDescription render) => new(render.Exposure, render.ShownToneMap);
+
     /// <summary>Light as it is.</summary>
     public static Tone Plain { get; } = new(0, ToneMap.Clamp);
 }

@@ -106,6 +106,20 @@ public sealed record RenderDescription
         Unit = "1/second", Minimum = 0, MinimumIsExclusive = true)]
     public float FramesPerSecond { get; init; } = 24;
 
+    /// <summary>The curve by which pictures for a display show bright light; null for that of the integrator.</summary>
+    [Parameter("How PNG and JPEG files show light that is brighter than a display. Without it, \"soft\", except with the report, ao, normals, "
+        + "uv and albedo integrators, whose pictures are as they were computed: \"clamp\". The film does not depend on it.")]
+    public ToneMap? ToneMap { get; init; }
+
+    /// <summary>The exposure of pictures for a display.</summary>
+    [Parameter("By how many stops PNG and JPEG files are brighter than the light that was computed (each doubles it); \"auto\" makes the middle "
+        + "brightness of the picture a middle grey. The film does not depend on it.", Unit = "stops", Minimum = -100, Maximum = 100)]
+    public Exposure Exposure { get; init; }
+
+    /// <summary>The curve, or without one the integrator's.</summary>
+    public ToneMap ShownToneMap =>
+        ToneMap ?? (Integrator.Has(IntegratorTraits.SoftTone) ? Description.ToneMap.Soft : Description.ToneMap.Clamp);
+
     /// <summary>Selects the random numbers.</summary>
     [Parameter("Selects the random numbers: another seed gives the same picture with different noise.", Minimum = 0, Maximum = 4294967295)]
     public long Seed { get; init; }

@@ -44,6 +44,9 @@ public enum IntegratorTraits
 
     /// <summary>Occlusion has a distance.</summary>
     OcclusionDistance = 1 << 11,
+
+    /// <summary>Pictures show light that is too bright for a display by the soft tone map, where scenes name none.</summary>
+    SoftTone = 1 << 12,
 }
 
 /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>

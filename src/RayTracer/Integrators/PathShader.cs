@@ -382,7 +382,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
 /// <summary>Path tracing.</summary>
 internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.PathLimit) : Integrator(
     name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment
-        | IntegratorTraits.LitGloss | more)
+        | IntegratorTraits.LitGloss | IntegratorTraits.SoftTone | more)
 {
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, context.Scene.Render.MaxDepth);
 }

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;

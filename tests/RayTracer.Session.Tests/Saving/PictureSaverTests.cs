@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
@@ -27,7 +28,8 @@ public sealed class PictureSaverTests
         if (!name.EndsWith(".pfm", StringComparison.Ordinal))
         {
             Dictionary<string, string> texts = new(ImageFile.ReadText(path));
-            Assert.Equal(["Command", "FilmHash", "SampleRange", "Samples", "Scene", "Settings", "Software"], texts.Keys.Order());
+            Assert.Equal(["Command", "FilmHash", "SampleRange", "Samples", "Scene", "Settings", "Software", "Tone"], texts.Keys.Order());
+            Assert.Equal("reinhard 0.5", texts["Tone"]);
             Assert.Equal((film.ComputeHash(), "4"), (texts["FilmHash"], texts["Samples"]));
         }
     }

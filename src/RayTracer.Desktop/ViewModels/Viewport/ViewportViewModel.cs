@@ -63,7 +63,7 @@ internal sealed partial class ViewportViewModel(SessionDispatcher dispatcher) : 
     /// <summary>Exposure in stops.</summary>
     public double Exposure
     {
-        get => _tone.Exposure;
+        get => _tone.Exposure.Stops;
         set => SetTone(_tone with { Exposure = (float)Math.Round(Math.Clamp(value, -20, 20), 3) });
     }
 

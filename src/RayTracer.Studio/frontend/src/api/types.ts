@@ -274,10 +274,11 @@ export interface StudioState {
   jobs: Job[];
 }
 
-export type ToneMap = "clamp" | "reinhard" | "aces" | "agx";
+export type ToneMap = "clamp" | "soft" | "reinhard" | "aces" | "agx";
 
 export interface ToneState {
   exposure: number;
+  isAuto: boolean;
   toneMap: ToneMap;
   choices: ToneMap[];
 }

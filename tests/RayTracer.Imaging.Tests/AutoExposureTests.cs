@@ -1,0 +1,29 @@
+using RayTracer.Description;
+using RayTracer.Textures;
+
+namespace RayTracer.Imaging.Tests;
+
+public class AutoExposureTests
+{
+    [Theory]
+    [InlineData(0.25f, 0)]
+    [InlineData(1, -2)]
+    [InlineData(500, -10.97f)]
+    [InlineData(0.003f, 6.38f)]
+    public void The_middle_brightness_becomes_a_middle_grey(float light, float stops) =>
+        Assert.Equal(stops, Exposure.Auto.StopsFor(Even(light, light, light)));
+
+    [Fact]
+    public void Pixels_without_light_do_not_count() => Assert.Equal(-2, Exposure.Auto.StopsFor(Even(0, 1, 0, 1, 1, -1)));
+
+    [Fact]
+    public void A_dark_and_a_bright_pixel_are_halfway_between_in_stops() => Assert.Equal(-1, Exposure.Auto.StopsFor(Even(0.125f, 2)));
+
+    [Fact]
+    public void A_black_picture_stays_as_it_is() => Assert.Equal(0, Exposure.Auto.StopsFor(Even(0, 0, 0)));
+
+    [Fact]
+    public void Stops_that_are_given_do_not_depend_on_the_picture() => Assert.Equal(1.5f, new Exposure(1.5f).StopsFor(Even(7, 0.1f)));
+
+    private static Picture Even(params float[] greys) => new(greys.Length, 1, [.. greys.SelectMany(v => new[] { v, v, v })]);
+}
