@@ -71,6 +71,11 @@ public static class JobOptions
         Set,
     ];
 
+    /// <summary>The type of the picture's numbers.</summary>
+    public static JobOption ExrType { get; } = new("--exr-type", "half|float", $"{ImageFormat.Names(ImageFeatures.PixelType)}: the type of the picture's numbers; half without it (convert: float).",
+        (j, w) => Written(j, o => o with { ExrPixelType = W.Choice(w, ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]) }), j => j.Writing.ExrPixelType == ExrPixelType.Half ? null : "float")
+    { Use = JobOptionUse.Pictures, Feature = ImageFeatures.PixelType };
+
     /// <summary>Those of how pictures look.</summary>
     public static IReadOnlyList<JobOption> OfLooks { get; } =
     [
@@ -93,6 +98,7 @@ public static class JobOptions
             (j, w) => Written(j, o => o with { JpegChroma = W.Choice(w, W.Of<JpegChroma>(), Enum.GetValues<JpegChroma>()) }), j =>
                 j.Writing.JpegChroma?.ToString().ToLowerInvariant())
         { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Chroma },
+        ExrType,
     ];
 
     /// <summary>The option that images carry the film; of verbs that have it.</summary>

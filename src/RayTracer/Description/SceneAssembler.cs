@@ -338,6 +338,13 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return known;
         }
 
+        int[] missing = mesh.Data is not null ? [] : [.. mesh.Triangles.SelectMany(t => new[] { t.A, t.B, t.C }).Where(c => (uint)c >= (uint)mesh.Positions.Count).Take(1)];
+        if (missing is [var corner])
+        {
+            builder.Error(mesh, nameof(MeshDescription.Triangles), $"a triangle has the corner {corner}, but there are {mesh.Positions.Count}, counted from 0");
+            return null;
+        }
+
         MeshData data = MeshDoctor.Mend(MeshVariant.Of(mesh.Data ?? Inline(mesh), wanted), out string report);
         if (MeshVariant.IsOwn(wanted))
         {
