@@ -8,8 +8,8 @@ using RayTracer.Benchmarks.Studio;
 
 // "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle tree with Embree, "mitsuba SCENE.xml SAMPLES…" whole renders
 // with Mitsuba; "studio [SCENE]" measures how quickly the Studio follows a hand; "images FILE…" compares reading PNG and JPEG files with the
-// common libraries' own commands; "denoiser" measures what the denoiser gains on scenes that are hard for it, "precision" what single
-// precision gains over double, and loses; anything else goes to BenchmarkDotNet ("--filter *").
+// common libraries' own commands; "denoiser [SCENE…]" measures what the denoiser gains on scenes that are hard for it, "precision" what
+// single precision gains over double, and loses; anything else goes to BenchmarkDotNet ("--filter *").
 switch (args)
 {
     case ["ratios", .. var scenes]:
@@ -20,8 +20,8 @@ switch (args)
         return MitsubaBenchmark.Run(scenes);
     case ["studio", .. var options]:
         return await StudioBenchmark.Run(options);
-    case ["denoiser"]:
-        return DenoiserBenchmark.Run();
+    case ["denoiser", .. var scenes]:
+        return DenoiserBenchmark.Run(scenes);
     case ["precision"]:
         return PrecisionBenchmark.Run();
     case ["images", .. var files]:
