@@ -14,7 +14,7 @@ public sealed class SceneBudget
 
     /// <summary>Counts memory before it is taken.</summary>
     /// <param name="bytes">How much is wanted.</param>
-    /// <returns>Whether it is within the limit, and was counted.</returns>
+    /// <returns>True if it is within the limit, and was counted.</returns>
     public bool TryUse(long bytes)
     {
         bool fits = bytes <= Limit - _used;
