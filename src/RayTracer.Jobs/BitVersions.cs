@@ -24,6 +24,8 @@ public static class BitVersions
         new("meshes with literal shading normals or materials that transmit", 17, (scene, records) =>
             records.Any(r => Name(r) is "mesh" or "model")
                 && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
+        new("instances or models with a material", 19, (_, records) => records.Any(
+            r => Name(r) is "instance" or "model" && !ReferenceEquals(((ShapeDescription)r).Material, ShapeDescription.DefaultMaterial))),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 
