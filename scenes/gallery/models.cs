@@ -80,6 +80,154 @@ Grow(wood, leaves, new Random(7), default, Vector3.UnitY, 1.15f, 0.13f, 6);
 Save("tree-wood", wood);
 Save("tree-leaves", leaves);
 
+// Fruit, in decimetres, and what they lie in. An apple has five bumps below, a pear leans, a banana is bent and has five edges.
+Save("apple", Lathe([new(0, 0.14f), new(0.08f, 0.1f), new(0.16f, 0.015f), new(0.22f, 0), new(0.31f, 0.07f), new(0.385f, 0.24f),
+    new(0.41f, 0.42f), new(0.38f, 0.58f), new(0.29f, 0.7f), new(0.19f, 0.74f), new(0.1f, 0.7f), new(0.045f, 0.63f), new(0, 0.6f)], 48)
+    .Bent(p => p * (1 + (0.05f * MathF.Exp(-5 * p.Y) * Lobes(p))) * new Vector3(1, 1 + (0.08f * p.X), 1)));
+Save("pear", Lathe([new(0, 0.06f), new(0.07f, 0.02f), new(0.16f, 0), new(0.3f, 0.09f), new(0.39f, 0.32f), new(0.36f, 0.55f),
+    new(0.25f, 0.78f), new(0.18f, 0.96f), new(0.14f, 1.08f), new(0.06f, 1.14f), new(0.02f, 1.11f), new(0, 1.1f)], 48)
+    .Bent(p => new((p.X * (1 + (0.05f * p.Z))) + (0.11f * p.Y * p.Y), p.Y, p.Z)));
+Save("lemon", Lathe([new(0, 0), new(0.05f, 0.01f), new(0.08f, 0.06f), new(0.18f, 0.13f), new(0.265f, 0.27f), new(0.28f, 0.4f),
+    new(0.24f, 0.56f), new(0.13f, 0.69f), new(0.07f, 0.74f), new(0.055f, 0.81f), new(0, 0.83f)], 48)
+    .Bent(p => p + new Vector3(0.03f * p.Y * p.Y, 0, 0)));
+Save("banana", Lathe([new(0, -1), new(0.035f, -0.99f), new(0.04f, -0.95f), new(0.06f, -0.88f), new(0.14f, -0.72f), new(0.175f, -0.4f),
+    new(0.185f, 0), new(0.175f, 0.4f), new(0.13f, 0.7f), new(0.06f, 0.85f), new(0.042f, 0.95f), new(0.045f, 1.1f), new(0, 1.11f)], 40)
+    .Bent(p => p with { X = p.X * (1 + (0.045f * Lobes(p))), Z = p.Z * (1 + (0.045f * Lobes(p))) })
+    .Bent(p => new((1.3f - p.X) * MathF.Cos(p.Y / 1.3f), (1.3f - p.X) * MathF.Sin(p.Y / 1.3f), p.Z)));
+Save("bowl", Lathe([new(0, 0.1f), new(0.5f, 0.1f), new(0.5f, 0.1f), new(0.52f, 0), new(0.58f, 0), new(0.57f, 0.1f), new(0.6f, 0.13f),
+    new(0.6f, 0.13f), new(0.98f, 0.33f), new(1.3f, 0.65f), new(1.5f, 0.98f), new(1.54f, 1.02f), new(1.52f, 1.045f), new(1.46f, 1.01f),
+    new(1.24f, 0.68f), new(0.92f, 0.39f), new(0.5f, 0.23f), new(0, 0.16f)], 96));
+Mesh jug = Lathe([new(0, 0), new(0.55f, 0), new(0.55f, 0), new(0.58f, 0.05f), new(0.55f, 0.1f), new(0.5f, 0.13f), new(0.5f, 0.13f),
+    new(0.75f, 0.45f), new(0.88f, 0.95f), new(0.8f, 1.45f), new(0.5f, 1.9f), new(0.38f, 2.2f), new(0.38f, 2.2f), new(0.42f, 2.24f),
+    new(0.38f, 2.28f), new(0.38f, 2.28f), new(0.4f, 2.55f), new(0.52f, 2.8f), new(0.54f, 2.84f), new(0.5f, 2.84f), new(0.37f, 2.55f),
+    new(0.34f, 2.2f), new(0, 1.9f)], 72)
+    .Bent(p => p with { X = p.X * (1 - (0.25f * MathF.Exp(-40 * (p.Y - 2.84f) * (p.Y - 2.84f)) * MathF.Sign(p.X))) });
+jug.Add(Swept(t => new(0.42f + (0.85f * MathF.Sin(MathF.PI * t * 0.93f)), 2.5f - (1.35f * t) + (0.3f * MathF.Sin(MathF.PI * t)), 0),
+    t => 0.07f + (0.02f * MathF.Cos(MathF.Tau * t)), 24, 16));
+Save("jug", jug);
+Mesh cloth = new();
+cloth.Sheet(56, 72, (u, v) =>
+{
+    (float x, float z) = ((6.6f * v) - 3.3f, (4.4f * u) - 1.9f);
+    float crease = MathF.Sin((0.75f * x) + (0.4f * z) + MathF.Sin(0.6f * z));
+    float fold = (0.06f * MathF.Exp(-25 * crease * crease)) + (0.03f * MathF.Sin((2.3f * z) + (0.9f * x) + (2 * MathF.Sin(0.7f * x)))
+        * MathF.Sin(1.3f * x));
+    float over = MathF.Max(z - 2.05f, 0);
+    return new(x + (0.12f * MathF.Sin(3 * x) * over), 0.045f + fold - (1.6f * over * over) - (0.1f * over),
+        z - (0.6f * over) + (over * 0.3f * MathF.Sin(4.2f * x)));
+});
+Save("cloth", cloth);
+
+// One turn of a winding staircase, in metres: twenty steps around a well, each higher by 0.17, with its balusters; string and rail.
+const float Well = 1.05f, Outside = 2.9f, Rise = 0.17f, Turn = 20 * Rise;
+(Mesh steps, Mesh carpet, Mesh risers, Mesh balusters) = (new(), new(), new(), new());
+for (int i = 0; i < 20; i++)
+{
+    (float from, float to, float y) = (-MathF.Tau * (i + 1) / 20, -MathF.Tau * i / 20, i * Rise);
+    steps.Wedge(Well + 0.03f, Outside, y - 0.04f, y, from, to + 0.02f);
+    risers.Wedge(Well + 0.03f, Outside, y - Rise - 0.04f, y - 0.04f, from + 1e-3f, to);
+    carpet.Wedge(1.45f, 2.35f, y - Rise + 0.012f, y + 0.012f, from, to + 0.026f);
+    foreach (float at in new[] { 0.25f, 0.75f })
+    {
+        balusters.Add(Lathe([new(0.013f, -0.02f), new(0.013f, 0.36f), new(0.013f, 0.36f), new(0.024f, 0.42f), new(0.024f, 0.42f),
+            new(0.034f, 0.47f), new(0.034f, 0.47f), new(0.024f, 0.52f), new(0.024f, 0.52f), new(0.013f, 0.58f), new(0.013f, 0.58f),
+            new(0.013f, 0.98f)], 8)
+            .Bent(p => p + Around(Well + 0.05f, y, -(i + at) / 20)));
+    }
+}
+
+Save("stairs-steps", steps);
+Save("stairs-risers", risers);
+Save("stairs-carpet", carpet);
+Save("stairs-balusters", balusters);
+Save("stairs-rail", Swept(t => Around(Well + 0.05f, 0.99f - (Rise / 2) + (Turn * t), -t), _ => 0.04f, 96, 12));
+Mesh band = new();
+foreach ((float r, float y, float dr, float dy) in new[]
+    { (Well, -0.34f, 0f, 0.4f), (Well, 0.06f, 0.1f, 0f), (Well + 0.1f, 0.06f, 0f, -0.4f) })
+{
+    band.Sheet(1, 96, (u, v) => Around(r + (u * dr), y - (Rise / 2) + (u * dy) + (Turn * v), -v));
+}
+
+band.Sheet(96, 1, (u, v) => Around(Well + (v * (Outside - Well)), (Turn * u) - (Rise / 2) - 0.34f, -u));
+Save("stairs-string", band);
+
+// The ground of a town around a bay, in metres, a boat, and the sky after sunset: a picture of all directions, in Radiance's format.
+Mesh ground = new();
+ground.Sheet(70, 90, (u, v) => Land((v - 0.5f) * 260, u * (0.4f + (0.6f * u)) * 190));
+Save("town-ground", ground);
+Mesh quay = new();
+quay.Sheet(1, 90, (u, v) => Land((v - 0.5f) * 260, 0) - new Vector3(0, 3 * u, 0));
+Save("town-quay", quay);
+Mesh boat = new();
+boat.Sheet(14, 24, (u, v) =>
+{
+    float z = (2 * v) - 1;
+    float width = 0.85f * MathF.Pow(MathF.Max(1 - MathF.Pow(MathF.Abs(z), 2.4f), 0), 0.8f);
+    float turn = MathF.PI * u;
+    return new(width * MathF.Cos(turn), (0.25f * z * z) + (0.75f * (1 - MathF.Pow(MathF.Abs(MathF.Sin(turn)), 0.6f))), 2.6f * z);
+});
+Save("boat", boat);
+using (BinaryWriter writer = new(File.Create(Path.Combine(folder, "dusk.hdr"))))
+{
+    writer.Write("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 128\n".ToCharArray());
+    for (int i = 0; i < 64 * 128; i++)
+    {
+        float height = 1 - ((i / 128) + 0.5f) / 32;
+        float glow = 0.5f + (0.5f * MathF.Cos(MathF.Tau * (((i % 128) + 0.5f) / 128 - 0.57f)));
+        float above = MathF.Max(height, 0);
+        Vector3 sky = Vector3.Lerp(new(0.03f, 0.06f, 0.16f), new(0.004f, 0.01f, 0.04f), MathF.Min(1.4f * above, 1))
+            + (new Vector3(0.6f, 0.2f, 0.06f) * glow * glow * MathF.Exp(-7 * above))
+            + (new Vector3(0.1f, 0.05f, 0.09f) * glow * MathF.Exp(-4 * above));
+        Vector3 color = height < 0 ? new(0.004f, 0.006f, 0.01f) : sky;
+        int exponent = (int)MathF.Ceiling(MathF.Log2(MathF.Max(color.X, MathF.Max(color.Y, color.Z))) + 0.01f);
+        Vector3 mantissa = color * MathF.Pow(2, 8 - exponent);
+        writer.Write([(byte)mantissa.X, (byte)mantissa.Y, (byte)mantissa.Z, (byte)(128 + exponent)]);
+    }
+}
+
+// What stands in a room, in metres: a cushion of extent 2, of which an armchair is upholstered, curtains, a vase of tulips, a table.
+Mesh cushion = new();
+cushion.Sheet(28, 48, (u, v) =>
+{
+    float Soft(float x) => MathF.Sign(x) * MathF.Pow(MathF.Abs(x), 0.45f);
+    (float sin, float cos) = MathF.SinCos(MathF.Tau * -v);
+    (float up, float outwards) = MathF.SinCos(MathF.PI * (u - 0.5f));
+    return new(Soft(outwards) * Soft(cos), -Soft(up), Soft(outwards) * Soft(sin));
+});
+Save("cushion", cushion);
+Mesh curtain = new();
+curtain.Sheet(16, 120, (u, v) => new(
+    0.62f * v * (1 - (0.3f * MathF.Exp(-20 * (u - 0.62f) * (u - 0.62f)))),
+    2.42f * (1 - u),
+    (0.045f + (0.02f * u)) * MathF.Sin((MathF.Tau * 7 * v) + (0.6f * MathF.Sin(5 * u)) + (1.5f * v))));
+Save("curtain", curtain);
+Save("vase", Lathe([new(0, 0), new(0.05f, 0), new(0.05f, 0), new(0.055f, 0.008f), new(0.085f, 0.07f), new(0.09f, 0.12f),
+    new(0.06f, 0.19f), new(0.034f, 0.24f), new(0.04f, 0.275f), new(0.052f, 0.29f), new(0.046f, 0.288f), new(0.03f, 0.24f),
+    new(0, 0.2f)], 48));
+(Mesh stems, Mesh blossoms) = (new(), new());
+for (int i = 0; i < 11; i++)
+{
+    Vector3 lean = Around(0.05f + (0.014f * i), 0, i * 0.382f);
+    Vector3 Stem(float t) => new(lean.X * t * (0.6f + (0.8f * t)), 0.2f + ((0.34f - (0.012f * i)) * t), lean.Z * t * (0.6f + (0.8f * t)));
+    stems.Add(Swept(Stem, _ => 0.0035f, 8, 6));
+    blossoms.Add(Lathe([new(0, 0), new(0.014f, 0.004f), new(0.023f, 0.02f), new(0.025f, 0.035f), new(0.018f, 0.056f),
+        new(0.012f, 0.064f), new(0, 0.05f)], 18)
+        .Bent(p => Stem(1) + p + (lean * p.Y * 6) + (p * 0.12f * MathF.Cos(3 * MathF.Atan2(p.Z, p.X)))));
+    for (int k = 0; k < 2; k++)
+    {
+        Vector3 side = Around(0.024f, 0, (i * 0.382f) + 0.25f + (0.5f * k));
+        Vector3 along = (0.4f * lean) + (1.5f * side);
+        stems.Sheet(6, 4, (u, v) => Stem(0.15f) + (along * (u + (u * u))) + new Vector3(0, (0.3f * u) - (0.13f * u * u), 0)
+            + (Vector3.Cross(Vector3.Normalize(along), Vector3.UnitY) * (v - 0.5f) * 0.06f * MathF.Sin(MathF.PI * ((0.96f * u) + 0.02f))));
+    }
+}
+
+Save("tulip-leaves", stems);
+Save("tulip-blossoms", blossoms);
+Save("table", Lathe([new(0, 0), new(0.2f, 0), new(0.2f, 0), new(0.2f, 0.02f), new(0.1f, 0.05f), new(0.035f, 0.09f),
+    new(0.03f, 0.2f), new(0.05f, 0.3f), new(0.045f, 0.36f), new(0.025f, 0.42f), new(0.03f, 0.56f), new(0.08f, 0.6f), new(0.08f, 0.6f),
+    new(0.36f, 0.605f), new(0.36f, 0.605f), new(0.375f, 0.615f), new(0.36f, 0.63f), new(0.36f, 0.63f), new(0, 0.63f)], 64));
+
 void Save(string name, Mesh mesh) => mesh.Write(Path.Combine(folder, name + ".ply"));
 
 static string Here([CallerFilePath] string path = "") => Path.GetDirectoryName(path)!;
@@ -87,6 +235,15 @@ static string Here([CallerFilePath] string path = "") => Path.GetDirectoryName(p
 static Vector2 Polar(float r, float t) => new(r * MathF.Sin(MathF.PI * t), -r * MathF.Cos(MathF.PI * t));
 
 static Vector3 Around(float r, float y, float turn) => new(r * MathF.Cos(MathF.Tau * turn), y, r * MathF.Sin(MathF.Tau * turn));
+
+// The town's ground at some distance from the shore: a quay, and a hill that becomes flatter towards its top.
+static Vector3 Land(float x, float inland)
+{
+    float slope = 1 - MathF.Exp(-MathF.Pow(MathF.Max(inland - 9, 0) / 46, 1.25f));
+    return new(x, 1.3f + (30 * slope * (0.78f + (0.22f * MathF.Sin((0.035f * x) + 1)))), (0.004f * x * x) - inland);
+}
+
+static float Lobes(Vector3 p) => MathF.Cos(5 * MathF.Atan2(p.Z, p.X));
 
 static Vector3 Tilt(float degrees) => new(0, -MathF.Sin(degrees * MathF.PI / 180), MathF.Cos(degrees * MathF.PI / 180));
 
@@ -183,6 +340,30 @@ internal sealed class Mesh
         _corners.AddRange(other._corners);
         _triangles.AddRange(other._triangles.Select(t => (t.A + first, t.B + first, t.C + first)));
     }
+
+    /// <summary>Moves every point, and turns the normals accordingly.</summary>
+    public Mesh Bent(Func<Vector3, Vector3> bend)
+    {
+        const float Step = 1e-3f;
+        for (int i = 0; i < _corners.Count; i++)
+        {
+            (Vector3 p, Vector3 n) = _corners[i];
+            Vector3 u = Vector3.Normalize(Vector3.Cross(n, MathF.Abs(n.Y) > 0.7f * n.Length() ? Vector3.UnitX : Vector3.UnitY));
+            Vector3 v = Vector3.Normalize(Vector3.Cross(n, u));
+            Vector3 Along(Vector3 t) => bend(p + (Step * t)) - bend(p - (Step * t));
+            _corners[i] = (bend(p), Vector3.Cross(Along(u), Along(v)));
+        }
+
+        return this;
+    }
+
+    /// <summary>A surface over the unit square; seen from its front, u grows downwards and v to the right.</summary>
+    public void Sheet(int rows, int columns, Func<float, float, Vector3> point) => Grid(rows + 1, columns + 1, (i, j) =>
+    {
+        const float Step = 1e-3f;
+        (float u, float v) = ((float)i / rows, (float)j / columns);
+        return (point(u, v), Vector3.Cross(point(u + Step, v) - point(u - Step, v), point(u, v + Step) - point(u, v - Step)));
+    }, isClosed: false);
 
     public void Revolve(Vector2[] curve, int around) => Grid(curve.Length, around, (i, j) =>
     {
@@ -290,8 +471,8 @@ internal sealed class Mesh
 
     private static Vector3 Direction(float angle) => new(MathF.Cos(angle), 0, MathF.Sin(angle));
 
-    // Rows of corners, each of which is closed to a ring; triangles without area, at the poles, are left out.
-    private void Grid(int rows, int around, Func<int, int, (Vector3 Position, Vector3 Normal)> corner)
+    // Rows of corners, each of which may be closed to a ring; triangles without area, at the poles, are left out.
+    private void Grid(int rows, int around, Func<int, int, (Vector3 Position, Vector3 Normal)> corner, bool isClosed = true)
     {
         int first = _corners.Count;
         for (int i = 0; i < rows; i++)
@@ -304,7 +485,7 @@ internal sealed class Mesh
 
         for (int i = 0; i + 1 < rows; i++)
         {
-            for (int j = 0; j < around; j++)
+            for (int j = 0; j < (isClosed ? around : around - 1); j++)
             {
                 (int a, int b) = (first + (i * around) + j, first + (i * around) + ((j + 1) % around));
                 AddUnlessFlat(a, a + around, b + around);

@@ -10,7 +10,7 @@ internal static class CheckVerb
 {
     public static void Build(Command command, Streams streams)
     {
-        Argument<string[]> scenes = new("SCENE") { Description = "Scene files.", Arity = ArgumentArity.OneOrMore };
+        Argument<string[]> scenes = new("SCENE") { Description = "Scene files; - for standard input.", Arity = ArgumentArity.OneOrMore };
         ParsedOption<CheckFormat?> format = OptionValues.Choice<CheckFormat>("--format", "Output format: one line per problem (at most 20 per file), or everything as one JSON object or SARIF 2.1.0. Default: text.");
         command.Arguments.Add(scenes);
         command.Options.Add(format);
@@ -25,11 +25,11 @@ internal static class CheckVerb
         foreach (string path in paths)
         {
             SceneLoadResult result = SceneFile.Load(path, stages, settings: settings);
-            CheckedScene scene = new(path, result.Diagnostics, result.Scene is null ? SceneFile.FailureStatus(path) : ExitStatus.Fine);
+            CheckedScene scene = new(SceneFile.Name(path), result.Diagnostics, result.Scene is null ? SceneFile.FailureStatus(path) : ExitStatus.Fine);
             all.Add(scene);
             if (format == CheckFormat.Text)
             {
-                streams.Output.WriteLine(scene.Diagnostics.Count == 0 ? $"{path}: fine" : Diagnostic.Format(scene.Diagnostics));
+                streams.Output.WriteLine(scene.Diagnostics.Count == 0 ? $"{scene.Path}: fine" : Diagnostic.Format(scene.Diagnostics));
             }
         }
 

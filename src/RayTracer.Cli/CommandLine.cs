@@ -15,6 +15,9 @@ namespace RayTracer.Cli;
 /// <summary>Finds the verb, runs it, and turns whatever goes wrong into one line and an exit status.</summary>
 internal static class CommandLine
 {
+    // With the format of pictures that are not given one.
+    private const string StandardOutput = "-.png";
+
     /// <summary>The program's name and version.</summary>
     public static string Version { get; } = $"raytracer {typeof(CommandLine).Assembly.GetName().Version!.ToString(3)}";
 
@@ -23,31 +26,33 @@ internal static class CommandLine
         typeof(CommandLine).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion.Split('+') is [_, { Length: >= 12 } commit] ? commit[..12] : null;
 
     // Each verb's options are made only where they are needed: making all of them takes longer than a small picture.
-    private static readonly (string Name, string Summary, Action<Command, Streams> Build)[] Verbs =
+    private static readonly Verb[] Verbs =
     [
-        ("render", "Renders a scene into image files.", RenderVerb.Build),
-        ("sweep", "Renders a scene with several values of its settings, as one labelled contact sheet.", SweepVerb.Build),
-        ("resume", "Resumes a film that was stopped, or adds samples to it.", ResumeVerb.Build),
-        ("merge", "Adds up films that hold different samples of one picture.", MergeVerb.Build),
-        ("cluster", "Writes the jobs of a cluster that render the parts of a picture, and merge them.", ClusterVerb.Build),
-        ("verify", "Renders an image or film again from what it says about its origin, and compares.", VerifyVerb.Build),
-        ("check", "Reports everything that is wrong with scene files.", CheckVerb.Build),
-        ("info", "Reports the contents and memory use of a scene or model, and what a film or image says about itself.", InfoVerb.Build),
-        ("explain", "Explains a part of the scene format: its meaning, unit, range and default.", ExplainVerb.Build),
-        ("convert", "Converts scenes of other formats to the native one, and images and films to other image formats.", ConvertVerb.Build),
-        ("compare", "Compares two images.", CompareVerb.Build),
-        ("compose", "Rebalances the lights of a rendered picture.", ComposeVerb.Build),
-        ("denoise", "Takes noise out of an image.", DenoiseVerb.Build),
-        ("view", "Shows an image in the terminal.", ViewVerb.Build),
-        ("bench", "Measures how many rays are traced per second.", BenchVerb.Build),
-        ("reproduce", "Renders the pictures and tables of the report that the project follows.", ReproduceVerb.Build),
-        ("studio", "Opens the Studio, where scenes are edited and viewed, in a browser window.", StudioVerb.Build),
-        ("schema", "Prints the JSON Schema of scene files.", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
-        ("completion", "Prints the script that lets a shell complete this command.", CompletionVerb.Build),
-        ("man", "Prints the manual page of this command, in the language of man(7).", ManVerb.Build),
-        ("reference", "Prints the reference page of the scene format, in Markdown.", (c, s) => c.SetAction(
+        new("render", "Renders a scene into image files.", "render scene.json -o picture.png", RenderVerb.Build),
+        new("sweep", "Renders a scene with several values of its settings, as one labelled contact sheet.", "sweep scene.json --set camera.fieldOfView=20,40 -o sheet.png", SweepVerb.Build),
+        new("resume", "Resumes a film that was stopped, or adds samples to it.", "resume film.rtfilm --spp 1024 -o picture.png", ResumeVerb.Build),
+        new("merge", "Adds up films that hold different samples of one picture.", "merge part1.rtfilm part2.rtfilm -o picture.exr", MergeVerb.Build),
+        new("cluster", "Writes the jobs of a cluster that render the parts of a picture, and merge them.", "cluster slurm scene.json --tasks 16 -o picture.exr", ClusterVerb.Build),
+        new("verify", "Renders an image or film again from what it says about its origin, and compares.", "verify picture.png", VerifyVerb.Build),
+        new("check", "Reports everything that is wrong with scene files.", "check scene.json", CheckVerb.Build),
+        new("info", "Reports the contents and memory use of a scene or model, and what a film or image says about itself.", "info picture.exr", InfoVerb.Build),
+        new("explain", "Explains a part of the scene format: its meaning, unit, range and default.", "explain camera.fieldOfView", ExplainVerb.Build),
+        new("convert", "Converts scenes of other formats to the native one, and images and films to other image formats.", "convert scene.xml scene.json", ConvertVerb.Build),
+        new("compare", "Compares two images.", "compare picture.png reference.png --side-by-side both.png", CompareVerb.Build),
+        new("compose", "Rebalances the lights of a rendered picture.", "compose layers.exr --light lamp=0.5 -o picture.png", ComposeVerb.Build),
+        new("denoise", "Takes noise out of an image.", "denoise noisy.exr -o clean.png", DenoiseVerb.Build),
+        new("view", "Shows an image in the terminal.", "view picture.png", ViewVerb.Build),
+        new("bench", "Measures how many rays are traced per second.", "bench scene.json", BenchVerb.Build),
+        new("reproduce", "Renders the pictures and tables of the report that the project follows.", "reproduce report -o folder --quick", ReproduceVerb.Build),
+        new("studio", "Opens the Studio, where scenes are edited and viewed, in a browser window.", "studio scene.json", StudioVerb.Build),
+        new("schema", "Prints the JSON Schema of scene files.", "schema > raytracer.schema.json", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
+        new("completion", "Prints the script that lets a shell complete this command.", "completion bash > raytracer.bash", CompletionVerb.Build),
+        new("man", "Prints the manual page of this command, in the language of man(7).", "man > raytracer.1", ManVerb.Build),
+        new("reference", "Prints the reference page of the scene format, in Markdown.", "reference > scene-format.md", (c, s) => c.SetAction(
             _ => s.Output.Write(SceneReference.Generate()))),
     ];
+
+    private sealed record Verb(string Name, string Summary, string Example, Action<Command, Streams> Build);
 
     /// <summary>Runs a command.</summary>
     /// <param name="args">The words after the program's name.</param>
@@ -57,13 +62,20 @@ internal static class CommandLine
     {
         Importers.Register();
         using InputFiles inputs = InputFiles.Begin();
+        args = args is ["help", .. var words] ? [.. words, "--help"] : [.. args.Select((word, i) => IsToOutput(args, i) ? StandardOutput : word)];
+        if (args.Where((word, i) => i > 0 && (args[i - 1] is "-o" or "--output") && AtomicFile.IsStandardOutput(word)).Any())
+        {
+            // The picture alone goes there.
+            streams = streams with { Output = TextWriter.Null };
+        }
+
         try
         {
             PluginFile.LoadAll(args);
             ParseResult result = Parse(args, streams);
             string? stray = Stray(result);
             string? empty = EmptyWord(result);
-            if ((stray is not null || empty is not null || result.Errors.Count > 0) && result.Action is not HelpAction)
+            if ((stray is not null || empty is not null || result.Errors.Count > 0) && result.Action is not HelpPage)
             {
                 return WrongUsage(result, stray, empty, streams);
             }
@@ -94,14 +106,14 @@ internal static class CommandLine
         Command command = new(v.Name, v.Summary);
         v.Build(command, streams);
         LimitOptions.AddTo(command);
-        return VerbHelp.Of(PluginOption.AddTo(command), Synopsis);
+        return VerbHelp.Of(PluginOption.AddTo(command), Synopsis, v.Example);
     })];
 
     private static Command Root(string? verb, Streams streams)
     {
         Command root = new("raytracer", $"A Monte Carlo ray tracer.\n\n{ExitStatus.Help}");
-        Option<bool> version = new("--version") { Description = "Shows the version, the commit and the number of vector lanes." };
-        root.Options.Add(new HelpOption());
+        Option<bool> version = new("--version", "-v") { Description = "Shows the version, the commit and the number of vector lanes." };
+        root.Options.Add(new HelpOption { Action = new HelpPage(streams, command => VerbHelp.Of(command, Synopsis, ExampleOf(command)).First()) });
         root.Options.Add(version);
         root.SetAction(result =>
         {
@@ -113,7 +125,7 @@ internal static class CommandLine
 
             streams.Output.WriteLine($"{Version} ({(Commit is { } commit ? $"commit {commit}, " : "")}{Vector<float>.Count} lanes)");
         });
-        foreach ((string name, string summary, Action<Command, Streams> build) in Verbs)
+        foreach ((string name, string summary, _, Action<Command, Streams> build) in Verbs)
         {
             Command command = new(name, summary);
             if (name == verb)
@@ -136,6 +148,12 @@ internal static class CommandLine
     public static string? Stray(ParseResult result)
     {
         HashSet<string> names = Names(result);
+        if (result.CommandResult.Command.Subcommands.Count > 0 && result.UnmatchedTokens is [not ['-', ..] and var verb, ..])
+        {
+            // Its options are not known either.
+            return verb;
+        }
+
         IEnumerable<string> arguments = result.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens)
             .Select(t => t.Value);
         return result.UnmatchedTokens.Concat(arguments)
@@ -171,13 +189,13 @@ internal static class CommandLine
     private static int WrongUsage(ParseResult result, string? stray, string? empty, Streams streams)
     {
         Command command = result.CommandResult.Command;
-        IEnumerable<string> verbs = Verbs.Select(v => v.Name);
+        IEnumerable<string> verbs = command.Subcommands.Select(c => c.Name);
         bool isRoot = command.Name == "raytracer";
         streams.Fail(stray switch
         {
-            null => empty ?? OneLine(result.Errors[0].Message),
+            null => empty ?? Missing(result) ?? OneLine(result.Errors[0].Message),
             ['-', ..] when !Names(result).Contains(stray) => UnknownOption(stray, command),
-            _ when isRoot =>
+            _ when verbs.Any() =>
                 $"unknown verb {Quotation.Of(stray)}{Spelling.DidYouMean(stray, verbs)}: expected one of {string.Join(", ", verbs)}",
             _ when OwnComplaint(result) is { } complaint => complaint,
             ['-', ..] => $"unexpected argument {Quotation.Of(stray)}: options must come before the word --",
@@ -185,6 +203,16 @@ internal static class CommandLine
         });
         streams.Error.WriteLine(isRoot ? "usage: raytracer VERB …, see raytracer --help" : $"usage: {Name(command)} {Synopsis(command)}, see {Name(command)} --help");
         return ExitStatus.Usage;
+    }
+
+    // Of what must be there, and is not.
+    private static string? Missing(ParseResult result)
+    {
+        Command command = result.CommandResult.Command;
+        Argument? argument = command.Arguments.FirstOrDefault(a => a.Arity.MinimumNumberOfValues > (result.GetResult(a)?.Tokens.Count ?? 0));
+        OptionResult? option = result.CommandResult.Children.OfType<OptionResult>().FirstOrDefault(o => o is { Implicit: false, Tokens.Count: 0 } && o.Option.Arity.MinimumNumberOfValues > 0);
+        return option is not null ? $"{option.IdentifierToken!.Value} {option.Option.HelpName}: the value is missing".Replace("  ", " ", StringComparison.Ordinal)
+            : argument is not null ? $"{argument.Name} is missing: {char.ToLowerInvariant(argument.Description![0])}{argument.Description[1..].TrimEnd('.')}" : null;
     }
 
     // What an option's value is wrong with, which may be another option that was taken for it.
@@ -211,6 +239,11 @@ internal static class CommandLine
         return command.Subcommands.Count > 0 ? string.Join('|', command.Subcommands.Select(c => c.Name))
             : string.Join(' ', words.Append("[options]"));
     }
+
+    private static string ExampleOf(Symbol command) => command.Parents.FirstOrDefault() is { Name: not "raytracer" } above ? ExampleOf(above)
+        : Verbs.FirstOrDefault(v => v.Name == command.Name)?.Example ?? "render scene.json -o picture.png";
+
+    private static bool IsToOutput(string[] args, int i) => i > 0 && args[i] == "-" && (args[i - 1] is "-o" or "--output");
 
     private static int Report(Exception e, Streams streams)
     {

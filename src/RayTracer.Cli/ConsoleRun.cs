@@ -89,9 +89,12 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
     /// <inheritdoc/>
     public IProgress<RenderProgress>? Begin(RenderDescription render) => _progress =
         ShowsPasses ? ProgressDisplay.Start(
-            new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, _job!.Writing.For(render)))
+            new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, _job!.Writing.For(render)) { Limit = Limit })
         : display.Quiet || _job?.Pixel is not null ? null
-        : ProgressDisplay.Start(streams);
+        : ProgressDisplay.Start(streams, Limit);
+
+    // It is the rendering's, which is the first that is shown.
+    private TimeSpan? Limit => _progress is null ? _job?.Time : null;
 
     /// <inheritdoc/>
     public void Offer(Film film, bool isLast) => (_progress as PreviewDisplay)?.Offer(film, isLast);

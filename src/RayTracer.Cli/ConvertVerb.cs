@@ -19,9 +19,6 @@ internal sealed class ConvertVerb
     private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = "The file to write, instead of TO." };
     private readonly ParsedOption<long?> _width = OptionValues.Integer("--width", "Images: scales down to this width; without --height, the aspect ratio is kept.", 1, int.MaxValue);
     private readonly ParsedOption<long?> _height = OptionValues.Integer("--height", "Images: the same, rows.", 1, int.MaxValue);
-    private readonly ParsedOption<ExrPixelType?> _exrType = OptionValues.Choice<ExrPixelType?>(
-        "--exr-type", $"{ImageFormat.Names(ImageFeatures.PixelType)}: the type of its numbers. Default: float, which loses nothing.",
-        ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]);
     private readonly JobOptionSet _settings;
     private readonly WritingOptions _writing;
     private readonly VerboseOption _verbose;
@@ -43,7 +40,7 @@ internal sealed class ConvertVerb
         command.SetAction(result => verb.Run(result, streams));
     }
 
-    private IEnumerable<Option> ForImages => [.. _writing.Looks, _exrType, _writing.ExrFilm, _width, _height];
+    private IEnumerable<Option> ForImages => [.. _writing.Looks, _writing.ExrFilm, _width, _height];
 
     private int Run(ParseResult result, Streams streams)
     {
@@ -108,8 +105,10 @@ internal sealed class ConvertVerb
 
         JobFiles.CheckFilm(target);
         _writing.WarnOfUnused(result, [target], streams);
-        WritingOptions.WarnOfUnused(result, _exrType, ImageFeatures.PixelType, [target], streams);
-        ImageWriteOptions writing = _writing.Writing(result, [target]) with { ExrPixelType = _exrType.Value(result) ?? ExrPixelType.Float };
+        ImageWriteOptions writing = _writing.Writing(result, [target]);
+
+        // Unless something else is wanted, nothing is lost.
+        writing = _writing.Has(result, JobOptions.ExrType) ? writing : writing with { ExrPixelType = ExrPixelType.Float };
         if (writing.TakesFilm(target))
         {
             return ConvertFilm(path, target, writing, result, stages);

@@ -1,21 +1,23 @@
 using System.CommandLine;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
+using RayTracer.Rendering;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
-/// <summary><c>raytracer denoise IMAGE -o FILE</c>: takes noise out of a picture that is there already.</summary>
+/// <summary><c>raytracer denoise IMAGE -o FILE</c>: takes noise out of a picture or film that is there already.</summary>
 internal sealed class DenoiseVerb
 {
     private readonly Argument<string> _image = new("IMAGE")
     {
-        Description = "An OpenEXR file, whose layers albedo and normal are used (render --aov albedo,normal), or any other image. Its noise is estimated from "
-            + "its pixels alone, which is worse than render --denoise: that knows two halves of the samples.",
+        Description = "A film that keeps two halves of its samples (render --halves); its scene is read too, for what the camera rays meet. Or an OpenEXR file, whose layers albedo "
+            + "and normal are used (render --aov albedo,normal), or any other image: its noise is estimated from its pixels alone, which is worse.",
     };
 
     private readonly Option<string?> _albedo = new("--albedo") { Description = "An image of the surfaces' colours. Default: the layer, if there is one.", HelpName = "FILE" };
     private readonly Option<string?> _normal = new("--normal") { Description = "An image of the normals. Default: the layer, if there is one.", HelpName = "FILE" };
+    private readonly Option<string?> _scene = new("--scene") { Description = "The scene file of a film, where it is no longer where it was.", HelpName = "SCENE" };
     private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "The number of threads. Default: one for each core.", 1, 1024);
     private readonly WritingOptions _writing;
     private readonly VerboseOption _verbose;
@@ -24,7 +26,7 @@ internal sealed class DenoiseVerb
     {
         command.Arguments.Add(_image);
         _writing = new(command, $"The image file: {ImageFormat.Endings()}. Repeatable.");
-        command.AddOptions([_albedo, _normal, _threads, .. _writing.Looks]);
+        command.AddOptions([_albedo, _normal, _scene, _threads, .. _writing.Looks]);
         _verbose = new(command);
     }
 
@@ -41,7 +43,65 @@ internal sealed class DenoiseVerb
         ImageWriteOptions writing = _writing.Writing(result) with { Metadata = PictureTexts.Of(CommandLine.Text(result)) };
         _writing.WarnOfUnused(result, outputs, streams);
         StageTimes stages = _verbose.Times(result, streams);
-        (Picture image, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
+        HeldFilm? film = CarriedFilm.Is(path) && CarriedFilm.Read(path) is var (header, held) ? new(header, held, path) : null;
+        bool isOfFilm = film is not null && (film.Film.Planes.Contains(FilmPlane.Half) || !HasGuides(result, path));
+        Picture? denoised = isOfFilm ? OfFilm(film!, result, stages, streams) : OfImage(path, result, stages, streams);
+        stages.EndDenoise();
+        if (denoised is null)
+        {
+            return SceneFile.FailureStatus(path);
+        }
+
+        writing = film is null ? writing.OfImage(path, ImageFile.ReadText(path)) : writing.With(film.Header.Tone);
+        int written = JobFiles.Write(outputs, denoised, writing, streams).Count;
+        stages.EndWrite();
+        return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+    }
+
+    private bool HasGuides(ParseResult result, string path) => result.GetValue(_albedo) is not null || result.GetValue(_normal) is not null
+        || (FilmExr.IsNamed(path) && FilmExr.OtherLayers(path).Any(l => l is "albedo" or "normal"));
+
+    private Picture? OfFilm(HeldFilm film, ParseResult result, StageTimes stages, Streams streams)
+    {
+        if (result.GetValue(_albedo) is not null || result.GetValue(_normal) is not null)
+        {
+            throw new CommandException(ExitStatus.Usage, "--albedo and --normal are for images: what the camera rays of a film meet is found in its scene: leave them out");
+        }
+
+        if (film.Header.Samples.Count == 0)
+        {
+            throw new CommandException(ExitStatus.InputOutput, $"'{film.Path}' holds no samples yet");
+        }
+
+        if (DecisionCheckpoint.Is(film.Header))
+        {
+            throw DecisionCheckpoint.NoPicture(film.Path);
+        }
+
+        if (Denoising.Of(film, result.GetValue(_scene), Threads(result), new ConsoleRun(new(Quiet: true), streams)) is not { } denoising)
+        {
+            return null;
+        }
+
+        stages.EndLoad();
+        if (film.Film.Planes.Contains(FilmPlane.Half))
+        {
+            return denoising.Denoise(film.Film, null)?.Picture ?? throw new CommandException(
+                ExitStatus.InputOutput, $"all samples of '{film.Path}' ({film.Header.SamplesText}) are of one of the two halves that are compared: merge it with others, or resume it");
+        }
+
+        streams.Warn($"'{film.Path}' does not keep two halves of its samples (render --halves), so that its noise is estimated from its pixels alone, which is worse");
+        return denoising.DenoiseWhole(film.Film);
+    }
+
+    private Picture OfImage(string path, ParseResult result, StageTimes stages, Streams streams)
+    {
+        if (result.GetValue(_scene) is not null)
+        {
+            throw new CommandException(ExitStatus.Usage, $"--scene is for films: '{path}' is an image, whose guides are layers, --albedo and --normal");
+        }
+
+        (Picture image, _, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
         Picture? albedo = Guide(path, image, layers, result.GetValue(_albedo), ["albedo.R", "albedo.G", "albedo.B"], isColor: true);
         Picture? normal = Guide(path, image, layers, result.GetValue(_normal), ["normal.X", "normal.Y", "normal.Z"], isColor: false);
         if (albedo is null && normal is null)
@@ -51,12 +111,10 @@ internal sealed class DenoiseVerb
         }
 
         stages.EndLoad();
-        Picture denoised = Denoiser.Denoise(image, albedo, normal, (int)(_threads.Value(result) ?? 0));
-        stages.EndDenoise();
-        int written = JobFiles.Write(outputs, denoised, writing.OfImage(path, texts), streams).Count;
-        stages.EndWrite();
-        return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+        return Denoiser.Denoise(image, albedo, normal, Threads(result));
     }
+
+    private int Threads(ParseResult result) => (int)(_threads.Value(result) ?? 0);
 
     private static Picture? Guide(string path, Picture image, IReadOnlyList<ExrLayerChannel> layers, string? file, string[] channels, bool isColor)
     {

@@ -55,6 +55,11 @@ internal static class FilmInfo
             output.WriteLine($"crop       {crop.X},{crop.Y},{crop.Width},{crop.Height}");
         }
 
+        if (header.Planes.Count > 0)
+        {
+            output.WriteLine($"planes     {PlainText.Of(string.Join(", ", header.Planes))}");
+        }
+
         output.WriteLine($"scene      {PlainText.Of(header.Scene)}");
         if (OldFilms.Settings(header) is { Count: > 0 } settings)
         {
@@ -81,6 +86,7 @@ internal static class FilmInfo
             ["totalSamples"] = header.Total,
             ["complete"] = header.IsComplete,
             ["crop"] = header.Crop is { } crop ? new JsonArray(crop.X, crop.Y, crop.Width, crop.Height) : null,
+            ["planes"] = JsonText.List(header.Planes.Select(p => p.Name)),
             ["scene"] = header.Scene,
             ["settings"] = JsonText.List(OldFilms.Settings(header)),
             ["software"] = header.Software,

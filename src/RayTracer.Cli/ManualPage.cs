@@ -47,6 +47,7 @@ internal static class ManualPage
             page.Append(CultureInfo.InvariantCulture, $".TP\n.I {Text(name)}\n{Text(summary)}\n");
         }
 
+        page.Append(CultureInfo.InvariantCulture, $".TP\nExample\n.B {Text(verb.Example)}\n");
         foreach (OptionHelp option in verb.Options)
         {
             string names = string.Join(", ", option.Names.Select(n => $"\\fB{Text(n)}\\fR"));

@@ -51,6 +51,11 @@ internal sealed class MergeVerb
             streams.Warn(missing);
         }
 
+        foreach ((string path, FilmPlane plane) in merge.Lost)
+        {
+            streams.Warn($"'{path}' has no plane '{plane}' as others have, so that what is merged has none (render --halves)");
+        }
+
         UnfinishedFilms.Check(outputs, replacement: merge.Header);
         stages.End("headers");
         Film film = merge.Add();

@@ -45,7 +45,7 @@ internal sealed class PreviewDisplay(TextWriter error, TerminalGraphics graphics
         error.Write(HideCursor + (IsGraphic ? "\e[2J" : ""));
         while (!Wait(Interval))
         {
-            Paint($"{100 * Fraction:F0} %, {Pace}");
+            Paint($"{100 * Fraction:F0} %{Pace}");
         }
 
         Paint("");

@@ -17,6 +17,8 @@ internal sealed class ProgressBar(TextWriter error) : ProgressDisplay
         }
     }
 
+    private string Text => Pace.TrimStart(',', ' ');
+
     private void Draw()
     {
         IAnsiConsole console = AnsiConsole.Create(new() { Out = new AnsiConsoleOutput(error) });
@@ -25,11 +27,11 @@ internal sealed class ProgressBar(TextWriter error) : ProgressDisplay
             .Columns(new ProgressBarColumn(), new PercentageColumn(), new TaskDescriptionColumn())
             .Start(context =>
             {
-                ProgressTask task = context.AddTask(Pace, maxValue: 1);
+                ProgressTask task = context.AddTask(Text, maxValue: 1);
                 while (!Wait(Interval))
                 {
                     task.Value = Fraction;
-                    task.Description = Pace;
+                    task.Description = Text;
                 }
             });
     }

@@ -16,18 +16,23 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
 
     private protected ProgressDisplay() => _thread = new(Show) { IsBackground = true };
 
-    /// <summary>The progress of the rendering, 0 to 1.</summary>
-    private protected double Fraction => Latest is { PathsTotal: > 0 } latest ? latest.Fraction : 0;
+    /// <summary>The time at which the rendering ends at the latest; null for none.</summary>
+    public TimeSpan? Limit { get; init; }
 
-    /// <summary>The speed of the rendering, and the time that it will take.</summary>
+    /// <summary>The progress of the rendering, 0 to 1; 0 where it is not known.</summary>
+    private protected double Fraction => double.Clamp(double.Max(Known(Latest), _watch.Elapsed / Limit ?? 0), 0, 1);
+
+    /// <summary>The speed of the rendering, and the time until the last sample or the limit, whichever comes first; without it where it is not known.</summary>
     private protected string Pace
     {
         get
         {
             RenderProgress latest = Latest;
             double seconds = _watch.Elapsed.TotalSeconds;
-            string left = latest.PathsDone == 0 ? "?" : Duration(seconds * (1 - latest.Fraction) / latest.Fraction);
-            return latest.Rays > 0 ? $"{latest.Rays / seconds / 1e6:F1} M rays/s, {left} left" : $"{left} left";
+            double last = Known(latest) is > 0 and var fraction ? seconds * (1 - fraction) / fraction : double.PositiveInfinity;
+            double left = double.Min(last, Limit is { } limit ? double.Max(0, limit.TotalSeconds - seconds) : double.PositiveInfinity);
+            string speed = latest.Rays > 0 ? $", {latest.Rays / seconds / 1e6:F1} M rays/s" : "";
+            return double.IsFinite(left) ? $"{speed}, {Duration(left)} left" : speed;
         }
     }
 
@@ -43,8 +48,8 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
     }
 
     /// <summary>Begins to show progress: as a bar on a terminal, else in lines.</summary>
-    public static ProgressDisplay Start(Streams streams) =>
-        Start(streams.HasTerminal ? new ProgressBar(streams.Error) : new ProgressLines(streams.Error));
+    public static ProgressDisplay Start(Streams streams, TimeSpan? limit = null) =>
+        Start(streams.HasTerminal ? new ProgressBar(streams.Error) { Limit = limit } : new ProgressLines(streams.Error) { Limit = limit });
 
     /// <summary>Begins to show progress in another way.</summary>
     public static ProgressDisplay Start(ProgressDisplay display)
@@ -58,7 +63,8 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
     {
         lock (_lock)
         {
-            if (value.PathsDone > _latest.PathsDone)
+            // What the samples that decide foretell changes.
+            if (value.PathsDone > _latest.PathsDone || value.PathsTotal != _latest.PathsTotal)
             {
                 _latest = value;
             }
@@ -81,6 +87,8 @@ internal abstract class ProgressDisplay : IProgress<RenderProgress>, IDisposable
 
     /// <summary>Waits; true if the rendering has ended.</summary>
     private protected bool Wait(int milliseconds) => _ended.Wait(milliseconds);
+
+    private static double Known(RenderProgress progress) => progress.PathsTotal > 0 ? progress.Fraction : 0;
 
     private static string Duration(double seconds) =>
         seconds < 60 ? $"{seconds:F0} s" : seconds < 3600 ? $"{seconds / 60:F0} min" : $"{seconds / 3600:F1} h";

@@ -9,7 +9,7 @@ internal sealed class ProgressLines(TextWriter error) : ProgressDisplay
     {
         while (!Wait(Interval))
         {
-            error.WriteLine($"{100 * Fraction:F0} %, {Pace}");
+            error.WriteLine($"{100 * Fraction:F0} %{Pace}");
         }
     }
 }

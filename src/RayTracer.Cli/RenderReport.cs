@@ -74,7 +74,7 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
         output.WriteLine($"{_statistics.Paths:N0} paths and {_statistics.Rays:N0} rays in {result.Seconds:F2} s, {result.RaysPerSecond / 1e6:F1} M rays/s; {totalSeconds:F2} s in all");
         if (result.Plan is { } plan)
         {
-            output.WriteLine($"estimated relative error {100 * plan.Error:G3} %, decided with {plan.Statistics.Paths:N0} of these paths");
+            output.WriteLine($"the noise is about {100 * plan.Error:G3} % of the picture's brightness; {plan.Statistics.Paths:N0} of these paths were rendered to estimate that");
         }
 
         if (result.Header is { IsComplete: false } header && !_statistics.Cancelled)

@@ -9,6 +9,7 @@ namespace RayTracer.Cli;
 internal sealed class ResumeVerb
 {
     private static readonly JobOption s_samples = JobOptions.Find("--spp")!;
+    private static readonly JobOption s_denoise = JobOptions.Find("--denoise")!;
     private static readonly JobOption s_time = JobOptions.Find("--time")!;
     private readonly Argument<string> _file = new("FILE")
     {
@@ -25,7 +26,7 @@ internal sealed class ResumeVerb
     {
         command.Arguments.Add(_file);
         _writing = new(command);
-        _options = new(command, [s_samples, JobOptions.Threads]);
+        _options = new(command, [s_samples, JobOptions.Threads, s_denoise]);
         command.AddOptions([_scene, .. _writing.Looks, _writing.ExrFilm]);
 
         _long = new(command, JobOptions.OfLongRenders.Select(o => o.Name == "--checkpoint" ? o with { Description = "Writes the film to this file now and then; without it, to FILE." } : o));
@@ -51,18 +52,21 @@ internal sealed class ResumeVerb
             Frames = origin.Frames,
             Noise = origin.Noise,
             Crop = origin.Crop,
+            Halves = origin.Halves,
             Outputs = _writing.Files(result),
             Writing = Writing(result, file),
         };
         int? samples = given.GivenSamples;
         job = DecisionCheckpoint.Is(film.Header) ? Decide(job, film, samples) : Continue(job, film, samples, streams);
-        if (job.Checkpoint == file && FilmExr.Is(file))
-        {
-            CheckLayers(file);
-        }
-        else if (JobRules.Complaint(job with { Outputs = [], Writing = new() }) is { } complaint)
+        bool isImage = job.Checkpoint == file && FilmExr.Is(file);
+        if (JobRules.Complaint(job with { Checkpoint = isImage ? null : job.Checkpoint, Writing = new() }, "--json") is { } complaint)
         {
             throw new CommandException(ExitStatus.Usage, complaint);
+        }
+
+        if (isImage)
+        {
+            CheckLayers(file);
         }
 
         Display display = _display.Of(result);

@@ -8,8 +8,14 @@ namespace RayTracer.Cli;
 /// <summary>Loads scene files for the verbs.</summary>
 internal static class SceneFile
 {
+    /// <summary>The name of standard input as a scene, in commands.</summary>
+    public const string Input = "-";
+
+    /// <summary>Returns how messages call a scene.</summary>
+    public static string Name(string path) => path == Input ? "<stdin>" : path;
+
     /// <summary>Loads a scene without a word, but of how long it takes.</summary>
-    /// <param name="path">The scene file.</param>
+    /// <param name="path">The scene file; <see cref="Input"/> for standard input.</param>
     /// <param name="stages">Takes the ends of reading the file, and of building the scene.</param>
     /// <param name="readPicture">Reads pictures; null for <see cref="ImageFile.Read"/>.</param>
     /// <param name="settings">Values to put in the place of the file's; may be null.</param>
@@ -19,16 +25,19 @@ internal static class SceneFile
         Func<SceneDescription, SceneDescription>? change = null)
     {
         Action end = stages.EndLoad;
-        SceneLoadResult result = SceneLoader.Load(path, scene =>
-        {
-            stages.EndLoad();
-            end = stages.EndBuild;
-            return change?.Invoke(scene) ?? scene;
-        }, readPicture, settings);
+        ReadScene read = path == Input ? SceneLoader.ReadText(Console.In.ReadToEnd(), Name(path), "", settings) : SceneLoader.Read(path, settings);
+        SceneLoadResult result = read.Build(
+            scene =>
+            {
+                stages.EndLoad();
+                end = stages.EndBuild;
+                return change?.Invoke(scene) ?? scene;
+            },
+            readPicture);
         end();
         return result;
     }
 
     /// <summary>Returns the exit status for a scene that could not be loaded.</summary>
-    public static int FailureStatus(string path) => File.Exists(path) ? ExitStatus.Scene : ExitStatus.InputOutput;
+    public static int FailureStatus(string path) => path == Input || File.Exists(path) ? ExitStatus.Scene : ExitStatus.InputOutput;
 }

@@ -10,7 +10,8 @@ namespace RayTracer.Cli;
 /// <param name="Arguments">The words that are no options, and what they mean.</param>
 /// <param name="Choices">What the words that are no options may be; empty where they are files or anything else.</param>
 /// <param name="Options">Its options.</param>
-internal sealed record VerbHelp(string Name, string Summary, string Synopsis, IReadOnlyList<(string Name, string Summary)> Arguments, IReadOnlyList<string> Choices, IReadOnlyList<OptionHelp> Options)
+/// <param name="Example">A command, without the program's name.</param>
+internal sealed record VerbHelp(string Name, string Summary, string Synopsis, IReadOnlyList<(string Name, string Summary)> Arguments, IReadOnlyList<string> Choices, IReadOnlyList<OptionHelp> Options, string Example)
 {
     /// <summary>True if verbs are below it.</summary>
     public bool HasVerbs { get; private init; }
@@ -18,17 +19,19 @@ internal sealed record VerbHelp(string Name, string Summary, string Synopsis, IR
     /// <summary>Describes a verb, and after it those below it.</summary>
     /// <param name="command">The verb, with its options made.</param>
     /// <param name="synopsis">Returns what stands after a verb.</param>
-    public static IEnumerable<VerbHelp> Of(Command command, Func<Command, string> synopsis) =>
-        [One(command, command.Name, synopsis), .. command.Subcommands.Select(c => One(c, $"{command.Name} {c.Name}", synopsis))];
+    /// <param name="example">A command.</param>
+    public static IEnumerable<VerbHelp> Of(Command command, Func<Command, string> synopsis, string example) =>
+        [One(command, command.Name, synopsis, example), .. command.Subcommands.Select(c => One(c, $"{command.Name} {c.Name}", synopsis, example))];
 
-    private static VerbHelp One(Command command, string name, Func<Command, string> synopsis) => new(
+    private static VerbHelp One(Command command, string name, Func<Command, string> synopsis, string example) => new(
         name,
         command.Description ?? "",
         synopsis(command),
         [.. command.Arguments.Select(a => (a.Name, a.Description ?? ""))],
         [.. command.Subcommands.Select(c => c.Name), .. command.Arguments.SelectMany(a => OptionHelp.WordsOf(a.Name))],
         [.. command.Options.Where(o => o is not HelpOption).Select(o => new OptionHelp(
-            [o.Name, .. o.Aliases], o.ValueType == typeof(bool) ? null : o.HelpName ?? "VALUE", o.Description ?? "", o.ValueType.IsArray))])
+            [o.Name, .. o.Aliases], o.ValueType == typeof(bool) ? null : o.HelpName ?? "VALUE", o.Description ?? "", o.ValueType.IsArray))],
+        $"raytracer {example}")
     {
         HasVerbs = command.Subcommands.Count > 0,
     };

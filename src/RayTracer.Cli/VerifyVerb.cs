@@ -56,7 +56,7 @@ internal static class VerifyVerb
                 return signals.Status;
             }
 
-            whole ??= new(result.Film.Width, result.Film.Height);
+            whole ??= new(result.Film.Width, result.Film.Height, result.Film.Planes);
             whole.Merge(result.Film);
         }
 

@@ -68,6 +68,9 @@ internal sealed class WritingOptions
         }
     }
 
+    /// <summary>Returns whether an option was given.</summary>
+    public bool Has(ParseResult result, JobOption option) => _options.Has(result, option.Name);
+
     /// <summary>The options that were given, as words of a command line.</summary>
     public IEnumerable<string> Words(ParseResult result) => _options.Words(result);
 

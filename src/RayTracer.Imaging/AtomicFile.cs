@@ -26,6 +26,12 @@ internal static class AtomicFile
         string? temporary = null;
         try
         {
+            if (IsStandardOutput(path))
+            {
+                WriteOut(write);
+                return;
+            }
+
             string target = Target(path);
             temporary = Temporary(target);
             using (var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Delete, 1 << 16))
@@ -59,7 +65,7 @@ internal static class AtomicFile
     {
         try
         {
-            Target(path);
+            _ = IsStandardOutput(path) ? path : Target(path);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
         {
@@ -75,6 +81,11 @@ internal static class AtomicFile
     /// <exception cref="ImageWriteException">The file cannot be written there.</exception>
     public static void Try(string path)
     {
+        if (IsStandardOutput(path))
+        {
+            return;
+        }
+
         string? probe = null;
         try
         {
@@ -113,9 +124,21 @@ internal static class AtomicFile
         }
     }
 
+    /// <summary>Returns whether a name stands for standard output, in the format of its extension: <c>-.png</c>.</summary>
+    public static bool IsStandardOutput(string path) => path.StartsWith("-.", StringComparison.Ordinal) && Path.GetFileNameWithoutExtension(path) == "-";
+
     /// <summary>A name for a temporary file in the folder of the file that it becomes: a different one for every writer.</summary>
     public static string Temporary(string target) =>
         Path.Combine(Path.GetDirectoryName(target)!, $"{Start(target)}.{Guid.NewGuid():N}{Ending}");
+
+    // Formats go back to what they wrote, which a pipe cannot.
+    private static void WriteOut(Action<Stream> write)
+    {
+        using MemoryStream whole = new();
+        write(whole);
+        using Stream output = Console.OpenStandardOutput();
+        whole.WriteTo(output);
+    }
 
     // The rights that the owner of the old file gave: what nobody else may read stays so.
     private static void KeepMode(string target, FileStream stream)

@@ -121,10 +121,11 @@ public static class ImageFile
 
     /// <summary>Checks before a long computation that the extension is known and the folder exists.</summary>
     /// <param name="path">Where an image is to be written.</param>
+    /// <param name="others">Extensions of files that are no images, and would do too.</param>
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>
-    public static void Check(string path)
+    public static void Check(string path, params string[] others)
     {
-        Named(path);
+        Named(path, others);
         AtomicFile.Check(path);
     }
 
@@ -136,7 +137,7 @@ public static class ImageFile
 
     private const int LongestExtension = 16;
 
-    private static ImageFormat Named(string path)
+    private static ImageFormat Named(string path, params string[] others)
     {
         if (ImageFormat.OfName(path) is { } format)
         {
@@ -144,7 +145,7 @@ public static class ImageFile
         }
 
         string extension = Path.GetExtension(path).ToLowerInvariant();
-        string[] all = [.. ImageFormat.Written().SelectMany(f => f.Extensions)];
+        string[] all = [.. ImageFormat.Written().SelectMany(f => f.Extensions), .. others];
         string has = extension.Length > 0 ? $"the extension '{extension}' is none of" : "its name has none of the extensions";
         string? nearest = extension.Length > LongestExtension ? null
             : all.Where(known => EditDistance.Between(extension, known) <= 2).MinBy(known => EditDistance.Between(extension, known));

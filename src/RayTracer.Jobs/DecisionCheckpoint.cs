@@ -42,7 +42,9 @@ public sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader pictu
             Width = state.Film.Width,
             Height = state.Film.Height,
             Crop = null,
-            Settings = [.. picture.Settings, .. JobOptions.Kept(new() { Scene = "", Crop = picture.Crop }, JobOptionUse.Pictures)],
+            Settings = [.. picture.Settings, .. JobOptions.Kept(
+                new() { Scene = "", Crop = picture.Crop, Halves = picture.Planes.Contains(FilmPlane.Half) }, JobOptionUse.Pictures)],
+            Planes = [],
             Content = _content,
             Samples = [new(0, state.Samples)],
             Wanted = new(0, 2 * state.Target),

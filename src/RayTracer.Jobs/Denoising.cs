@@ -1,54 +1,71 @@
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
+using RayTracer.Scenes;
+using RayTracer.Textures;
 
 namespace RayTracer.Jobs;
 
-/// <summary>Keeps two halves of a picture's samples apart while it is rendered, and denoises it. The film is the same to the bit as without.</summary>
-internal sealed class Denoising
+/// <summary>
+/// Denoises a film that keeps two halves of its samples (<see cref="FilmPlane.Half"/>). What the camera rays meet is found by rays of their
+/// own, afterwards: so films need not keep it.
+/// </summary>
+/// <param name="scene">The scene that the film shows.</param>
+/// <param name="options">How it was computed, and from which sample on.</param>
+public sealed class Denoising(Scene scene, RenderOptions options)
 {
-    // So many samples of a half know the surfaces well enough.
-    private const int MostFeatureSamples = 64;
-
-    private readonly int[] _features = new int[2];
-    private readonly Scene _scene;
-    private readonly HalfRender[] _halves;
-
-    private Denoising(Scene scene)
-    {
-        _scene = scene;
-        RenderDescription render = scene.Render;
-        _halves = [HalfRender.Create(render.Width, render.Height), HalfRender.Create(render.Width, render.Height)];
-    }
+    private const int MostSamples = 128;
 
     /// <summary>Memory of what is needed besides the film, in bytes.</summary>
     public static long Bytes(int width, int height) =>
         (2 * (FilmMemory.Bytes(width, height) + AovFilm.Bytes(HalfRender.Kinds, width, height))) + (Denoiser.BytesPerPixel * (long)width * height);
 
-    /// <summary>Prepares.</summary>
-    /// <exception cref="JobException">There are too few samples.</exception>
-    public static Denoising Create(Scene scene) => scene.Render.SamplesPerPixel > 1
-        ? new(scene)
-        : throw new JobException(JobFault.Request, "--denoise compares two halves of the samples, but there is only 1 a pixel: give --spp 2 or more");
-
-    /// <summary>The films of the halves.</summary>
-    public SampleHalves Films => new([.. _halves.Select(h => h.Film)]);
-
-    /// <summary>The denoised picture; null where the rendering was stopped before both halves had samples.</summary>
-    public DenoiseResult? Denoise(int threads, IProgress<double>? progress) =>
-        _halves.All(h => h.Film.TotalSamples > 0) ? Denoiser.Denoise(_halves[0], _halves[1], threads, progress: progress) : null;
-
-    /// <summary>Adds the surfaces that a pass has met.</summary>
-    /// <param name="pass">The samples of the pass.</param>
-    /// <param name="options">How to compute it, with all samples.</param>
-    public void Add(SampleRange pass, RenderOptions options)
+    /// <summary>Prepares for a film in a file, whose scene is loaded for that; null where the scene is wrong, which was reported.</summary>
+    /// <param name="film">The film.</param>
+    /// <param name="scene">The scene's file, where it is no longer where it was; else null.</param>
+    /// <param name="threads">The number of threads.</param>
+    /// <param name="watch">Takes what there is to report.</param>
+    /// <exception cref="JobException">The scene is another.</exception>
+    public static Denoising? Of(HeldFilm film, string? scene, int threads, IJobWatch watch)
     {
-        (int half, _) = SampleHalves.Turn(pass.First, options.Samples!.Value);
-        int count = Math.Min(pass.Count, MostFeatureSamples - _features[half]);
-        if (count > 0)
+        FilmHeader header = film.Header;
+        RenderJob job = JobOrigin.Of(header, film.Path).WithSamples(header.Total);
+        job = job with { Scene = scene ?? job.Scene };
+        SceneLoadResult load = job.Load();
+        watch.Read(load.Diagnostics);
+        if (load is not { Scene: { } built, Description: { } description })
         {
-            new FirstHitPass(_scene, options with { Samples = new(pass.First, pass.First + count) }).Render(_halves[half].Features);
-            _features[half] += count;
+            return null;
         }
+
+        string content = OldFilms.Current(header, description, job.Scene, header.Crop).Content;
+        return content == ContentHash.Of(description, job.Scene, header.Crop)
+            ? new(built, new() { Threads = threads, Crop = header.Crop, Samples = header.Samples[0] }) : throw LoadedJob.OtherScene(job.Scene);
+    }
+
+    /// <summary>Returns the denoised picture; null where a half has no samples.</summary>
+    /// <param name="film">The film.</param>
+    /// <param name="progress">Takes how much is done, 0 to 1; may be null.</param>
+    public DenoiseResult? Denoise(Film film, IProgress<double>? progress)
+    {
+        (HalfRender first, HalfRender second) = HalfRender.Of(scene, options with { Samples = SamplesOf(film) }, film);
+        return first.Film.TotalSamples > 0 && second.Film.TotalSamples > 0 ? Denoiser.Denoise(first, second, options.Threads, progress) : null;
+    }
+
+    /// <summary>Returns the denoised picture of a film that keeps no halves: its noise is estimated from its pixels, which is worse.</summary>
+    /// <param name="film">The film.</param>
+    public Picture DenoiseWhole(Film film)
+    {
+        AovFilm features = new(film, HalfRender.Kinds);
+        new FirstHitPass(scene, options with { Samples = SamplesOf(film) }).Render(features);
+        return Denoiser.Denoise(new HalfRender(film, features), options.Threads);
+    }
+
+    // No more than a pixel of the film has, and enough to know the surfaces: looking for them must not take longer than the picture.
+    private SampleRange SamplesOf(Film film)
+    {
+        int first = options.Samples?.First ?? 0;
+        long pixels = options.Crop?.Pixels ?? ((long)film.Width * film.Height);
+        return new(first, first + (int)Math.Clamp((film.TotalSamples + pixels - 1) / pixels, 1, MostSamples));
     }
 }

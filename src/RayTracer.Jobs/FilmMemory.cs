@@ -7,7 +7,11 @@ namespace RayTracer.Jobs;
 public static class FilmMemory
 {
     /// <summary>Memory of a film in bytes.</summary>
-    public static long Bytes(int width, int height) => (long)Film.BytesPerPixel * width * height;
+    /// <param name="width">Width in pixels.</param>
+    /// <param name="height">Height in pixels.</param>
+    /// <param name="planes">What it holds beside its picture.</param>
+    public static long Bytes(int width, int height, params IReadOnlyList<FilmPlane> planes) =>
+        (Film.BytesPerPixel + (16L * planes.Sum(p => p.Sums.Count))) * width * height;
 
     /// <summary>A number of bytes for people.</summary>
     public static string Text(long bytes)

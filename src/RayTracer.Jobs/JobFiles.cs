@@ -17,7 +17,7 @@ public static class JobFiles
 
     /// <summary>As <see cref="Check(string)"/>, of a file that the film itself may be written to.</summary>
     /// <inheritdoc cref="Check(string)"/>
-    public static void CheckFilm(string path) => Check(path, FilmFile.IsNamed(path));
+    public static void CheckFilm(string path) => Check(path, FilmFile.IsNamed(path), FilmFile.Extension);
 
     /// <summary>As <see cref="Check(string)"/>, whatever the extension.</summary>
     /// <inheritdoc cref="Check(string)"/>
@@ -40,14 +40,14 @@ public static class JobFiles
         }
     }
 
-    private static void Check(string path, bool isFilm)
+    private static void Check(string path, bool isFilm, params string[] others)
     {
         AtomicFile.Check(path);
         try
         {
             if (!isFilm)
             {
-                ImageFile.Check(path);
+                ImageFile.Check(path, others);
             }
         }
         catch (ImageWriteException e)

@@ -4,7 +4,7 @@ using RayTracer.Rendering;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// The films that a job renders into: the picture's, auxiliary images, layers of light, and the halves that a denoised picture is made of.
+/// The films that a job renders into: the picture's, auxiliary images and layers of light.
 /// </summary>
 internal sealed class JobFilms
 {
@@ -22,7 +22,7 @@ internal sealed class JobFilms
 
         Light = job.Layers.Count > 0 ? LightOf(job, scene, Film) : null;
         Auxiliary = new(Film, job.Aovs);
-        Denoising = job.Denoise ? Denoising.Create(scene) : null;
+        CheckHalves(job, scene);
     }
 
     /// <summary>The film.</summary>
@@ -34,16 +34,33 @@ internal sealed class JobFilms
     /// <summary>The auxiliary images.</summary>
     public AovFilm Auxiliary { get; }
 
-    /// <summary>The halves of the samples; null where no denoised picture is wanted.</summary>
-    public Denoising? Denoising { get; }
+    // Two halves of the samples, where they are compared or kept.
+    private static IReadOnlyList<FilmPlane> PlanesOf(RenderJob job) => job.Denoise || job.Halves ? [FilmPlane.Half] : [];
+
+    private static void CheckHalves(RenderJob job, Scene scene)
+    {
+        if (PlanesOf(job).Except(job.Resumed?.Film.Planes ?? PlanesOf(job)).Any())
+        {
+            string path = job.Resumed!.Path;
+            throw new JobException(
+                JobFault.File, $"'{path}' does not keep two halves of its samples, which --denoise compares: render it from scratch with --halves, or estimate its noise otherwise, "
+                + $"which is worse: \"raytracer denoise {path}\"");
+        }
+
+        if (job.Denoise && scene.Render.SamplesPerPixel < 2)
+        {
+            throw new JobException(JobFault.Request, "--denoise compares two halves of the samples, but there is only 1 a pixel: give --spp 2 or more");
+        }
+    }
 
     private static Film FilmOf(RenderJob job, Scene scene)
     {
         (int width, int height) = (scene.Render.Width, scene.Render.Height);
-        long bytes = FilmMemory.Bytes(width, height) + ((long)PassCell.BytesPerPixel * width * height) + AovFilm.Bytes(job.Aovs, width, height)
+        IReadOnlyList<FilmPlane> planes = PlanesOf(job);
+        long bytes = FilmMemory.Bytes(width, height, planes) + ((long)PassCell.BytesPerPixel * width * height) + AovFilm.Bytes(job.Aovs, width, height)
             + LightPathAovFilm.Bytes(job.Layers, scene) + (job.Denoise ? Denoising.Bytes(width, height) : 0);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
-        return bytes <= available && (long)width * height <= Film.MaxPixels ? new(width, height) : throw new JobException(
+        return bytes <= available && (long)width * height <= Film.MaxPixels ? new(width, height, planes) : throw new JobException(
             JobFault.File, $"a film of {width}×{height} pixels takes {FilmMemory.Text(bytes)} of memory, more than is available ({FilmMemory.Text(available)})");
     }
 

@@ -83,6 +83,11 @@ public static class JobOptions
         Up, Set,
     ];
 
+    /// <summary>The type of the picture's numbers.</summary>
+    public static JobOption ExrType { get; } = new("--exr-type", "half|float", $"{ImageFormat.Names(ImageFeatures.PixelType)}: the type of the picture's numbers; half without it (convert: float).",
+        (j, w) => Written(j, o => o with { ExrPixelType = W.Choice(w, ["half", "float"], [ExrPixelType.Half, ExrPixelType.Float]) }), j => j.Writing.ExrPixelType == ExrPixelType.Half ? null : "float")
+    { Use = JobOptionUse.Pictures, Feature = ImageFeatures.PixelType };
+
     /// <summary>Those of how pictures look.</summary>
     public static IReadOnlyList<JobOption> OfLooks { get; } =
     [
@@ -105,6 +110,7 @@ public static class JobOptions
             (j, w) => Written(j, o => o with { JpegChroma = W.Choice(w, W.Of<JpegChroma>(), Enum.GetValues<JpegChroma>()) }), j =>
                 j.Writing.JpegChroma?.ToString().ToLowerInvariant())
         { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Chroma },
+        ExrType,
     ];
 
     /// <summary>The option that images carry the film; of verbs that have it.</summary>
@@ -150,6 +156,8 @@ public static class JobOptions
             + "(emission to lights, which is one for each light). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", PutAovs, AovText) { Use = JobOptionUse.Pictures },
         new("--denoise", null, "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png).",
             (j, _) => j with { Denoise = true }, j => Flag(j.Denoise)) { Use = JobOptionUse.Pictures },
+        new("--halves", null, "Films keep two halves of the samples apart, for the verb denoise, and for resume and merge with --denoise; which implies it.",
+            (j, _) => j with { Halves = true }, j => Flag(j.Planes.Contains(FilmPlane.Half))) { Use = JobOptionUse.Pictures },
         new("--noise", "X%", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: "
             + "stratified samplers (sobol) come out better.", (j, w) =>
                 j with { Noise = W.Fraction(w) }, j => Text(j.Noise, null)) { Use = JobOptionUse.Films },

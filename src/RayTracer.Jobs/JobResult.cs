@@ -20,8 +20,8 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>True if all files that were asked for were written, and the latest checkpoint.</summary>
     public bool IsWritten { get; init; }
 
-    /// <summary>The film's hash.</summary>
-    public string Hash => _hash ??= Film.ComputeHash();
+    /// <summary>The hash of the film as files keep it: of halves of the samples, only where they do.</summary>
+    public string Hash => _hash ??= Film.ComputeHash(Header?.Planes ?? []);
 
     /// <summary>The decision on the numbers of samples; null where they were given.</summary>
     public SamplePlan? Plan { get; init; }
@@ -44,8 +44,8 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>The layers of light; null where there are none.</summary>
     public LightPathAovFilm? Light { get; init; }
 
-    /// <summary>The halves that a denoised picture is made of; null where none is wanted.</summary>
-    internal Denoising? Denoising { get; init; }
+    /// <summary>Denoises the film; null where no denoised picture is wanted.</summary>
+    public Denoising? Denoising { get; init; }
 
     /// <summary>The denoised picture; null where there is none.</summary>
     public DenoiseResult? Denoised { get; init; }

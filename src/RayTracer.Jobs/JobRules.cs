@@ -33,7 +33,7 @@ public static class JobRules
         ("--noise", "--samples|--part", "--noise decides how many samples there are: leave --samples and --part out"),
         ("--samples", "--part", "--samples and --part cannot go together"),
         ("--pixel", "--samples|--part|--time|--checkpoint", "--pixel goes with --sample only: leave --samples, --part, --time and --checkpoint out"),
-        ("--denoise", "--resume", "--denoise compares two halves of all samples, which a film that is resumed does not keep apart: leave one of them out"),
+        ("--halves", "no film in a file", "--halves is for films, but none is written: give -o FILE.rtfilm, --checkpoint FILE.rtfilm or --exr-film"),
         ("--checkpoint", "no film", "{--checkpoint}: films are written to .rtfilm files"),
         ("--resume", "!--checkpoint", "--resume continues from a checkpoint: give --checkpoint FILE"),
         ("--overwrite", "!--checkpoint", "--overwrite replaces a checkpoint: give --checkpoint FILE"),
@@ -79,6 +79,7 @@ public static class JobRules
         Add("layers of light", job.Layers.Count > 0);
         Add("only films", job.Outputs.Count > 0 && job.Outputs.All(FilmFile.IsNamed));
         Add("no film", job.Checkpoint is { } checkpoint && !FilmFile.IsNamed(checkpoint));
+        Add("no film in a file", !job.HasFilmFile);
         Add("no .exr", !job.Outputs.Any(FilmExr.IsNamed));
         Add("several frames", isSequence, job.Frames?.Count);
         Add("one frame", job.Frames is not null && !isSequence);

@@ -99,14 +99,14 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         }
     }
 
-    private DenoiseResult? Denoise(Denoising denoising, RenderDescription render)
+    private DenoiseResult? Denoise(Denoising denoising, Film film, RenderDescription render)
     {
         IProgress<RenderProgress>? progress = watch.Begin(render);
         using IDisposable? shown = progress as IDisposable;
-        DenoiseResult? denoised = denoising.Denoise(job.Threads, progress is null ? null : new DenoisingProgress(progress));
+        DenoiseResult? denoised = denoising.Denoise(film, progress is null ? null : new DenoisingProgress(progress));
         if (denoised is null)
         {
-            watch.Warn("stopped before two halves of the samples could be compared (--denoise): there is no denoised picture");
+            watch.Warn("all samples so far are of one of the two halves that --denoise compares: there is no denoised picture");
         }
 
         shown?.Dispose();
@@ -119,7 +119,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         bool isWanted = result.Film.TotalSamples > 0 && !(job.IsOfSequence && result.Statistics.Cancelled);
         if (isWanted && result.Denoising is { } denoising)
         {
-            result = result with { Denoised = Denoise(denoising, result.Scene.Render) };
+            result = result with { Denoised = Denoise(denoising, result.Film, result.Scene.Render) };
         }
 
         IReadOnlyList<string> files = isWanted ? _files.Write(result, watch) : [];

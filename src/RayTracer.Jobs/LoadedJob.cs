@@ -37,6 +37,7 @@ internal sealed record LoadedJob(
         Settings = Job.FilmSettings,
         Tone = PictureTone.Text(Job.Writing.For(Scene.Render)),
         Software = ProgramName.Text,
+        Planes = Job.Planes,
     };
 
     /// <summary>Returns the header of the film that is resumed, or of a new one.</summary>

@@ -39,7 +39,7 @@ public static class OptionWords
         return !double.TryParse(isPercent ? word[..^1] : word, NumberStyles.Float, null, out double value)
                 ? throw new FormatException($"expected a number, as in 1% or 0.01, not {Quotation.Of(word)}")
             : (isPercent ? value / 100 : value) is > 0 and < 1 and double fraction ? fraction
-            : throw new FormatException($"must be above 0 and below 100%, but is {word}");
+            : throw new FormatException($"must be above 0 and below 100%, but is {word}{(!isPercent && value is >= 1 and < 100 ? $" ({word}%?)" : "")}");
     }
 
     /// <summary>Reads one of some words, however they are capitalised, each of which stands for a value.</summary>

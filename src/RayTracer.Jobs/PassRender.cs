@@ -27,7 +27,7 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
     // What is shown shall change.
     private TimeSpan LongestPass => TimeSpan.FromSeconds(watch.ShowsPasses ? 0.5 : 5);
 
-    private bool HasWorkAfterPasses => Limit is not null || Checkpoints is not null || watch.ShowsPasses || films.Denoising is not null || films.Auxiliary.NeedsRays;
+    private bool HasWorkAfterPasses => Limit is not null || Checkpoints is not null || watch.ShowsPasses || films.Auxiliary.NeedsRays;
 
     /// <summary>Renders what is missing.</summary>
     /// <returns>The outcome; a pass that was cancelled does not count.</returns>
@@ -61,7 +61,7 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
             Statistics = _job.Adaptive ? statistics : result.Counted(statistics),
             Samples = _job.Adaptive || _job.Pixel is not null ? null : new(all.First, done.End),
             Plan = _job.Adaptive ? result.Plan!.UpTo(done.End) : result.Plan,
-            Denoising = films.Denoising,
+            Denoising = _job.Denoise ? new(loaded.Scene, loaded.Options) : null,
             Header = _header,
             Checkpoints = Checkpoints,
             Auxiliary = auxiliary,
@@ -73,7 +73,6 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
         RenderOptions options = loaded.Options with
         {
             Samples = missing,
-            Halves = films.Denoising?.Films,
             AfterPass = HasWorkAfterPasses ? pass => AfterPass(pass, missing) : null,
         };
         return _job.Adaptive
@@ -89,7 +88,6 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
         if (seen.Count > 0)
         {
             new FirstHitPass(loaded.Scene, loaded.Options with { Samples = seen }).Render(films.Auxiliary);
-            films.Denoising?.Add(seen, loaded.Options with { Samples = missing });
         }
 
         Keep(new(missing.First, pass.End));

@@ -54,6 +54,9 @@ public sealed record RenderJob
     /// <summary>True if a denoised picture is written too.</summary>
     public bool Denoise { get; init; }
 
+    /// <summary>True if films in files keep two halves of the samples apart.</summary>
+    public bool Halves { get; init; }
+
     /// <summary>The relative error at which to stop; null to take all samples.</summary>
     public double? Noise { get; init; }
 
@@ -118,7 +121,13 @@ public sealed record RenderJob
         Settings.LastOrDefault(s => s.Path == SamplesPath) is { } setting && int.TryParse(setting.Value, out int samples) ? samples : null;
 
     /// <summary>True if the film goes to a file, now or later.</summary>
-    public bool KeepsFilm => Time is not null || Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
+    public bool KeepsFilm => Time is not null || HasFilmFile;
+
+    /// <summary>True if there is a file that the film comes from or goes to.</summary>
+    public bool HasFilmFile => Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
+
+    /// <summary>What films in files hold beside the picture: halves of the samples where that was asked for, or where they are compared.</summary>
+    public IReadOnlyList<FilmPlane> Planes => Resumed?.Film.Planes ?? (Halves || (Denoise && HasFilmFile) ? [FilmPlane.Half] : []);
 
     /// <summary>The settings that a film names: the scene's, the frame, and the noise that decided on the number of its samples.</summary>
     public IReadOnlyList<string> FilmSettings => [.. Settings.Select(s => s.Text), .. JobOptions.Kept(this, JobOptionUse.Films)];

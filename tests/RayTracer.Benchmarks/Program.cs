@@ -7,7 +7,7 @@ using RayTracer.Benchmarks.Studio;
 
 // "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle tree with Embree, "mitsuba SCENE.xml SAMPLES…" whole renders with
 // Mitsuba; "studio [SCENE]" measures how quickly the Studio follows a hand; "images FILE…" compares reading
-// PNG and JPEG files with the common libraries' own commands; "denoiser" measures what the denoiser gains on scenes that are hard for it; anything else goes to
+// PNG and JPEG files with the common libraries' own commands; "denoiser [SCENE…]" measures what the denoiser gains on scenes that are hard for it; anything else goes to
 // BenchmarkDotNet ("--filter *").
 if (args.Length > 0 && args[0] == "ratios")
 {
@@ -31,7 +31,7 @@ if (args.Length > 0 && args[0] == "studio")
 
 if (args.Length > 0 && args[0] == "denoiser")
 {
-    return DenoiserBenchmark.Run();
+    return DenoiserBenchmark.Run(args[1..]);
 }
 
 if (args.Length > 0 && args[0] == "images")

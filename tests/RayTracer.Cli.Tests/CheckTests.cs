@@ -20,6 +20,35 @@ public sealed class CheckTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
+    [Theory]
+    [InlineData("a.pbrt", "pbrt")]
+    [InlineData("a.usdz", "USD")]
+    [InlineData("a.BLEND", "Blender")]
+    [InlineData("a.fbx", "FBX")]
+    [InlineData("a.pov", "POV-Ray")]
+    public void Files_of_other_programs_are_told_apart(string name, string program)
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder[name], "LookAt 0 0 0");
+        CliRun run = CliRun.Of("check", folder[name]);
+        Assert.Equal(3, run.Status);
+        Assert.StartsWith($"{folder[name]}: error: files of {program} are not read: scenes are .json, .xml, and models ", run.Output, StringComparison.Ordinal);
+        Assert.Contains(".gltf, .obj, .ply", run.Output, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_corner_that_a_mesh_has_not_is_an_error_at_its_triangles()
+    {
+        using TemporaryFolder folder = new();
+        string scene = folder["a.json"];
+        File.WriteAllText(scene, """{ "shapes": [{ "type": "mesh", "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2], [0, 1, 3]] }] }""");
+        CliRun run = CliRun.Of("check", scene);
+        Assert.Equal(3, run.Status);
+        Assert.Contains(": error: a triangle has the corner 3, but there are 3, counted from 0", run.Output, StringComparison.Ordinal);
+        File.WriteAllText(scene, File.ReadAllText(scene).Replace("1, 3]", "1, -1]", StringComparison.Ordinal));
+        Assert.Equal(3, CliRun.Of("check", scene).Status);
+    }
+
     [Fact]
     public void Text_has_what_is_wrong_with_every_file_on_standard_output()
     {

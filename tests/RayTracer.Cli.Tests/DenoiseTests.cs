@@ -56,6 +56,61 @@ public sealed class DenoiseTests : IDisposable
         Assert.Contains("would be lost", lost.Error, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void A_film_with_halves_is_denoised_as_the_rendering_is_wherever_it_comes_from()
+    {
+        Render("whole.pfm", 8, "--denoise", "-o", _folder["whole.rtfilm"]);
+        Denoise("whole.rtfilm", "a.pfm", "--threads", "1");
+        Assert.Equal(File.ReadAllBytes(_folder["whole.denoised.pfm"]), File.ReadAllBytes(_folder["a.pfm"]));
+
+        Render("1.rtfilm", 8, "--halves", "--part", "1/2");
+        Render("2.exr", 8, "--halves", "--part", "2/2", "--exr-film");
+        CliRun.Fine("merge", _folder["1.rtfilm"], _folder["2.exr"], "-o", _folder["merged.exr"], "--exr-film");
+        Denoise("merged.exr", "b.pfm");
+        Assert.Equal(File.ReadAllBytes(_folder["a.pfm"]), File.ReadAllBytes(_folder["b.pfm"]));
+        Assert.Contains("planes     half\n", CliRun.Fine("info", _folder["merged.exr"]).Output, StringComparison.Ordinal);
+
+        Render("few.rtfilm", 4, "--halves");
+        CliRun.Fine("resume", _folder["few.rtfilm"], "--spp", "8", "--denoise", "-o", _folder["c.pfm"], "--quiet");
+        Assert.Equal(File.ReadAllBytes(_folder["a.pfm"]), File.ReadAllBytes(_folder["c.denoised.pfm"]));
+        CliRun.Fine("verify", _folder["few.rtfilm"]);
+    }
+
+    [Fact]
+    public void A_film_without_halves_is_denoised_worse_with_a_warning()
+    {
+        Render("plain.rtfilm", 8);
+        CliRun run = CliRun.Of("denoise", _folder["plain.rtfilm"], "-o", _folder["plain.pfm"]);
+        Assert.Equal(0, run.Status);
+        Assert.Contains("does not keep two halves of its samples (render --halves), so that its noise is estimated from its pixels alone, which is worse", run.Error, StringComparison.Ordinal);
+        Render("halves.pfm", 8, "--denoise");
+        Assert.InRange(Error("plain.pfm") / Error("noisy.pfm"), 0, 0.9);
+        Assert.InRange(Error("halves.denoised.pfm") / Error("plain.pfm"), 0, 1);
+    }
+
+    [Fact]
+    public void A_film_that_cannot_be_denoised_is_refused_with_the_reason()
+    {
+        Render("a.rtfilm", 8, "--halves");
+        Render("one.rtfilm", 8, "--halves", "--samples", "0..0");
+        CliRun.Refused(4, "are of one of the two halves that are compared", "denoise", _folder["one.rtfilm"], "-o", _folder["x.png"]);
+        CliRun.Refused(2, "--albedo and --normal are for images", "denoise", _folder["a.rtfilm"], "--albedo", _folder["noisy.albedo.pfm"], "-o", _folder["x.png"]);
+        CliRun.Refused(2, "--scene is for films", "denoise", _folder["noisy.pfm"], "--scene", _folder["scene.json"], "-o", _folder["x.png"]);
+        File.Move(_folder["scene.json"], _folder["moved.json"]);
+        Denoise("a.rtfilm", "a.pfm", "--scene", _folder["moved.json"]);
+        File.WriteAllText(_folder["moved.json"], File.ReadAllText(_folder["moved.json"]).Replace("tomato", "black", StringComparison.Ordinal));
+        CliRun.Refused(4, "the film is not of", "denoise", _folder["a.rtfilm"], "--scene", _folder["moved.json"], "-o", _folder["x.png"]);
+        CliRun.Refused(4, "does not keep two halves of its samples, which --denoise compares", "resume", Plain(), "--spp", "16", "--denoise", "-o", _folder["x.png"]);
+        CliRun.Refused(2, "--denoise writes an image: where to?", "resume", _folder["a.rtfilm"], "--scene", _folder["moved.json"], "--denoise");
+    }
+
+    private string Plain()
+    {
+        File.WriteAllText(_folder["plain.json"], File.ReadAllText(_folder["moved.json"]));
+        CliRun.Fine("render", _folder["plain.json"], "--spp", "4", "-o", _folder["plain.rtfilm"]);
+        return _folder["plain.rtfilm"];
+    }
+
     private void Render(string file, int samples, params string[] options)
     {
         CliRun run = CliRun.Of(["render", _folder["scene.json"], "--spp", $"{samples}", "-o", _folder[file], "--quiet", .. options]);

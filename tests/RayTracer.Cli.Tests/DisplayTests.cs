@@ -45,6 +45,46 @@ public sealed class DisplayTests : IDisposable
         Assert.True(json.GetProperty("peakMemoryBytes").GetInt64() > 1 << 20);
     }
 
+    [Theory]
+    [InlineData(10, 0, null, @"^0 %$")]
+    [InlineData(50, 100, null, @"^50 %, 1 s left$")]
+    [InlineData(1, 1000, 11.0, @"^\d+ %, (8|9|10) s left$")]
+    [InlineData(999, 1000, 3600.0, @"^100 %, 0 s left$")]
+    [InlineData(0, 1000, 11.0, @"^\d+ %, (8|9|10) s left$")]
+    public void The_time_left_goes_by_what_ends_first(long done, long total, double? limit, string expected)
+    {
+        using SharedWriter lines = new();
+        using (ProgressDisplay display = ProgressDisplay.Start(new ProgressLines(lines) { Limit = limit is { } seconds ? TimeSpan.FromSeconds(seconds) : null }))
+        {
+            display.Report(new(done, total, 0));
+            Assert.True(SpinWait.SpinUntil(() => lines.ToString().Contains('\n', StringComparison.Ordinal), 60_000));
+        }
+
+        Assert.Matches(expected, lines.ToString().ReplaceLineEndings("\n").Split('\n')[0]);
+    }
+
+    [Fact]
+    public void How_many_samples_a_noise_takes_is_not_known_before_some_are_there()
+    {
+        Reports reports = new();
+        SamplePlan plan = new SamplePlanner(new RenderJob { Scene = _scene }.Load().Scene!, new(), new() { Error = 0.01, MeanSamples = 65536, MostSamples = 65536 }).Plan(reports);
+        Assert.Equal(0, reports.All[0].PathsTotal);
+        Assert.InRange(reports.All[^1].PathsTotal, plan.MeanSamples * 24 * 16 / 10, plan.MeanSamples * 24 * 16 * 10);
+    }
+
+    private sealed class Reports : IProgress<RenderProgress>
+    {
+        public List<RenderProgress> All { get; } = [];
+
+        public void Report(RenderProgress value)
+        {
+            lock (All)
+            {
+                All.Add(value);
+            }
+        }
+    }
+
     [Fact]
     public void A_preview_changes_no_bit()
     {

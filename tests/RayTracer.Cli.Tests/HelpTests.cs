@@ -107,7 +107,36 @@ public class HelpTests
     public void The_version_has_the_commit_of_the_sources()
     {
         CliRun run = CliRun.Of("--version");
+        Assert.Equal(run, CliRun.Of("-v"));
         Assert.Matches(@"^raytracer \d+\.\d+\.\d+ \((commit [0-9a-f]{12}, )?\d+ lanes\)\s*$", run.Output);
+    }
+
+    [Fact]
+    public void Help_is_in_groups_whose_first_column_is_narrow_with_an_example_that_is_understood()
+    {
+        Assert.All(s_verbs.Where(v => !v.HasVerbs), verb =>
+        {
+            CliRun run = CliRun.Fine([.. verb.Name.Split(' '), "--help"]);
+            Assert.Contains($"\nExample: {verb.Example}", run.Output.ReplaceLineEndings("\n"), StringComparison.Ordinal);
+            string[] rows = [.. run.Output.ReplaceLineEndings("\n").Split('\n').Where(l => l.StartsWith("  ", StringComparison.Ordinal))];
+            Assert.All(rows, r => Assert.Equal("  ", r[28..30]));
+            Assert.All(rows, r => Assert.InRange(r.Length, 31, 110));
+            Assert.All(verb.Options.SelectMany(o => o.Names), name => Assert.Contains(rows, r => r[..28].Split(' ', ',').Contains(name)));
+            Assert.Equal(run.Output, CliRun.Fine(["help", .. verb.Name.Split(' ')]).Output);
+        });
+        string render = CliRun.Fine("help", "render").Output;
+        Assert.Matches(@"(?s)\nScene\s+--width N .*\nAnimations\s+--frames ", render);
+        Assert.Contains("One of sobol, jittered, regular, independent.", string.Join(' ', render.Split((char[])[' ', '\n', '\r'], StringSplitOptions.RemoveEmptyEntries)), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Help_of_the_command_lists_its_verbs_and_statuses()
+    {
+        string page = CliRun.Fine("help").Output;
+        Assert.Equal(page, CliRun.Fine("--help").Output);
+        Assert.All(s_verbs.Where(v => !v.Name.Contains(' ', StringComparison.Ordinal)), v => Assert.Contains($"\n  {v.Name} ", page.ReplaceLineEndings("\n"), StringComparison.Ordinal));
+        Assert.Contains("-v, --version", page, StringComparison.Ordinal);
+        Assert.Contains("Exit status: 0 fine", page, StringComparison.Ordinal);
     }
 
     private static void IsRead(string shell, string check)

@@ -25,6 +25,9 @@ public sealed class OldFilmTests : IDisposable
     [InlineData("picture.png")]
     public void They_are_verified(string file) => CliRun.Fine("verify", _folder[file]);
 
+    [Fact]
+    public void Their_files_are_of_version_2() => Assert.Equal(2, File.ReadAllBytes(_folder["part-1.rtfilm"])[8]);
+
     [Theory]
     [InlineData(false)]
     [InlineData(true)]

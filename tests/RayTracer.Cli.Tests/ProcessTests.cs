@@ -32,6 +32,39 @@ public sealed class ProcessTests : IDisposable
         Assert.Equal(4, Finish(Start("check", _folder["missing.json"])).Status);
     }
 
+    [Theory]
+    [InlineData("-", "PNG")]
+    [InlineData("-.exr", "OpenEXR")]
+    public void A_picture_goes_to_standard_output_alone(string output, string format)
+    {
+        using Process process = Process.Start(new ProcessStartInfo(Program, ["render", _scene, "-o", output, "--json", "--spp", "1"]) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
+        using MemoryStream bytes = new();
+        process.StandardOutput.BaseStream.CopyTo(bytes);
+        Assert.True(process.WaitForExit(Patience));
+        Assert.Equal(0, process.ExitCode);
+        File.WriteAllBytes(_folder["out"], bytes.ToArray());
+        ImageDescription picture = ImageFile.Describe(_folder["out"]);
+        Assert.Equal((format, 24, 16), (picture.Format, picture.Width, picture.Height));
+        CliRun.Fine("render", _scene, "-o", _folder[$"same{(output == "-" ? ".png" : ".exr")}"], "--quiet", "--spp", "1");
+        Assert.Equal(ImageFile.Read(_folder[$"same{(output == "-" ? ".png" : ".exr")}"]).Pixels, ImageFile.Read(_folder["out"]).Pixels);
+        Assert.False(File.Exists("-.png"));
+    }
+
+    [Fact]
+    public void A_scene_from_standard_input_is_called_so()
+    {
+        foreach ((string text, int expected, string said) in new[] { (CliRun.Scene, 0, "<stdin>: fine"), ("{ \"a\": 1 }", 3, "<stdin>:1:3: error: unknown key") })
+        {
+            using Process process = Process.Start(new ProcessStartInfo(Program, ["check", "-"]) { UseShellExecute = false, RedirectStandardInput = true, RedirectStandardOutput = true })!;
+            process.StandardInput.Write(text);
+            process.StandardInput.Close();
+            string output = process.StandardOutput.ReadToEnd();
+            Assert.True(process.WaitForExit(Patience));
+            Assert.Equal(expected, process.ExitCode);
+            Assert.StartsWith(said, output, StringComparison.Ordinal);
+        }
+    }
+
     [LinuxFact]
     public void Full_standard_output_is_an_error()
     {
@@ -190,6 +223,12 @@ public sealed class ProcessTests : IDisposable
             Assert.Equal(redirection.Length == 0, error.Contains("the image so far is in", StringComparison.Ordinal));
             Assert.True(ImageFile.Read(_folder["a.pfm"]).Pixels.Max() > 0);
             Assert.Equal(24, ImageFile.Read(_folder["a.png"]).Width);
+            Dictionary<string, string> texts = new(ImageFile.ReadText(_folder["a.png"]));
+            Assert.Contains("unfinished", texts["Samples"], StringComparison.Ordinal);
+            Assert.StartsWith("0..", texts["SampleRange"], StringComparison.Ordinal);
+
+            // All pixels have those samples.
+            CliRun.Fine("verify", _folder["a.png"]);
         }
         finally
         {

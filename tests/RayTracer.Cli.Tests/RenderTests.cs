@@ -189,6 +189,18 @@ public sealed class RenderTests : IDisposable
         Assert.Equal(size, $"{result.GetProperty("width")}x{result.GetProperty("height")}");
     }
 
+    [Fact]
+    public void OpenEXR_images_hold_the_numbers_that_are_asked_for()
+    {
+        foreach ((string type, string[] option) in new[] { ("half", Array.Empty<string>()), ("float", ["--exr-type", "float"]) })
+        {
+            CliRun.Fine(["render", _scene, "-o", _folder["a.exr"], "--spp", "1", "--quiet", .. option]);
+            Assert.Equal(type, ImageFile.Describe(_folder["a.exr"]).Channels[0].Type);
+        }
+
+        CliRun.Fine("verify", _folder["a.exr"]);
+    }
+
     // A pipe gives its content once.
     [ProgramFact("mkfifo")]
     public async Task A_scene_whose_size_is_derived_is_read_once()

@@ -27,7 +27,7 @@ public sealed class JobRulesTests
     [InlineData("--noise 1% --samples 0..3 -o a.png", "--noise decides how many samples there are")]
     [InlineData("--samples 0..3 --part 1/2 -o a.png", "--samples and --part cannot go together")]
     [InlineData("--pixel 1,1 --time 1m", "--pixel goes with --sample only")]
-    [InlineData("--denoise --checkpoint c.rtfilm --resume -o a.png", "--denoise compares two halves of all samples")]
+    [InlineData("--halves -o a.png", "--halves is for films, but none is written")]
     [InlineData("--checkpoint c.png -o a.png", "--checkpoint c.png: films are written to .rtfilm files")]
     [InlineData("--resume -o a.png", "--resume continues from a checkpoint: give --checkpoint FILE")]
     [InlineData("--adaptive --crop 0,0,2,2 -o a.png", "--adaptive distributes samples over the whole picture")]
@@ -63,6 +63,8 @@ public sealed class JobRulesTests
     [InlineData("--adaptive --denoise -o a.exr")]
     [InlineData("--time 1m --checkpoint c.rtfilm --noise 2% --denoise -o a.exr -o a.rtfilm")]
     [InlineData("--checkpoint c.rtfilm --resume --time 1h")]
+    [InlineData("--checkpoint c.rtfilm --resume --denoise -o a.png")]
+    [InlineData("--halves --exr-film -o a.exr")]
     [InlineData("--exr-film --crop 0,0,2,2 -o a.exr")]
     public void What_goes_together_is_not_complained_about(string words) => Assert.Null(JobRules.Complaint(Job(words)));
 

@@ -30,6 +30,15 @@ public static class Denoiser
             : throw new ArgumentException($"Halves of {width}×{height} and {second.Film.Width}×{second.Film.Height} pixels are not of one picture.", nameof(second));
     }
 
+    /// <summary>Denoises a film whose halves are not known: its noise is estimated from its pixels alone, which is worse.</summary>
+    /// <param name="whole">All samples.</param>
+    /// <param name="threads">How many threads to use; 0 for one a core.</param>
+    public static Picture Denoise(HalfRender whole, int threads = 0)
+    {
+        HalfPlanes planes = HalfPlanes.Of(whole);
+        return Denoise(planes, planes, threads).Picture;
+    }
+
     /// <summary>Denoises a picture of which no halves are known: its noise is estimated from its pixels alone, which is worse.</summary>
     /// <param name="picture">The picture.</param>
     /// <param name="albedo">The surfaces' colours; null where they are not known.</param>

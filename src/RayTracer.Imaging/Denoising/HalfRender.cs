@@ -10,6 +10,43 @@ public sealed record HalfRender(Film Film, AovFilm Features)
     /// <summary>The auxiliary images that a denoiser needs.</summary>
     public static IReadOnlyList<AuxiliaryImage> Kinds { get; } = [new NormalImage(), new AlbedoImage()];
 
+    // So many samples of a half know the surfaces well enough.
+    private const int MostFeatureSamples = 64;
+
+    /// <summary>The two halves of a film's samples, with what their camera rays meet, which is found by rays of their own.</summary>
+    /// <param name="scene">The scene that the film shows.</param>
+    /// <param name="options">How to compute it, and which samples the film holds.</param>
+    /// <param name="film">The film.</param>
+    /// <exception cref="ArgumentException">The film has no <see cref="FilmPlane.Half"/>.</exception>
+    public static (HalfRender First, HalfRender Second) Of(Scene scene, RenderOptions options, Film film)
+    {
+        (Film first, Film second) = film.Halves();
+        return (Half(first, isFirst: true), Half(second, isFirst: false));
+
+        HalfRender Half(Film half, bool isFirst)
+        {
+            AovFilm features = new(half, Kinds);
+            SampleRange all = options.Samples ?? new(0, scene.Render.SamplesPerPixel);
+            int left = MostFeatureSamples;
+            for (int sample = all.First; sample < all.End && left > 0; sample++)
+            {
+                int begin = sample;
+                while (sample < all.End && left > 0 && FilmPlane.IsOfHalf(sample) == isFirst)
+                {
+                    sample++;
+                    left--;
+                }
+
+                if (sample > begin)
+                {
+                    new FirstHitPass(scene, options with { Samples = new(begin, sample) }).Render(features);
+                }
+            }
+
+            return new(half, features);
+        }
+    }
+
     /// <summary>An empty half.</summary>
     /// <param name="width">Width in pixels.</param>
     /// <param name="height">Height in pixels.</param>

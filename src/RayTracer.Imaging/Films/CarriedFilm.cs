@@ -42,7 +42,9 @@ internal static class CarriedFilm
                 throw new ArgumentException($"it has {more.Width}×{more.Height} pixels, not {film.Width}×{film.Height}", nameof(film));
             }
 
+            FilmFile.PlanesFor(film, header);
             Int128[] sums = new Int128[more.Width * (Film.BytesPerPixel / 16)];
+            Int128[][] planes = [.. film.Planes.Select(p => new Int128[more.Width * p.Sums.Count])];
             uint[] counts = new uint[more.Width];
             for (int y = 0; y < more.Height; y++)
             {
@@ -50,6 +52,11 @@ internal static class CarriedFilm
                 lock (adding.Length > 0 ? adding[y % adding.Length] : s_reading)
                 {
                     film.AddSums(y, sums, counts);
+                    for (int i = 0; i < planes.Length; i++)
+                    {
+                        more.ReadPlane(film.Planes[i], y, planes[i]);
+                        film.AddPlane(film.Planes[i], y, planes[i]);
+                    }
                 }
             }
 

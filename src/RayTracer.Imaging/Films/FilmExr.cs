@@ -76,7 +76,7 @@ public static class FilmExr
             throw new ImageWriteException($"Cannot write '{path}': {TooLarge}.");
         }
 
-        string text = Encoding.UTF8.GetString(header.ToBytes());
+        string text = Encoding.UTF8.GetString((header with { Planes = film.Planes }).ToBytes());
         ImageFile.Write(path, film, options with
         {
             Metadata = [.. options.Metadata.Where(t => t.Key != HashKey), new(HashKey, film.ComputeHash()), new(HeaderKey, text), new(ChecksumKey, Checksum(text))],
@@ -109,21 +109,31 @@ public static class FilmExr
     internal static (FilmHeader Header, Film Film) Read(ReadOnlySpan<byte> file)
     {
         ExrHeader exr = ExrHeader.Parse(file);
-        FilmHeader header = HeaderOf(exr);
-        int words = exr.Channels.Any(c => c.Name == Word(0, WordsOf128Bits - 1)) ? WordsOf128Bits : WordsOf64Bits;
-        string[] names = [Count, .. s_sums.SelectMany((_, sum) => Enumerable.Range(0, words).Select(word => Word(sum, word)))];
+        FilmHeader header = HeaderOf(exr).WithKnownPlanes();
+        string[] names = SumsOf(header.Planes);
+        int words = exr.Channels.Any(c => c.Name == Word(names[0], WordsOf128Bits - 1)) ? WordsOf128Bits : WordsOf64Bits;
         Film? film = null;
-        Int128[] sums = new Int128[s_sums.Length * exr.Width];
-        ExrReader.ReadWords(file, exr, names, (y, row) =>
+        Int128[][] parts = Parts(exr.Width, header.Planes);
+        ExrReader.ReadWords(file, exr, [Count, .. names.SelectMany(name => Enumerable.Range(0, words).Select(word => Word(name, word)))], (y, row) =>
         {
-            for (int i = 0; i < sums.Length; i++)
+            int first = 1;
+            foreach (Int128[] sums in parts)
             {
-                int sum = i % s_sums.Length;
-                sums[i] = Sum(row.AsSpan(1 + (sum * words), words), i / s_sums.Length);
+                int count = sums.Length / exr.Width;
+                for (int i = 0; i < sums.Length; i++)
+                {
+                    sums[i] = Sum(row.AsSpan(first + (i % count * words), words), i / count);
+                }
+
+                first += count * words;
             }
 
-            film ??= new(header.Width, header.Height);
-            film.AddSums(y, sums, row[0]);
+            film ??= new(header.Width, header.Height, header.Planes);
+            film.AddSums(y, parts[0], row[0]);
+            for (int i = 0; i < header.Planes.Count; i++)
+            {
+                film.AddPlane(header.Planes[i], y, parts[1 + i]);
+            }
         });
         return film!.ComputeHash() == TextOf(exr, HashKey) ? (header, film)
             : throw new PictureException($"the sums of its film are damaged: their hash is not the one in its text {HashKey}");
@@ -149,7 +159,14 @@ public static class FilmExr
     private static string Checksum(string text) => Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)));
 
     // The name of the channel of 32 bits of a sum, the lowest ones first.
-    private static string Word(int sum, int word) => $"{Layer}{s_sums[sum]}.{word}";
+    private static string Word(string sum, int word) => $"{Layer}{sum}.{word}";
+
+    // The names of all sums of a pixel.
+    private static string[] SumsOf(IReadOnlyList<FilmPlane> planes) => [.. s_sums, .. planes.SelectMany(p => p.Sums.Select(sum => $"{p}.{sum}"))];
+
+    // Room for a row's sums: those of the picture, and of each plane.
+    private static Int128[][] Parts(int width, IReadOnlyList<FilmPlane> planes) =>
+        [new Int128[s_sums.Length * width], .. planes.Select(p => new Int128[p.Sums.Count * width])];
 
     private static Int128 Sum(ReadOnlySpan<uint[]> words, int x)
     {
@@ -159,23 +176,35 @@ public static class FilmExr
 
     private static List<ExrLayerChannel> Channels(Film film)
     {
-        Int128[] sums = new Int128[s_sums.Length * film.Width];
+        string[] names = SumsOf(film.Planes);
+        Int128[][] parts = Parts(film.Width, film.Planes);
         uint[] counts = new uint[film.Width];
         int words = WordsOf64Bits;
-        for (int y = 0; y < film.Height; y++)
-        {
-            film.ReadSums(y, sums, counts);
-            words = FilmFile.AreWide(sums) ? WordsOf128Bits : words;
-        }
 
         // The writer asks for one row's channels after another.
         int read = -1;
+        void Read(int y)
+        {
+            film.ReadSums(y, parts[0], counts);
+            for (int i = 0; i < film.Planes.Count; i++)
+            {
+                film.ReadPlane(film.Planes[i], y, parts[1 + i]);
+            }
+
+            read = y;
+        }
+
+        for (int y = 0; y < film.Height; y++)
+        {
+            Read(y);
+            words = Array.Exists(parts, FilmFile.AreWide) ? WordsOf128Bits : words;
+        }
+
         ExrLayerChannel Channel(string name, Func<int, uint> value) => new(name, ExrPixelType.Uint, (y, values) =>
         {
             if (read != y)
             {
-                film.ReadSums(y, sums, counts);
-                read = y;
+                Read(y);
             }
 
             for (int x = 0; x < film.Width; x++)
@@ -185,10 +214,17 @@ public static class FilmExr
         });
 
         List<ExrLayerChannel> channels = [Channel(Count, x => counts[x])];
-        for (int i = 0; i < s_sums.Length * words; i++)
+        int named = 0;
+        foreach (Int128[] sums in parts)
         {
-            (int sum, int word) = (i / words, i % words);
-            channels.Add(Channel(Word(sum, word), x => unchecked((uint)(sums[(s_sums.Length * x) + sum] >> (32 * word)))));
+            int count = sums.Length / film.Width;
+            for (int i = 0; i < count * words; i++)
+            {
+                (int sum, int word) = (i / words, i % words);
+                channels.Add(Channel(Word(names[named + sum], word), x => unchecked((uint)(sums[(count * x) + sum] >> (32 * word)))));
+            }
+
+            named += count;
         }
 
         return channels;

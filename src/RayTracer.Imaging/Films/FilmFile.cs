@@ -15,7 +15,10 @@ public static class FilmFile
     /// <summary>The extension of their names.</summary>
     public const string Extension = ".rtfilm";
 
-    private const int Version = 2;
+    private const int Version = 3;
+
+    // The same, without planes.
+    private const int OldestVersion = 2;
     private const int LongestHeader = 1 << 24;
     private const int FrontLength = 16;
     private const int SumsPerPixel = Film.BytesPerPixel / 16;
@@ -48,7 +51,7 @@ public static class FilmFile
             stream.Write(bytes);
         }
 
-        byte[] text = header.ToBytes();
+        byte[] text = (header with { Planes = film.Planes }).ToBytes();
         byte[] front = new byte[FrontLength];
         Signature.CopyTo(front);
         BinaryPrimitives.WriteInt32LittleEndian(front.AsSpan(8), Version);
@@ -58,11 +61,19 @@ public static class FilmFile
         PutCheck();
         byte[] row = new byte[1 + ((long)film.Width * Film.BytesPerPixel)];
         Int128[] sums = new Int128[(long)film.Width * SumsPerPixel];
+        Int128[][] planes = [.. film.Planes.Select(p => new Int128[(long)film.Width * p.Sums.Count])];
+        byte[] plane = new byte[1 + (16L * planes.Max(p => (int?)p.Length) ?? 0)];
         uint[] counts = new uint[film.Width];
         for (int y = 0; y < film.Height; y++)
         {
             film.ReadSums(y, sums, counts);
             Put(row.AsSpan(0, EncodeRow(sums, counts, row)));
+            for (int i = 0; i < planes.Length; i++)
+            {
+                film.ReadPlane(film.Planes[i], y, planes[i]);
+                Put(plane.AsSpan(0, EncodePlane(planes[i], plane)));
+            }
+
             PutCheck();
         }
     });
@@ -81,12 +92,12 @@ public static class FilmFile
     {
         FilmInput input = new(stream);
         FilmHeader header = Open(input, stream.Length);
-        Film film = new(header.Width, header.Height);
-        AddRows(input, film, []);
+        Film film = new(header.Width, header.Height, header.WithKnownPlanes().Planes);
+        AddRows(input, film, header.Planes, []);
         return (header, film);
     }
 
-    /// <summary>Adds the samples of a file to a film of its size.</summary>
+    /// <summary>Adds the samples of a file to a film of its size, and to the planes that the film has.</summary>
     /// <param name="path">The file.</param>
     /// <param name="film">The film.</param>
     /// <param name="adding">
@@ -94,7 +105,7 @@ public static class FilmFile
     /// does not matter.)
     /// </param>
     /// <exception cref="PictureException">It cannot be read, or is damaged: the film then holds a part of the samples.</exception>
-    /// <exception cref="ArgumentException">The sizes differ.</exception>
+    /// <exception cref="ArgumentException">The sizes differ, or the file lacks a plane.</exception>
     public static FilmHeader AddTo(string path, Film film, params Lock[] adding) => OfFile(path, stream =>
     {
         FilmInput input = new(stream);
@@ -104,25 +115,40 @@ public static class FilmFile
             throw new ArgumentException($"it has {header.Width}×{header.Height} pixels, not {film.Width}×{film.Height}", nameof(film));
         }
 
-        AddRows(input, film, adding);
+        AddRows(input, film, PlanesFor(film, header), adding);
         return header;
     });
 
     /// <summary>Returns whether sums need more than 64 bits.</summary>
     internal static bool AreWide(Int128[] sums) => Array.Exists(sums, s => s < long.MinValue || s > long.MaxValue);
 
+    /// <summary>Returns the planes of a film in a file, of which another one takes those that it has.</summary>
+    /// <exception cref="ArgumentException">The file lacks one.</exception>
+    internal static IReadOnlyList<FilmPlane> PlanesFor(Film film, FilmHeader header) =>
+        film.Planes.Except(header.Planes).FirstOrDefault() is { } missing ? throw new ArgumentException($"it has no plane '{missing}'", nameof(header))
+            : header.WithKnownPlanes().Planes;
+
     // A row is a byte of flags, the counts (one where all are equal), and the sums (of 8 bytes where all fit into them, else of 16).
     private static int EncodeRow(Int128[] sums, uint[] counts, byte[] row)
     {
         bool equal = !counts.AsSpan().ContainsAnyExcept(counts[0]);
+        ReadOnlySpan<byte> numbers = MemoryMarshal.AsBytes(counts.AsSpan(0, equal ? 1 : counts.Length));
+        numbers.CopyTo(row.AsSpan(1));
+        return EncodeSums(sums, row, equal ? EqualCounts : (byte)0, 1 + numbers.Length);
+    }
+
+    // A plane's row is the same without counts.
+    private static int EncodePlane(Int128[] sums, byte[] row) => EncodeSums(sums, row, 0, 1);
+
+    private static int EncodeSums(Int128[] sums, byte[] row, byte flags, int length)
+    {
         bool wide = AreWide(sums);
-        row[0] = (byte)((equal ? EqualCounts : 0) | (wide ? WideSums : 0));
-        int length = 1;
-        Copy(MemoryMarshal.AsBytes(counts.AsSpan(0, equal ? 1 : counts.Length)));
+        row[0] = (byte)(flags | (wide ? WideSums : 0));
         if (wide)
         {
-            Copy(MemoryMarshal.AsBytes(sums.AsSpan()));
-            return length;
+            ReadOnlySpan<byte> bytes = MemoryMarshal.AsBytes(sums.AsSpan());
+            bytes.CopyTo(row.AsSpan(length));
+            return length + bytes.Length;
         }
 
         foreach (Int128 sum in sums)
@@ -132,12 +158,6 @@ public static class FilmFile
         }
 
         return length;
-
-        void Copy(ReadOnlySpan<byte> bytes)
-        {
-            bytes.CopyTo(row.AsSpan(length));
-            length += bytes.Length;
-        }
     }
 
     private static FilmHeader Open(FilmInput input, long fileLength)
@@ -147,7 +167,7 @@ public static class FilmFile
         Require(front.AsSpan().StartsWith(Signature), "it is not a film: its first bytes do not match");
 
         int version = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(8));
-        Require(version == Version, $"its format has version {version}, but only {Version} is known");
+        Require(version is >= OldestVersion and <= Version, $"its format has version {version}, but only {OldestVersion} to {Version} are known");
 
         int length = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(12));
         Require(length is not (< 2 or > LongestHeader) && length <= fileLength, $"its header cannot have {length} bytes");
@@ -157,23 +177,41 @@ public static class FilmFile
         input.Check("its header");
         FilmHeader header = FilmHeader.Of(text);
 
-        // Before any memory is taken for them: pixels take 32 bytes at least.
-        Int128 least = (Int128)header.Height * (9 + ((Int128)header.Width * 8 * SumsPerPixel));
+        // Before any memory is taken for them: each sum takes 8 bytes at least.
+        Int128 sums = SumsPerPixel + header.Planes.Sum(p => (long)p.Sums.Count);
+        Int128 least = (Int128)header.Height * (9 + header.Planes.Count + (header.Width * 8 * sums));
         return fileLength >= least && (Int128)header.Width * header.Height <= Film.MaxPixels
             ? header
             : throw new PictureException($"it is too short for {header.Width}×{header.Height} pixels");
     }
 
-    private static void AddRows(FilmInput input, Film film, Lock[] adding)
+    private static void AddRows(FilmInput input, Film film, IReadOnlyList<FilmPlane> planes, Lock[] adding)
     {
         input.ReadAhead();
         try
         {
             byte[] bytes = new byte[(long)film.Width * SumsPerPixel * 8];
+            byte[][] planeBytes = [.. planes.Select(p => new byte[(long)film.Width * p.Sums.Count * 8])];
+            bool[] areWide = new bool[planes.Count];
             uint[] counts = new uint[film.Width];
             for (int y = 0; y < film.Height; y++)
             {
-                AddRow(input, film, y, adding.Length > 0 ? adding[y % adding.Length] : new(), ref bytes, counts);
+                bool isWide = ReadRow(input, counts, ref bytes);
+                for (int i = 0; i < planes.Count; i++)
+                {
+                    input.Fill(planeBytes[i].AsSpan(0, 1));
+                    areWide[i] = ReadSums(input, planeBytes[i][0], film.Width * planes[i].Sums.Count, ref planeBytes[i]);
+                }
+
+                input.Check($"row {y}");
+                lock (adding.Length > 0 ? adding[y % adding.Length] : new())
+                {
+                    AddRow(film, y, bytes, isWide, counts);
+                    for (int i = 0; i < planes.Count; i++)
+                    {
+                        AddPlane(film, planes[i], y, planeBytes[i], areWide[i]);
+                    }
+                }
             }
 
             input.CheckEnd();
@@ -184,36 +222,62 @@ public static class FilmFile
         }
     }
 
-    private static void AddRow(FilmInput input, Film film, int y, Lock adding, ref byte[] bytes, uint[] counts)
+    // The sums come to stand at the beginning of the bytes; returns whether they are wide.
+    private static bool ReadRow(FilmInput input, uint[] counts, ref byte[] bytes)
     {
         input.Fill(bytes.AsSpan(0, 1));
-        bool equal = (bytes[0] & EqualCounts) != 0;
-        bool wide = (bytes[0] & WideSums) != 0;
+        byte flags = bytes[0];
+        bool equal = (flags & EqualCounts) != 0;
         input.Fill(MemoryMarshal.AsBytes(counts.AsSpan(0, equal ? 1 : counts.Length)));
         if (equal)
         {
             counts.AsSpan().Fill(counts[0]);
         }
 
-        int length = film.Width * SumsPerPixel * (wide ? 16 : 8);
+        return ReadSums(input, flags, counts.Length * SumsPerPixel, ref bytes);
+    }
+
+    private static bool ReadSums(FilmInput input, byte flags, int count, ref byte[] bytes)
+    {
+        bool wide = (flags & WideSums) != 0;
+        int length = count * (wide ? 16 : 8);
         if (bytes.Length < length)
         {
             bytes = new byte[length];
         }
 
-        Span<byte> sums = bytes.AsSpan(0, length);
-        input.Fill(sums);
-        input.Check($"row {y}");
-        lock (adding)
+        input.Fill(bytes.AsSpan(0, length));
+        return wide;
+    }
+
+    private static void AddRow(Film film, int y, ReadOnlySpan<byte> bytes, bool isWide, uint[] counts)
+    {
+        int sums = film.Width * SumsPerPixel;
+        if (isWide)
         {
-            if (wide)
-            {
-                film.AddSums(y, MemoryMarshal.Cast<byte, Int128>(sums), counts);
-            }
-            else
-            {
-                film.AddSums(y, MemoryMarshal.Cast<byte, long>(sums), counts);
-            }
+            film.AddSums(y, MemoryMarshal.Cast<byte, Int128>(bytes)[..sums], counts);
+        }
+        else
+        {
+            film.AddSums(y, MemoryMarshal.Cast<byte, long>(bytes)[..sums], counts);
+        }
+    }
+
+    private static void AddPlane(Film film, FilmPlane plane, int y, ReadOnlySpan<byte> bytes, bool isWide)
+    {
+        int sums = film.Width * plane.Sums.Count;
+        if (!film.Planes.Contains(plane))
+        {
+            return;
+        }
+
+        if (isWide)
+        {
+            film.AddPlane(plane, y, MemoryMarshal.Cast<byte, Int128>(bytes)[..sums]);
+        }
+        else
+        {
+            film.AddPlane(plane, y, MemoryMarshal.Cast<byte, long>(bytes)[..sums]);
         }
     }
 

@@ -48,6 +48,9 @@ public sealed record FilmHeader
     /// <summary>The program that wrote it.</summary>
     public string Software { get; init; } = "";
 
+    /// <summary>What it holds beside the picture, in the file's order; planes that this version of the program does not know included.</summary>
+    public IReadOnlyList<FilmPlane> Planes { get; init; } = [];
+
     /// <summary>True where it holds all the samples that it is meant to.</summary>
     public bool IsComplete => Samples is [var only] && only == Wanted;
 
@@ -82,6 +85,11 @@ public sealed record FilmHeader
         }
 
         json["software"] = Software;
+        if (Planes.Count > 0)
+        {
+            json["planes"] = new JsonArray([.. Planes.Select(p => new JsonObject { ["name"] = p.Name, ["sums"] = List(p.Sums) })]);
+        }
+
         return JsonSerializer.SerializeToUtf8Bytes(json);
     }
 
@@ -110,6 +118,7 @@ public sealed record FilmHeader
                 Words = json.TryGetProperty(SettingsKey, out _) ? null : [.. json.GetProperty(WordsKey).EnumerateArray().Select(Text)],
                 Tone = json.TryGetProperty(ToneKey, out JsonElement tone) ? Text(tone) : null,
                 Software = Text(json.GetProperty("software")),
+                Planes = json.TryGetProperty("planes", out JsonElement planes) ? [.. planes.EnumerateArray().Select(Plane)] : [],
             };
             return header.IsSound ? header : throw new PictureException("its header makes no sense");
         }
@@ -121,7 +130,17 @@ public sealed record FilmHeader
 
     private bool IsSound => Width > 0 && Height > 0 && Samples.All(r => r.First >= 0 && r.End > r.First) && Wanted.First >= 0 && Wanted.End > Wanted.First
         && Samples.Zip(Samples.Skip(1)).All(p => p.First.End < p.Second.First)
+        && Planes.All(p => p.Sums.Count > 0) && Planes.DistinctBy(p => p.Name).Count() == Planes.Count
         && Total > 0 && (Crop is not { } c || (c is { X: >= 0, Y: >= 0, Width: > 0, Height: > 0 } && c.X <= Width - c.Width && c.Y <= Height - c.Height));
+
+    /// <summary>Makes sure that all planes are known: of others it is not known what samples add to them.</summary>
+    /// <exception cref="PictureException">One is not.</exception>
+    internal FilmHeader WithKnownPlanes() => Planes.FirstOrDefault(p => !p.IsKnown) is { } unknown
+        ? throw new PictureException($"it holds the plane '{unknown}' ({string.Join(", ", unknown.Sums)}), which this version of the program does not know: use the one that wrote it, {Software}")
+        : this;
+
+    private static FilmPlane Plane(JsonElement json) =>
+        FilmPlane.Of(Text(json.GetProperty("name")), [.. json.GetProperty("sums").EnumerateArray().Select(Text)]);
 
     private static string Text(JsonElement word) => word.GetString() ?? throw new FormatException("a text is missing");
 

@@ -21,7 +21,9 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
     public SceneDescription Read(MitsubaObject sensor, SceneDescription scene)
     {
         WarnOfClipping(sensor);
-        sensor.Ignore("shutter_open", "shutter_close", "srf");
+
+        // Without an aperture, everything is sharp.
+        sensor.Ignore("shutter_open", "shutter_close", "srf", "focus_distance");
         CameraDescription? camera = sensor.Type switch
         {
             "perspective" => Perspective(sensor),

@@ -29,14 +29,18 @@ public static class SceneLoader
     {
         string folder = Path.GetDirectoryName(path) ?? "";
         ModelFolder models = new(folder);
+        if (SceneFormat.Foreign(path) is { } foreign)
+        {
+            return new(SceneReader.Unreadable(path, foreign), folder, models, frame);
+        }
+
         if (ImageFile.FormatOf(path) is { } format)
         {
             string advice = format is FilmFormat
                 ? $"\"raytracer resume {path}\" resumes it, \"raytracer convert {path} FILE.png\" makes an image of it"
                 : $"\"raytracer view {path}\" shows it";
             string message = $"this is {format.FileName}, not a scene: {advice}";
-            Diagnostic diagnostic = new(path, 0, 0, Severity.Error, message) { Rule = DiagnosticRule.Unreadable };
-            return new(new(null, null, null, new(), [diagnostic]), folder, models, frame);
+            return new(SceneReader.Unreadable(path, message), folder, models, frame);
         }
 
         SceneReadResult read = ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models, settings), settings)
@@ -167,8 +171,24 @@ public sealed record SceneFormat(string Extension, Func<string, SceneReadResult>
 {
     private static readonly Dictionary<string, SceneFormat> Formats = new(StringComparer.OrdinalIgnoreCase);
 
+    // What people have of other programs, which would else be taken for damaged JSON.
+    private static readonly (string Program, string[] Extensions)[] Others =
+    [
+        ("pbrt", [".pbrt"]), ("USD", [".usd", ".usda", ".usdc", ".usdz"]), ("Blender", [".blend"]), ("FBX", [".fbx"]), ("POV-Ray", [".pov"]),
+        ("Collada", [".dae"]), ("3ds Max", [".3ds", ".max"]), ("Alembic", [".abc"]), ("Maya", [".ma", ".mb"]), ("STEP", [".step", ".stp"]),
+    ];
+
     /// <summary>Adds a format, before the first scene is read.</summary>
     public static void Register(SceneFormat format) => Formats[format.Extension] = format;
+
+    /// <summary>The complaint about a file of another program, with the formats that are read; null for any other file.</summary>
+    internal static string? Foreign(string path)
+    {
+        string extension = Path.GetExtension(path).ToLowerInvariant();
+        return Formats.ContainsKey(extension) || ModelFile.IsModel(path) || Others.FirstOrDefault(o => o.Extensions.Contains(extension)).Program is not { } program
+            ? null
+            : $"files of {program} are not read: scenes are {string.Join(", ", Formats.Keys.Prepend(".json"))}, and models {string.Join(", ", ModelFile.Extensions)}";
+    }
 
     /// <summary>The format of a path; null where that is the native one, or a model's.</summary>
     public static SceneFormat? Of(string path) => Formats.GetValueOrDefault(Path.GetExtension(path));

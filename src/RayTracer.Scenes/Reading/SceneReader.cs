@@ -72,7 +72,8 @@ public static class SceneReader
         return new(source, root, scene, map, bag.Diagnostics);
     }
 
-    private static SceneReadResult Unreadable(string path, string message) =>
+    /// <summary>The result for a file that is none, or not to be opened.</summary>
+    internal static SceneReadResult Unreadable(string path, string message) =>
         new(null, null, null, new(), [new(path, 0, 0, Severity.Error, message) { Rule = DiagnosticRule.Unreadable }]);
 
     // Not File.ReadAllBytes: a device or a pipe has no end and no length. Null where there is too much.

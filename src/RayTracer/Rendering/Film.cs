@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 using System.Security.Cryptography;
+using System.Text;
 using RayTracer.Numerics;
 using RayTracer.Textures;
 
@@ -25,12 +26,14 @@ public sealed class Film : IImageRows
     internal const double SquareUnits = 281474976710656.0;
     private readonly Int128[] _sums;
     private readonly uint[] _counts;
+    private readonly Int128[][] _planes;
 
     /// <summary>Makes an empty film.</summary>
     /// <param name="width">Width in pixels, at least 1.</param>
     /// <param name="height">Height in pixels, at least 1.</param>
+    /// <param name="planes">What it holds beside its picture.</param>
     /// <exception cref="OutOfMemoryException">There are more than <see cref="MaxPixels"/> pixels, or not so much memory.</exception>
-    public Film(int width, int height)
+    public Film(int width, int height, params IReadOnlyList<FilmPlane> planes)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(width, 1);
         ArgumentOutOfRangeException.ThrowIfLessThan(height, 1);
@@ -38,7 +41,12 @@ public sealed class Film : IImageRows
         Height = height;
         _sums = new Int128[checked((long)width * height * SumsPerPixel)];
         _counts = new uint[(long)width * height];
+        Planes = planes;
+        _planes = [.. planes.Select(p => new Int128[checked((long)width * height * p.Sums.Count)])];
     }
+
+    /// <summary>What it holds beside its picture.</summary>
+    public IReadOnlyList<FilmPlane> Planes { get; }
 
     /// <summary>The largest number of pixels: the sums are in one array.</summary>
     public static long MaxPixels => Array.MaxLength / SumsPerPixel;
@@ -133,27 +141,52 @@ public sealed class Film : IImageRows
     {
         Array.Clear(_sums);
         Array.Clear(_counts);
+        Array.ForEach(_planes, Array.Clear);
     }
 
     /// <summary>Adds the samples of another film. They must be other samples of the same scene; that is not checked here.</summary>
-    /// <param name="other">A film of the same size.</param>
-    /// <exception cref="ArgumentException">The sizes differ.</exception>
+    /// <param name="other">A film of the same size, which has the planes of this one.</param>
+    /// <exception cref="ArgumentException">The sizes differ, or a plane is missing.</exception>
     public void Merge(Film other)
     {
+        Int128[][] planes = [.. Planes.Select(p => other._planes[other.PlaneIndex(p)])];
         if (other.Width != Width || other.Height != Height)
         {
             throw new ArgumentException($"A film of {other.Width}×{other.Height} pixels cannot be merged into one of {Width}×{Height}.", nameof(other));
         }
 
-        for (long i = 0; i < _sums.LongLength; i++)
-        {
-            _sums[i] += other._sums[i];
-        }
-
+        Add(_sums, other._sums);
         for (long i = 0; i < _counts.LongLength; i++)
         {
             _counts[i] += other._counts[i];
         }
+
+        for (int plane = 0; plane < planes.Length; plane++)
+        {
+            Add(_planes[plane], planes[plane]);
+        }
+    }
+
+    /// <summary>Returns the two halves of the samples, each as a film; together they are this one.</summary>
+    /// <exception cref="ArgumentException">It has no <see cref="FilmPlane.Half"/>.</exception>
+    public (Film First, Film Second) Halves()
+    {
+        ReadOnlySpan<Int128> half = _planes[PlaneIndex(FilmPlane.Half)];
+        (Film first, Film second) = (new(Width, Height), new(Width, Height));
+        for (int pixel = 0; pixel < _counts.Length; pixel++)
+        {
+            for (int i = 0; i < SumsPerPixel; i++)
+            {
+                int sum = (pixel * SumsPerPixel) + i;
+                first._sums[sum] = half[(pixel * FilmPlane.Half.Sums.Count) + i];
+                second._sums[sum] = _sums[sum] - first._sums[sum];
+            }
+
+            first._counts[pixel] = (uint)half[(pixel * FilmPlane.Half.Sums.Count) + SumsPerPixel];
+            second._counts[pixel] = _counts[pixel] - first._counts[pixel];
+        }
+
+        return (first, second);
     }
 
     /// <summary>
@@ -176,12 +209,7 @@ public sealed class Film : IImageRows
     /// <param name="counts">The number of samples of each pixel.</param>
     public void AddSums(int y, ReadOnlySpan<Int128> sums, ReadOnlySpan<uint> counts)
     {
-        Span<Int128> target = _sums.AsSpan((int)Index(0, y) * SumsPerPixel, Width * SumsPerPixel);
-        for (int i = 0; i < target.Length; i++)
-        {
-            target[i] += sums[i];
-        }
-
+        Add(_sums.AsSpan((int)Index(0, y) * SumsPerPixel, Width * SumsPerPixel), sums);
         AddCounts(y, counts);
     }
 
@@ -191,13 +219,58 @@ public sealed class Film : IImageRows
     /// <inheritdoc cref="AddSums(int, ReadOnlySpan{Int128}, ReadOnlySpan{uint})"/>
     public void AddSums(int y, ReadOnlySpan<long> sums, ReadOnlySpan<uint> counts)
     {
-        Span<Int128> target = _sums.AsSpan((int)Index(0, y) * SumsPerPixel, Width * SumsPerPixel);
+        Add(_sums.AsSpan((int)Index(0, y) * SumsPerPixel, Width * SumsPerPixel), sums);
+        AddCounts(y, counts);
+    }
+
+    /// <summary>Copies a row of a plane.</summary>
+    /// <param name="plane">The plane.</param>
+    /// <param name="y">Row, from the top.</param>
+    /// <param name="sums">Takes the plane's sums of each pixel.</param>
+    /// <exception cref="ArgumentException">The film does not have the plane.</exception>
+    public void ReadPlane(FilmPlane plane, int y, Span<Int128> sums) => PlaneRow(plane, Index(0, y), Width * plane.Sums.Count).CopyTo(sums);
+
+    /// <summary>Adds a row of another film's plane.</summary>
+    /// <param name="plane">The plane.</param>
+    /// <param name="y">Row, from the top.</param>
+    /// <param name="sums">The plane's sums of each pixel, as <see cref="ReadPlane"/> gives them.</param>
+    /// <exception cref="ArgumentException">The film does not have the plane.</exception>
+    public void AddPlane(FilmPlane plane, int y, ReadOnlySpan<Int128> sums) => Add(PlaneRow(plane, Index(0, y), sums.Length), sums);
+
+    /// <summary>As <see cref="AddPlane(FilmPlane, int, ReadOnlySpan{Int128})"/>, of a row whose sums all fit into 64 bits.</summary>
+    /// <inheritdoc cref="AddPlane(FilmPlane, int, ReadOnlySpan{Int128})"/>
+    public void AddPlane(FilmPlane plane, int y, ReadOnlySpan<long> sums) => Add(PlaneRow(plane, Index(0, y), sums.Length), sums);
+
+    private static void Add(Span<Int128> target, ReadOnlySpan<Int128> sums)
+    {
         for (int i = 0; i < target.Length; i++)
         {
             target[i] += sums[i];
         }
+    }
 
-        AddCounts(y, counts);
+    private static void Add(Span<Int128> target, ReadOnlySpan<long> sums)
+    {
+        for (int i = 0; i < target.Length; i++)
+        {
+            target[i] += sums[i];
+        }
+    }
+
+    private Span<Int128> PlaneRow(FilmPlane plane, long firstPixel, int length) =>
+        _planes[PlaneIndex(plane)].AsSpan(checked((int)firstPixel * plane.Sums.Count), length);
+
+    private int PlaneIndex(FilmPlane plane)
+    {
+        for (int i = 0; i < Planes.Count; i++)
+        {
+            if (Planes[i] == plane)
+            {
+                return i;
+            }
+        }
+
+        throw new ArgumentException($"The film has no plane '{plane}'.", nameof(plane));
     }
 
     private void AddCounts(int y, ReadOnlySpan<uint> counts)
@@ -211,9 +284,12 @@ public sealed class Film : IImageRows
 
     /// <summary>
     /// SHA-256, as hexadecimal digits, of the exact content: of the size and of the SHA-256 of each row, which covers the
-    /// sums (16 bytes each, lowest first) and then the counts (4 bytes each) of its pixels.
+    /// sums (16 bytes each, lowest first), then the counts (4 bytes each) of its pixels, and then of each plane its name and the sums of its
+    /// pixels.
     /// </summary>
-    public string ComputeHash()
+    /// <param name="planes">The planes that it covers; null for all that the film has.</param>
+    /// <exception cref="ArgumentException">The film does not have a plane.</exception>
+    public string ComputeHash(IReadOnlyList<FilmPlane>? planes = null)
     {
         const int digest = SHA256.HashSizeInBytes;
         byte[] digests = new byte[8 + ((long)digest * Height)];
@@ -224,6 +300,11 @@ public sealed class Film : IImageRows
             using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
             hash.AppendData(Bytes(_sums.AsSpan(checked(y * Width * SumsPerPixel), Width * SumsPerPixel)));
             hash.AppendData(Bytes(_counts.AsSpan(y * Width, Width)));
+            foreach (FilmPlane plane in planes ?? Planes)
+            {
+                hash.AppendData(Encoding.UTF8.GetBytes(plane.Name));
+                hash.AppendData(Bytes(PlaneRow(plane, y * Width, Width * plane.Sums.Count)));
+            }
             hash.GetHashAndReset(digests.AsSpan(8 + (digest * y)));
         });
         return Convert.ToHexStringLower(SHA256.HashData(digests));
@@ -238,8 +319,9 @@ public sealed class Film : IImageRows
     /// <param name="sums">The sums of each pixel, in their units.</param>
     /// <param name="rest">What those do not hold of each pixel (<see cref="SumRest"/>); nothing where they hold all.</param>
     /// <param name="samples">The number of samples of each pixel, those that were left out included.</param>
+    /// <param name="isOfHalf">Whether they are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
     /// <param name="sign">1 to add, −1 to take away.</param>
-    internal void AddRow(int x, int y, ReadOnlySpan<long> sums, ReadOnlySpan<long> rest, int samples, int sign = 1)
+    internal void AddRow(int x, int y, ReadOnlySpan<long> sums, ReadOnlySpan<long> rest, int samples, bool isOfHalf, int sign = 1)
     {
         int first = (y * Width) + x;
         Span<Int128> targetSums = _sums.AsSpan(first * SumsPerPixel, sums.Length);
@@ -258,6 +340,30 @@ public sealed class Film : IImageRows
         {
             targetSums[(i * SumsPerPixel) + SquareSum] += (Int128)(sign * SumRest.HighSquare(rest[i])) << SumRest.SquareShift;
             targetCounts[i] -= (uint)(sign * SumRest.Missing(rest[i]));
+        }
+
+        if (isOfHalf)
+        {
+            AddToHalf(first, sums, rest, samples, sign);
+        }
+    }
+
+    private void AddToHalf(int first, ReadOnlySpan<long> sums, ReadOnlySpan<long> rest, int samples, int sign)
+    {
+        int perPixel = FilmPlane.Half.Sums.Count;
+        int pixels = sums.Length / SumsPerPixel;
+        Span<Int128> target = PlaneRow(FilmPlane.Half, first, pixels * perPixel);
+        for (int pixel = 0; pixel < pixels; pixel++)
+        {
+            Span<Int128> own = target.Slice(pixel * perPixel, perPixel);
+            for (int i = 0; i < SumsPerPixel; i++)
+            {
+                own[i] += sign * sums[(pixel * SumsPerPixel) + i];
+            }
+
+            long more = rest.IsEmpty ? 0 : rest[pixel];
+            own[SquareSum] += (Int128)(sign * SumRest.HighSquare(more)) << SumRest.SquareShift;
+            own[SumsPerPixel] += sign * (samples - SumRest.Missing(more));
         }
     }
 

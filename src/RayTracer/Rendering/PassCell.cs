@@ -48,11 +48,12 @@ internal sealed class PassCell(Tile area)
     /// <param name="film">The film.</param>
     /// <param name="run">Column, row and number of the pixels.</param>
     /// <param name="samples">The number of samples of each pixel.</param>
-    public void TakeBack(Film film, (int X, int Y, int Length) run, int samples)
+    /// <param name="isOfHalf">Whether they are of <see cref="FilmPlane.Half"/>.</param>
+    public void TakeBack(Film film, (int X, int Y, int Length) run, int samples, bool isOfHalf)
     {
         int first = First(run.X, run.Y);
         ReadOnlySpan<long> rest = _rest is { } kept ? kept.AsSpan(first, run.Length) : default;
-        film.AddRow(run.X, run.Y, _sums.AsSpan(first * Film.SumsPerPixel, run.Length * Film.SumsPerPixel), rest, samples, sign: -1);
+        film.AddRow(run.X, run.Y, _sums.AsSpan(first * Film.SumsPerPixel, run.Length * Film.SumsPerPixel), rest, samples, isOfHalf, sign: -1);
     }
 
     /// <summary>Gives the memory back.</summary>

@@ -8,12 +8,17 @@ namespace RayTracer.Rendering;
 internal sealed class ProgressSum(long total, IProgress<RenderProgress>? progress, long pathsBefore = 0, long raysBefore = 0)
 {
     private long _paths = pathsBefore;
+    private long _total = total;
     private long _rays = raysBefore;
+
+    /// <summary>Replaces the total; 0 where it is not known.</summary>
+    public void Expect(long paths) => Interlocked.Exchange(ref _total, paths);
 
     /// <summary>Adds more.</summary>
     public void Add(long paths, long rays)
     {
         long done = Interlocked.Add(ref _paths, paths);
-        progress?.Report(new(done, Math.Max(done, total), Interlocked.Add(ref _rays, rays)));
+        long all = Interlocked.Read(ref _total);
+        progress?.Report(new(done, all == 0 ? 0 : Math.Max(done, all), Interlocked.Add(ref _rays, rays)));
     }
 }

@@ -30,8 +30,8 @@ public sealed record RenderOptions
     /// </summary>
     public Func<SampleRange, TimeSpan>? AfterPass { get; init; }
 
-    /// <summary>Two halves of the samples, which are kept apart as well; null for none.</summary>
-    internal SampleHalves? Halves { get; init; }
+    /// <summary>How long a pass may take even if it more than doubles the samples.</summary>
+    internal TimeSpan ShortestPass { get; init; } = TimeSpan.FromSeconds(1);
 }
 
 /// <summary>The progress of a rendering.</summary>

@@ -14,12 +14,13 @@ internal static class DenoiserBenchmark
     // A square, for the jittered sampler.
     private const int ReferenceSamples = 2304;
 
-    /// <summary>Measures all scenes.</summary>
-    public static int Run()
+    /// <summary>Measures scenes.</summary>
+    /// <param name="names">Their names; none for all.</param>
+    public static int Run(string[] names)
     {
         Console.WriteLine("| scene | samples | relative MSE | denoised | ratio | FLIP | denoised | light cut | processor time a megapixel |");
         Console.WriteLine("|---|---|---|---|---|---|---|---|---|");
-        foreach ((string Name, string Content) scene in DenoiserScenes.All)
+        foreach ((string Name, string Content) scene in DenoiserScenes.All.Where(s => names.Length == 0 || names.Contains(s.Name)))
         {
             Picture reference = new RTracer(DenoiserScenes.Build(scene, Width, Height, ReferenceSamples, 77)).Render().Film.ToPicture();
             foreach (int samples in new[] { 4, 16, 64 })
@@ -33,24 +34,15 @@ internal static class DenoiserBenchmark
 
     private static string Row(Scene scene, Picture reference)
     {
-        int count = scene.Render.SamplesPerPixel;
-        HalfRender first = Half(scene, new(0, count / 2));
-        HalfRender second = Half(scene, new(count / 2, count));
+        Film film = new(Width, Height, FilmPlane.Half);
+        new RTracer(scene).Render(film);
+        (HalfRender first, HalfRender second) = HalfRender.Of(scene, new(), film);
         TimeSpan before = Environment.CpuUsage.TotalTime;
         DenoiseResult result = Denoiser.Denoise(first, second, 1);
         double seconds = (Environment.CpuUsage.TotalTime - before).TotalSeconds;
-        first.Film.Merge(second.Film);
-        (double noisy, double noisyFlip) = Errors(first.Film.ToPicture(), reference);
+        (double noisy, double noisyFlip) = Errors(film.ToPicture(), reference);
         (double denoised, double denoisedFlip) = Errors(result.Picture, reference);
         return $"{noisy:F5} | {denoised:F5} | {denoised / noisy:F2} | {noisyFlip:F3} | {denoisedFlip:F3} | {result.CutShare:P1} | {seconds * 1e6 / (Width * Height):F1} s";
-    }
-
-    private static HalfRender Half(Scene scene, SampleRange samples)
-    {
-        HalfRender half = HalfRender.Create(Width, Height);
-        new RTracer(scene, new() { Samples = samples }).Render(half.Film);
-        new FirstHitPass(scene, new() { Samples = samples }).Render(half.Features);
-        return half;
     }
 
     private static (double RelativeMse, double Flip) Errors(Picture image, Picture reference) =>

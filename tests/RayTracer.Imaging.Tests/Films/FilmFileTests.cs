@@ -82,6 +82,80 @@ public sealed class FilmFileTests : IDisposable
         Assert.Equal(film.ComputeHash(), FilmFile.Read(path).Film.ComputeHash());
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(1L << 40)]
+    public void Planes_come_back_as_they_were(long factor)
+    {
+        Film film = WithHalf(factor);
+        FilmFile.Write(_folder["a.rtfilm"], film, Header(Width, Height));
+        FilmExr.Write(_folder["a.exr"], film, Header(Width, Height), new());
+        foreach (string file in (string[])["a.rtfilm", "a.exr"])
+        {
+            (FilmHeader header, Film read) = CarriedFilm.Read(_folder[file]);
+            Assert.Equal([FilmPlane.Half], header.Planes);
+            Assert.Equal(film.ComputeHash(), read.ComputeHash());
+            Film sum = new(Width, Height, FilmPlane.Half);
+            CarriedFilm.AddTo(_folder[file], sum);
+            Assert.Equal(film.ComputeHash(), sum.ComputeHash());
+
+            // What a film has no plane for is left out, and what it needs must be there.
+            Film plain = new(Width, Height);
+            CarriedFilm.AddTo(_folder[file], plain);
+            Assert.Equal(film.ComputeHash([]), plain.ComputeHash());
+        }
+
+        FilmFile.Write(_folder["plain.rtfilm"], new(Width, Height), Header(Width, Height));
+        Assert.Throws<ArgumentException>(() => CarriedFilm.AddTo(_folder["plain.rtfilm"], film));
+    }
+
+    [Fact]
+    public void A_damaged_plane_is_reported_with_its_row()
+    {
+        FilmFile.Write(_folder["a.rtfilm"], WithHalf(1), Header(Width, Height));
+        byte[] file = File.ReadAllBytes(_folder["a.rtfilm"]);
+        int rows = 16 + BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(12)) + 4;
+        const int planeLength = 1 + (Width * 5 * 8);
+        Assert.Equal(file.Length, rows + (Height * (RowLength + planeLength + 4)));
+        AssertRefused("row 0 is damaged", Changed(file, f => f[rows + RowLength + 9] ^= 1));
+        AssertRefused("row 3 is damaged", Changed(file, f => f[^9] ^= 1));
+        AssertRefused("it ends too early", file[..^1]);
+    }
+
+    [Fact]
+    public void A_plane_of_a_later_version_is_refused_by_name_and_its_header_is_read()
+    {
+        FilmFile.Write(_folder["a.rtfilm"], new(Width, Height, FilmPlane.Of("splats", ["red", "count"])), Header(Width, Height) with { Software = "raytracer 9" });
+        FilmPlane plane = Assert.Single(FilmFile.ReadHeader(_folder["a.rtfilm"]).Planes);
+        Assert.Equal(("splats", "red, count"), (plane.Name, string.Join(", ", plane.Sums)));
+        AssertRefused(
+            "it holds the plane 'splats' (red, count), which this version of the program does not know: use the one that wrote it, raytracer 9", File.ReadAllBytes(_folder["a.rtfilm"]));
+    }
+
+    [Theory]
+    [InlineData("[]", "its header makes no sense")]
+    [InlineData("""["count"]},{"name":"half","sums":["count"]""", "its header makes no sense")]
+    [InlineData("[3]", "its header is damaged")]
+    [InlineData("3", "its header is damaged")]
+    public void Planes_that_make_no_sense_are_refused(string sums, string message)
+    {
+        byte[] text = Encoding.UTF8.GetBytes(Encoding.UTF8.GetString((Header(Width, Height) with { Planes = [FilmPlane.Of("half", ["mark"])] }).ToBytes()).Replace("[\"mark\"]", sums, StringComparison.Ordinal));
+        Assert.Contains(message, Assert.Throws<PictureException>(() => FilmHeader.Of(text)).Message, StringComparison.Ordinal);
+    }
+
+    private static Film WithHalf(long factor)
+    {
+        Film film = new(Width, Height, FilmPlane.Half);
+        for (int y = 0; y < Height; y++)
+        {
+            Random random = new(y);
+            film.AddSums(y, [.. Enumerable.Range(0, 4 * Width).Select(_ => (Int128)random.NextInt64())], [.. Enumerable.Repeat(2u, Width)]);
+            film.AddPlane(FilmPlane.Half, y, [.. Enumerable.Range(0, 5 * Width).Select(_ => (Int128)random.NextInt64() * factor)]);
+        }
+
+        return film;
+    }
+
     private static FilmHeader Header(int width, int height) =>
         new() { Width = width, Height = height, Content = "content", Samples = [new(0, 1)], Wanted = new(0, 1), Total = 1, Scene = "scene.json" };
 

@@ -33,6 +33,10 @@ public class MitsubaSensorTests
         Assert.Equal(axis, TestScene.Of("", $"""<sensor type="perspective"><float name="fov" value="50"/><string name="fov_axis" value="{word}"/>{Film}</sensor>""").Camera.FieldOfViewAxis);
 
     [Fact]
+    public void A_camera_without_an_aperture_may_say_what_is_sharp() => Assert.Equal(
+        50, TestScene.Of("", $"""<sensor type="perspective"><float name="focus_distance" value="1000"/><float name="fov" value="50"/>{Film}</sensor>""").Camera.FieldOfView);
+
+    [Fact]
     public void Focal_lengths_are_of_35_mm_film()
     {
         CameraDescription camera = TestScene.Of("", $"""<sensor type="perspective"><string name="focal_length" value="50mm"/>{Film}</sensor>""").Camera;

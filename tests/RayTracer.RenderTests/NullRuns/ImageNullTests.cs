@@ -38,7 +38,7 @@ public class ImageNullTests(ITestOutputHelper output)
         Block middle = new(4, 8, 4, 4);
         Block edge = new(4, 4, 4, 4);
         Block all = new(0, 0, 16, 16);
-        NullRun.Check("images", output, run =>
+        NullRun.Check("images", output, 30, run =>
         {
             ImageSamples independent = Render(SamplerKind.Independent, Seeds, (100 * run) + 1);
             ImageSamples sobol = Render(SamplerKind.Sobol, 16, (100 * run) + 51);

@@ -10,7 +10,7 @@ public class PValueNullTests(ITestOutputHelper output)
     public void P_values_of_means_are_small_no_more_often_than_they_say()
     {
         Random random = new(1 + TestSettings.Seed);
-        NullRun.Check("means", output, _ =>
+        NullRun.Check("means", output, 100, _ =>
         {
             double[] normal = [.. Enumerable.Range(0, 16).Select(_ => Normal(random))];
             double[] uniform = [.. Enumerable.Range(0, 64).Select(_ => random.NextDouble())];
@@ -30,7 +30,7 @@ public class PValueNullTests(ITestOutputHelper output)
     public void P_values_of_counts_are_small_no_more_often_than_they_say()
     {
         Random random = new(2 + TestSettings.Seed);
-        NullRun.Check("counts", output, _ =>
+        NullRun.Check("counts", output, 100, _ =>
         {
             // Cells of shares 1 : 3 : 5 : …, the first of which are so small that they are put together.
             double[] observed = new double[30];

@@ -42,7 +42,7 @@ public class MitsubaReferenceTests(ITestOutputHelper output)
         string file = Path.Combine(folder, "scenes", $"{name}.xml");
         ReferenceMoments reference = ReferenceComparison.Read(folder, name);
         int samples = s_caustics.Contains(name) ? TestSettings.Scale(16, 36) : TestSettings.Scale(4, 36);
-        int seeds = s_caustics.Contains(name) ? 64 : TestSettings.Scale(24, 32);
+        int seeds = s_caustics.Contains(name) ? 64 : TestSettings.Scale(16, 32);
         ImageSamples images = SceneRuns.Render(file, seeds, d => d with { Render = d.Render with { SamplesPerPixel = samples } });
         // Few samples may miss what is rare, and then tell too small a variance; both renderers' samples vary about as much.
         double missed = 0.25 * SamplesOf(folder, name) / ((double)samples * seeds);

@@ -24,7 +24,7 @@ public partial class PrimerTests
     public void Pages_show_and_link_their_scenes(string name)
     {
         string page = Page(name);
-        Assert.Contains($"](../pictures/{name}.png)", page, StringComparison.Ordinal);
+        Assert.Contains($"](../pictures/{name}.", page, StringComparison.Ordinal);
         Assert.Contains($"](../../scenes/primer/{name}.json)", page, StringComparison.Ordinal);
         Assert.Contains($"]({name}.md)", Page("README"), StringComparison.Ordinal);
     }

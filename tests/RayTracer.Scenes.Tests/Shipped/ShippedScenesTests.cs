@@ -45,7 +45,7 @@ public partial class ShippedScenesTests
         string text = File.ReadAllText(Gallery);
 
         Assert.Contains($"(../scenes/{file})", text, StringComparison.Ordinal);
-        Assert.Contains($"(pictures/{Path.GetFileNameWithoutExtension(file)}.png)", text, StringComparison.Ordinal);
+        Assert.Contains($"(pictures/{Path.GetFileNameWithoutExtension(file)}.", text, StringComparison.Ordinal);
     }
 
     [Fact]

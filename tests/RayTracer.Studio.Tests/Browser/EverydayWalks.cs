@@ -22,7 +22,8 @@ public class EverydayWalks(ChromiumBrowser browser)
         await Expect(w.Page.GetByRole(AriaRole.Dialog)).ToHaveCountAsync(0);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task It_is_dark_or_light_as_the_system_is()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene1", new() { ColorScheme = ColorScheme.Dark });
@@ -40,7 +41,8 @@ public class EverydayWalks(ChromiumBrowser browser)
         await w.Shot("light");
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task At_twice_the_size_everything_can_be_reached()
     {
         // What a window of 1280×800 is at 200 % zoom.
@@ -158,7 +160,8 @@ public class EverydayWalks(ChromiumBrowser browser)
         await w.Shot("lost");
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_draft_takes_fewer_samples_than_the_file_says()
     {
         await using StudioWindow w = await StudioWindow.OpenEndless(browser);
@@ -170,7 +173,8 @@ public class EverydayWalks(ChromiumBrowser browser)
         await w.Shot("render-settings", isShown: true);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Two_fingers_come_nearer()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere", new() { HasTouch = true });

@@ -31,7 +31,8 @@ public class FilmWalks(ChromiumBrowser browser)
         Assert.Equal(30, ImageFile.Read(Path.Combine(w.Folder, "again.hdr")).Width);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Parts_and_frames_are_rendered_into_files_and_parts_merged()
     {
         await using StudioWindow w = await StudioWindow.Open(browser);
@@ -59,7 +60,8 @@ public class FilmWalks(ChromiumBrowser browser)
         Assert.Equal(whole, FilmFile.Read(Path.Combine(w.Folder, "merged.rtfilm")).Film.ComputeHash());
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Lights_are_balanced_after_rendering()
     {
         await using StudioWindow w = await StudioWindow.Open(browser);
@@ -104,7 +106,8 @@ public class FilmWalks(ChromiumBrowser browser)
         await dialog.GetByRole(AriaRole.Button, new() { Name = "Open", Exact = true }).ClickAsync();
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_file_that_is_picked_stays_so_while_its_folder_is_read_again()
     {
         await using StudioWindow w = await StudioWindow.Open(browser);

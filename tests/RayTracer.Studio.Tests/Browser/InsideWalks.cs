@@ -25,7 +25,8 @@ public class InsideWalks(ChromiumBrowser browser)
         await w.Shot("paths", isShown: true);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Every_map_is_shown_in_the_picture()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "meshes/02-smooth");
@@ -41,7 +42,8 @@ public class InsideWalks(ChromiumBrowser browser)
         }
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Convergence_is_plotted_beside_the_theory()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene3");
@@ -51,7 +53,8 @@ public class InsideWalks(ChromiumBrowser browser)
         await w.Shot("convergence", isShown: true);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task The_reports_times_stand_beside_this_machines()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene3");

@@ -15,7 +15,8 @@ namespace RayTracer.Studio.Tests.Browser;
 [Trait("Category", "Thorough")]
 public class LightWalks(ChromiumBrowser browser)
 {
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Lights_and_what_surrounds_the_scene_are_added_and_changed()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
@@ -55,7 +56,8 @@ public class LightWalks(ChromiumBrowser browser)
         await Expect(w.Page.GetByText("background", new() { Exact = true })).ToHaveCountAsync(1);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_material_becomes_each_type_there_is_and_the_scene_stays_good()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
@@ -95,7 +97,8 @@ public class LightWalks(ChromiumBrowser browser)
         await Good(w, "its roughness is a number", s => s.Materials["glass"] is PrincipledMaterialDescription { Roughness: Textures.SolidTextureDescription });
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Integrator_filter_and_camera_are_chosen_and_the_picture_is_denoised()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");

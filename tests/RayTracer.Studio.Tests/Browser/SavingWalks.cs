@@ -45,7 +45,8 @@ public class SavingWalks(ChromiumBrowser browser)
         await Download(w, "pfm", "PFM");
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_bundle_holds_the_scene_and_its_pictures()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene1");
@@ -70,7 +71,8 @@ public class SavingWalks(ChromiumBrowser browser)
             (await w.Page.EvaluateAsync<string>("() => navigator.clipboard.readText()")).StartsWith("raytracer render ", StringComparison.Ordinal));
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_file_that_is_dropped_is_opened()
     {
         await using StudioWindow w = await StudioWindow.Open(browser);

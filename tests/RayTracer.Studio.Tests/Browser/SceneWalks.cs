@@ -65,7 +65,8 @@ public class SceneWalks(ChromiumBrowser browser)
         await w.Painted();
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_colour_that_is_edited_shows()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
@@ -112,7 +113,8 @@ public class SceneWalks(ChromiumBrowser browser)
         Assert.NotEqual(before, withBox);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_shape_is_moved_by_its_handle()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
@@ -131,7 +133,8 @@ public class SceneWalks(ChromiumBrowser browser)
         await w.Text("the ball has moved along x", t => t != before && t.Contains(", 1, 0], \"radius\": 1, \"material\": \"chrome\"", StringComparison.Ordinal));
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_click_with_the_focus_tool_makes_sharp_what_is_there()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/15-depth-of-field");

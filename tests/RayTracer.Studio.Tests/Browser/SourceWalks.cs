@@ -40,7 +40,8 @@ public class SourceWalks(ChromiumBrowser browser)
         await w.Shot("completion", isShown: true);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_malformed_scene_typed_character_by_character_keeps_the_last_good_picture()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
@@ -60,7 +61,8 @@ public class SourceWalks(ChromiumBrowser browser)
         await Expect(w.Page.GetByText("The text has an error: this is the last valid picture.")).ToBeVisibleAsync();
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_source_that_is_left_before_its_text_comes_makes_no_trouble()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");

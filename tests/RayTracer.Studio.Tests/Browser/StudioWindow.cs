@@ -163,12 +163,15 @@ internal sealed class StudioWindow : IAsyncDisposable
     /// <summary>Waits until the document's text is so.</summary>
     public Task Text(string what, Func<string, bool> isSo) => Until(what, () => Task.FromResult(isSo(Session.Document.Text)));
 
-    /// <summary>Keeps a screenshot: among the results, and where pictures are renewed, in the documentation.</summary>
+    /// <summary>Keeps a screenshot where pictures are renewed: in the documentation if it is shown there, else among the results.</summary>
     public async Task Shot(string name, bool isShown = false)
     {
-        string folder = isShown && Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") == "1"
-            ? ProjectFolder.PathOf("docs", "studio")
-            : ProjectFolder.PathOf("artifacts", "studio");
+        if (Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") != "1")
+        {
+            return;
+        }
+
+        string folder = isShown ? ProjectFolder.PathOf("docs", "studio") : ProjectFolder.PathOf("artifacts", "studio");
         Directory.CreateDirectory(folder);
         await Page.ScreenshotAsync(new() { Path = Path.Combine(folder, name + ".png"), Animations = ScreenshotAnimations.Disabled });
     }

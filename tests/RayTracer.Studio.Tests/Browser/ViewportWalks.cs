@@ -51,7 +51,8 @@ public class ViewportWalks(ChromiumBrowser browser)
         await w.Text("the camera is nearer", t => t != far);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Exposure_and_tone_map_change_the_picture_and_render_nothing_again()
     {
         await using StudioWindow w = await StudioWindow.OpenEndless(browser);
@@ -72,7 +73,8 @@ public class ViewportWalks(ChromiumBrowser browser)
         Assert.Equal(samples, await w.Data("samples"));
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_region_alone_is_rendered_and_then_all_again()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/02-light");
@@ -83,7 +85,8 @@ public class ViewportWalks(ChromiumBrowser browser)
         await Expect(w.Button("Render the whole picture again")).ToHaveCountAsync(0);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Pause_holds_the_samples_and_continue_goes_on()
     {
         await using StudioWindow w = await StudioWindow.OpenEndless(browser);
@@ -93,7 +96,8 @@ public class ViewportWalks(ChromiumBrowser browser)
         await Expect(w.Status).Not.ToContainTextAsync("paused");
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task A_kept_picture_is_wiped_against_a_later_one()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
@@ -106,7 +110,8 @@ public class ViewportWalks(ChromiumBrowser browser)
         await w.Shot("wipe", isShown: true);
     }
 
-    [SkippableFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task The_picture_is_enlarged_to_single_pixels_and_fitted_again()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/14-aliasing");

@@ -49,8 +49,8 @@ public class ScatteringTests
     [MemberData(nameof(Cases))]
     public void The_mean_weight_is_the_integral_of_the_bsdf_and_the_cosine(string name) => ForEachSurface(name, (material, at) =>
     {
-        // A million samples a surface: of the three pairs of everyday angles, two are looked at, by the seed.
-        if (!TestSettings.Thorough && ((Array.IndexOf(s_everyday, at.Cosine) / 2) + TestSettings.Seed) % 3 == 0)
+        // A million samples a surface: of the three pairs of everyday angles, one is looked at, by the seed.
+        if (!TestSettings.Thorough && ((Array.IndexOf(s_everyday, at.Cosine) / 2) + TestSettings.Seed) % 3 != 0)
         {
             return;
         }

@@ -57,7 +57,7 @@ public class PassLoopTests
             accumulator.Add(1, 0u, 0u, new(value, value, value));
             accumulator.End(cell: cell);
             string after = film.ComputeHash();
-            cell.TakeBack(film, (0, 0, 1), 1);
+            cell.TakeBack(film, (0, 0, 1), 1, isOfHalf: false);
             Assert.Equal(before, film.ComputeHash());
             accumulator.End(cell: cell);
             Assert.Equal(after, film.ComputeHash());
@@ -87,43 +87,21 @@ public class PassLoopTests
     }
 
     [Fact]
-    public void Halves_of_the_samples_are_the_picture_together_wherever_it_is_stopped()
+    public void Halves_of_the_samples_are_those_of_the_complete_passes_wherever_it_is_stopped()
     {
         foreach (int pass in new[] { 2, 3, 4, 6 })
         {
-            Film film = new(48, 32);
-            Film[] halves = [new(48, 32), new(48, 32)];
-            int samples = Stopped(s_scene, film, new() { TileSize = 8, Threads = 3, Halves = new(halves) }, pass).SamplesPerPixel;
-            Assert.True(samples < 2 || halves.All(h => h.TotalSamples > 0));
-            halves[0].Merge(halves[1]);
-            Assert.Equal(film.ComputeHash(), halves[0].ComputeHash());
+            Film film = new(48, 32, FilmPlane.Half);
+            int samples = Stopped(s_scene, film, new() { TileSize = 8, Threads = 3 }, pass).SamplesPerPixel;
+            Film whole = new(48, 32, FilmPlane.Half);
+            new RTracer(s_scene, new() { Samples = new(0, Math.Max(samples, 1)) }).Render(whole);
+            Assert.Equal(samples > 0 ? whole.ComputeHash() : new Film(48, 32, FilmPlane.Half).ComputeHash(), film.ComputeHash());
             Assert.Equal(samples * 48L * 32, film.TotalSamples);
         }
     }
 
-    [Theory]
-    [InlineData(2, 1)]
-    [InlineData(7, 3)]
-    [InlineData(64, 32)]
-    [InlineData(1000, 500)]
-    public void Halves_take_turns_and_come_out_even(int samples, int ofSecond)
-    {
-        int[] counts = new int[2];
-        for (int first = 5; first < 5 + samples;)
-        {
-            (int half, int end) = SampleHalves.Turn(first, new(5, 5 + samples));
-            Assert.InRange(end, first + 1, first + 64);
-            Assert.Equal((half, end), SampleHalves.Turn(end - 1, new(5, 5 + samples)));
-            counts[half] += end - first;
-            Assert.InRange(counts[0] - counts[1], 0, 64);
-            first = end;
-        }
-
-        Assert.Equal((samples - ofSecond, ofSecond), (counts[0], counts[1]));
-    }
-
     [Fact]
-    public void Who_looks_between_passes_sees_whole_ones_and_may_end_the_rendering()
+    public void Between_passes_the_film_is_whole_and_the_rendering_can_be_ended()
     {
         Film film = new(48, 32);
         List<(SampleRange Pass, string Hash)> seen = [];
@@ -133,7 +111,7 @@ public class PassLoopTests
             return pass.End == 8 ? TimeSpan.Zero : TimeSpan.FromHours(1);
         }
 
-        RenderStatistics statistics = new RTracer(s_scene, new() { TileSize = 8, Threads = 3, AfterPass = After }).Render(film);
+        RenderStatistics statistics = new RTracer(s_scene, new() { TileSize = 8, Threads = 3, AfterPass = After, ShortestPass = TimeSpan.Zero }).Render(film);
         Assert.Equal((8, false), (statistics.SamplesPerPixel, statistics.Cancelled));
         Assert.Equal([new(0, 1), new(1, 2), new(2, 4), new(4, 8)], seen.Select(s => s.Pass));
         Assert.All(seen, s => Assert.Equal(Of(s_scene, new(0, s.Pass.End)).ComputeHash(), s.Hash));
@@ -154,11 +132,25 @@ public class PassLoopTests
     }
 
     [Fact]
+    public void Passes_that_are_quick_more_than_double_the_samples()
+    {
+        List<int> passes = [];
+        new RTracer(s_scene, new() { AfterPass = pass => Add(pass.Count), ShortestPass = TimeSpan.FromHours(1) }).Render(new Film(48, 32));
+        Assert.Equal([1, 15], passes);
+
+        TimeSpan Add(int count)
+        {
+            passes.Add(count);
+            return TimeSpan.FromHours(1);
+        }
+    }
+
+    [Fact]
     public void No_pass_has_more_than_64_samples()
     {
         List<int> passes = [];
         Scene scene = TestScenes.Build(TestScenes.Everything.Replace("SAMPLER", "sobol", StringComparison.Ordinal).Replace("\"samplesPerPixel\": 16", "\"samplesPerPixel\": 300", StringComparison.Ordinal));
-        new RTracer(scene, new() { Crop = new(0, 0, 4, 4), AfterPass = pass => Add(pass.Count) }).Render(new Film(48, 32));
+        new RTracer(scene, new() { Crop = new(0, 0, 4, 4), AfterPass = pass => Add(pass.Count), ShortestPass = TimeSpan.Zero }).Render(new Film(48, 32));
         Assert.Equal([1, 1, 2, 4, 8, 16, 32, 64, 64, 64, 44], passes);
 
         TimeSpan Add(int count)
@@ -174,7 +166,7 @@ public class PassLoopTests
         using ManualResetEventSlim later = new();
         int held = 0;
         bool wasReached = false;
-        Film film = new RTracer(s_scene, new() { TileSize = 8, Threads = 2 }).Render(new Report(p =>
+        Film film = new RTracer(s_scene, new() { TileSize = 8, Threads = 2, ShortestPass = TimeSpan.Zero }).Render(new Report(p =>
         {
             if (p.Pass >= 3)
             {
@@ -204,7 +196,7 @@ public class PassLoopTests
         Film film = new(48, 32);
         using CancellationTokenSource stop = new();
         int reports = 0;
-        RenderStatistics statistics = new RTracer(scene, new() { TileSize = 8, Threads = 2 }).Render(film, new Report(p =>
+        RenderStatistics statistics = new RTracer(scene, new() { TileSize = 8, Threads = 2, ShortestPass = TimeSpan.Zero }).Render(film, new Report(p =>
         {
             if (p.Pass == 3 && Interlocked.Increment(ref reports) == 22)
             {
@@ -215,22 +207,6 @@ public class PassLoopTests
         later.Set();
         Assert.True(statistics.Cancelled);
         Assert.Equal(Of(scene, new(0, statistics.SamplesPerPixel)).ComputeHash(), film.ComputeHash());
-    }
-
-    [Fact]
-    public void What_is_taken_back_costs_32_bytes_a_pixel()
-    {
-        const int edge = 1024;
-        Scene scene = TestScenes.Build(TestScenes.Everything.Replace("SAMPLER", "sobol", StringComparison.Ordinal)
-            .Replace("\"width\": 48, \"height\": 32", $"\"width\": {edge}, \"height\": {edge}", StringComparison.Ordinal)
-            .Replace("\"samplesPerPixel\": 16", "\"samplesPerPixel\": 2", StringComparison.Ordinal));
-        Film film = new(edge, edge);
-
-        // All that is allocated on the way, each thread's room for its paths included.
-        const long others = 4 << 20;
-        long before = GC.GetTotalAllocatedBytes(precise: true);
-        new RTracer(scene, new() { Threads = 1, Samples = new(0, 2) }).Render(film);
-        Assert.InRange(GC.GetTotalAllocatedBytes(precise: true) - before, 0, (32L * edge * edge) + others);
     }
 
     private static Film Of(Scene scene, SampleRange samples)
@@ -245,7 +221,7 @@ public class PassLoopTests
     {
         using CancellationTokenSource source = new();
         int reports = 0;
-        return new RTracer(scene, options).Render(
+        return new RTracer(scene, options with { ShortestPass = TimeSpan.Zero }).Render(
             film, new Report(p => { if (p.Pass == pass && Interlocked.Increment(ref reports) == 5) { source.Cancel(); } }), source.Token);
     }
 

@@ -48,7 +48,7 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
         int columns = ((area.Width - 1) / BlockEdge) + 1;
         DecidingSamples deciding = new(scene, blocks, goal.IsAdaptive ? AdaptiveCell : EvenCell) { Keep = goal.IsAdaptive ? null : Keep };
         double budget = (double)goal.MeanSamples * area.Pixels;
-        ProgressSum done = new((long)budget, progress);
+        ProgressSum done = new(goal.Error is null ? (long)budget : 0, progress);
         int lead = goal.IsAdaptive ? AdaptiveLead : EvenLead;
         int first = FirstSamples();
         SampleAllocation allocation = new([.. blocks.Select(b => (double)b.Pixels)], goal, Math.Min(goal.MeanSamples, first));
@@ -74,6 +74,13 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
 
             // For one number of samples for all pixels, the budget is the picture's alone.
             int[] samples = allocation.Share(variances, deviations, goal.IsAdaptive ? budget - deciding.Total : budget);
+            if (goal.Error is not null)
+            {
+                // The error falls with the root of the number of samples: what is expected of the picture, with those that decide.
+                double picture = blocks.Select((b, i) => (double)b.Pixels * samples[i]).Sum();
+                done.Expect((long)Math.Min(picture, budget) + deciding.Total);
+            }
+
             ILookup<int, int> wanting = all.Where(i => samples[i] > lead * deciding.Level(i)).ToLookup(deciding.Level);
             if (wanting.Count == 0 || IsShortOfTime?.Invoke() == true)
             {

@@ -1,0 +1,68 @@
+using System.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Exact sums that a film holds of each pixel beside those of its picture, by a name that files give them too. They are added as those are:
+/// in any order, with the same bits.
+/// </summary>
+public sealed class FilmPlane
+{
+    // Halves are blocks of so many samples at most: 2 to the power of it.
+    private const int LargestBlock = 6;
+
+    private FilmPlane(string name, IReadOnlyList<string> sums)
+    {
+        Name = name;
+        Sums = sums;
+    }
+
+    /// <summary>
+    /// One half of the samples: their red, green and blue, their squared luminance and their number, in the film's units. The first half and
+    /// the second take turns, in blocks that grow with the samples' numbers to 64: so each is spread over pixel, lens and lights as a
+    /// picture of half as many samples would be.
+    /// </summary>
+    public static FilmPlane Half { get; } = new("half", ["red", "green", "blue", "square", "count"]);
+
+    /// <summary>All that this version of the program knows.</summary>
+    public static IReadOnlyList<FilmPlane> Known { get; } = [Half];
+
+    /// <summary>The name.</summary>
+    public string Name { get; }
+
+    /// <summary>The names of the sums of each pixel, in their order.</summary>
+    public IReadOnlyList<string> Sums { get; }
+
+    /// <summary>True if this version of the program knows it, and so what samples add to it.</summary>
+    public bool IsKnown => Known.Contains(this);
+
+    /// <summary>Returns the plane that a file speaks of, which may be unknown.</summary>
+    /// <param name="name">Its name.</param>
+    /// <param name="sums">The names of its sums.</param>
+    public static FilmPlane Of(string name, IReadOnlyList<string> sums) =>
+        Known.FirstOrDefault(p => p.Name == name && p.Sums.SequenceEqual(sums)) ?? new(name, sums);
+
+    /// <summary>Returns whether a sample is one of <see cref="Half"/>.</summary>
+    /// <param name="sample">Its number in the whole picture, from 0.</param>
+    public static bool IsOfHalf(int sample)
+    {
+        int block = sample < 2 ? 0 : Math.Min(LargestBlock, BitOperations.Log2((uint)sample) - 1);
+        return (sample >> block & 1) == 0;
+    }
+
+    /// <summary>The first sample after some others whose half is another than theirs.</summary>
+    /// <param name="first">The first of them.</param>
+    internal static int EndOfTurn(int first)
+    {
+        int end = first + 1;
+        while (IsOfHalf(end) == IsOfHalf(first))
+        {
+            end++;
+        }
+
+        return end;
+    }
+
+    /// <inheritdoc/>
+    public override string ToString() => Name;
+}
