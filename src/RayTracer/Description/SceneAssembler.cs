@@ -22,8 +22,8 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     // Measured: a place, its motion and its share of the tree.
     private const int BytesPerInstance = 450;
 
-    // Measured: a triangle of another copy of an object, with its share of the tree.
-    private const int BytesPerTriangle = 100;
+    // In the tree, with its corners, in each place of a mesh.
+    private const long BytesPerTriangle = 100;
 
     // The objects that instances show, by the material that they are shown in, or themselves where they keep theirs.
     private readonly Dictionary<ShapeDescription, Dictionary<object, SpaceContents>> _objects = new(ReferenceEqualityComparer.Instance);
@@ -141,11 +141,6 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             }
 
             _label = label;
-            if (copies.Count > 0 && !builder.Budget.TryUse(BytesPerTriangle * contents.Meshes.Sum(m => (long)m.Data.TriangleCount)))
-            {
-                Refuse(instance, SceneBudget.Complaint("an object in another material"));
-            }
-
             copies.Add(key, contents);
         }
 
@@ -160,9 +155,10 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        if (!builder.Budget.TryUse(BytesPerInstance * (1L + contents.Instances.Count)))
+        long instances = 1L + contents.Instances.Count;
+        if (builder.Budget.Take($"{instances} more instances", BytesPerInstance * instances, SceneBudget.StepsPerInstance * instances) is { } complaint)
         {
-            Refuse(subject, SceneBudget.Complaint($"{contents.Instances.Count + 1} more instances"));
+            Refuse(subject, complaint);
             return;
         }
 
@@ -327,6 +323,12 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         MeshData? data = Mended(wanted, mesh);
         if (data is null || data.TriangleCount == 0)
         {
+            return;
+        }
+
+        if (builder.Budget.Take($"{data.TriangleCount} more triangles", BytesPerTriangle * data.TriangleCount, SceneBudget.StepsPerTriangle * data.TriangleCount) is { } complaint)
+        {
+            Refuse(mesh, complaint);
             return;
         }
 
