@@ -22,6 +22,9 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     // Measured: a place, its motion and its share of the tree.
     private const int BytesPerInstance = 450;
 
+    // In the tree, with its corners, in each place of a mesh.
+    private const long BytesPerTriangle = 100;
+
     private readonly Dictionary<ShapeDescription, SpaceContents> _objects = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<object, MeshData> _mended = new(ReferenceEqualityComparer.Instance);
     private readonly HashSet<ImportedModel> _noted = new(ReferenceEqualityComparer.Instance);
@@ -144,9 +147,10 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        if (!builder.Budget.TryUse(BytesPerInstance * (1L + contents.Instances.Count)))
+        long instances = 1L + contents.Instances.Count;
+        if (builder.Budget.Take($"{instances} more instances", BytesPerInstance * instances, SceneBudget.StepsPerInstance * instances) is { } complaint)
         {
-            Refuse(subject, SceneBudget.Complaint($"{contents.Instances.Count + 1} more instances"));
+            Refuse(subject, complaint);
             return;
         }
 
@@ -311,6 +315,12 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         MeshData? data = Mended(wanted, mesh);
         if (data is null || data.TriangleCount == 0)
         {
+            return;
+        }
+
+        if (builder.Budget.Take($"{data.TriangleCount} more triangles", BytesPerTriangle * data.TriangleCount, SceneBudget.StepsPerTriangle * data.TriangleCount) is { } complaint)
+        {
+            Refuse(mesh, complaint);
             return;
         }
 
