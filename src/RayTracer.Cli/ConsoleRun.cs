@@ -9,7 +9,7 @@ namespace RayTracer.Cli;
 
 /// <summary>Carries out jobs for a command: with progress on the console, signals that end them, and a report.</summary>
 /// <param name="display">What is reported.</param>
-/// <param name="streams">Where to write.</param>
+/// <param name="streams">The streams to write to.</param>
 internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
 {
     private readonly Stopwatch _total = Stopwatch.StartNew();
@@ -81,7 +81,7 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
     public void Fail(string message) => streams.Fail(message);
 
     /// <inheritdoc/>
-    public void Read(IReadOnlyList<Diagnostic> diagnostics) => streams.Read(diagnostics);
+    public void Read(IReadOnlyList<Diagnostic> diagnostics) => streams.Read(diagnostics, display.Quiet);
 
     /// <inheritdoc/>
     public void End(JobStage stage) => _stages.End(stage);

@@ -8,12 +8,12 @@ namespace RayTracer.Cli;
 /// <summary>The streams of a command.</summary>
 /// <param name="Output">Results.</param>
 /// <param name="Error">Errors, warnings and progress.</param>
-/// <param name="HasTerminal">Whether <paramref name="Error"/> is a terminal (<see cref="IsTerminal"/>), which can show a progress
+/// <param name="HasTerminal">True if <paramref name="Error"/> is a terminal (<see cref="IsTerminal"/>), which can show a progress
 /// bar.</param>
 internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerminal = false) : IJobWatch
 {
     /// <summary>Returns whether a stream is a terminal on which the cursor can be moved: one that calls itself dumb cannot.</summary>
-    /// <param name="isRedirected">Whether it goes elsewhere.</param>
+    /// <param name="isRedirected">True if it goes elsewhere.</param>
     /// <param name="term">The variable TERM.</param>
     public static bool IsTerminal(bool isRedirected, string? term) => !isRedirected && term != "dumb";
 
@@ -29,9 +29,15 @@ internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerm
     /// <inheritdoc/>
     public IProgress<RenderProgress>? Begin(RenderDescription render) => HasTerminal ? ProgressDisplay.Start(this) : null;
 
+    /// <inheritdoc/>
+    public void Read(IReadOnlyList<Diagnostic> diagnostics) => Read(diagnostics, isQuiet: false);
+
     /// <summary>Shows diagnostics as a compiler does.</summary>
-    public void Read(IReadOnlyList<Diagnostic> diagnostics)
+    /// <param name="diagnostics">What is wrong.</param>
+    /// <param name="isQuiet">True without notes.</param>
+    public void Read(IReadOnlyList<Diagnostic> diagnostics, bool isQuiet)
     {
+        diagnostics = isQuiet ? [.. diagnostics.Where(d => d.Severity != Severity.Note)] : diagnostics;
         if (diagnostics.Count > 0)
         {
             Error.WriteLine(Diagnostic.Format(diagnostics));

@@ -5,10 +5,10 @@ using RayTracer.Materials;
 namespace RayTracer.Jobs;
 
 /// <summary>A kind of things whose bits have changed since films were first written.</summary>
-/// <param name="Name">What it is called.</param>
+/// <param name="Name">The name.</param>
 /// <param name="Version">The version of its bits: the number of the change in <c>hashes.txt</c>, the list of films' hashes, by which they
 /// became what they are.</param>
-/// <param name="IsIn">Whether a scene has one, by all its records.</param>
+/// <param name="IsIn">True if a scene has one, by all its records.</param>
 public sealed record BitVersion(string Name, int Version, Func<SceneDescription, IReadOnlyCollection<object>, bool> IsIn);
 
 /// <summary>
@@ -27,6 +27,8 @@ public static class BitVersions
                 && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
         new("boundaries that shadow rays cross", 21, (scene, records) =>
             scene.Render.WeakenedShadows || records.Any(r => IsBoundary(r) || HasPriority(r))),
+        new("instances or models with a material", 22, (_, records) => records.Any(
+            r => Name(r) is "instance" or "model" && !ReferenceEquals(((ShapeDescription)r).Material, ShapeDescription.DefaultMaterial))),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 

@@ -45,7 +45,7 @@ public static class SceneLoader
             return new(SceneReader.Unreadable(path, message), folder, models, frame, budget);
         }
 
-        SceneReadResult read = ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models), settings)
+        SceneReadResult read = ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models, settings), settings)
             : SceneFormat.Of(path) is { } other ? Set(other.Read(path), settings) : SceneReader.Read(path, settings, frame);
         return new(read, folder, models, frame, budget);
     }

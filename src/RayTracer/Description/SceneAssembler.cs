@@ -25,7 +25,8 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     // In the tree, with its corners, in each place of a mesh.
     private const long BytesPerTriangle = 100;
 
-    private readonly Dictionary<ShapeDescription, SpaceContents> _objects = new(ReferenceEqualityComparer.Instance);
+    // The objects that instances show, by the material that they are shown in, or themselves where they keep theirs.
+    private readonly Dictionary<ShapeDescription, Dictionary<object, SpaceContents>> _objects = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<object, MeshData> _mended = new(ReferenceEqualityComparer.Instance);
     private readonly HashSet<ImportedModel> _noted = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<(Material Material, string Group), Material> _grouped = [];
@@ -116,27 +117,34 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        if (!ReferenceEquals(instance.Material, ShapeDescription.DefaultMaterial))
+        AddInstance(instance, Object(instance, instance.Of), Motion.Still(place), target);
+    }
+
+    private SpaceContents Object(InstanceDescription instance, ShapeDescription of)
+    {
+        MaterialDescription? material = builder.ReplacementBy(instance.Material);
+        object key = (object?)material ?? of;
+        if (!_objects.TryGetValue(of, out Dictionary<object, SpaceContents>? copies))
         {
-            builder.Warn(instance, nameof(ShapeDescription.Material), "an instance uses its object's materials: this one has no effect");
+            copies = new(ReferenceEqualityComparer.Instance);
+            _objects.Add(of, copies);
         }
 
-        if (!_objects.TryGetValue(instance.Of, out SpaceContents? contents))
+        if (!copies.TryGetValue(key, out SpaceContents? contents))
         {
             contents = new();
             LightGroupLabel? label = _label;
             _label = null;
-            using (builder.InheritNothing())
+            using (builder.InheritNothing(material))
             {
-                Add(instance.Of, Motion.None, contents);
+                Add(of, Motion.None, contents);
             }
 
             _label = label;
-
-            _objects.Add(instance.Of, contents);
+            copies.Add(key, contents);
         }
 
-        AddInstance(instance, contents, Motion.Still(place), target);
+        return contents;
     }
 
     private void AddInstance(ShapeDescription subject, SpaceContents contents, Motion motion, SpaceContents target)
@@ -420,9 +428,8 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             }
         }
 
-        bool isGiven = !ReferenceEquals(model.Material, ShapeDescription.DefaultMaterial);
         using (builder.Within(model, nameof(ModelDescription.File)))
-        using (isGiven ? builder.Replace(model.Material) : builder.InheritNothing())
+        using (builder.InheritNothing(builder.ReplacementBy(model.Material)))
         {
             Motion still = Motion.Still(place);
             foreach (ShapeDescription shape in imported.Scene.Shapes.Concat(imported.Scene.Lights))

@@ -227,11 +227,17 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         return new(() => _inherited = before);
     }
 
-    /// <summary>Until the end of the scope, shapes that say nothing are made of the default material.</summary>
-    internal MaterialScope InheritNothing()
+    /// <summary>The material that all is made of within a thing which names one for all that it shows; null where each keeps its own.</summary>
+    internal MaterialDescription? ReplacementBy(MaterialDescription description) =>
+        _replacement ?? (ReferenceEquals(description, ShapeDescription.DefaultMaterial) ? null : description);
+
+    /// <summary>
+    /// Until the end of the scope, shapes that say nothing are made of the default material, or all of one that replaces theirs.
+    /// </summary>
+    internal MaterialScope InheritNothing(MaterialDescription? replacing = null)
     {
         (MaterialDescription inherited, MaterialDescription? replacement) = (_inherited, _replacement);
-        (_inherited, _replacement) = (ShapeDescription.DefaultMaterial, null);
+        (_inherited, _replacement) = (ShapeDescription.DefaultMaterial, replacing);
         return new(() => (_inherited, _replacement) = (inherited, replacement));
     }
 
