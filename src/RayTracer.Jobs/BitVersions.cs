@@ -1,5 +1,6 @@
 using System.Collections;
 using RayTracer.Description;
+using RayTracer.Materials;
 
 namespace RayTracer.Jobs;
 
@@ -24,6 +25,8 @@ public static class BitVersions
         new("meshes with literal shading normals or materials that transmit", 17, (scene, records) =>
             records.Any(r => Name(r) is "mesh" or "model")
                 && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
+        new("boundaries that shadow rays cross", 21, (scene, records) =>
+            scene.Render.WeakenedShadows || records.Any(r => IsBoundary(r) || HasPriority(r))),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 
@@ -34,6 +37,8 @@ public static class BitVersions
         Visit(scene, records);
         return [.. All.Where(v => v.IsIn(scene, records))];
     }
+
+    private static bool HasPriority(object record) => record is GlassDescription { Priority: > 0 };
 
     private static bool IsBoundary(object record) => Name(record) == "invisible";
 

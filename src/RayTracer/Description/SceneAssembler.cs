@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;
@@ -15,6 +16,9 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     /// <summary>The largest number of instances in a scene.</summary>
     public const int MaximumInstances = 1 << 22;
 
+    // Of how many widths from the origin a thing loses the shape that single precision gives it: some 1/500 of the width there.
+    private const float MostDistances = 1 << 15;
+
     // Measured: a place, its motion and its share of the tree.
     private const int BytesPerInstance = 450;
 
@@ -24,6 +28,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     private readonly Dictionary<(Material Material, string Group), Material> _grouped = [];
     private LightGroupLabel? _label;
     private int _nesting;
+    private bool _hasWarnedOfDistance;
 
     /// <summary>The world that some shapes make.</summary>
     public SpaceContents World { get; } = new();
@@ -178,6 +183,21 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         }
     }
 
+    // Once: what is wrong with one is wrong with all that lie there.
+    private void WarnOfDistance(ShapeDescription subject, in Bounds bounds)
+    {
+        Vector3 size = bounds.Maximum - bounds.Minimum;
+        float far = Vector3.Max(Vector3.Abs(bounds.Minimum), Vector3.Abs(bounds.Maximum)).Largest();
+        if (!_hasWarnedOfDistance && bounds.IsFinite && size.Largest() * MostDistances < far)
+        {
+            _hasWarnedOfDistance = true;
+            string place = FormattableString.Invariant($"{size.Largest():g3} wide and lies at {far:g3}");
+            string step = FormattableString.Invariant($"{float.BitIncrement(far) - far:g2}");
+            builder.Warn(subject, null, $"this {RecordType.Of(subject.GetType()).Name} is {place}, where single-precision numbers are {step} apart: its shape, "
+                + "light and shadow are coarse. Describe it near the origin, and place it by an instance");
+        }
+    }
+
     private void AddLight(PunctualLightDescription light, in Transform place, SpaceContents target)
     {
         int before = builder.Complaints.Count;
@@ -205,6 +225,11 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         {
             builder.Error(description, nameof(ShapeDescription.Transform), "the transform moves the shape to numbers too large to compute with");
             return;
+        }
+
+        if (!shape.Material.Traits.Emits)
+        {
+            WarnOfDistance(description, shape.Bounds.Transformed(place));
         }
 
         shape.Source = builder.SourceOf(description);
@@ -295,6 +320,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
+        WarnOfDistance(mesh, MeshTable.BoundsOf(data).Transformed(place));
         if (data.Uv is null && materials.Any(m => m.Traits.UsesUv && (m.Inputs & TextureInputs.Uv) != TextureInputs.None))
         {
             builder.Warn(mesh, null, $"{Name(mesh)} has no uv, so its texture shows the colour at (0, 0) everywhere");

@@ -19,7 +19,14 @@ public static class Vector3Exact
         float.FusedMultiplyAdd(-a.Y, b.X, a.X * b.Y));
 
     /// <summary>The Euclidean length.</summary>
-    public static float Norm(this Vector3 a) => float.Sqrt(a.Dot(a));
+    public static float Norm(this Vector3 a)
+    {
+        // Squares of large and small numbers are out of range: a length that can be held is found all the same.
+        float square = a.Dot(a);
+        return square is > 1e-30f and < float.PositiveInfinity
+            ? float.Sqrt(square)
+            : (float)double.Sqrt(((double)a.X * a.X) + ((double)a.Y * a.Y) + ((double)a.Z * a.Z));
+    }
 
     /// <summary>The vector scaled to length 1; NaN for the null vector.</summary>
     public static Vector3 Unit(this Vector3 a) => a * (1f / a.Norm());

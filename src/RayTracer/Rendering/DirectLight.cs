@@ -242,11 +242,20 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     private static void Aim(in SurfaceW surface, in ShapeSampleW sample, ref LitW lit)
     {
         lit.Start = SurfaceShader.Leave(surface, sample.Direction);
-        Vec3W to = Vec3W.MultiplyAdd(sample.Direction, sample.Distance, surface.Point - lit.Start);
-        FloatW distance = FloatW.Sqrt(Vec3W.Dot(to, to));
-        MaskW isNear = distance < float.PositiveInfinity;
-        lit.Towards = isNear.Select(to * (1f / distance), sample.Direction);
-        lit.Distance = isNear.Select(distance, sample.Distance);
+        (lit.Towards, lit.Distance) = (sample.Direction, sample.Distance);
+        TurnTo(Vec3W.MultiplyAdd(sample.Direction, sample.Distance, surface.Point - lit.Start), ref lit.Towards, ref lit.Distance);
+    }
+
+    /// <summary>Turns rays to a point ahead of them, so that they end there; those without an end, or past it, stay.</summary>
+    /// <param name="to">From where they start to the point.</param>
+    /// <param name="direction">Their unit directions.</param>
+    /// <param name="distance">Their lengths.</param>
+    public static void TurnTo(in Vec3W to, ref Vec3W direction, ref FloatW distance)
+    {
+        FloatW length = FloatW.Sqrt(Vec3W.Dot(to, to));
+        MaskW isAhead = (length < float.PositiveInfinity) & (Vec3W.Dot(to, direction) > 0f);
+        direction = isAhead.Select(to * (1f / length), direction);
+        distance = isAhead.Select(length, distance);
     }
 
     // The part of a light's sample that the surface scatters, and that scattered rays leave.

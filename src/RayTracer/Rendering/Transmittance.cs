@@ -102,7 +102,12 @@ internal sealed unsafe class Transmittance(Scene scene)
 
         FloatW time = scene.IsTimed ? FloatW.Pick(_rays.Time, index) : 0f;
         Vec3W start = SurfaceShader.Leave(surface, surface.Incoming);
-        Append(_next, 1u, start, surface.Incoming, transmittance, UIntW.Pick(_rays.Path, index), beyond, left - met, time);
+
+        // The start is beside the ray: from there, the same direction and the rest of the length would end behind a light that is near.
+        Vec3W direction = surface.Incoming;
+        FloatW rest = left - met;
+        DirectLight.TurnTo(Vec3W.MultiplyAdd(direction, left, _rays.PickOrigin(index) - start), ref direction, ref rest);
+        Append(_next, 1u, start, direction, transmittance, UIntW.Pick(_rays.Path, index), beyond, rest, time);
     }
 
     private void Append(

@@ -18,6 +18,9 @@ internal static class BitScenes
     /// <summary>Large triangles of meshes, shaded with literal normals and transmitting light, before lamps that are meshes.</summary>
     public const string MeshLamps = "mesh-lamps";
 
+    /// <summary>A lamp that is a mesh, just behind a pane of nothing.</summary>
+    public const string LampBehindPane = "lamp-behind-pane";
+
     private const string Everything = "everything-";
 
     // Rays to the lamp meet glass from both sides, before and after paths have a wavelength.
@@ -71,9 +74,28 @@ internal static class BitScenes
         }
         """;
 
+    private const string Pane = """
+        {
+          "camera": { "position": [0, 1.3, 5], "lookAt": [0, 0.8, 0], "fieldOfView": 40 },
+          "render": { "width": 32, "height": 24, "samplesPerPixel": 4, "integrator": "volPath", "maxDepth": 4 },
+          "shapes": [
+            { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [0.7, 0.7, 0.7] } },
+            { "type": "sphere", "center": [0, 0.6, 0], "radius": 0.6, "material": { "type": "diffuse", "color": [0.7, 0.5, 0.3] } },
+            {
+              "type": "box", "a": [-9, 2.05, -9], "b": [9, 2.1, 9],
+              "material": { "type": "invisible", "interior": { "extinction": [1e-6, 1e-6, 1e-6], "albedo": [0, 0, 0] } }
+            },
+            {
+              "type": "mesh", "positions": [[-1, 2.15, -1], [1, 2.15, -1], [1, 2.15, 1], [-1, 2.15, 1]], "triangles": [[0, 1, 2], [0, 2, 3]],
+              "material": { "type": "luminaire", "multiplier": 4 }
+            }
+          ]
+        }
+        """;
+
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, .. Folders.SelectMany(In)];
+        [.. Report, .. Samplers, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, LampBehindPane, .. Folders.SelectMany(In)];
 
     /// <summary>Names of scenes whose auxiliary images are looked at.</summary>
     public static string[] Auxiliary => ["aov/everything-sobol", "aov/meshes/01-cube", "aov/meshes/02-smooth", "aov/meshes/04-motion-blur"];
@@ -105,6 +127,7 @@ internal static class BitScenes
         : name == DispersingShadows ? TestScenes.Build(Prisms)
         : name == WrappedBoundaries ? TestScenes.Build(Clouds)
         : name == MeshLamps ? TestScenes.Build(Walls)
+        : name == LampBehindPane ? TestScenes.Build(Pane)
         : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));
 
     private static SceneDescription Small(SceneDescription d, int width, int height) =>

@@ -222,7 +222,7 @@ internal sealed record PairScene(IReadOnlyList<int> Row, int Samples = 16)
                 """
             : $$"""
                 , { "type": "box", "a": [-1.5, 0.01, -1], "b": [0.2, 1.9, 1.2], {{material}} },
-                  { "type": "box", "a": [-2.5, 2, -1.7], "b": [3, 2.05, 3], {{nothing}} },
+                  { "type": "box", "a": [-2.5, 2.05, -1.7], "b": [3, 2.1, 3], {{nothing}} },
                   { "type": "box", "a": [-0.8, 0.1, 5.2], "b": [1.4, 2.3, 5.3], {{nothing}} },
                   { "type": "box", "a": [-0.4, 0.35, -1.15], "b": [0.8, 1.55, -1.1], {{nothing}} }
                 """;
@@ -239,7 +239,7 @@ internal sealed record PairScene(IReadOnlyList<int> Row, int Samples = 16)
             string material = isOtherwise && i % Groups != group
                 ? """ "material": { "type": "diffuse", "color": [0, 0, 0] } """
                 : $$""" "material": { "type": "luminaire", "multiplier": {{(count > 3 ? 2 + (i % 3) : 4)}}, "exponent": {{exponent}} } """;
-            string lamp = i == 0 ? Lamp(-0.5, 2.25, 0.3, 0.6, isOtherwise)
+            string lamp = i == 0 ? Lamp(-0.5, 2.15, 0.3, 0.6, isOtherwise)
                 : i == 1 ? Lamp(0.2, 0.95, -1.35, 0.5, isOtherwise)
                 : i == 2 ? Lamp(0.3, 1.2, 5.5, 1, isOtherwise)
                 : Lamp(-1.8 + (0.5 * i), 2.3 + (0.1 * (i % 3)), 1.4 - (0.8 * (i % 4)), 0.25, isOtherwise);

@@ -27,6 +27,7 @@ public class PairTests
         // Lights are found by sampling and by chance through holes, and from the material between them.
         { 576, "jittered, holes, roughness by a texture, smooth mesh" },
         { 36, "jittered, glass, fog" },
+        { 36, "jittered, mesh, fog" },
         { 36, "jittered, disk, moves" },
         { 144, "jittered, glass in water, mesh, gathered" },
         { 64, "jittered, many, translucent sheet" },
