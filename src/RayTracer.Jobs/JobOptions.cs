@@ -107,7 +107,8 @@ public static class JobOptions
     { Use = JobOptionUse.Pictures };
 
     /// <summary>The option that films keep what a denoiser compares.</summary>
-    public static JobOption Halves { get; } = new("--halves", null, "Films keep two halves of the samples apart, for the verb denoise and for resume --denoise. Implied by --denoise.",
+    public static JobOption Halves { get; } = new(
+        "--halves", null, "Films keep two halves of the samples apart, for the verb denoise and for resume --denoise. Implied by --denoise.",
         (j, _) => j with { Halves = true }, j => Flag(j.Planes.Contains(FilmPlane.Half)))
     { Use = JobOptionUse.Pictures };
 
