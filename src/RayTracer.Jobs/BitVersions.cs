@@ -27,6 +27,8 @@ public static class BitVersions
                 && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
         new("boundaries that shadow rays cross", 21, (scene, records) =>
             scene.Render.WeakenedShadows || records.Any(r => IsBoundary(r) || HasPriority(r))),
+        new("instances or models with a material", 22, (_, records) => records.Any(
+            r => Name(r) is "instance" or "model" && !ReferenceEquals(((ShapeDescription)r).Material, ShapeDescription.DefaultMaterial))),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 
