@@ -56,7 +56,7 @@ internal static class CommandLine
 
     /// <summary>Runs a command.</summary>
     /// <param name="args">The words after the program's name.</param>
-    /// <param name="streams">Where to write.</param>
+    /// <param name="streams">The streams to write to.</param>
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public static int Run(string[] args, Streams streams)
     {

@@ -5,7 +5,7 @@ using RayTracer.Jobs;
 namespace RayTracer.Cli;
 
 /// <summary>The option <c>--help</c>: a page that fits a terminal, with the options in groups.</summary>
-/// <param name="streams">Where to write.</param>
+/// <param name="streams">The streams to write to.</param>
 /// <param name="describe">Describes a command.</param>
 internal sealed class HelpPage(Streams streams, Func<Command, VerbHelp> describe) : SynchronousCommandLineAction
 {

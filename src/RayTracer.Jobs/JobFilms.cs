@@ -9,7 +9,7 @@ namespace RayTracer.Jobs;
 internal sealed class JobFilms
 {
     /// <summary>Prepares them.</summary>
-    /// <param name="job">What to render.</param>
+    /// <param name="job">The job to render.</param>
     /// <param name="scene">Its scene.</param>
     /// <exception cref="JobException">They cannot be had, or there is not enough memory.</exception>
     public JobFilms(RenderJob job, Scene scene)
