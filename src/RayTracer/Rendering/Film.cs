@@ -284,8 +284,8 @@ public sealed class Film : IImageRows
 
     /// <summary>
     /// SHA-256, as hexadecimal digits, of the exact content: of the size and of the SHA-256 of each row, which covers the
-    /// sums (16 bytes each, lowest first), then the counts (4 bytes each) of its pixels, and then of each plane its name and the sums of its
-    /// pixels.
+    /// sums (16 bytes each, lowest first), then the counts (4 bytes each) of its pixels, and then of each plane its name and the sums of
+    /// its pixels.
     /// </summary>
     /// <param name="planes">The planes that it covers; null for all that the film has.</param>
     /// <exception cref="ArgumentException">The film does not have a plane.</exception>
