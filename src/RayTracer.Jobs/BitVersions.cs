@@ -1,6 +1,7 @@
 using System.Collections;
 using RayTracer.Description;
 using RayTracer.Materials;
+using RayTracer.Shapes;
 
 namespace RayTracer.Jobs;
 
@@ -27,6 +28,8 @@ public static class BitVersions
                 && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
         new("boundaries that shadow rays cross", 21, (scene, records) =>
             scene.Render.WeakenedShadows || records.Any(r => IsBoundary(r) || HasPriority(r))),
+        new("instances, and shapes that are placed or move", 22, (_, records) => records.Any(r => r is ModelDescription or InstanceDescription
+            || (r is ShapeDescription shape && (shape.Transform.Count > 0 || shape.Motion.Count > 0)))),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 
