@@ -56,7 +56,7 @@ internal static class CheckVerb
 
     private static JsonObject Json(Diagnostic diagnostic) => new()
     {
-        ["severity"] = diagnostic.Severity == Severity.Error ? "error" : "warning",
+        ["severity"] = diagnostic.Severity.ToString().ToLowerInvariant(),
         ["rule"] = diagnostic.Rule.Id,
         ["file"] = diagnostic.File,
         ["line"] = diagnostic.Line,

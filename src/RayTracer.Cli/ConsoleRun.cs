@@ -81,7 +81,7 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
     public void Fail(string message) => streams.Fail(message);
 
     /// <inheritdoc/>
-    public void Read(IReadOnlyList<Diagnostic> diagnostics) => streams.Read(diagnostics);
+    public void Read(IReadOnlyList<Diagnostic> diagnostics) => streams.Read(diagnostics, display.Quiet);
 
     /// <inheritdoc/>
     public void End(JobStage stage) => _stages.End(stage);

@@ -77,8 +77,8 @@ internal static class InfoVerb
             Picture picture = ImageFile.Read(file, raw);
             pictures[file] = sizeof(float) * picture.Pixels.LongLength;
             return picture;
-        }, settings: settings);
-        streams.Read(result.Diagnostics);
+        }, settings: settings, change: ModelFile.IsModel(path) ? WithoutView : null);
+        streams.Read(result.Diagnostics, isQuiet: true);
         if (result.Scene is not { } scene)
         {
             return SceneFile.FailureStatus(path);
@@ -99,6 +99,9 @@ internal static class InfoVerb
 
         return ExitStatus.Fine;
     }
+
+    // The model alone, without what was made up for its picture.
+    private static SceneDescription WithoutView(SceneDescription scene) => scene with { Lights = [], Shapes = [.. scene.Shapes.Take(1)] };
 
     private static void Write(string path, Scene scene, SceneContent content, SceneStatistics statistics, long textures, TextWriter output)
     {

@@ -5,13 +5,21 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Cli;
 
-/// <summary>The options <c>--memory</c> and <c>--root</c> of all verbs: the limits of what a scene may take and read.</summary>
+/// <summary>The options <c>--memory</c>, <c>--work</c> and <c>--root</c> of all verbs: the limits of what a scene may take and read.</summary>
 internal static class LimitOptions
 {
     private static readonly Option<string> s_memory = new("--memory")
     {
-        Description = "The most memory that a scene's pictures and instances may take, such as 512M or 16G; by default 4 GiB, or half of what there is.",
+        Description = "The most memory that a scene's pictures, triangles and instances may take, such as 512M or 16G; by default 4 GiB, or half of what there is.",
         HelpName = "SIZE",
+        Recursive = true,
+    };
+
+    private static readonly Option<string> s_work = new("--work")
+    {
+        Description = "The most work that a scene may cost before it is rendered, in steps, such as 500M: one for each pixel or byte that is read, 16 for each triangle, "
+            + "100 for each instance; 4G without it.",
+        HelpName = "STEPS",
         Recursive = true,
     };
 
@@ -28,6 +36,7 @@ internal static class LimitOptions
     public static void AddTo(Command command)
     {
         command.Options.Add(s_memory);
+        command.Options.Add(s_work);
         command.Options.Add(s_root);
     }
 
@@ -37,7 +46,12 @@ internal static class LimitOptions
     {
         if (result.GetValue(s_memory) is { } size)
         {
-            SceneBudget.Limit = Bytes(size);
+            SceneBudget.Limit = Amount("--memory", size);
+        }
+
+        if (result.GetValue(s_work) is { } steps)
+        {
+            SceneBudget.WorkLimit = Amount("--work", steps);
         }
 
         if (result.GetValue(s_root) is { } root)
@@ -46,13 +60,13 @@ internal static class LimitOptions
         }
     }
 
-    private static long Bytes(string size)
+    private static long Amount(string option, string size)
     {
         string number = size.ToUpperInvariant().TrimEnd('B').TrimEnd('I');
         int shift = s_units.FirstOrDefault(u => number.EndsWith(u.Letter, StringComparison.Ordinal)).Shift;
         bool isNumber = double.TryParse(number.AsSpan(0, number.Length - (shift > 0 ? 1 : 0)), NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double count);
         return isNumber && count > 0 && count * (1L << shift) is >= 1 and <= long.MaxValue / 2.0
             ? (long)(count * (1L << shift))
-            : throw new CommandException(ExitStatus.Usage, $"--memory must be a size such as 512M or 16G, but is {Quotation.Of(size)}");
+            : throw new CommandException(ExitStatus.Usage, $"{option} must be an amount such as 512M or 16G, but is {Quotation.Of(size)}");
     }
 }

@@ -47,7 +47,7 @@ internal static class SarifLog
         {
             ["ruleId"] = diagnostic.Rule.Id,
             ["ruleIndex"] = DiagnosticRule.All.ToList().IndexOf(diagnostic.Rule),
-            ["level"] = diagnostic.Severity == Severity.Error ? "error" : "warning",
+            ["level"] = diagnostic.Severity.ToString().ToLowerInvariant(),
             ["message"] = Text(isOption ? $"{diagnostic.File}, column {diagnostic.Column}: {diagnostic.Message}" : diagnostic.Message),
             ["locations"] = new JsonArray(new JsonObject { ["physicalLocation"] = location }),
         };

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Scenes;
 using RayTracer.Textures;
@@ -18,8 +19,10 @@ internal static class SceneFile
     /// <param name="stages">Takes the ends of reading the file, and of building the scene.</param>
     /// <param name="readPicture">Reads pictures; null for <see cref="ImageFile.Read"/>.</param>
     /// <param name="settings">Values to put in the place of the file's; may be null.</param>
+    /// <param name="change">Changes the description before the scene is built; may be null.</param>
     public static SceneLoadResult Load(
-        string path, StageTimes stages, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null)
+        string path, StageTimes stages, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null,
+        Func<SceneDescription, SceneDescription>? change = null)
     {
         Action end = stages.EndLoad;
         ReadScene read = path == Input ? SceneLoader.ReadText(Console.In.ReadToEnd(), Name(path), "", settings) : SceneLoader.Read(path, settings);
@@ -28,7 +31,7 @@ internal static class SceneFile
             {
                 stages.EndLoad();
                 end = stages.EndBuild;
-                return scene;
+                return change?.Invoke(scene) ?? scene;
             },
             readPicture);
         end();

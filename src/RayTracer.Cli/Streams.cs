@@ -29,9 +29,15 @@ internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerm
     /// <inheritdoc/>
     public IProgress<RenderProgress>? Begin(RenderDescription render) => HasTerminal ? ProgressDisplay.Start(this) : null;
 
+    /// <inheritdoc/>
+    public void Read(IReadOnlyList<Diagnostic> diagnostics) => Read(diagnostics, isQuiet: false);
+
     /// <summary>Shows diagnostics as a compiler does.</summary>
-    public void Read(IReadOnlyList<Diagnostic> diagnostics)
+    /// <param name="diagnostics">What is wrong.</param>
+    /// <param name="isQuiet">True without notes.</param>
+    public void Read(IReadOnlyList<Diagnostic> diagnostics, bool isQuiet)
     {
+        diagnostics = isQuiet ? [.. diagnostics.Where(d => d.Severity != Severity.Note)] : diagnostics;
         if (diagnostics.Count > 0)
         {
             Error.WriteLine(Diagnostic.Format(diagnostics));

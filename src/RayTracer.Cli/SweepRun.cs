@@ -34,7 +34,7 @@ internal sealed class SweepRun(
         foreach (SweepCell cell in axes.Samples)
         {
             SceneLoadResult loaded = Job(cell).Load(change);
-            streams.Read(loaded.Diagnostics);
+            streams.Read(loaded.Diagnostics, display.Quiet || cell != axes.Samples.First());
             if (loaded.Scene is not { Render: var render })
             {
                 return false;

@@ -40,6 +40,12 @@ public static class PictureLimits
         {
             throw new PictureException($"the file claims a size of {width}×{height} pixels; at most {most} in all and {MaxSide} a side are read");
         }
+
+        // Before the pixels are decoded.
+        if (SceneBudget.Open?.TakeWork($"a picture of {width}×{height} pixels", 3 * sizeof(float) * width * height, width * height) is { } complaint)
+        {
+            throw new PictureException(complaint);
+        }
     }
 
     /// <summary>Makes the picture.</summary>

@@ -28,7 +28,9 @@ public static class BitVersions
                 && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
         new("boundaries that shadow rays cross", 21, (scene, records) =>
             scene.Render.WeakenedShadows || records.Any(r => IsBoundary(r) || HasPriority(r))),
-        new("instances, and shapes that are placed or move", 22, (_, records) => records.Any(r => r is ModelDescription or InstanceDescription
+        new("instances or models with a material", 22, (_, records) => records.Any(
+            r => Name(r) is "instance" or "model" && !ReferenceEquals(((ShapeDescription)r).Material, ShapeDescription.DefaultMaterial))),
+        new("instances, and shapes that are placed or move", 23, (_, records) => records.Any(r => r is ModelDescription or InstanceDescription
             || (r is ShapeDescription shape && (shape.Transform.Count > 0 || shape.Motion.Count > 0)))),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];

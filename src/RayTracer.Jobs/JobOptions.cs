@@ -45,6 +45,9 @@ public sealed record JobOption(
 /// <summary>All options of jobs, in one table.</summary>
 public static class JobOptions
 {
+    private const string UpPath = "camera.up";
+    private static readonly string[] s_axes = ["x", "y", "z"];
+    private static readonly string[] s_ups = ["[1,0,0]", "[0,1,0]", "[0,0,1]"];
     private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightPathAov>()];
     private static readonly string[] s_aovNames = [.. s_aovs.Select(
         a => a is AuxiliaryImage image ? image.Name : $"{a}".ToLowerInvariant())];
@@ -59,6 +62,15 @@ public static class JobOptions
         _ => null)
     { IsRepeated = true };
 
+    // Its place is the camera's; a model that is shown by itself stands on its ground so.
+    private static JobOption Up { get; } = new(
+        "--up",
+        "x|y|z",
+        "The axis that is up in the picture; of a model file without a camera, the whole view. Replaces the scene's.",
+        (j, w) => j with { Settings = [.. j.Settings, SceneSetting.Parse($"{UpPath}={W.Choice(w, s_axes, s_ups)}")] },
+        j => j.Settings.LastOrDefault(s => s.Path == UpPath) is { } up && Array.IndexOf(s_ups, up.Value) is >= 0 and int i ? s_axes[i] : null)
+    { Setting = UpPath };
+
     /// <summary>Those that replace what the scene says.</summary>
     public static IReadOnlyList<JobOption> OfScenes { get; } =
     [
@@ -68,7 +80,7 @@ public static class JobOptions
         Short("--spp", "samplesPerPixel"), Short("--seed", "seed"),
         Short("--sampler", "sampler"), Short("--integrator", "integrator"),
         Short("--max-depth", "maxDepth"), Short("--max-diffuse-depth", "maxDiffuseDepth"), Short("--max-specular-depth", "maxSpecularDepth"),
-        Set,
+        Up, Set,
     ];
 
     /// <summary>The type of the picture's numbers.</summary>
@@ -192,7 +204,8 @@ public static class JobOptions
             .SelectMany(o => o.Form is null ? [o.Name] : new[] { o.Name, o.Text(job)! }));
 
     private static string[] Words(SceneSetting setting) =>
-        OfScenes.FirstOrDefault(o => o.Setting == setting.Path) is { } option ? [option.Name, setting.Value] : ["--set", setting.Text];
+        OfScenes.FirstOrDefault(o => o.Setting == setting.Path) is { } option
+            && option.Text(new() { Scene = "", Settings = [setting] }) is { } value ? [option.Name, value] : ["--set", setting.Text];
 
     private static JobOption Short(string name, string key)
     {

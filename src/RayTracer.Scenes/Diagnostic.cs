@@ -8,6 +8,9 @@ public enum Severity
 
     /// <summary>The scene can be rendered, but probably not as its author meant it.</summary>
     Warning,
+
+    /// <summary>The scene is rendered as it is meant to be, with something made up that its file does not say.</summary>
+    Note,
 }
 
 /// <summary>Something to say about a file, as compilers say it.</summary>
@@ -38,7 +41,7 @@ public sealed record Diagnostic(string File, int Line, int Column, Severity Seve
     public override string ToString()
     {
         string place = Line > 0 ? $"{File}:{Line}:{Column}" : Column > 0 ? $"{File}, column {Column}" : File;
-        return $"{place}: {(Severity == Severity.Error ? "error" : "warning")}: {Message}";
+        return $"{place}: {Severity.ToString().ToLowerInvariant()}: {Message}";
     }
 }
 

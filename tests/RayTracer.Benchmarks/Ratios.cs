@@ -1,24 +1,25 @@
-using System.Diagnostics;
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 
 namespace RayTracer.Benchmarks;
 
 /// <summary>
-/// Whole renders against one another, in turn, in one process: the renderer on one thread against <see cref="ScalarTracer"/>, and
-/// two threads against one. On a shared machine only such ratios mean something, and processor time more than wall time.
+/// Whole renders against one another, in turn, in one process: the renderer on one thread against <see cref="ScalarTracer"/>. On a shared
+/// machine only such ratios mean something, and processor time more than wall time.
 /// </summary>
 internal static class Ratios
 {
-    private const int Rounds = 5;
+    private const int Rounds = 3;
 
     public static int Run(string[] paths)
     {
-        Console.WriteLine($"{Vector<float>.Count} lanes; processor time on one thread, best of {Rounds} rounds in turn; two threads by wall time");
-        Measure("prototype S2, sobol", PrototypeScene.Create(SamplerKind.Sobol, 16));
-        Measure("prototype S2, jittered", PrototypeScene.Create(SamplerKind.Jittered, 16));
+        Console.WriteLine($"{Machine.Now()}\n\nProcessor time on one thread, the best of {Rounds} rounds in turn.\n");
+        Console.WriteLine($"| scene | scalar recursion | {Vector<float>.Count} lanes | times as fast |\n|---|---:|---:|---:|");
+        Measure("S2, sobol", PrototypeScene.Create(SamplerKind.Sobol, 16));
+        Measure("S2, jittered", PrototypeScene.Create(SamplerKind.Jittered, 16));
         foreach (string path in paths)
         {
             SceneDescription? description = SceneReader.Read(path).Description;
@@ -28,7 +29,7 @@ internal static class Ratios
                 return 3;
             }
 
-            Measure(path, description);
+            Measure($"`{path}`", description);
         }
 
         return 0;
@@ -39,8 +40,6 @@ internal static class Ratios
         Scene scene = Build(description);
         double scalar = double.PositiveInfinity;
         double one = double.PositiveInfinity;
-        double oneWall = double.PositiveInfinity;
-        double twoWall = double.PositiveInfinity;
         long scalarRays = 0;
         long rays = 0;
         for (int round = 0; round < Rounds; round++)
@@ -48,16 +47,10 @@ internal static class Ratios
             ScalarTracer tracer = new(description);
             scalar = Math.Min(scalar, ProcessorTime(() => tracer.Render()));
             scalarRays = tracer.Rays;
-            long start = Stopwatch.GetTimestamp();
             one = Math.Min(one, ProcessorTime(() => rays = new RTracer(scene, new() { Threads = 1 }).Render().Statistics.Rays));
-            oneWall = Math.Min(oneWall, Stopwatch.GetElapsedTime(start).TotalSeconds);
-            start = Stopwatch.GetTimestamp();
-            new RTracer(scene, new() { Threads = 2 }).Render();
-            twoWall = Math.Min(twoWall, Stopwatch.GetElapsedTime(start).TotalSeconds);
         }
 
-        Console.WriteLine($"{name}: scalar {scalar:F3} s ({scalarRays / scalar / 1e6:F1} M rays/s), one thread {one:F3} s ({rays / one / 1e6:F1} M rays/s)");
-        Console.WriteLine($"  {scalar / one:F2} times the scalar recursion; two threads {oneWall / twoWall:F2} times one");
+        Console.WriteLine($"| {name} | {scalar:F2} s, {scalarRays / scalar / 1e6:F1} M rays/s | {one:F2} s, {rays / one / 1e6:F0} M rays/s | {scalar / one:F1} |");
     }
 
     private static Scene Build(SceneDescription description)

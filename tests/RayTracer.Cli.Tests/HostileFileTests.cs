@@ -99,8 +99,47 @@ public sealed class HostileFileTests : IDisposable
               "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": { "type": "mix", "first": { "type": "diffuse", "color": "a" }, "second": { "type": "diffuse", "color": "b" } } }] }
             """;
         Refused("pictures.json", scene, "at most 8738133 in all", "--memory", "100M");
+        Refused("pictures.json", scene, "error: cannot read \"flat.png\": a picture of 4096×4096 pixels would take the scene beyond its 10,485,760 steps of work (--work sets another limit)", "--work", "10M");
+
+        // One file by two names is read once, a copy of it is another.
+        Assert.Equal(0, Run("check", _folder["pictures.json"], "--memory", "300M", "--work", "17M").Status);
+        File.Copy(_folder["flat.png"], _folder["copy.png"]);
+        scene = scene.Replace("./flat.png", "copy.png", StringComparison.Ordinal);
         Refused("pictures.json", scene, "a picture of 4096×4096 pixels would take the scene beyond its 300 MiB", "--memory", "300M");
+        Refused("pictures.json", scene, "steps of work", "--work", "17M");
         Assert.Equal(0, Run("check", _folder["pictures.json"], "--memory", "0.5GiB").Status);
+    }
+
+    [Fact]
+    public void Textures_of_one_another_are_counted_and_refused()
+    {
+        StringBuilder textures = new("\"t0\": { \"type\": \"checker\" }");
+        for (int i = 1; i < 30; i++)
+        {
+            textures.Append($$""", "t{{i}}": { "type": "checker", "even": "t{{i - 1}}", "odd": "t{{i - 1}}" }""");
+        }
+
+        string scene = $$"""{ "background": "white", "textures": { {{textures}} }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": { "type": "diffuse", "color": "tLAST" } }] }""";
+        Refused("textures.json", scene.Replace("LAST", "29", StringComparison.Ordinal), "the texture consists of more than 1024 others");
+        Assert.Equal(0, Run("check", Write("few.json", scene.Replace("LAST", "7", StringComparison.Ordinal))).Status);
+    }
+
+    [Fact]
+    public void A_model_in_many_places_costs_memory_and_work_in_each()
+    {
+        StringBuilder model = new();
+        for (int i = 0; i < 3000; i++)
+        {
+            model.Append(System.Globalization.CultureInfo.InvariantCulture, $"v {i} 0 0\nv {i} 1 0\nv {i} 0 1\nf {(3 * i) + 1} {(3 * i) + 2} {(3 * i) + 3}\n");
+        }
+
+        Write("m.obj", model.ToString());
+        string shapes = string.Join(",\n", Enumerable.Range(0, 20).Select(i => $$"""{ "type": "model", "file": "m.obj", "transform": [{ "translate": [0, {{i}}, 0] }] }"""));
+        string scene = $$"""{ "background": "white", "shapes": [{{shapes}}] }""";
+        Refused("places.json", scene, "places.json:8:28: error: 3000 more triangles would take the scene beyond its 524,288 steps of work (--work sets another limit)", "--work", "512K");
+        Refused("places.json", scene, "3000 more triangles would take the scene beyond its 1 MiB of memory", "--memory", "1M");
+        Refused("places.json", scene, "steps of work", "--work", "100K");
+        Assert.Equal(0, Run("check", _folder["places.json"], "--work", "2M").Status);
     }
 
     [Fact]
@@ -199,8 +238,9 @@ public sealed class HostileFileTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--memory", "3x", "--memory must be a size such as 512M or 16G")]
-    [InlineData("--memory", "0", "--memory must be a size such as 512M or 16G")]
+    [InlineData("--memory", "3x", "--memory must be an amount such as 512M or 16G")]
+    [InlineData("--memory", "0", "--memory must be an amount such as 512M or 16G")]
+    [InlineData("--work", "much", "--work must be an amount such as 512M or 16G")]
     [InlineData("--root", "nowhere", "--root: there is no folder")]
     public void Wrong_limits_are_refused(string option, string value, string expected)
     {

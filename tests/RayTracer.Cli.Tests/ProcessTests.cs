@@ -223,6 +223,12 @@ public sealed class ProcessTests : IDisposable
             Assert.Equal(redirection.Length == 0, error.Contains("the image so far is in", StringComparison.Ordinal));
             Assert.True(ImageFile.Read(_folder["a.pfm"]).Pixels.Max() > 0);
             Assert.Equal(24, ImageFile.Read(_folder["a.png"]).Width);
+            Dictionary<string, string> texts = new(ImageFile.ReadText(_folder["a.png"]));
+            Assert.Contains("unfinished", texts["Samples"], StringComparison.Ordinal);
+            Assert.StartsWith("0..", texts["SampleRange"], StringComparison.Ordinal);
+
+            // All pixels have those samples.
+            CliRun.Fine("verify", _folder["a.png"]);
         }
         finally
         {

@@ -21,6 +21,8 @@ internal static class ModelBytes
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1);
         Require(stream.Length <= Array.MaxLength, $"it has {stream.Length} bytes, and models can have at most 2 GiB");
 
+        string? tooMuch = SceneBudget.Open?.Take($"a file of {stream.Length} bytes", 0, stream.Length);
+        Require(tooMuch is null, tooMuch ?? "");
         byte[] content = GC.AllocateUninitializedArray<byte>((int)stream.Length);
         stream.ReadExactly(content);
         return content;

@@ -12,15 +12,15 @@ internal sealed class ModelFolder(string folder, Func<string, ImportedModel>? re
     /// <exception cref="ModelException">It cannot be read.</exception>
     public ImportedModel Load(string path)
     {
-        if (_models.TryGetValue(path, out ImportedModel? model))
+        // Whole, so that the paths of pictures beside the model do not depend on the scene's folder.
+        string full = Path.GetFullPath(Path.Combine(folder, path));
+        if (_models.TryGetValue(full, out ImportedModel? model))
         {
             return model;
         }
 
         try
         {
-            // Whole, so that the paths of pictures beside the model do not depend on the scene's folder.
-            string full = Path.GetFullPath(Path.Combine(folder, path));
             if (FileSearch.Complaint(full) is { } complaint)
             {
                 throw new ModelException(complaint);
@@ -33,7 +33,7 @@ internal sealed class ModelFolder(string folder, Func<string, ImportedModel>? re
             throw new ModelException($"cannot read {Quotation.Of(path)}: {e.Message.TrimEnd('.')}", e);
         }
 
-        _models.Add(path, model);
+        _models.Add(full, model);
         return model;
     }
 }

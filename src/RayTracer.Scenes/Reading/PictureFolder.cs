@@ -14,23 +14,23 @@ internal sealed class PictureFolder(string folder, Func<string, bool, Picture> r
     /// <exception cref="PictureException">It cannot be read.</exception>
     public Picture Load(string path, bool raw)
     {
-        if (_pictures.TryGetValue((path, raw), out Picture? picture))
+        string full = Path.GetFullPath(Path.Combine(folder, path));
+        if (_pictures.TryGetValue((full, raw), out Picture? picture))
         {
             return picture;
         }
 
         try
         {
-            string full = Path.Combine(folder, path);
             if (FileSearch.Complaint(full) is { } complaint)
             {
                 throw new PictureException(complaint);
             }
 
-            picture = read(full, raw);
-            if (!budget.TryUse(sizeof(float) * (long)picture.Pixels.Length))
+            picture = read(Path.Combine(folder, path), raw);
+            if (budget.Take($"a picture of {picture.Width}×{picture.Height} pixels", sizeof(float) * (long)picture.Pixels.Length, 0) is { } tooMuch)
             {
-                throw new PictureException(SceneBudget.Complaint($"a picture of {picture.Width}×{picture.Height} pixels"));
+                throw new PictureException(tooMuch);
             }
         }
         catch (Exception e) when (e is PictureException or IOException or UnauthorizedAccessException or ArgumentException)
@@ -40,7 +40,7 @@ internal sealed class PictureFolder(string folder, Func<string, bool, Picture> r
             throw new PictureException($"cannot read {Quotation.Of(path)}: {cause.TrimEnd('.')}", e);
         }
 
-        _pictures.Add((path, raw), picture);
+        _pictures.Add((full, raw), picture);
         return picture;
     }
 }

@@ -12,8 +12,10 @@ public sealed class ReadScene
     private readonly ModelFolder _models;
     private readonly int? _frame;
 
-    internal ReadScene(SceneReadResult read, string folder, ModelFolder models, int? frame) =>
-        (_read, _folder, _models, _frame) = (read, folder, models, frame);
+    private readonly SceneBudget _budget;
+
+    internal ReadScene(SceneReadResult read, string folder, ModelFolder models, int? frame, SceneBudget budget) =>
+        (_read, _folder, _models, _frame, _budget) = (read, folder, models, frame, budget);
 
     /// <summary>The description; null where the file has errors.</summary>
     public SceneDescription? Description => _read.Description is { } scene ? AtFrame(scene) : null;
@@ -24,6 +26,7 @@ public sealed class ReadScene
     public SceneLoadResult Build(Func<SceneDescription, SceneDescription>? overrides = null, Func<string, bool, Picture>? readPicture = null)
     {
         Func<SceneDescription, SceneDescription>? changes = _frame is null ? overrides : scene => AtFrame(overrides?.Invoke(scene) ?? scene);
+        using IDisposable counted = _budget.Begin();
         return SceneLoader.Build(_read, _folder, _models, changes, readPicture, keepsSources: false);
     }
 

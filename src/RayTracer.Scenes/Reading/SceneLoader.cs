@@ -29,9 +29,11 @@ public static class SceneLoader
     {
         string folder = Path.GetDirectoryName(path) ?? "";
         ModelFolder models = new(folder);
+        SceneBudget budget = new();
+        using IDisposable counted = budget.Begin();
         if (SceneFormat.Foreign(path) is { } foreign)
         {
-            return new(SceneReader.Unreadable(path, foreign), folder, models, frame);
+            return new(SceneReader.Unreadable(path, foreign), folder, models, frame, budget);
         }
 
         if (ImageFile.FormatOf(path) is { } format)
@@ -40,12 +42,12 @@ public static class SceneLoader
                 ? $"\"raytracer resume {path}\" resumes it, \"raytracer convert {path} FILE.png\" makes an image of it"
                 : $"\"raytracer view {path}\" shows it";
             string message = $"this is {format.FileName}, not a scene: {advice}";
-            return new(SceneReader.Unreadable(path, message), folder, models, frame);
+            return new(SceneReader.Unreadable(path, message), folder, models, frame, budget);
         }
 
-        SceneReadResult read = ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models), settings)
+        SceneReadResult read = ModelFile.IsModel(path) ? Set(ModelScene.Read(path, models, settings), settings)
             : SceneFormat.Of(path) is { } other ? Set(other.Read(path), settings) : SceneReader.Read(path, settings, frame);
-        return new(read, folder, models, frame);
+        return new(read, folder, models, frame, budget);
     }
 
     /// <summary>Builds the scene of a text in the native format.</summary>
@@ -63,7 +65,7 @@ public static class SceneLoader
 
     /// <summary>As <see cref="Read"/>, of a text in the native format.</summary>
     public static ReadScene ReadText(string text, string fileName, string folder, IReadOnlyList<SceneSetting>? settings = null, int? frame = null) =>
-        new(SceneReader.ReadText(text, fileName, settings, frame), folder, new ModelFolder(folder), frame);
+        new(SceneReader.ReadText(text, fileName, settings, frame), folder, new ModelFolder(folder), frame, new());
 
     private static SceneReadResult Set(SceneReadResult read, IReadOnlyList<SceneSetting>? settings)
     {
@@ -120,7 +122,8 @@ public static class SceneLoader
         Scene? scene = null;
         if (!diagnostics.Exists(d => d is { Line: 0, Column: 0 } && d.Severity == Severity.Error))
         {
-            SceneBudget budget = new();
+            SceneBudget budget = SceneBudget.Open ?? new();
+            using IDisposable counted = budget.Begin();
             SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read, budget).Load, models.Load) { KeepsSources = keepsSources, Budget = budget };
             scene = builder.Build(description);
             if (scene is not null && read.Description is not null)

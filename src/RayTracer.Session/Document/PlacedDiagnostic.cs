@@ -7,7 +7,7 @@ namespace RayTracer.Session;
 /// <param name="Column">The column, from 1; 0 where it is about no place.</param>
 /// <param name="From">Offset of the part's first character.</param>
 /// <param name="To">Offset behind its last character.</param>
-/// <param name="Severity">"error" or "warning".</param>
+/// <param name="Severity">"error", "warning" or "note".</param>
 /// <param name="Message">What is wrong: one sentence without a final stop.</param>
 public sealed record PlacedDiagnostic(int Line, int Column, int From, int To, string Severity, string Message)
 {
@@ -19,7 +19,7 @@ public sealed record PlacedDiagnostic(int Line, int Column, int From, int To, st
         string text = read.Source?.Text ?? "";
         int from = d.Line > 0 ? Math.Min(read.Source!.Offset(d.Line, d.Column), text.Length) : 0;
         int to = d.Line > 0 ? EndOfWord(text, from) : 0;
-        return new PlacedDiagnostic(d.Line, d.Column, from, to, d.Severity == Scenes.Severity.Error ? "error" : "warning", d.Message);
+        return new PlacedDiagnostic(d.Line, d.Column, from, to, d.Severity.ToString().ToLowerInvariant(), d.Message);
     })];
 
     private static int EndOfWord(string text, int from)

@@ -1,8 +1,9 @@
+using RayTracer.Jobs;
 
 namespace RayTracer.Study;
 
 /// <summary>The page about a study: the question, the chart, and the figures.</summary>
-internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study)
+internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study, Machine machine)
 {
     /// <summary>The page's title.</summary>
     public const string Title = "What a ray costs, by the number of triangles";
@@ -27,6 +28,7 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study)
         page.Paragraph($"The scene is a landscape of n triangles; {plan.Rays} rays from outside in random directions, one thread, the best of {plan.Rounds}. Loop, grid and kd-tree are scalar code, written to be read; the BVH is the renderer's own, with eight boxes or triangles for each instruction, by single rays and by streams of rays.");
         page.Picture(
             ChartFile, "Time a ray against the number of triangles; both axes are logarithmic. Points are measured, curves are fitted.");
+        page.Machine(machine);
         page.Heading("Laws");
         page.Paragraph("Curves a + b·f(n) in nanoseconds, by least squares of relative deviations. What deviates upwards at the right end does so where the triangles no longer fit into the processor's caches.");
         page.Table(
@@ -54,7 +56,7 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study)
         >= 100 => $"{value:F0}",
         >= 1 => $"{value:G3}",
         >= 0.001 => $"{value:F3}",
-        _ => $"{value:G2}",
+        _ => "< 0.001",
     };
 
     private (double X, double Y)[] PointsOf(Method method) =>

@@ -1,3 +1,5 @@
+using RayTracer.Jobs;
+
 namespace RayTracer.Study;
 
 /// <summary><c>raytracer reproduce complexity</c>: measures, and writes chart and pages.</summary>
@@ -7,15 +9,16 @@ namespace RayTracer.Study;
 internal sealed class ComplexityRun(ComplexityPlan plan, string folder, TextWriter output)
 {
     /// <summary>Does everything.</summary>
-    /// <exception cref="Jobs.JobException">The folder cannot be used.</exception>
+    /// <exception cref="JobException">The folder cannot be used.</exception>
     /// <exception cref="OperationCanceledException">It was stopped; nothing was written.</exception>
     public void Run(CancellationToken cancellation)
     {
+        Machine machine = Machine.Now();
         OutputFolder files = new(folder, output);
         files.Prepare(ComplexityPage.ChartFile);
         ComplexityStudy study = new(plan);
         study.Run(Report, cancellation);
-        ComplexityPage page = new(plan, study);
+        ComplexityPage page = new(plan, study, machine);
         files.Write(ComplexityPage.ChartFile, SvgChart.Draw([page.Panel]));
         files.WritePages(ComplexityPage.Title, page.Write);
     }

@@ -1,4 +1,5 @@
 using System.Text;
+using RayTracer.Jobs;
 
 namespace RayTracer.Study;
 
@@ -18,6 +19,13 @@ internal abstract class PageWriter
     /// <param name="header">The names of the columns.</param>
     /// <param name="rows">As many cells each.</param>
     public abstract void Table(IReadOnlyList<string> header, IEnumerable<IReadOnlyList<string>> rows);
+
+    /// <summary>Writes a section about the machine that was measured on.</summary>
+    public void Machine(Machine machine)
+    {
+        Heading("Machine");
+        Table(["", "value"], machine.Rows.Select(r => (IReadOnlyList<string>)[r.Name, r.Value]));
+    }
 
     /// <summary>Shows a picture.</summary>
     /// <param name="file">Its name, in the page's folder; plain letters, digits, points and hyphens.</param>

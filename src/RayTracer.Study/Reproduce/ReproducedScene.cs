@@ -14,6 +14,9 @@ internal sealed record ReproducedScene(ReportScene Scene, int Primitives, int Li
     /// <summary>The renderings for figure 6.6, all with all threads.</summary>
     public List<Measurement> Growth { get; } = [];
 
+    /// <summary>The small and the large pictures that are rendered one after the other.</summary>
+    public List<FrameRate> Frames { get; } = [];
+
     /// <summary>True if the scene file has what table 6.1 says.</summary>
     public bool AgreesWithTheReport =>
         (Primitives, Lights, Width, Height) == (Scene.Primitives, Scene.Lights, Scene.Size, Scene.Size);
@@ -57,3 +60,12 @@ internal sealed record Measurement(ReportScene Scene, int Size, int SamplesPerPi
     /// <summary>Rays a second.</summary>
     public double RaysPerSecond => Rays / Seconds;
 }
+
+/// <summary>How many pictures of one sample are rendered in a second.</summary>
+/// <param name="Scene">The scene.</param>
+/// <param name="Width">Their width in pixels.</param>
+/// <param name="Height">Their height in pixels.</param>
+/// <param name="All">Pictures a second with all threads.</param>
+/// <param name="One">Pictures a second with one thread.</param>
+/// <param name="RaysPerSecond">Rays a second with all threads.</param>
+internal sealed record FrameRate(ReportScene Scene, int Width, int Height, double All, double One, double RaysPerSecond);

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
@@ -15,6 +16,8 @@ namespace RayTracer.Study;
 internal sealed class Reproduction(ReproductionPlan plan, string folder, TextWriter output, IJobWatch watch)
 {
     private const int WarmUpSamples = 16;
+    private static readonly (int Width, int Height)[] s_frames = [(100, 100), (800, 600)];
+    private readonly Machine _machine = Machine.Now();
     private readonly OutputFolder _files = new(folder, output);
     private readonly Dictionary<(ReportScene Scene, int Samples, int Threads), Measurement> _best = [];
     private readonly List<ReproducedScene> _scenes = [];
@@ -33,8 +36,9 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, TextWri
         }
 
         _scenes.ForEach(Collect);
+        _scenes.ForEach(scene => scene.Frames.AddRange(s_frames.Select(size => MeasureFrames(scene.Scene, size.Width, size.Height, cancellation))));
         _files.Write(ReproductionPage.ChartFile, GrowthChart.Draw(_scenes));
-        _files.WritePages(ReproductionPage.Title, new ReproductionPage(plan, _scenes).Write);
+        _files.WritePages(ReproductionPage.Title, new ReproductionPage(plan, _scenes, _machine).Write);
     }
 
     private void PrepareFolder()
@@ -92,6 +96,34 @@ internal sealed class Reproduction(ReproductionPlan plan, string folder, TextWri
         }
 
         scene.Growth.AddRange(plan.ChartSamples.Select(samples => All(scene.Scene, samples)));
+    }
+
+    private FrameRate MeasureFrames(ReportScene report, int width, int height, CancellationToken cancellation)
+    {
+        Scene scene = new RenderJob { Scene = ReportScenes.PathOf(report) }
+            .With([$"render.width={width}", $"render.height={height}", "render.samplesPerPixel=1", "render.sampler=jittered"]).Load().Scene!;
+        (double all, double rays) = FramesPerSecond(scene, Environment.ProcessorCount, cancellation);
+        (double one, _) = FramesPerSecond(scene, 1, cancellation);
+        output.WriteLine($"scene {report.Number}, {width}×{height} pixels: {all:F1} pictures a second");
+        return new(report, width, height, all, one, rays);
+    }
+
+    private (double Frames, double Rays) FramesPerSecond(Scene scene, int threads, CancellationToken cancellation)
+    {
+        int frames = 0;
+        long rays = 0;
+        long start = Stopwatch.GetTimestamp();
+        double seconds;
+        do
+        {
+            rays += new RTracer(scene, new() { Threads = threads }).Render(null, cancellation).Statistics.Rays;
+            cancellation.ThrowIfCancellationRequested();
+            frames++;
+            seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+        }
+        while (seconds < plan.FrameSeconds);
+
+        return (frames / seconds, rays / seconds);
     }
 
     private void Measure(ReportScene report, int samples, int threads, string? file, CancellationToken cancellation)

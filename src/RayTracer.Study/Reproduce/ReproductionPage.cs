@@ -1,5 +1,3 @@
-using System.Numerics;
-using System.Runtime.InteropServices;
 using RayTracer.Jobs;
 
 namespace RayTracer.Study;
@@ -7,7 +5,8 @@ namespace RayTracer.Study;
 /// <summary>The page about a reproduction: machine, scenes, pictures, times and their growth.</summary>
 /// <param name="plan">How large the pictures are.</param>
 /// <param name="scenes">What was measured.</param>
-internal sealed class ReproductionPage(ReproductionPlan plan, IReadOnlyList<ReproducedScene> scenes)
+/// <param name="machine">What it was measured on.</param>
+internal sealed class ReproductionPage(ReproductionPlan plan, IReadOnlyList<ReproducedScene> scenes, Machine machine)
 {
     /// <summary>The page's title.</summary>
     public const string Title = "The report's test scenes, rendered again";
@@ -24,29 +23,15 @@ internal sealed class ReproductionPage(ReproductionPlan plan, IReadOnlyList<Repr
             page.Paragraph($"This is a quick run: width and height are the report's divided by {plan.SizeDivisor}, numbers of samples above 16 those of the report divided by {plan.SamplesDivisor}. Such short times are inexact.");
         }
 
-        WriteMachine(page);
+        page.Machine(machine);
         WriteScenes(page);
         WritePictures(page);
         WriteTimes(page);
+        WriteFrames(page);
         WriteGrowth(page);
     }
 
     private static string Threads => Environment.ProcessorCount == 1 ? "1 thread" : $"{Environment.ProcessorCount} threads";
-
-    private static void WriteMachine(PageWriter page)
-    {
-        page.Heading("Machine");
-        page.Table(
-            ["", "value"],
-            [
-                ["Processors", $"{Environment.ProcessorCount}"],
-                ["Vector lanes", $"{Vector<float>.Count}"],
-                ["Architecture", $"{RuntimeInformation.ProcessArchitecture}"],
-                ["System", RuntimeInformation.OSDescription],
-                ["Runtime", RuntimeInformation.FrameworkDescription],
-                ["Program", ProgramName.Text],
-            ]);
-    }
 
     private void WriteScenes(PageWriter page)
     {
@@ -80,6 +65,18 @@ internal sealed class ReproductionPage(ReproductionPlan plan, IReadOnlyList<Repr
             [
                 p.Name, Settings(p.All), $"{p.Picture.Seconds:F3}", Number(p.All.Seconds), Number(p.One.Seconds), Number(p.One.Seconds / p.All.Seconds),
                 Number(p.SpeedUp(p.All)), Number(p.SpeedUp(p.One)), Number(p.All.Rays / 1e6), Number(p.All.RaysPerSecond / 1e6), Number(p.One.RaysPerSecond / 1e6),
+            ]));
+    }
+
+    private void WriteFrames(PageWriter page)
+    {
+        page.Heading("Pictures a second");
+        page.Paragraph($"With one sample a pixel, rendered one after the other for {Number(plan.FrameSeconds)} s, the scene read beforehand. The report has 5 to 7 pictures a second at 100×100 pixels (section 6.3), and wishes for 800×600 (6.4).");
+        page.Table(
+            ["Scene", "Size", Threads, "1 thread", $"M rays/s, {Threads}"],
+            scenes.SelectMany(s => s.Frames).Select(f => (IReadOnlyList<string>)
+            [
+                $"{f.Scene.Number}", $"{f.Width}×{f.Height}", Number(f.All), Number(f.One), Number(f.RaysPerSecond / 1e6),
             ]));
     }
 

@@ -6,15 +6,16 @@ namespace RayTracer.Study;
 /// <param name="ChartSamples">The samples a pixel that are measured for figure 6.6, at least four.</param>
 /// <param name="Rounds">How often everything is measured, in turn, so that other programs' busy times do not meet one rendering every time;
 /// the fastest counts.</param>
-internal sealed record ReproductionPlan(int SizeDivisor, int SamplesDivisor, IReadOnlyList<int> ChartSamples, int Rounds)
+/// <param name="FrameSeconds">For how long pictures of one sample are rendered one after the other.</param>
+internal sealed record ReproductionPlan(int SizeDivisor, int SamplesDivisor, IReadOnlyList<int> ChartSamples, int Rounds, double FrameSeconds)
 {
     private const int FewSamples = 16;
 
     /// <summary>The report's sizes.</summary>
-    public static ReproductionPlan Full { get; } = new(1, 1, [1, 4, 9, 16, 25, 36, 49, 64, 81, 100, 400], 2);
+    public static ReproductionPlan Full { get; } = new(1, 1, [1, 4, 9, 16, 25, 36, 49, 64, 81, 100, 400], 2, 1);
 
     /// <summary>A sixteenth of the pixels and, of many samples, a quarter: some seconds.</summary>
-    public static ReproductionPlan Quick { get; } = new(4, 4, [1, 4, 9, 16, 25, 36, 49, 64, 81, 100], 2);
+    public static ReproductionPlan Quick { get; } = new(4, 4, [1, 4, 9, 16, 25, 36, 49, 64, 81, 100], 2, 0.1);
 
     /// <summary>True if the pictures are smaller than the report's.</summary>
     public bool IsQuick => SizeDivisor > 1 || SamplesDivisor > 1;

@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace RayTracer.Description;
 
 /// <summary>The contents of a model file, in the terms of scenes.</summary>
@@ -8,6 +10,9 @@ public sealed record ImportedModel(SceneDescription Scene, IReadOnlyList<string>
 {
     /// <summary>The file's first camera; null where there is none.</summary>
     public CameraDescription? Camera { get; init; }
+
+    /// <summary>The direction that is up in files of its format.</summary>
+    public Vector3 Up { get; init; } = Vector3.UnitY;
 }
 
 /// <summary>A model file that cannot be read; the message says what is wrong and where (line or byte offset), for the user.</summary>

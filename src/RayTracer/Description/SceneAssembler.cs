@@ -22,7 +22,11 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     // Measured: a place, its motion and its share of the tree.
     private const int BytesPerInstance = 450;
 
-    private readonly Dictionary<ShapeDescription, SpaceContents> _objects = new(ReferenceEqualityComparer.Instance);
+    // In the tree, with its corners, in each place of a mesh.
+    private const long BytesPerTriangle = 100;
+
+    // The objects that instances show, by the material that they are shown in, or themselves where they keep theirs.
+    private readonly Dictionary<ShapeDescription, Dictionary<object, SpaceContents>> _objects = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<object, MeshData> _mended = new(ReferenceEqualityComparer.Instance);
     private readonly HashSet<ImportedModel> _noted = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<(Material Material, string Group), Material> _grouped = [];
@@ -113,27 +117,34 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        if (!ReferenceEquals(instance.Material, ShapeDescription.DefaultMaterial))
+        AddInstance(instance, Object(instance, instance.Of), Motion.Still(place), target);
+    }
+
+    private SpaceContents Object(InstanceDescription instance, ShapeDescription of)
+    {
+        MaterialDescription? material = builder.ReplacementBy(instance.Material);
+        object key = (object?)material ?? of;
+        if (!_objects.TryGetValue(of, out Dictionary<object, SpaceContents>? copies))
         {
-            builder.Warn(instance, nameof(ShapeDescription.Material), "an instance uses its object's materials: this one has no effect");
+            copies = new(ReferenceEqualityComparer.Instance);
+            _objects.Add(of, copies);
         }
 
-        if (!_objects.TryGetValue(instance.Of, out SpaceContents? contents))
+        if (!copies.TryGetValue(key, out SpaceContents? contents))
         {
             contents = new();
             LightGroupLabel? label = _label;
             _label = null;
-            using (builder.InheritNothing())
+            using (builder.InheritNothing(material))
             {
-                Add(instance.Of, Motion.None, contents);
+                Add(of, Motion.None, contents);
             }
 
             _label = label;
-
-            _objects.Add(instance.Of, contents);
+            copies.Add(key, contents);
         }
 
-        AddInstance(instance, contents, Motion.Still(place), target);
+        return contents;
     }
 
     private void AddInstance(ShapeDescription subject, SpaceContents contents, Motion motion, SpaceContents target)
@@ -144,9 +155,10 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        if (!builder.Budget.TryUse(BytesPerInstance * (1L + contents.Instances.Count)))
+        long instances = 1L + contents.Instances.Count;
+        if (builder.Budget.Take($"{instances} more instances", BytesPerInstance * instances, SceneBudget.StepsPerInstance * instances) is { } complaint)
         {
-            Refuse(subject, SceneBudget.Complaint($"{contents.Instances.Count + 1} more instances"));
+            Refuse(subject, complaint);
             return;
         }
 
@@ -314,6 +326,12 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
+        if (builder.Budget.Take($"{data.TriangleCount} more triangles", BytesPerTriangle * data.TriangleCount, SceneBudget.StepsPerTriangle * data.TriangleCount) is { } complaint)
+        {
+            Refuse(mesh, complaint);
+            return;
+        }
+
         if (!MeshTable.BoundsOf(data).Transformed(place).IsFinite)
         {
             builder.Error(mesh, nameof(ShapeDescription.Transform), "the transform moves the mesh to numbers too large to compute with");
@@ -410,9 +428,8 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             }
         }
 
-        bool isGiven = !ReferenceEquals(model.Material, ShapeDescription.DefaultMaterial);
         using (builder.Within(model, nameof(ModelDescription.File)))
-        using (isGiven ? builder.Replace(model.Material) : builder.InheritNothing())
+        using (builder.InheritNothing(builder.ReplacementBy(model.Material)))
         {
             Motion still = Motion.Still(place);
             foreach (ShapeDescription shape in imported.Scene.Shapes.Concat(imported.Scene.Lights))

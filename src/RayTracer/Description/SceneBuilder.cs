@@ -31,6 +31,11 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     // What the textures depend on that the material under way has asked for.
     private TextureInputs _inputs;
 
+    // How many textures the one that is being built consists of, and those that were.
+    private const int MostTextures = 1024;
+    private readonly Dictionary<Texture, int> _texturesIn = new(ReferenceEqualityComparer.Instance);
+    private int _textures;
+
     // How many materials are being built, the inner ones of others among them.
     private int _parts;
 
@@ -72,8 +77,9 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     /// <summary>The texture that a record describes; the same record gives the same object.</summary>
     public Texture Texture(TextureDescription description)
     {
-        Texture texture = ReadsNumbers ? Once(_numberTextures, description, d => d.Build(this)) : Once(description, d => d.Build(this));
+        Texture texture = ReadsNumbers ? Once(_numberTextures, description, Counted) : Once(description, Counted);
         _inputs |= texture.Inputs;
+        _textures += _texturesIn.GetValueOrDefault(texture, 1);
         return texture;
     }
 
@@ -221,11 +227,17 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
         return new(() => _inherited = before);
     }
 
-    /// <summary>Until the end of the scope, shapes that say nothing are made of the default material.</summary>
-    internal MaterialScope InheritNothing()
+    /// <summary>The material that all is made of within a thing which names one for all that it shows; null where each keeps its own.</summary>
+    internal MaterialDescription? ReplacementBy(MaterialDescription description) =>
+        _replacement ?? (ReferenceEquals(description, ShapeDescription.DefaultMaterial) ? null : description);
+
+    /// <summary>
+    /// Until the end of the scope, shapes that say nothing are made of the default material, or all of one that replaces theirs.
+    /// </summary>
+    internal MaterialScope InheritNothing(MaterialDescription? replacing = null)
     {
         (MaterialDescription inherited, MaterialDescription? replacement) = (_inherited, _replacement);
-        (_inherited, _replacement) = (ShapeDescription.DefaultMaterial, null);
+        (_inherited, _replacement) = (ShapeDescription.DefaultMaterial, replacing);
         return new(() => (_inherited, _replacement) = (inherited, replacement));
     }
 
@@ -252,6 +264,24 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
 
     /// <summary>The description that a material was made from; null where it is of another scene.</summary>
     internal object? DescriptionOf(Material material) => _built.FirstOrDefault(b => ReferenceEquals(b.Value, material)).Key;
+
+    private Texture Counted(TextureDescription description)
+    {
+        int outer = _textures;
+        _textures = 1;
+        Texture texture = description.Build(this);
+        if (_textures > MostTextures)
+        {
+            // A few of one another are millions, and each ray would ask them all.
+            Error(description, null, $"the texture consists of more than {MostTextures} others, each counted as often as it is a part");
+            texture = new SolidTexture(Rgb.Black);
+            _textures = 1;
+        }
+
+        _texturesIn[texture] = _textures;
+        _textures = outer;
+        return texture;
+    }
 
     // What a material's textures depend on, that around it depends on too.
     private Material Described(MaterialDescription description)

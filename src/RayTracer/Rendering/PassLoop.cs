@@ -3,8 +3,8 @@ using System.Diagnostics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Renders samples of a picture in passes over all of its pixels, on several threads. Each pass doubles the samples, up to 64 or some seconds
-/// a pass. A thread that finds nothing left of a pass begins the next one, while others still work: it only waits before it hands over
+/// Renders samples of a picture in passes over all of its pixels, on several threads. Each pass doubles the samples, or takes a second, up to 64
+/// samples or 5 s. A thread that finds nothing left of a pass begins the next one, while others still work: it only waits before it hands over
 /// samples of pixels that lack those of the pass before. So when the rendering is stopped, every pass but the last is complete as soon as
 /// all threads have handed over what they have, and the last is taken back.
 /// </summary>
@@ -13,7 +13,7 @@ namespace RayTracer.Rendering;
 /// <param name="film">Takes the samples.</param>
 /// <param name="cells">All cells.</param>
 /// <param name="cut">Cuts a pass into pieces, of all pixels that have such samples.</param>
-internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, PassCell[] cells, Func<SampleRange, PassItem[]> cut)
+internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, PassCell[] cells, Func<SampleRange, List<PassItem>> cut)
 {
     // The seconds of a pass, where one sample a pixel does not take longer.
     private const double Longest = 5;
@@ -96,26 +96,27 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         bool hasHalf = film.Planes.Contains(FilmPlane.Half);
         int end = hasHalf ? FilmPlane.EndOfTurn(first) : _samples.End;
         SampleRange range = new(first, Math.Min(Math.Min(end, _samples.End), first + NextCount(first - _samples.First)));
-        PassItem[] items = cut(range);
-        _pass = new(range, items, [.. items.Select(i => i.Cell.Planned)], (_pass?.Number ?? 0) + 1)
-        {
-            IsOfHalf = hasHalf && FilmPlane.IsOfHalf(first),
-        };
-        foreach (PassItem item in items)
-        {
-            item.Cell.Planned += item.Count;
-        }
-
+        PassItem[] items = [.. cut(range)];
+        Array.ForEach(items, item => item.Plan());
+        _pass = new(range, items, (_pass?.Number ?? 0) + 1, hasHalf && FilmPlane.IsOfHalf(first));
         _began = Stopwatch.GetTimestamp();
         return true;
     }
 
-    // As many samples as there are. Powers of two, so that there are powers of two for as long as possible: low-discrepancy points like them.
+    // As many samples as there are, or as take a moment: many short passes would cost time. Powers of two in all for as long as possible,
+    // which low-discrepancy points like.
     private int NextCount(int done)
     {
-        double seconds = _pass is null ? double.PositiveInfinity : Stopwatch.GetElapsedTime(_began).TotalSeconds / _pass.Samples.Count;
-        double most = double.Clamp(_longest.TotalSeconds / double.Max(seconds, 1e-9), 1, SampleAccumulator.MaxSamples);
-        return 1 << int.Log2((int)double.Min(int.Max(done, 1), most));
+        if (_pass is null)
+        {
+            return 1;
+        }
+
+        double seconds = double.Max(Stopwatch.GetElapsedTime(_began).TotalSeconds / _pass.Samples.Count, 1e-9);
+        double wanted = double.Max(done, options.ShortestPass.TotalSeconds / seconds);
+        int count = (int)double.Clamp(_longest.TotalSeconds / seconds, 1, double.Min(wanted, SampleAccumulator.MaxSamples));
+        int total = 1 << int.Log2(done + count);
+        return total > done ? total - done : 1 << int.Log2(count);
     }
 
     // Renders passes to the end, or one where somebody looks after each.
@@ -159,25 +160,25 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
 
     private void Render(Wavefront worker)
     {
-        while (_failure is null && !_cancellation.IsCancellationRequested && Take() is var (pass, index))
+        while (_failure is null && !_cancellation.IsCancellationRequested && Take(out Pass pass) is { } item)
         {
             long rays = worker.ClosestHitRays + worker.ShadowRays;
-            if (Render(worker, pass, index))
+            if (Render(worker, pass, item))
             {
-                Report(pass, pass.Items[index].Paths, worker.ClosestHitRays + worker.ShadowRays - rays);
+                Report(pass, item.Paths, worker.ClosestHitRays + worker.ShadowRays - rays);
             }
         }
     }
 
     // What is taken is handed over: so nothing may be taken after the rendering was stopped.
-    private (Pass Pass, int Index)? Take()
+    private PassItem? Take(out Pass pass)
     {
         while (true)
         {
-            Pass pass = _pass!;
-            if (pass.Take() is { } index)
+            pass = _pass!;
+            if (pass.Take() is { } item)
             {
-                return (pass, index);
+                return item;
             }
 
             lock (_beginning)
@@ -190,37 +191,30 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         }
     }
 
-    private bool Render(Wavefront worker, Pass pass, int index)
+    private bool Render(Wavefront worker, Pass pass, PassItem item)
     {
-        PassItem item = pass.Items[index];
-        bool Await() => _failure is null && (item.Cell.Has(pass.Before[index]) || AwaitLong(item.Cell, pass.Before[index]));
-        if (options.Layers is not null && !Await())
+        if (options.Layers is not null && !Await(item))
         {
             return false;
         }
 
-        if (item.Pixels.IsEmpty)
-        {
-            worker.Follow(film, item.Tile, item.Samples);
-        }
-        else
-        {
-            worker.Follow(film, item.Pixels.Span, item.Pixels, item.Samples, (uint)scene.Render.Seed);
-        }
-
-        if (!Await())
+        item.Follow(worker, film, (uint)scene.Render.Seed);
+        if (!Await(item))
         {
             return false;
         }
 
-        worker.Accumulator.End(pass.IsOfHalf, item.Cell);
-        item.Cell.Count(item.Count);
+        item.HandOver(worker, pass.IsOfHalf);
         return true;
     }
 
-    private bool AwaitLong(PassCell cell, long pixels)
+    private bool Await(PassItem item)
     {
-        SpinWait.SpinUntil(() => cell.Has(pixels) || _failure is not null);
+        if (!item.IsNext)
+        {
+            SpinWait.SpinUntil(() => item.IsNext || _failure is not null);
+        }
+
         return _failure is null;
     }
 
@@ -231,12 +225,11 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         foreach (PassItem item in _pass!.Taken)
         {
             paths += item.Paths;
-            foreach ((int X, int Y, int Length) run in PixelRuns.Of(item.Tile, item.Pixels, film.Width))
+            item.TakeBack(film, _pass.IsOfHalf);
+            if (options.Layers is { } layers)
             {
-                item.Cell.TakeBack(film, run, item.Samples.Count, _pass.IsOfHalf);
+                item.TakeBack(layers);
             }
-
-            options.Layers?.TakeBack(item.Tile);
         }
 
         return paths;
@@ -252,26 +245,22 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
     /// <summary>A pass.</summary>
     /// <param name="samples">The samples of pixels that have that many.</param>
     /// <param name="items">Its pieces.</param>
-    /// <param name="before">For each piece, how many pixels its cell must have been handed before.</param>
     /// <param name="number">Its number, from 1.</param>
-    private sealed class Pass(SampleRange samples, PassItem[] items, long[] before, int number)
+    /// <param name="isOfHalf">Whether the samples are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
+    private sealed class Pass(SampleRange samples, PassItem[] items, int number, bool isOfHalf)
     {
         private int _taken;
 
         public SampleRange Samples => samples;
 
-        public PassItem[] Items => items;
-
-        public long[] Before => before;
-
         public int Number => number;
 
-        public bool IsOfHalf { get; init; }
+        public bool IsOfHalf => isOfHalf;
 
         public bool IsTaken => _taken >= items.Length;
 
         public ReadOnlySpan<PassItem> Taken => items.AsSpan(0, Math.Min(_taken, items.Length));
 
-        public int? Take() => Interlocked.Increment(ref _taken) is var taken && taken <= items.Length ? taken - 1 : null;
+        public PassItem? Take() => Interlocked.Increment(ref _taken) is var taken && taken <= items.Length ? items[taken - 1] : null;
     }
 }

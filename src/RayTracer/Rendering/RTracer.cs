@@ -37,11 +37,13 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
     {
         (Tile area, SampleRange samples) = Validate(film);
         int threads = _options.Threads > 0 ? _options.Threads : Environment.ProcessorCount;
-        PassCell[] cells = [.. Tile.Cut(area, LargestTile).Select(t => new PassCell(t))];
-        PassItem[] Cut(SampleRange pass)
+        PassCell[] cells = Array.ConvertAll(Tile.Cut(area, LargestTile), tile => new PassCell(tile));
+        List<PassItem> Cut(SampleRange pass)
         {
+            List<PassItem> items = [];
             int edge = TileEdge(area, pass.Count, threads);
-            return [.. cells.SelectMany(cell => Tile.Cut(cell.Area, edge).Select(tile => new PassItem(cell, tile, default, pass)))];
+            Array.ForEach(cells, cell => Array.ForEach(Tile.Cut(cell.Area, edge), tile => items.Add(new(cell, tile, default, pass))));
+            return items;
         }
 
         int least = Tile.Cut(area, _options.TileSize > 0 ? _options.TileSize : SmallestTile).Length;

@@ -29,6 +29,9 @@ public sealed record RenderOptions
     /// still finish the one before.
     /// </summary>
     public Func<SampleRange, TimeSpan>? AfterPass { get; init; }
+
+    /// <summary>How long a pass may take even if it more than doubles the samples.</summary>
+    internal TimeSpan ShortestPass { get; init; } = TimeSpan.FromSeconds(1);
 }
 
 /// <summary>The progress of a rendering.</summary>

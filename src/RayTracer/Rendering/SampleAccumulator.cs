@@ -43,7 +43,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     public void Begin(Film film, in Tile tile, int samples)
     {
         (_film, _tile, _targets, _samples) = (film, tile, default, samples);
-        Clear(tile.Pixels);
+        Clear();
     }
 
     /// <summary>Prepares for the samples of single pixels.</summary>
@@ -53,7 +53,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     public void BeginPixels(Film film, ReadOnlyMemory<int> targets, int samples)
     {
         (_film, _targets, _samples) = (film, targets, samples);
-        Clear(targets.Length);
+        Clear();
     }
 
     /// <summary>Adds a packet of samples.</summary>
@@ -140,7 +140,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     {
         if (!_hasRest)
         {
-            NativeMemory.Clear(_rest.Pointer, (nuint)(_targets.IsEmpty ? _tile.Pixels : _targets.Length) * sizeof(long));
+            NativeMemory.Clear(_rest.Pointer, (nuint)Pixels * sizeof(long));
             _hasRest = true;
         }
 
@@ -154,20 +154,22 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <param name="cell">Keeps what was handed over, so that it can be taken back; null where nobody will.</param>
     public void End(bool isOfHalf = false, PassCell? cell = null)
     {
-        int pixel = 0;
-        foreach ((int x, int y, int length) in PixelRuns.Of(_tile, _targets, _film.Width))
+        int length;
+        for (int pixel = 0; pixel < Pixels; pixel += length)
         {
+            (int x, int y, length) = PixelRuns.At(pixel, _tile, _targets.Span, _film.Width);
             ReadOnlySpan<long> sums = new(_sums.Pointer + ((nint)pixel * Film.SumsPerPixel), length * Film.SumsPerPixel);
             ReadOnlySpan<long> rest = _hasRest ? new(_rest.Pointer + pixel, length) : default;
             _film.AddRow(x, y, sums, rest, _samples, isOfHalf);
             cell?.Keep(x, y, sums, rest);
-            pixel += length;
         }
     }
 
-    private void Clear(int pixels)
+    private int Pixels => _targets.IsEmpty ? _tile.Pixels : _targets.Length;
+
+    private void Clear()
     {
-        NativeMemory.Clear(_sums.Pointer, (nuint)pixels * Film.SumsPerPixel * sizeof(long));
+        NativeMemory.Clear(_sums.Pointer, (nuint)Pixels * Film.SumsPerPixel * sizeof(long));
         _hasRest = false;
     }
 

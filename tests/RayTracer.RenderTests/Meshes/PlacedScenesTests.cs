@@ -48,6 +48,26 @@ public class PlacedScenesTests
     }
 
     [Theory]
+    [InlineData("""{ "type": "sphere", "center": [0, 0, 0], MATERIAL }""")]
+    [InlineData("""{ "type": "mesh", CUBE, MATERIAL }""")]
+    [InlineData("""{ "type": "group", MATERIAL, "shapes": [{ "type": "sphere", "center": [0, 0.5, 0] }, { "type": "mesh", OCTAHEDRON, MATERIAL }] }""")]
+    [InlineData("""{ "type": "group", "shapes": [{ "type": "instance", "of": { "type": "sphere", "center": [0, 1, 0], MATERIAL } }, { "type": "mesh", CUBE, MATERIAL }] }""")]
+    public void An_instance_with_a_material_shows_its_object_in_it_and_others_keep_theirs(string of)
+    {
+        const string Green = """ "material": { "type": "diffuse", "color": "green" } """;
+        const string Shining = """ "material": { "type": "luminaire", "color": [1, 2, 3] } """;
+        string Instance(string of, double x, string material = "") =>
+            $$"""{ "type": "instance", "of": {{of}}, "transform": [{ "scale": [0.3, 0.3, 0.3], "translate": [{{x}}, 0, 0] }]{{material}} }""";
+        string Three(params string[] instances) => $$"""{ "type": "group", "shapes": [{{string.Join(", ", instances)}}] }""";
+        string green = of.Replace("MATERIAL", Green, StringComparison.Ordinal);
+        string shining = of.Replace("MATERIAL", Shining, StringComparison.Ordinal);
+        string given = Three(Instance(green, -0.8), Instance(green, 0, $", {Shining}"), Instance(green, 0.8, $", {Green}"));
+        string built = Three(Instance(green, -0.8), Instance(shining, 0), Instance(green, 0.8));
+        Assert.Equal(Film(Scene(built)).ComputeHash(), Film(Scene(given)).ComputeHash());
+        Assert.NotEqual(Film(Scene(Three(Instance(green, -0.8), Instance(green, 0), Instance(green, 0.8)))).ComputeHash(), Film(Scene(given)).ComputeHash());
+    }
+
+    [Theory]
     [InlineData(
         "an instance of a sphere",
         """{ "type": "instance", "of": { "type": "sphere", "center": [0, 0, 0], "radius": 0.5 }, "transform": [{ "scale": [2, 2, 2], "translate": [0.5, 0, 0] }] }""",

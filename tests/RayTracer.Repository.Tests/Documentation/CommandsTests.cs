@@ -44,7 +44,7 @@ public class CommandsTests
             if (command.IsRaytracer)
             {
                 ParseResult result = CommandLine.Parse(command.Words, new(TextWriter.Null, TextWriter.Null, HasTerminal: false));
-                Assert.True(result.Errors.Count == 0 && CommandLine.Stray(result) is null, $"{page}: {command}: {CommandLine.Stray(result)} {result.Errors.FirstOrDefault()}");
+                Assert.True(result.Errors.Count == 0 && CommandLine.Stray(result) is null, $"{page}: {command}: {CommandLine.Stray(result)} {string.Join("; ", result.Errors)}");
             }
         }
     }

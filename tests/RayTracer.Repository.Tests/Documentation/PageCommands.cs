@@ -20,7 +20,7 @@ internal sealed partial record PageCommand(string Program, string[] Words)
     public static IEnumerable<PageCommand> Of(string page)
     {
         IEnumerable<string> blocks = Block().Matches(page).Select(m => m.Value);
-        IEnumerable<string> spans = Span().Matches(Block().Replace(page, "")).Select(m => m.Groups[1].Value).Where(s => s.Count(c => c == ' ') > 1);
+        IEnumerable<string> spans = Span().Matches(Block().Replace(page, "")).Select(m => m.Value.Trim('`')).Where(s => s.Count(c => c == ' ') > 1);
         return blocks.SelectMany(b => b.Split('\n')).Concat(spans).SelectMany(line => Command().Matches(line)).Select(
             m => new PageCommand(m.Groups["program"].Value, [.. Word().Matches(m.Groups["words"].Value).Select(w => Unquoted(w.Value)).Where(w => w.Length > 0)]))
             .Where(c => c.Project is not null || c.Words.Length > 0);
@@ -34,7 +34,8 @@ internal sealed partial record PageCommand(string Program, string[] Words)
     [GeneratedRegex(@"^(?<indent> *)```.*?^\k<indent>```|(?<=\n\n)(( {4,}.*(\n|\z))+)", RegexOptions.Singleline | RegexOptions.Multiline | RegexOptions.CultureInvariant, 1000)]
     private static partial Regex Block();
 
-    [GeneratedRegex("`([^`\n]+)`", RegexOptions.CultureInvariant, 1000)]
+    // A span of code, or the command that a block of figures comes from.
+    [GeneratedRegex("`([^`\n]+)`|(?<=^<!-- measured: )(.*?)(?= -->$)", RegexOptions.Multiline | RegexOptions.CultureInvariant, 1000)]
     private static partial Regex Span();
 
     // To the end of the command within the shell's line.

@@ -12,7 +12,7 @@ public class InsideWalks(ChromiumBrowser browser)
     [SkippableFact]
     public async Task The_paths_of_a_clicked_pixel_are_listed_and_drawn()
     {
-        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2", new() { ViewportSize = new() { Width = 1440, Height = 900 } });
         await w.Painted(2);
         await w.Button("Inspect a pixel").ClickAsync();
 
@@ -22,6 +22,10 @@ public class InsideWalks(ChromiumBrowser browser)
         await Expect(table).ToContainTextAsync("glass ball");
         await Expect(table).ToContainTextAsync("specular");
         await Expect(w.Page.GetByRole(AriaRole.Application, new() { NameRegex = new("Paths in the scene") })).ToBeVisibleAsync();
+
+        // The table's last column is the picture's, too.
+        await w.Button("Properties pane").ClickAsync();
+        await Expect(table.GetByRole(AriaRole.Columnheader).Last).ToBeInViewportAsync();
         await w.Shot("paths", isShown: true);
     }
 

@@ -81,7 +81,7 @@ public sealed class ComplexityTests : IDisposable
         study.Run((_, _) => { }, CancellationToken.None);
         Assert.Equal(100, study.LeftOut[Method.All[0]]);
         MarkdownPage page = new(ComplexityPage.Title);
-        new ComplexityPage(hasty, study).Write(page);
+        new ComplexityPage(hasty, study, Jobs.Machine.Now()).Write(page);
         Assert.Contains("left out from 100 triangles on", page.Finish(), StringComparison.Ordinal);
     }
 

@@ -1,3 +1,5 @@
+using System.Net;
+using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
@@ -8,7 +10,7 @@ namespace RayTracer.Study.Tests;
 
 public sealed class ReproductionTests : IDisposable
 {
-    private static readonly ReproductionPlan Tiny = new(50, 4, [1, 4, 9, 16], 1);
+    private static readonly ReproductionPlan Tiny = new(50, 4, [1, 4, 9, 16], 1, 0.001);
     private readonly TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
@@ -34,6 +36,9 @@ public sealed class ReproductionTests : IDisposable
             Assert.DoesNotContain(Environment.MachineName, text, StringComparison.Ordinal);
             Assert.All(pictures, p => Assert.Contains(p, text, StringComparison.Ordinal));
             Assert.Contains("2119.853", text, StringComparison.Ordinal);
+            string plain = WebUtility.HtmlDecode(text);
+            Assert.Equal((3, 3), (Regex.Count(plain, "[>|] ?100×100"), Regex.Count(plain, "[>|] ?800×600")));
+            Assert.Matches($"Date.*{DateTime.UtcNow.Year}-", text);
         }
     }
 

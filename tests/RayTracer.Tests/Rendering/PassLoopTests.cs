@@ -101,7 +101,7 @@ public class PassLoopTests
     }
 
     [Fact]
-    public void Who_looks_between_passes_sees_whole_ones_and_may_end_the_rendering()
+    public void Between_passes_the_film_is_whole_and_the_rendering_can_be_ended()
     {
         Film film = new(48, 32);
         List<(SampleRange Pass, string Hash)> seen = [];
@@ -111,7 +111,7 @@ public class PassLoopTests
             return pass.End == 8 ? TimeSpan.Zero : TimeSpan.FromHours(1);
         }
 
-        RenderStatistics statistics = new RTracer(s_scene, new() { TileSize = 8, Threads = 3, AfterPass = After }).Render(film);
+        RenderStatistics statistics = new RTracer(s_scene, new() { TileSize = 8, Threads = 3, AfterPass = After, ShortestPass = TimeSpan.Zero }).Render(film);
         Assert.Equal((8, false), (statistics.SamplesPerPixel, statistics.Cancelled));
         Assert.Equal([new(0, 1), new(1, 2), new(2, 4), new(4, 8)], seen.Select(s => s.Pass));
         Assert.All(seen, s => Assert.Equal(Of(s_scene, new(0, s.Pass.End)).ComputeHash(), s.Hash));
@@ -132,11 +132,25 @@ public class PassLoopTests
     }
 
     [Fact]
+    public void Passes_that_are_quick_more_than_double_the_samples()
+    {
+        List<int> passes = [];
+        new RTracer(s_scene, new() { AfterPass = pass => Add(pass.Count), ShortestPass = TimeSpan.FromHours(1) }).Render(new Film(48, 32));
+        Assert.Equal([1, 15], passes);
+
+        TimeSpan Add(int count)
+        {
+            passes.Add(count);
+            return TimeSpan.FromHours(1);
+        }
+    }
+
+    [Fact]
     public void No_pass_has_more_than_64_samples()
     {
         List<int> passes = [];
         Scene scene = TestScenes.Build(TestScenes.Everything.Replace("SAMPLER", "sobol", StringComparison.Ordinal).Replace("\"samplesPerPixel\": 16", "\"samplesPerPixel\": 300", StringComparison.Ordinal));
-        new RTracer(scene, new() { Crop = new(0, 0, 4, 4), AfterPass = pass => Add(pass.Count) }).Render(new Film(48, 32));
+        new RTracer(scene, new() { Crop = new(0, 0, 4, 4), AfterPass = pass => Add(pass.Count), ShortestPass = TimeSpan.Zero }).Render(new Film(48, 32));
         Assert.Equal([1, 1, 2, 4, 8, 16, 32, 64, 64, 64, 44], passes);
 
         TimeSpan Add(int count)
@@ -152,7 +166,7 @@ public class PassLoopTests
         using ManualResetEventSlim later = new();
         int held = 0;
         bool wasReached = false;
-        Film film = new RTracer(s_scene, new() { TileSize = 8, Threads = 2 }).Render(new Report(p =>
+        Film film = new RTracer(s_scene, new() { TileSize = 8, Threads = 2, ShortestPass = TimeSpan.Zero }).Render(new Report(p =>
         {
             if (p.Pass >= 3)
             {
@@ -182,7 +196,7 @@ public class PassLoopTests
         Film film = new(48, 32);
         using CancellationTokenSource stop = new();
         int reports = 0;
-        RenderStatistics statistics = new RTracer(scene, new() { TileSize = 8, Threads = 2 }).Render(film, new Report(p =>
+        RenderStatistics statistics = new RTracer(scene, new() { TileSize = 8, Threads = 2, ShortestPass = TimeSpan.Zero }).Render(film, new Report(p =>
         {
             if (p.Pass == 3 && Interlocked.Increment(ref reports) == 22)
             {
@@ -207,7 +221,7 @@ public class PassLoopTests
     {
         using CancellationTokenSource source = new();
         int reports = 0;
-        return new RTracer(scene, options).Render(
+        return new RTracer(scene, options with { ShortestPass = TimeSpan.Zero }).Render(
             film, new Report(p => { if (p.Pass == pass && Interlocked.Increment(ref reports) == 5) { source.Cancel(); } }), source.Token);
     }
 

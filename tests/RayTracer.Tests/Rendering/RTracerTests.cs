@@ -84,7 +84,7 @@ public class RTracerTests
     public void Progress_rises_to_the_end_pass_by_pass()
     {
         List<RenderProgress> reports = [];
-        new RTracer(s_scene, new() { TileSize = 8, Threads = 1 }).Render(new Report(reports.Add));
+        new RTracer(s_scene, new() { TileSize = 8, Threads = 1, ShortestPass = TimeSpan.Zero }).Render(new Report(reports.Add));
         Assert.Equal(1, reports[^1].Fraction);
         Assert.True(reports.Zip(reports.Skip(1)).All(p => p.First.PathsDone < p.Second.PathsDone && p.First.Rays <= p.Second.Rays));
         (int Pass, int Samples)[] passes = [(1, 0), (2, 1), (3, 2), (4, 4), (5, 8)];

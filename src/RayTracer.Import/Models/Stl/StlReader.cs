@@ -23,7 +23,8 @@ internal static class StlReader
     {
         List<string> notes = [];
         MeshData mesh = Parse(ModelBytes.Read(path), notes);
-        return MeshModel.Of(path, mesh, notes);
+        // Programs that make and print solids have z upwards.
+        return MeshModel.Of(path, mesh, notes) with { Up = Vector3.UnitZ };
     }
 
     /// <summary>Reads the content of a file.</summary>

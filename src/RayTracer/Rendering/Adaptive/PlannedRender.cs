@@ -19,7 +19,7 @@ public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan
     {
         int threads = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
         PassCell cell = new(new(0, 0, film.Width, film.Height));
-        PassLoop loop = new(scene, options, film, [cell], pass => [.. Cut(cell, pass, threads)])
+        PassLoop loop = new(scene, options, film, [cell], pass => Cut(cell, pass, threads))
         {
             Threads = threads,
             LargestItem = PixelRenderer.LargestList,
@@ -30,8 +30,9 @@ public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan
     }
 
     // Pixels that get the same number of samples go together.
-    private IEnumerable<PassItem> Cut(PassCell cell, SampleRange pass, int threads)
+    private List<PassItem> Cut(PassCell cell, SampleRange pass, int threads)
     {
+        List<PassItem> items = [];
         foreach (int end in plan.Samples.Where(s => s > pass.First).Select(s => Math.Min(s, pass.End)).Distinct().Order())
         {
             SampleRange samples = new(pass.First, end);
@@ -39,9 +40,11 @@ public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan
             int length = PixelRenderer.ListLength(pixels.Length, samples.Count, threads);
             for (int first = 0; first < pixels.Length; first += length)
             {
-                yield return new(cell, default, pixels.AsMemory(first, Math.Min(length, pixels.Length - first)), samples);
+                items.Add(new(cell, default, pixels.AsMemory(first, Math.Min(length, pixels.Length - first)), samples));
             }
         }
+
+        return items;
     }
 
     private int[] Pixels(Predicate<int> haveSamples, int width)

@@ -134,15 +134,38 @@ public class GltfSceneTests
     public void Without_camera_and_light_both_are_made_up_and_said()
     {
         ImportedModel model = DefaultView.Complete(TestGltf.Triangle().Import());
-        Assert.Contains(model.Notes, n => n.StartsWith("the file has no camera", StringComparison.Ordinal));
-        Assert.Contains(model.Notes, n => n.StartsWith("the file has no light", StringComparison.Ordinal));
+        Assert.StartsWith("the file has no camera and no light", Assert.Single(model.Notes), StringComparison.Ordinal);
         Assert.Equal(new Vector3(0.5f, 0.5f, 0), model.Scene.Camera.LookAt);
         Assert.Single(model.Scene.Lights);
         Assert.False(model.Scene.Background.IsBlack);
+        Assert.Equal((1, Exposure.Auto), (model.Scene.Shapes.Count(s => s is PlaneDescription), model.Scene.Render.Exposure));
+    }
 
-        // The ball around the triangle just fits: its radius over the distance is the sine of half the field of view.
-        double distance = (model.Scene.Camera.Position - model.Scene.Camera.LookAt).Length();
-        Assert.Equal(Math.Sin(model.Scene.Camera.FieldOfView * Math.PI / 360), Math.Sqrt(0.5) / distance, 1e-5);
+    [Theory]
+    [InlineData(0, 1, 0)]
+    [InlineData(0, 0, 1)]
+    [InlineData(-1, 0, 0)]
+    public void A_model_fills_the_picture_and_stands_on_a_ground_whatever_axis_is_up(float x, float y, float z)
+    {
+        Vector3 up = new(x, y, z);
+        BoxDescription box = new() { A = new(-1, 3, 2), B = new(4, 4, 9) };
+        ImportedModel model = DefaultView.Complete(new(new() { Shapes = [box] }, []), up);
+        CameraDescription camera = model.Scene.Camera;
+        Vector3 forward = Vector3.Normalize(camera.LookAt - camera.Position);
+        Vector3 right = Vector3.Normalize(Vector3.Cross(forward, camera.Up));
+        Vector3 above = Vector3.Cross(right, forward);
+        double slope = Math.Tan(camera.FieldOfView * Math.PI / 360);
+        double[] places = [.. Enumerable.Range(0, 8).Select(i =>
+        {
+            Vector3 to = new Vector3((i & 1) == 0 ? -1 : 4, (i & 2) == 0 ? 3 : 4, (i & 4) == 0 ? 2 : 9) - camera.Position;
+            return Math.Max(Math.Abs(Vector3.Dot(to, right)), Math.Abs(Vector3.Dot(to, above))) / Vector3.Dot(to, forward) / slope;
+        })];
+        Assert.Equal(0.9, places.Max(), 1e-3);
+        Assert.Equal((up, true), (camera.Up, Vector3.Dot(camera.Position - camera.LookAt, up) > 0));
+        PlaneDescription ground = Assert.IsType<PlaneDescription>(model.Scene.Shapes[^1]);
+        Assert.Equal(up, ground.Normal);
+        double lowest = Math.Min(Vector3.Dot(box.A, up), Vector3.Dot(box.B, up));
+        Assert.InRange(lowest - Vector3.Dot(ground.Point, up), 1e-5, 0.01);
     }
 
     [Fact]
@@ -156,6 +179,7 @@ public class GltfSceneTests
         Assert.Single(model.Scene.Lights);
         Assert.False(model.Scene.Background.IsBlack);
         Assert.StartsWith("the file has no light", Assert.Single(model.Notes), StringComparison.Ordinal);
+        Assert.DoesNotContain(model.Scene.Shapes, s => s is PlaneDescription);
     }
 
     [Fact]
