@@ -20,10 +20,10 @@ internal sealed unsafe class Transmittance(Scene scene)
     private PathStream _next = new(16);
 
     /// <summary>Follows shadow rays.</summary>
-    /// <param name="lanes">Which lanes.</param>
-    /// <param name="origin">Where they start.</param>
+    /// <param name="lanes">The lanes.</param>
+    /// <param name="origin">The points from which they start.</param>
     /// <param name="instance">The instances on which they start; 0 for none.</param>
-    /// <param name="inner">Where that is in the instances' spaces.</param>
+    /// <param name="inner">Those points in the instances' spaces.</param>
     /// <param name="direction">Their unit directions.</param>
     /// <param name="distance">The distances to the light.</param>
     /// <param name="media">The media in which they start.</param>
