@@ -25,7 +25,7 @@ internal sealed class ClusterVerb
     {
         command.Arguments.Add(_scene);
         _writing = new(command);
-        _overrides = new(command, [.. JobOptions.OfScenes, JobOptions.Crop, JobOptions.Frames]);
+        _overrides = new(command, [.. JobOptions.OfScenes, JobOptions.Crop, JobOptions.Frames, JobOptions.Halves]);
         command.AddOptions(
             [.. _writing.Looks, _tasks, _threads, _partition, _time, _memory, _lines, _retries, _folder, _program, _submit, _quiet]);
     }

@@ -40,7 +40,7 @@ internal static class CommandLine
         new("convert", "Converts scenes of other formats to the native one, and images and films to other image formats.", "convert scene.xml scene.json", ConvertVerb.Build),
         new("compare", "Compares two images.", "compare picture.png reference.png --side-by-side both.png", CompareVerb.Build),
         new("compose", "Rebalances the lights of a rendered picture.", "compose layers.exr --light lamp=0.5 -o picture.png", ComposeVerb.Build),
-        new("denoise", "Takes noise out of an image.", "denoise noisy.exr -o clean.png", DenoiseVerb.Build),
+        new("denoise", "Takes noise out of a film or an image.", "denoise noisy.exr -o clean.png", DenoiseVerb.Build),
         new("view", "Shows an image in the terminal.", "view picture.png", ViewVerb.Build),
         new("bench", "Measures how many rays are traced per second.", "bench scene.json", BenchVerb.Build),
         new("reproduce", "Renders the pictures and tables of the report that the project follows.", "reproduce report -o folder --quick", ReproduceVerb.Build),
@@ -56,7 +56,7 @@ internal static class CommandLine
 
     /// <summary>Runs a command.</summary>
     /// <param name="args">The words after the program's name.</param>
-    /// <param name="streams">Where to write.</param>
+    /// <param name="streams">The streams to write to.</param>
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public static int Run(string[] args, Streams streams)
     {

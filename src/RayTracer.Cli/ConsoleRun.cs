@@ -9,7 +9,7 @@ namespace RayTracer.Cli;
 
 /// <summary>Carries out jobs for a command: with progress on the console, signals that end them, and a report.</summary>
 /// <param name="display">What is reported.</param>
-/// <param name="streams">Where to write.</param>
+/// <param name="streams">The streams to write to.</param>
 internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
 {
     private readonly Stopwatch _total = Stopwatch.StartNew();

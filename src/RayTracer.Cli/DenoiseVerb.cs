@@ -11,13 +11,19 @@ internal sealed class DenoiseVerb
 {
     private readonly Argument<string> _image = new("IMAGE")
     {
-        Description = "A film that keeps two halves of its samples (render --halves); its scene is read too, for what the camera rays meet. Or an OpenEXR file, whose layers albedo "
-            + "and normal are used (render --aov albedo,normal), or any other image: its noise is estimated from its pixels alone, which is worse.",
+        Description = "A film that keeps two halves of its samples (render --halves); its scene is read too, for what the camera "
+            + "rays meet. Or an OpenEXR file, whose layers albedo and normal are used (render --aov albedo,normal), or any other image: "
+            + "its noise is estimated from its pixels alone, which is worse.",
     };
 
     private readonly Option<string?> _albedo = new("--albedo") { Description = "An image of the surfaces' colours. Default: the layer, if there is one.", HelpName = "FILE" };
     private readonly Option<string?> _normal = new("--normal") { Description = "An image of the normals. Default: the layer, if there is one.", HelpName = "FILE" };
-    private readonly Option<string?> _scene = new("--scene") { Description = "The scene file of a film, where it is no longer where it was.", HelpName = "SCENE" };
+    private readonly Option<string?> _scene = new("--scene")
+    {
+        Description = "The scene file of a film, where it is no longer where it was.",
+        HelpName = "SCENE",
+    };
+
     private readonly ParsedOption<long?> _threads = OptionValues.Integer("--threads", "The number of threads. Default: one for each core.", 1, 1024);
     private readonly WritingOptions _writing;
     private readonly VerboseOption _verbose;
@@ -65,7 +71,8 @@ internal sealed class DenoiseVerb
     {
         if (result.GetValue(_albedo) is not null || result.GetValue(_normal) is not null)
         {
-            throw new CommandException(ExitStatus.Usage, "--albedo and --normal are for images: what the camera rays of a film meet is found in its scene: leave them out");
+            throw new CommandException(
+                ExitStatus.Usage, "--albedo and --normal are for images: what the camera rays of a film meet is found in its scene: leave them out");
         }
 
         if (film.Header.Samples.Count == 0)
@@ -87,10 +94,13 @@ internal sealed class DenoiseVerb
         if (film.Film.Planes.Contains(FilmPlane.Half))
         {
             return denoising.Denoise(film.Film, null)?.Picture ?? throw new CommandException(
-                ExitStatus.InputOutput, $"all samples of '{film.Path}' ({film.Header.SamplesText}) are of one of the two halves that are compared: merge it with others, or resume it");
+                ExitStatus.InputOutput,
+                $"all samples of '{film.Path}' ({film.Header.SamplesText}) are of one of the two halves that are compared: "
+                + "merge it with others, or resume it");
         }
 
-        streams.Warn($"'{film.Path}' does not keep two halves of its samples (render --halves), so that its noise is estimated from its pixels alone, which is worse");
+        streams.Warn($"'{film.Path}' does not keep two halves of its samples (render --halves), so that its noise is estimated from its pixels "
+            + "alone, which is worse");
         return denoising.DenoiseWhole(film.Film);
     }
 
@@ -98,7 +108,8 @@ internal sealed class DenoiseVerb
     {
         if (result.GetValue(_scene) is not null)
         {
-            throw new CommandException(ExitStatus.Usage, $"--scene is for films: '{path}' is an image, whose guides are layers, --albedo and --normal");
+            throw new CommandException(
+                ExitStatus.Usage, $"--scene is for films: '{path}' is an image, whose guides are layers, --albedo and --normal");
         }
 
         (Picture image, _, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);

@@ -3,10 +3,10 @@ using System.CommandLine;
 namespace RayTracer.Cli;
 
 /// <summary>The reports of a command, meanwhile and at the end.</summary>
-/// <param name="Preview">Whether the picture is shown in the terminal meanwhile.</param>
-/// <param name="Quiet">Whether nothing but errors and warnings is printed.</param>
-/// <param name="Verbose">Whether the stages are reported.</param>
-/// <param name="Json">Whether a JSON object is printed.</param>
+/// <param name="Preview">True if the picture is shown in the terminal meanwhile.</param>
+/// <param name="Quiet">True if nothing but errors and warnings is printed.</param>
+/// <param name="Verbose">True if the stages are reported.</param>
+/// <param name="Json">True if a JSON object is printed.</param>
 internal sealed record Display(bool Preview = false, bool Quiet = false, bool Verbose = false, bool Json = false)
 {
     /// <summary>The options that it is of, as far as they bear on the job.</summary>
@@ -23,7 +23,7 @@ internal sealed class DisplayOptions
 
     /// <summary>Gives a command the options.</summary>
     /// <param name="command">The command.</param>
-    /// <param name="hasPreview">Whether it shows its picture while it renders.</param>
+    /// <param name="hasPreview">True if it shows its picture while it renders.</param>
     public DisplayOptions(Command command, bool hasPreview = true)
     {
         command.AddOptions(hasPreview ? [_preview, _quiet, _json] : [_quiet, _json]);

@@ -10,9 +10,9 @@ internal static class FilmInfo
 {
     /// <summary>Prints what there is to say of a film.</summary>
     /// <param name="path">The film.</param>
-    /// <param name="withHash">Whether all of it is read, for its hash; this finds damages, too.</param>
+    /// <param name="withHash">True if all of it is read, for its hash; this finds damages, too.</param>
     /// <param name="isJson">As one JSON object.</param>
-    /// <param name="streams">Where to write.</param>
+    /// <param name="streams">The streams to write to.</param>
     public static void Show(string path, bool withHash, bool isJson, Streams streams)
     {
         (FilmHeader header, string? hash) = Read(path, withHash);

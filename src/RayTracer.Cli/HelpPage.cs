@@ -5,7 +5,7 @@ using RayTracer.Jobs;
 namespace RayTracer.Cli;
 
 /// <summary>The option <c>--help</c>: a page that fits a terminal, with the options in groups.</summary>
-/// <param name="streams">Where to write.</param>
+/// <param name="streams">The streams to write to.</param>
 /// <param name="describe">Describes a command.</param>
 internal sealed class HelpPage(Streams streams, Func<Command, VerbHelp> describe) : SynchronousCommandLineAction
 {
@@ -22,7 +22,7 @@ internal sealed class HelpPage(Streams streams, Func<Command, VerbHelp> describe
         ("Long renders", [.. JobOptions.OfLongRenders.Select(o => o.Name), "--resume", "--overwrite"]),
         ("Animations", ["--frames", "--fps"]),
         ("Looks of images", [.. JobOptions.OfLooks.Select(o => o.Name), JobOptions.ExrFilm.Name]),
-        ("Further images", ["--aov", "--denoise", "--map", "--side-by-side"]),
+        ("Further images", ["--aov", "--denoise", JobOptions.Halves.Name, "--map", "--side-by-side"]),
         ("Reports", ["--preview", "--quiet", "--json", "--format", "--hash", "--verbose"]),
         ("Machine and limits", [JobOptions.Threads.Name, "--memory", "--work", "--root", "--plugin", "--version"]),
     ];

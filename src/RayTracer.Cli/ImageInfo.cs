@@ -9,9 +9,9 @@ internal static class ImageInfo
 {
     /// <summary>Prints what there is to say of a picture.</summary>
     /// <param name="path">The picture's file.</param>
-    /// <param name="withHash">Whether the film that it carries is read, for its hash.</param>
+    /// <param name="withHash">True if the film that it carries is read, for its hash.</param>
     /// <param name="json">As one JSON object.</param>
-    /// <param name="streams">Where to write.</param>
+    /// <param name="streams">The streams to write to.</param>
     public static void Show(string path, bool withHash, bool json, Streams streams)
     {
         ImageDescription image = ImageFile.Describe(path);

@@ -40,10 +40,10 @@ internal sealed class JobOptionSet
             o => Values(result, o.Symbol).SelectMany(v => o.Option.Form is null ? [o.Option.Name] : new[] { o.Option.Name, v }));
 
     /// <summary>Warns of options that were given, but are for formats of which there is no file.</summary>
-    /// <param name="result">What was given.</param>
+    /// <param name="result">The words that were given.</param>
     /// <param name="files">The files to write.</param>
     /// <param name="streams">Takes the warnings.</param>
-    /// <param name="isSeen">Whether exposure and tone map are seen elsewhere too.</param>
+    /// <param name="isSeen">True if exposure and tone map are seen elsewhere too.</param>
     public void WarnOfUnused(ParseResult result, IReadOnlyList<string> files, Streams streams, bool isSeen)
     {
         foreach ((JobOption option, Option symbol) in _options.Where(

@@ -3,8 +3,8 @@ namespace RayTracer.Cli;
 /// <summary>An option of a verb, as help pages and shells see it.</summary>
 /// <param name="Names">How it is written: the long name first.</param>
 /// <param name="Form">What its value looks like; null where it has none.</param>
-/// <param name="Summary">What it means.</param>
-/// <param name="IsRepeatable">Whether it may be given several times.</param>
+/// <param name="Summary">The meaning.</param>
+/// <param name="IsRepeatable">True if it may be given several times.</param>
 internal sealed record OptionHelp(IReadOnlyList<string> Names, string? Form, string Summary, bool IsRepeatable)
 {
     /// <summary>The words that its value is one of; empty where it is something else.</summary>

@@ -22,7 +22,7 @@ internal sealed class PreviewDisplay(TextWriter error, TerminalGraphics graphics
 
     /// <summary>Takes the film as it is, unless one was taken just now. Called by the thread that renders.</summary>
     /// <param name="film">The film.</param>
-    /// <param name="isLast">Whether it is the last one, which is always taken.</param>
+    /// <param name="isLast">True if it is the last one, which is always taken.</param>
     public void Offer(Film film, bool isLast)
     {
         if (!isLast && _drawn != 0 && Stopwatch.GetElapsedTime(_drawn) < s_pause)

@@ -8,12 +8,12 @@ namespace RayTracer.Cli;
 /// <summary>The streams of a command.</summary>
 /// <param name="Output">Results.</param>
 /// <param name="Error">Errors, warnings and progress.</param>
-/// <param name="HasTerminal">Whether <paramref name="Error"/> is a terminal (<see cref="IsTerminal"/>), which can show a progress
+/// <param name="HasTerminal">True if <paramref name="Error"/> is a terminal (<see cref="IsTerminal"/>), which can show a progress
 /// bar.</param>
 internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerminal = false) : IJobWatch
 {
     /// <summary>Returns whether a stream is a terminal on which the cursor can be moved: one that calls itself dumb cannot.</summary>
-    /// <param name="isRedirected">Whether it goes elsewhere.</param>
+    /// <param name="isRedirected">True if it goes elsewhere.</param>
     /// <param name="term">The variable TERM.</param>
     public static bool IsTerminal(bool isRedirected, string? term) => !isRedirected && term != "dumb";
 

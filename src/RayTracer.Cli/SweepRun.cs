@@ -12,7 +12,7 @@ namespace RayTracer.Cli;
 /// <param name="axes">What changes.</param>
 /// <param name="change">Gives a scene the size of a cell.</param>
 /// <param name="display">What is reported.</param>
-/// <param name="streams">Where to write.</param>
+/// <param name="streams">The streams to write to.</param>
 internal sealed class SweepRun(
     RenderJob job, SweepAxes axes, Func<SceneDescription, SceneDescription> change, Display display, Streams streams)
 {
@@ -26,7 +26,7 @@ internal sealed class SweepRun(
     public IReadOnlyList<(SweepCell Cell, string Hash)> Films => _films;
 
     /// <summary>Finds out before hours of rendering whether there is a scene for each value, of the size of the others.</summary>
-    /// <returns>Whether there is; otherwise, what is wrong was reported.</returns>
+    /// <returns>True if there is; otherwise, what is wrong was reported.</returns>
     /// <exception cref="CommandException">The sizes differ.</exception>
     public bool Check()
     {

@@ -135,6 +135,6 @@ internal static class VerifyVerb
     /// <param name="Job">How it was rendered.</param>
     /// <param name="Samples">The samples that it holds; null for those that the job decides on.</param>
     /// <param name="Hash">The hash of its film.</param>
-    /// <param name="IsOld">Whether it is of the first format.</param>
+    /// <param name="IsOld">True if it is of the first format.</param>
     private sealed record Claim(string File, RenderJob Job, IReadOnlyList<SampleRange?> Samples, string Hash, bool IsOld);
 }

@@ -34,7 +34,7 @@ internal sealed class WritingOptions
     public IReadOnlyList<string> Files(ParseResult result) => result.GetValue(_outputs) ?? [];
 
     /// <summary>The files, of which there must be one where no JSON object is printed.</summary>
-    /// <param name="result">What was given.</param>
+    /// <param name="result">The words that were given.</param>
     /// <param name="display">What is printed.</param>
     /// <param name="alone">What the object is good for without files.</param>
     /// <param name="check">Finds out before the work whether a file can be written after it.</param>
@@ -51,10 +51,10 @@ internal sealed class WritingOptions
     }
 
     /// <summary>Warns of options of how pictures look that were given, but change none of the files.</summary>
-    /// <param name="result">What was given.</param>
+    /// <param name="result">The words that were given.</param>
     /// <param name="files">The files to write.</param>
     /// <param name="streams">Takes the warnings.</param>
-    /// <param name="isSeen">Whether exposure and tone map are seen elsewhere too.</param>
+    /// <param name="isSeen">True if exposure and tone map are seen elsewhere too.</param>
     public void WarnOfUnused(ParseResult result, IReadOnlyList<string> files, Streams streams, bool isSeen = false) =>
         _options.WarnOfUnused(result, files, streams, isSeen);
 
@@ -75,7 +75,7 @@ internal sealed class WritingOptions
     public IEnumerable<string> Words(ParseResult result) => _options.Words(result);
 
     /// <summary>Returns the details of writing pictures.</summary>
-    /// <param name="result">What was given.</param>
+    /// <param name="result">The words that were given.</param>
     /// <param name="files">The files to write; null for those of -o.</param>
     /// <exception cref="CommandException">The film shall go into an OpenEXR image, but there is none.</exception>
     public ImageWriteOptions Writing(ParseResult result, IEnumerable<string>? files = null)

@@ -14,7 +14,7 @@ public static class AovFiles
     /// <summary>The image as it is written to a separate file.</summary>
     /// <param name="path">The file: a PNG or JPEG holds colours to look at, any other the numbers.</param>
     /// <param name="film">The images.</param>
-    /// <param name="image">Which of them.</param>
+    /// <param name="image">The image among them.</param>
     /// <returns>The image, and what its colours mean.</returns>
     public static (IImageRows Image, string Range) Rows(string path, AovFilm film, AuxiliaryImage image)
     {
@@ -80,7 +80,7 @@ public static class AovFiles
 
 /// <summary>An auxiliary image as numbers in three channels, in a separate PFM file: one number three times, or two and a zero.</summary>
 /// <param name="film">The images.</param>
-/// <param name="image">Which of them.</param>
+/// <param name="image">The image among them.</param>
 public sealed class AovRows(AovFilm film, AuxiliaryImage image) : IImageRows
 {
     private readonly double[] _values = new double[film.Width * image.Letters.Length];

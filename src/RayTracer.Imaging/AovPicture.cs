@@ -15,7 +15,7 @@ public sealed class AovPicture : IImageRows
 
     /// <summary>Looks for the range of the numbers.</summary>
     /// <param name="film">The images.</param>
-    /// <param name="image">Which of them.</param>
+    /// <param name="image">The image among them.</param>
     public AovPicture(AovFilm film, AuxiliaryImage image)
     {
         (_film, _image) = (film, image);

@@ -59,7 +59,7 @@ internal static class AtomicFile
     /// Checks before a long computation that a later <see cref="Write"/> has a chance: the folder exists, and no folder has the
     /// file's name.
     /// </summary>
-    /// <param name="path">Where a file is to be written.</param>
+    /// <param name="path">The path of the file to write.</param>
     /// <exception cref="ImageWriteException">The file cannot be written there.</exception>
     public static void Check(string path)
     {
@@ -77,7 +77,7 @@ internal static class AtomicFile
     /// As <see cref="Check"/>; and tries whether the folder takes a file: access rights, read-only file systems and quotas have too many
     /// forms to be looked up.
     /// </summary>
-    /// <param name="path">Where a file is to be written.</param>
+    /// <param name="path">The path of the file to write.</param>
     /// <exception cref="ImageWriteException">The file cannot be written there.</exception>
     public static void Try(string path)
     {

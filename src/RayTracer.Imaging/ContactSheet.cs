@@ -101,7 +101,7 @@ public sealed class ContactSheet
 }
 
 /// <summary>The setting that changes along an axis of a <see cref="ContactSheet"/>.</summary>
-/// <param name="Name">What it is called.</param>
+/// <param name="Name">The name.</param>
 /// <param name="Values">What it is at each step.</param>
 public sealed record SheetAxis(string Name, IReadOnlyList<string> Values)
 {

@@ -5,10 +5,10 @@ using RayTracer.Materials;
 namespace RayTracer.Jobs;
 
 /// <summary>A kind of things whose bits have changed since films were first written.</summary>
-/// <param name="Name">What it is called.</param>
+/// <param name="Name">The name.</param>
 /// <param name="Version">The version of its bits: the number of the change in <c>hashes.txt</c>, the list of films' hashes, by which they
 /// became what they are.</param>
-/// <param name="IsIn">Whether a scene has one, by all its records.</param>
+/// <param name="IsIn">True if a scene has one, by all its records.</param>
 public sealed record BitVersion(string Name, int Version, Func<SceneDescription, IReadOnlyCollection<object>, bool> IsIn);
 
 /// <summary>

@@ -40,7 +40,8 @@ public sealed class Denoising(Scene scene, RenderOptions options)
 
         string content = OldFilms.Current(header, description, job.Scene, header.Crop).Content;
         return content == ContentHash.Of(description, job.Scene, header.Crop)
-            ? new(built, new() { Threads = threads, Crop = header.Crop, Samples = header.Samples[0] }) : throw LoadedJob.OtherScene(job.Scene);
+            ? new(built, new() { Threads = threads, Crop = header.Crop, Samples = header.Samples[0] })
+            : throw LoadedJob.OtherScene(job.Scene);
     }
 
     /// <summary>Returns the denoised picture; null where a half has no samples.</summary>
@@ -49,10 +50,11 @@ public sealed class Denoising(Scene scene, RenderOptions options)
     public DenoiseResult? Denoise(Film film, IProgress<double>? progress)
     {
         (HalfRender first, HalfRender second) = HalfRender.Of(scene, options with { Samples = SamplesOf(film) }, film);
-        return first.Film.TotalSamples > 0 && second.Film.TotalSamples > 0 ? Denoiser.Denoise(first, second, options.Threads, progress) : null;
+        return first.Film.TotalSamples > 0 && second.Film.TotalSamples > 0
+            ? Denoiser.Denoise(first, second, options.Threads, progress) : null;
     }
 
-    /// <summary>Returns the denoised picture of a film that keeps no halves: its noise is estimated from its pixels, which is worse.</summary>
+    /// <summary>Returns the denoised picture of a film without halves: its noise is estimated from its pixels, which is worse.</summary>
     /// <param name="film">The film.</param>
     public Picture DenoiseWhole(Film film)
     {

@@ -9,7 +9,7 @@ public static class FilmMemory
     /// <summary>Memory of a film in bytes.</summary>
     /// <param name="width">Width in pixels.</param>
     /// <param name="height">Height in pixels.</param>
-    /// <param name="planes">What it holds beside its picture.</param>
+    /// <param name="planes">The planes beside its picture.</param>
     public static long Bytes(int width, int height, params IReadOnlyList<FilmPlane> planes) =>
         (Film.BytesPerPixel + (16L * planes.Sum(p => p.Sums.Count))) * width * height;
 

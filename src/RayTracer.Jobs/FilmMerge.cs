@@ -31,10 +31,10 @@ public sealed class FilmMerge
     public static FilmMerge Of(IEnumerable<string> paths) => new([.. paths.Select(p => (p, CarriedFilm.ReadHeader(p)))]);
 
     /// <summary>
-    /// Films of which another one has a plane that they lack, so that the sum has none: each with the plane's name. Empty where there are none.
+    /// Films of which another one has a plane that they lack, so that the sum has none: each with the plane. Empty where there are none.
     /// </summary>
-    public IReadOnlyList<(string Path, FilmPlane Plane)> Lost => [.. _parts.SelectMany(p => p.Header.Planes).Except(Header.Planes).Distinct()
-        .Select(plane => (_parts.First(p => !p.Header.Planes.Contains(plane)).Path, plane))];
+    public IReadOnlyList<(string Path, FilmPlane Plane)> Lost =>
+        [.. _parts.SelectMany(p => p.Header.Planes).Except(Header.Planes).Distinct().Select(plane => (_parts.First(p => !p.Header.Planes.Contains(plane)).Path, plane))];
 
     /// <summary>
     /// Adds them up. Several at once: checksums take longer than a disk to read what they are of. More than a few only make the disk's way
@@ -119,7 +119,14 @@ public sealed class FilmMerge
 
         int total = parts.Max(p => p.Header.Total);
         IEnumerable<SampleRange> joined = ranges.Aggregate(Enumerable.Empty<SampleRange>(), (all, r) => Join(all, r.Range));
-        return first with { Samples = [.. joined], Total = total, Wanted = new(0, total), Software = ProgramName.Text, Planes = [.. first.Planes.Where(plane => parts.All(p => p.Header.Planes.Contains(plane)))] };
+        return first with
+        {
+            Samples = [.. joined],
+            Total = total,
+            Wanted = new(0, total),
+            Software = ProgramName.Text,
+            Planes = [.. first.Planes.Where(plane => parts.All(p => p.Header.Planes.Contains(plane)))],
+        };
     }
 
     private static string Gaps(FilmHeader header)

@@ -30,7 +30,7 @@ public static class FrameFiles
 /// <param name="Which">Which of how many it is, in words.</param>
 /// <param name="Result">What its rendering came to; null where it was there already.</param>
 /// <param name="Files">Its files.</param>
-/// <param name="IsNoisy">Whether it was there already, and is noisier than wanted.</param>
+/// <param name="IsNoisy">True if it was there already, and is noisier than wanted.</param>
 public sealed record RenderedFrame(int Number, string Which, JobResult? Result, IReadOnlyList<string> Files, bool IsNoisy);
 
 /// <summary>
@@ -38,7 +38,7 @@ public sealed record RenderedFrame(int Number, string Which, JobResult? Result, 
 /// same scene with the same
 /// options, is left as it is: so a run that was stopped continues where it was.
 /// </summary>
-/// <param name="job">What to render.</param>
+/// <param name="job">The job to render.</param>
 /// <param name="watch">Takes what there is to report.</param>
 public sealed class FrameRun(RenderJob job, IJobWatch watch)
 {
@@ -62,7 +62,7 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
     /// <summary>Renders all that is missing.</summary>
     /// <param name="render">Carries out the job of a frame; says what it came to, and whether others may follow.</param>
     /// <param name="report">Takes each frame that is there.</param>
-    /// <returns>Whether all frames were rendered and all animated PNGs were written.</returns>
+    /// <returns>True if all frames were rendered and all animated PNGs were written.</returns>
     public bool Run(Func<RenderJob, JobRun, (JobResult? Result, bool GoesOn)> render, Action<RenderedFrame> report)
     {
         Array.ForEach(_animated, JobFiles.CheckFolder);

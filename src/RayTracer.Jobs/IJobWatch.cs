@@ -52,7 +52,7 @@ public interface IJobWatch
 
     /// <summary>Takes the film as it is after a pass.</summary>
     /// <param name="film">The film.</param>
-    /// <param name="isLast">Whether no other pass follows.</param>
+    /// <param name="isLast">True if no other pass follows.</param>
     void Offer(Film film, bool isLast)
     {
     }

@@ -67,7 +67,7 @@ public static class JobFiles
     /// <summary>Writes a film to a film file, or to an OpenEXR image that carries it.</summary>
     /// <param name="path">The file.</param>
     /// <param name="film">The film.</param>
-    /// <param name="header">What the file says of it.</param>
+    /// <param name="header">Its header in the file.</param>
     /// <param name="options">How an image is written; null for one with nothing but the film.</param>
     /// <exception cref="ImageWriteException">It cannot be written.</exception>
     public static void WriteFilm(string path, Film film, FilmHeader header, ImageWriteOptions? options = null)

@@ -9,7 +9,7 @@ namespace RayTracer.Jobs;
 internal sealed class JobFilms
 {
     /// <summary>Prepares them.</summary>
-    /// <param name="job">What to render.</param>
+    /// <param name="job">The job to render.</param>
     /// <param name="scene">Its scene.</param>
     /// <exception cref="JobException">They cannot be had, or there is not enough memory.</exception>
     public JobFilms(RenderJob job, Scene scene)
@@ -43,13 +43,15 @@ internal sealed class JobFilms
         {
             string path = job.Resumed!.Path;
             throw new JobException(
-                JobFault.File, $"'{path}' does not keep two halves of its samples, which --denoise compares: render it from scratch with --halves, or estimate its noise otherwise, "
-                + $"which is worse: \"raytracer denoise {path}\"");
+                JobFault.File,
+                $"'{path}' does not keep two halves of its samples, which --denoise compares: render it from scratch with --halves, "
+                + $"or estimate its noise otherwise, which is worse: \"raytracer denoise {path}\"");
         }
 
         if (job.Denoise && scene.Render.SamplesPerPixel < 2)
         {
-            throw new JobException(JobFault.Request, "--denoise compares two halves of the samples, but there is only 1 a pixel: give --spp 2 or more");
+            throw new JobException(
+                JobFault.Request, "--denoise compares two halves of the samples, but there is only 1 a pixel: give --spp 2 or more");
         }
     }
 
@@ -57,8 +59,8 @@ internal sealed class JobFilms
     {
         (int width, int height) = (scene.Render.Width, scene.Render.Height);
         IReadOnlyList<FilmPlane> planes = PlanesOf(job);
-        long bytes = FilmMemory.Bytes(width, height, planes) + ((long)PassCell.BytesPerPixel * width * height) + AovFilm.Bytes(job.Aovs, width, height)
-            + LightPathAovFilm.Bytes(job.Layers, scene) + (job.Denoise ? Denoising.Bytes(width, height) : 0);
+        long bytes = FilmMemory.Bytes(width, height, planes) + ((long)PassCell.BytesPerPixel * width * height)
+            + AovFilm.Bytes(job.Aovs, width, height) + LightPathAovFilm.Bytes(job.Layers, scene) + (job.Denoise ? Denoising.Bytes(width, height) : 0);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         return bytes <= available && (long)width * height <= Film.MaxPixels ? new(width, height, planes) : throw new JobException(
             JobFault.File, $"a film of {width}×{height} pixels takes {FilmMemory.Text(bytes)} of memory, more than is available ({FilmMemory.Text(available)})");

@@ -118,6 +118,12 @@ public static class JobOptions
         (j, _) => Written(j, o => o with { ExrFilm = true }), j => Flag(j.Writing.ExrFilm))
     { Use = JobOptionUse.Pictures };
 
+    /// <summary>The option that films keep what a denoiser compares.</summary>
+    public static JobOption Halves { get; } = new(
+        "--halves", null, "Films keep two halves of the samples apart, for the verb denoise and for resume --denoise. Implied by --denoise.",
+        (j, _) => j with { Halves = true }, j => Flag(j.Planes.Contains(FilmPlane.Half)))
+    { Use = JobOptionUse.Pictures };
+
     /// <summary>The number of threads.</summary>
     public static JobOption Threads { get; } = new("--threads", "N", "Number of threads; without it, one for each core.", (j, w) => j with { Threads = (int)W.Integer(w, 1, 1024) }, _ => null);
 
@@ -156,8 +162,7 @@ public static class JobOptions
             + "(emission to lights, which is one for each light). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", PutAovs, AovText) { Use = JobOptionUse.Pictures },
         new("--denoise", null, "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png).",
             (j, _) => j with { Denoise = true }, j => Flag(j.Denoise)) { Use = JobOptionUse.Pictures },
-        new("--halves", null, "Films keep two halves of the samples apart, for the verb denoise, and for resume and merge with --denoise; which implies it.",
-            (j, _) => j with { Halves = true }, j => Flag(j.Planes.Contains(FilmPlane.Half))) { Use = JobOptionUse.Pictures },
+        Halves,
         new("--noise", "X%", "Stops at this estimated relative error of the picture, or at the number of samples given by --spp (65,536 without it). The estimate is cautious: "
             + "stratified samplers (sobol) come out better.", (j, w) =>
                 j with { Noise = W.Fraction(w) }, j => Text(j.Noise, null)) { Use = JobOptionUse.Films },

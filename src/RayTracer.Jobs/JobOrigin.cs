@@ -25,10 +25,15 @@ public static class JobOrigin
     }
 
     /// <summary>The job of a film; the number of its samples is as they were asked for.</summary>
-    /// <param name="header">What the film's file says.</param>
+    /// <param name="header">The header of the film's file.</param>
     /// <param name="file">The film's file; null where the scene is not looked for.</param>
     public static RenderJob Of(FilmHeader header, string? file = null) => Put(
-        new() { Scene = file is null ? header.Scene : ScenePath(header.Scene, file), Crop = header.Crop, Halves = header.Planes.Contains(FilmPlane.Half) },
+        new()
+        {
+            Scene = file is null ? header.Scene : ScenePath(header.Scene, file),
+            Crop = header.Crop,
+            Halves = header.Planes.Contains(FilmPlane.Half),
+        },
         OldFilms.Settings(header), file ?? "the film");
 
     /// <summary>The job of an image, with the texts that the image has.</summary>

@@ -41,7 +41,7 @@ public static class JobRules
         ("--scale", "--width", "--scale and --width both give the size: leave one of them out"),
         ("--scale", "--height", "--scale and --height both give the size: leave one of them out"),
         ("--adaptive", "--crop", "--adaptive distributes samples over the whole picture: leave --crop out"),
-        ("layers of light", "passes", "layers of light need one rendering, which .rtfilm, --exr-film, --checkpoint and --time may split: leave one of them out"),
+        ("layers of light", "--resume", "layers of light are made with the samples, and a film that is resumed has some without them: leave one of them out"),
         ("layers of light", "--adaptive", "layers of light need equal numbers of samples, which --adaptive does not give: leave one of them out"),
         ("only films", "auxiliary images|--denoise", "--aov and --denoise write images, but only films are written: give -o FILE.png or another image too"),
         ("one frame", "--part", "{--part}: with --frames, frames are divided among parts: for a share of one frame's samples give --samples"),

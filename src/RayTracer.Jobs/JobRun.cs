@@ -8,7 +8,7 @@ using RayTracer.Textures;
 namespace RayTracer.Jobs;
 
 /// <summary>Carries out a job of one picture: loads, renders, writes.</summary>
-/// <param name="job">What to render.</param>
+/// <param name="job">The job to render.</param>
 /// <param name="watch">Takes what there is to report.</param>
 public sealed class JobRun(RenderJob job, IJobWatch watch)
 {

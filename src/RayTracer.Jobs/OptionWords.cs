@@ -93,7 +93,7 @@ public static class OptionWords
 
     /// <summary>Reads a length of time: 90s, 1h30m.</summary>
     /// <param name="word">The word.</param>
-    /// <param name="allowsZero">Whether there may be none.</param>
+    /// <param name="allowsZero">True if there may be none.</param>
     public static TimeSpan Duration(string word, bool allowsZero = false) =>
         Seconds(word) is not { } seconds
             ? throw new FormatException($"expected a time, as in 90s, 10m, 1.5h or 1h30m, not {Quotation.Of(word)}")

@@ -8,7 +8,7 @@ namespace RayTracer.Jobs;
 /// Renders the samples that a job lacks, and does between passes what there is to do: the film always holds whole ranges of samples then, so
 /// that it can be written and shown, and the rendering can end for want of time.
 /// </summary>
-/// <param name="loaded">What to render.</param>
+/// <param name="loaded">The loaded scene to render.</param>
 /// <param name="films">What to render into.</param>
 /// <param name="watch">Is shown the film after each pass.</param>
 internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch watch)

@@ -42,7 +42,7 @@ public static class PictureTexts
     ];
 
     /// <summary>The texts of a picture of a film.</summary>
-    /// <param name="header">What the film's file says.</param>
+    /// <param name="header">The header of the film's file.</param>
     /// <param name="hash">The film's hash.</param>
     public static IReadOnlyList<KeyValuePair<string, string>> Of(FilmHeader header, string hash) =>
     [

@@ -126,7 +126,7 @@ public sealed record RenderJob
     /// <summary>True if there is a file that the film comes from or goes to.</summary>
     public bool HasFilmFile => Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
 
-    /// <summary>What films in files hold beside the picture: halves of the samples where that was asked for, or where they are compared.</summary>
+    /// <summary>What films in files hold beside the picture: halves of the samples, where asked for or where they are compared.</summary>
     public IReadOnlyList<FilmPlane> Planes => Resumed?.Film.Planes ?? (Halves || (Denoise && HasFilmFile) ? [FilmPlane.Half] : []);
 
     /// <summary>The settings that a film names: the scene's, the frame, and the noise that decided on the number of its samples.</summary>

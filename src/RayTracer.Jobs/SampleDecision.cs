@@ -57,7 +57,7 @@ public sealed class SampleDecision(RenderJob job)
     internal static SampleRange? RangeOf(SamplePlan? plan) => plan is null ? null : new(0, (int)double.Round(plan.MeanSamples));
 
     /// <summary>Decides how many samples the pixels shall have; null where nothing was asked for, or it was decided before.</summary>
-    /// <param name="loaded">What to render.</param>
+    /// <param name="loaded">The loaded scene to render.</param>
     /// <param name="checkpoints">Keep what is decided by; may be null.</param>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
     internal SamplePlan? Plan(LoadedJob loaded, Checkpoints? checkpoints)

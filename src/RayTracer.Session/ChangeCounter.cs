@@ -32,7 +32,7 @@ public sealed class ChangeCounter
     /// <summary>Waits until there were more changes than a number.</summary>
     /// <param name="version">The number of changes that are known already.</param>
     /// <param name="cancellation">Ends the waiting.</param>
-    /// <returns>Whether there were; false where the waiting was ended.</returns>
+    /// <returns>True if there were; false where the waiting was ended.</returns>
     public async Task<bool> WaitBeyond(long version, CancellationToken cancellation)
     {
         Interlocked.Increment(ref _waiting);

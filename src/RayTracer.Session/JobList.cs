@@ -16,7 +16,7 @@ public sealed class JobList(NoticeBoard notices) : IDisposable
     public IReadOnlyList<Job> Running => _lock.Read(() => _running.Values.Select(r => r.Job).ToArray());
 
     /// <summary>Starts a job.</summary>
-    /// <param name="text">What is done, in a few words.</param>
+    /// <param name="text">The action, in a few words.</param>
     /// <param name="work">Does it; returns the message for the user at the end. What it throws is shown too.</param>
     /// <returns>The job's number.</returns>
     public int Start(string text, Func<IProgress<double>, CancellationToken, string> work)

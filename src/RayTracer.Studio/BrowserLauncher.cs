@@ -9,7 +9,7 @@ internal static class BrowserLauncher
     /// <summary>Opens a file in a browser.</summary>
     /// <param name="page">The file.</param>
     /// <param name="kind">In which browser.</param>
-    /// <returns>Whether there is one; it may still fail later.</returns>
+    /// <returns>True if there is one; it may still fail later.</returns>
     public static bool Open(string page, BrowserKind kind) =>
         (kind == BrowserKind.App && Programs().Any(program => Start(program, AppArguments(page)))) || OpenByDefault(page);
 

@@ -31,7 +31,7 @@ public sealed class JobRulesTests
     [InlineData("--checkpoint c.png -o a.png", "--checkpoint c.png: films are written to .rtfilm files")]
     [InlineData("--resume -o a.png", "--resume continues from a checkpoint: give --checkpoint FILE")]
     [InlineData("--adaptive --crop 0,0,2,2 -o a.png", "--adaptive distributes samples over the whole picture")]
-    [InlineData("--aov lights --time 1m -o a.exr", "layers of light need one rendering")]
+    [InlineData("--aov lights --checkpoint a.rtfilm --resume -o a.exr", "layers of light are made with the samples")]
     [InlineData("--aov lights --adaptive -o a.exr", "layers of light need equal numbers of samples")]
     [InlineData("--aov depth -o a.rtfilm", "--aov and --denoise write images, but only films are written")]
     [InlineData("--frames 3 --part 1/2 -o a.png", "--part 1/2: with --frames, frames are divided among parts: for a share of one frame's samples give --samples")]

@@ -35,6 +35,7 @@ public sealed class JobRunTests : IDisposable
     [InlineData("time=3600s,render.samplesPerPixel=4", "a.png")]
     [InlineData("aov=depth", "a.png,a.depth.png")]
     [InlineData("aov=emission", "a.png,a.emission.png")]
+    [InlineData("time=3600s,render.samplesPerPixel=4,aov=emission", "a.png,a.emission.png")]
     [InlineData("denoise=true", "a.png,a.denoised.png")]
     public void The_bits_are_those_of_the_renderer_however_it_is_rendered(string settings, string files)
     {

@@ -126,6 +126,6 @@ internal sealed class CommandTable
 }
 
 /// <summary>A menu: commands that belong together.</summary>
-/// <param name="Name">What it is called.</param>
+/// <param name="Name">The name.</param>
 /// <param name="Commands">The commands.</param>
 internal sealed record CommandGroup(string Name, IReadOnlyList<CommandViewModel> Commands);

@@ -42,7 +42,7 @@ internal sealed class FileCommands(SessionDispatcher dispatcher, IWindowServices
     public Task New() => Leaving((s, discard) => s.Files.New(discard));
 
     /// <summary>Closes the window.</summary>
-    /// <returns>Whether it may close at once; else the user is asked.</returns>
+    /// <returns>True if it may close at once; else the user is asked.</returns>
     public bool Close()
     {
         if (Document?.IsDirty != true)

@@ -4,16 +4,16 @@ namespace RayTracer.Desktop.ViewModels;
 internal interface IWindowServices
 {
     /// <summary>Asks for a file to open; null where none was chosen.</summary>
-    /// <param name="title">What the dialog is called.</param>
-    /// <param name="folder">Where it begins; null for where the system likes.</param>
+    /// <param name="title">The dialog's title.</param>
+    /// <param name="folder">The folder in which it begins; null for the system's choice.</param>
     /// <param name="extensions">The extensions that may be chosen, without dots.</param>
     Task<string?> ChooseFile(string title, string? folder, IReadOnlyList<string> extensions);
 
     /// <summary>
     /// Asks where to save; null where nothing was chosen. A file that exists is returned only after the user agreed to replace it.
     /// </summary>
-    /// <param name="title">What the dialog is called.</param>
-    /// <param name="folder">Where it begins; null for where the system likes.</param>
+    /// <param name="title">The dialog's title.</param>
+    /// <param name="folder">The folder in which it begins; null for the system's choice.</param>
     /// <param name="name">The name that is offered.</param>
     Task<string?> ChooseNewFile(string title, string? folder, string name);
 

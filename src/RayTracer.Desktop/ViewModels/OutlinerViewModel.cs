@@ -174,7 +174,7 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 
 /// <summary>A line of the outliner.</summary>
 /// <param name="Pointer">What it is of.</param>
-/// <param name="Name">What it is called.</param>
+/// <param name="Name">The name.</param>
 /// <param name="About">A word about it.</param>
 /// <param name="Tip">A few words about it.</param>
 /// <param name="Level">How deep it stands, from 0.</param>

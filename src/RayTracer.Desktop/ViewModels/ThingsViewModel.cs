@@ -74,7 +74,7 @@ internal sealed class ThingsViewModel(SessionDispatcher dispatcher, PanelContext
 internal sealed record AddGroup(string Name, IReadOnlyList<AddItem> Items);
 
 /// <summary>A thing that can be added.</summary>
-/// <param name="Name">What it is called.</param>
+/// <param name="Name">The name.</param>
 /// <param name="Tip">What it is.</param>
 /// <param name="Add">Adds it.</param>
 internal sealed record AddItem(string Name, string Tip, ICommand Add);

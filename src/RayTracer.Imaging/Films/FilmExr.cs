@@ -114,7 +114,8 @@ public static class FilmExr
         int words = exr.Channels.Any(c => c.Name == Word(names[0], WordsOf128Bits - 1)) ? WordsOf128Bits : WordsOf64Bits;
         Film? film = null;
         Int128[][] parts = Parts(exr.Width, header.Planes);
-        ExrReader.ReadWords(file, exr, [Count, .. names.SelectMany(name => Enumerable.Range(0, words).Select(word => Word(name, word)))], (y, row) =>
+        string[] channels = [Count, .. names.SelectMany(name => Enumerable.Range(0, words).Select(word => Word(name, word)))];
+        ExrReader.ReadWords(file, exr, channels, (y, row) =>
         {
             int first = 1;
             foreach (Int128[] sums in parts)
@@ -162,7 +163,8 @@ public static class FilmExr
     private static string Word(string sum, int word) => $"{Layer}{sum}.{word}";
 
     // The names of all sums of a pixel.
-    private static string[] SumsOf(IReadOnlyList<FilmPlane> planes) => [.. s_sums, .. planes.SelectMany(p => p.Sums.Select(sum => $"{p}.{sum}"))];
+    private static string[] SumsOf(IReadOnlyList<FilmPlane> planes) =>
+        [.. s_sums, .. planes.SelectMany(p => p.Sums.Select(sum => $"{p}.{sum}"))];
 
     // Room for a row's sums: those of the picture, and of each plane.
     private static Int128[][] Parts(int width, IReadOnlyList<FilmPlane> planes) =>

@@ -125,8 +125,8 @@ public static class FilmFile
     /// <summary>Returns the planes of a film in a file, of which another one takes those that it has.</summary>
     /// <exception cref="ArgumentException">The file lacks one.</exception>
     internal static IReadOnlyList<FilmPlane> PlanesFor(Film film, FilmHeader header) =>
-        film.Planes.Except(header.Planes).FirstOrDefault() is { } missing ? throw new ArgumentException($"it has no plane '{missing}'", nameof(header))
-            : header.WithKnownPlanes().Planes;
+        film.Planes.Except(header.Planes).FirstOrDefault() is { } missing
+            ? throw new ArgumentException($"it has no plane '{missing}'", nameof(header)) : header.WithKnownPlanes().Planes;
 
     // A row is a byte of flags, the counts (one where all are equal), and the sums (of 8 bytes where all fit into them, else of 16).
     private static int EncodeRow(Int128[] sums, uint[] counts, byte[] row)
@@ -167,7 +167,8 @@ public static class FilmFile
         Require(front.AsSpan().StartsWith(Signature), "it is not a film: its first bytes do not match");
 
         int version = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(8));
-        Require(version is >= OldestVersion and <= Version, $"its format has version {version}, but only {OldestVersion} to {Version} are known");
+        Require(
+            version is >= OldestVersion and <= Version, $"its format has version {version}, but only {OldestVersion} to {Version} are known");
 
         int length = BinaryPrimitives.ReadInt32LittleEndian(front.AsSpan(12));
         Require(length is not (< 2 or > LongestHeader) && length <= fileLength, $"its header cannot have {length} bytes");

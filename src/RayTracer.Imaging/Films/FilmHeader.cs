@@ -48,7 +48,7 @@ public sealed record FilmHeader
     /// <summary>The program that wrote it.</summary>
     public string Software { get; init; } = "";
 
-    /// <summary>What it holds beside the picture, in the file's order; planes that this version of the program does not know included.</summary>
+    /// <summary>What it holds beside the picture, in the file's order; also what this version of the program does not know.</summary>
     public IReadOnlyList<FilmPlane> Planes { get; init; } = [];
 
     /// <summary>True where it holds all the samples that it is meant to.</summary>
@@ -136,7 +136,8 @@ public sealed record FilmHeader
     /// <summary>Makes sure that all planes are known: of others it is not known what samples add to them.</summary>
     /// <exception cref="PictureException">One is not.</exception>
     internal FilmHeader WithKnownPlanes() => Planes.FirstOrDefault(p => !p.IsKnown) is { } unknown
-        ? throw new PictureException($"it holds the plane '{unknown}' ({string.Join(", ", unknown.Sums)}), which this version of the program does not know: use the one that wrote it, {Software}")
+        ? throw new PictureException($"it holds the plane '{unknown}' ({string.Join(", ", unknown.Sums)}), which this version of the program "
+            + $"does not know: use the one that wrote it, {Software}")
         : this;
 
     private static FilmPlane Plane(JsonElement json) =>

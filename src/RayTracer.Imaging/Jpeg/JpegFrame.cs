@@ -52,7 +52,7 @@ internal sealed class JpegFrame
 
     /// <summary>Reads a frame header.</summary>
     /// <param name="marker">Its marker's second byte: 0xC0 to 0xC2.</param>
-    /// <param name="data">What follows the header's length.</param>
+    /// <param name="data">The bytes after the header's length.</param>
     /// <exception cref="PictureException">It is damaged, or the picture is of a kind that is not read.</exception>
     public static JpegFrame Parse(int marker, ReadOnlySpan<byte> data)
     {

@@ -25,7 +25,7 @@ internal sealed class JpegScan
 
     /// <summary>Reads a scan header.</summary>
     /// <param name="frame">The picture.</param>
-    /// <param name="data">What follows the header's length.</param>
+    /// <param name="data">The bytes after the header's length.</param>
     /// <param name="tables">The Huffman tables: four of DC, then four of AC.</param>
     /// <param name="restartInterval">Units between restart markers; 0 for none.</param>
     /// <exception cref="PictureException">It is damaged or does not continue the scans before it.</exception>

@@ -25,7 +25,7 @@ internal static class JpegWriter
     private const int FullChromaFrom = 90;
 
     /// <summary>Writes an image.</summary>
-    /// <param name="output">Where to.</param>
+    /// <param name="output">The destination.</param>
     /// <param name="image">Linear RGB; what lies outside [0, 1] is cut off, NaN becomes 0.</param>
     /// <param name="quality">1 to 100, on libjpeg's scale.</param>
     /// <param name="chroma">How many differences of colour are kept; null for all from quality 90 on, below it a quarter.</param>

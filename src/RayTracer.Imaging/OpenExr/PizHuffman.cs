@@ -17,7 +17,7 @@ internal ref struct PizHuffman
     private PizHuffman(ReadOnlySpan<byte> bytes) => _bytes = bytes;
 
     /// <summary>Decodes as many numbers as there is room for.</summary>
-    /// <returns>Whether they were there.</returns>
+    /// <returns>True if they were there.</returns>
     public static bool TryDecode(ReadOnlySpan<byte> packed, Span<ushort> numbers)
     {
         if (packed.Length < HeaderBytes)

@@ -11,7 +11,7 @@ internal static class Pxr24Decoder
     /// <summary>Restores a block.</summary>
     /// <param name="packed">The packed bytes.</param>
     /// <param name="header">The file's header.</param>
-    /// <param name="block">Which block.</param>
+    /// <param name="block">The block.</param>
     /// <returns>Its rows, one channel after the other in each; null where it is damaged.</returns>
     public static byte[]? Decode(ReadOnlySpan<byte> packed, ExrHeader header, ExrBlock block)
     {

@@ -9,7 +9,7 @@ namespace RayTracer.Imaging;
 internal static class PfmWriter
 {
     /// <summary>Writes an image as it is, bit for bit; its rows are read from the last to the first.</summary>
-    /// <param name="output">Where to.</param>
+    /// <param name="output">The destination.</param>
     /// <param name="image">Linear RGB.</param>
     /// <param name="grey">True to write luminance alone (Pf) instead of colour (PF).</param>
     /// <param name="bigEndian">Byte order; most readers know both.</param>

@@ -10,7 +10,7 @@ namespace RayTracer.Imaging;
 internal static class PngWriter
 {
     /// <summary>Writes an image, row by row: no more than a few rows are in memory.</summary>
-    /// <param name="output">Where to.</param>
+    /// <param name="output">The destination.</param>
     /// <param name="image">Linear RGB; what lies outside [0, 1] is cut off, NaN becomes 0.</param>
     /// <param name="bitDepth">Bits a channel: 8 or 16.</param>
     /// <param name="metadata">

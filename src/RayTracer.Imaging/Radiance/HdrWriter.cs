@@ -17,7 +17,7 @@ internal static class HdrWriter
     private const int LongestPlain = 128;
 
     /// <summary>Writes an image.</summary>
-    /// <param name="output">Where to.</param>
+    /// <param name="output">The destination.</param>
     /// <param name="image">Linear RGB.</param>
     /// <param name="metadata">
     /// Texts to keep as comments, <c># key: value</c> in UTF-8; may be null. One that has line ends, or some 65,000 bytes, is left out.

@@ -13,7 +13,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
 
     /// <summary>A material that shines, and reflects as the surface would without.</summary>
     /// <param name="emitter">The emitter of a shape.</param>
-    /// <param name="material">What the surface is made of.</param>
+    /// <param name="material">The surface's material.</param>
     public MaterialDescription Area(MitsubaObject emitter, MaterialDescription material)
     {
         if (emitter.Type != "area")

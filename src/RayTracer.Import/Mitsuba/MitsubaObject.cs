@@ -78,7 +78,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
 
     /// <summary>A number.</summary>
     /// <param name="name">The property.</param>
-    /// <param name="standard">What holds where it is not given.</param>
+    /// <param name="standard">The value where none is given.</param>
     /// <param name="minimum">The least that is allowed.</param>
     /// <param name="maximum">The most that is allowed.</param>
     public float Float(string name, float standard, float minimum = float.NegativeInfinity, float maximum = float.PositiveInfinity)
@@ -106,7 +106,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
 
     /// <summary>A whole number.</summary>
     /// <param name="name">The property.</param>
-    /// <param name="standard">What holds where it is not given.</param>
+    /// <param name="standard">The value where none is given.</param>
     /// <param name="minimum">The least that is allowed.</param>
     public int Integer(string name, int standard, int minimum = int.MinValue)
     {
@@ -148,7 +148,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
 
     /// <summary>One of several words.</summary>
     /// <param name="name">The property.</param>
-    /// <param name="standard">What holds where it is not given.</param>
+    /// <param name="standard">The value where none is given.</param>
     /// <param name="words">The words and what they mean.</param>
     public T Choice<T>(string name, T standard, IReadOnlyDictionary<string, T> words)
     {

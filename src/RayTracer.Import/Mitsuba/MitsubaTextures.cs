@@ -19,17 +19,17 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     public Dictionary<string, TextureDescription> Named { get; } = new(StringComparer.Ordinal);
 
     /// <summary>A colour that may vary over a surface.</summary>
-    /// <param name="thing">What has it.</param>
+    /// <param name="thing">The thing that has it.</param>
     /// <param name="name">Its name there.</param>
-    /// <param name="standard">What it is where it is not given.</param>
+    /// <param name="standard">The value where none is given.</param>
     /// <param name="isLight">True where it is of light, and not of what reflects it.</param>
     public TextureDescription Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false) =>
         thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, standard, isLight, isLight ? float.PositiveInfinity : 1));
 
     /// <summary>A number that may vary over a surface.</summary>
-    /// <param name="thing">What has it.</param>
+    /// <param name="thing">The thing that has it.</param>
     /// <param name="name">Its name there.</param>
-    /// <param name="standard">What it is where it is not given.</param>
+    /// <param name="standard">The value where none is given.</param>
     /// <param name="maximum">The most that is allowed.</param>
     public TextureDescription Read(MitsubaObject thing, string name, float standard, float maximum = 1) =>
         thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, new Rgb(standard, standard, standard), maximum: maximum));

@@ -12,7 +12,7 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
 
     /// <summary>A surface whose normals come from a picture.</summary>
     /// <param name="bsdf">The BSDF.</param>
-    /// <param name="inner">What scatters light.</param>
+    /// <param name="inner">The material that scatters light.</param>
     public MaterialDescription NormalMap(MitsubaObject bsdf, MaterialDescription inner)
     {
         TurnedNormal turned = Turned(bsdf);
@@ -28,7 +28,7 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
 
     /// <summary>A surface whose heights come from a picture.</summary>
     /// <param name="bsdf">The BSDF.</param>
-    /// <param name="inner">What scatters light.</param>
+    /// <param name="inner">The material that scatters light.</param>
     public MaterialDescription BumpMap(MitsubaObject bsdf, MaterialDescription inner)
     {
         float scale = bsdf.Float("scale", 1);

@@ -48,7 +48,7 @@ internal sealed class ModelMemory
     public void AddFile(long bytes) => _files += bytes;
 
     /// <summary>Asks for memory before it is allocated.</summary>
-    /// <returns>Whether it is granted.</returns>
+    /// <returns>True if it is granted.</returns>
     public bool TryUse(long bytes)
     {
         if (bytes > Always + (TimesFiles * _files) - _used)

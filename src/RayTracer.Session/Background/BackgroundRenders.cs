@@ -8,7 +8,7 @@ namespace RayTracer.Session;
 /// <summary>
 /// Renders into files beside the user's work: parts, and frames. What the view shows is rendered, as it is when the job starts.
 /// </summary>
-/// <param name="document">What is rendered.</param>
+/// <param name="document">The document that is rendered.</param>
 /// <param name="view">The samples, the region, the threads and the tone that the user wants.</param>
 /// <param name="jobs">The list of what is being done.</param>
 public sealed class BackgroundRenders(SceneDocument document, PictureView view, JobList jobs)
@@ -20,7 +20,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
     /// <param name="number">The part, from 1.</param>
     /// <param name="count">The number of parts.</param>
     /// <param name="path">The film; relative to the document's folder.</param>
-    /// <param name="overwrite">Whether files that are there already may be replaced.</param>
+    /// <param name="overwrite">True if files that are there already may be replaced.</param>
     /// <returns>The job's number.</returns>
     /// <exception cref="SessionException">There is no such part, or there is such a file.</exception>
     public int Part(int number, int count, string path, bool overwrite)
@@ -55,7 +55,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
     /// <param name="first">The first.</param>
     /// <param name="last">The last.</param>
     /// <param name="pattern">The files, with signs # for the number; relative to the document's folder.</param>
-    /// <param name="overwrite">Whether files that are there already may be replaced.</param>
+    /// <param name="overwrite">True if files that are there already may be replaced.</param>
     /// <returns>The job's number.</returns>
     /// <exception cref="SessionException">There are no such frames, or there is such a file.</exception>
     /// <exception cref="JobException">Frames do not go together with the file.</exception>
@@ -75,7 +75,7 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
     /// <summary>Adds films of different samples of a picture up, into a film or an image.</summary>
     /// <param name="parts">The films' files.</param>
     /// <param name="path">The file to write; relative to the document's folder.</param>
-    /// <param name="overwrite">Whether a file that is there already may be replaced.</param>
+    /// <param name="overwrite">True if a file that is there already may be replaced.</param>
     /// <returns>The job's number.</returns>
     /// <exception cref="SessionException">There are too few films, or there is such a file.</exception>
     /// <exception cref="JobException">They do not go together.</exception>

@@ -20,7 +20,7 @@ public sealed class Relighting(SceneDocument document, PictureView view, JobList
 
     /// <summary>Renders what the view shows into an OpenEXR file with a layer for each light, as a job.</summary>
     /// <param name="path">The file; relative to the document's folder.</param>
-    /// <param name="overwrite">Whether a file that is there already may be replaced.</param>
+    /// <param name="overwrite">True if a file that is there already may be replaced.</param>
     /// <returns>The job's number.</returns>
     /// <exception cref="SessionException">The scene's lights cannot be separated, or there is such a file.</exception>
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>
@@ -65,7 +65,7 @@ public sealed class Relighting(SceneDocument document, PictureView view, JobList
     /// <summary>Writes the picture with its lights balanced, as a job.</summary>
     /// <param name="path">The file; relative to the document's folder.</param>
     /// <param name="factors">As for <see cref="Png"/>.</param>
-    /// <param name="overwrite">Whether a file that is there already may be replaced.</param>
+    /// <param name="overwrite">True if a file that is there already may be replaced.</param>
     /// <returns>The job's number.</returns>
     /// <exception cref="SessionException">No picture is open, or there is such a file.</exception>
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>

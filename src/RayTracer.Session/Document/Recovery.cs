@@ -218,7 +218,7 @@ public sealed class Recovery : IDisposable
 }
 
 /// <summary>A text that was not saved.</summary>
-/// <param name="Name">What the document was called.</param>
+/// <param name="Name">The name that the document had.</param>
 /// <param name="Path">Its file; null where it had none.</param>
 /// <param name="Folder">The folder from which the files that it names are looked for.</param>
 /// <param name="LineEnd">What ends a line of its file.</param>
@@ -228,6 +228,6 @@ public sealed record RecoveredText(string Name, string? Path, string Folder, str
 
 /// <summary>A text that was not saved when a session ended.</summary>
 /// <param name="Id">How it is asked for.</param>
-/// <param name="Name">What the document was called.</param>
+/// <param name="Name">The name that the document had.</param>
 /// <param name="Time">When it was kept.</param>
 public sealed record RecoveryEntry(string Id, string Name, DateTime Time);

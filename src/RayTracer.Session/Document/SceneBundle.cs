@@ -15,7 +15,7 @@ public static class SceneBundle
     private const int MostFiles = 10_000;
 
     /// <summary>Writes a bundle.</summary>
-    /// <param name="output">Where to.</param>
+    /// <param name="output">The destination.</param>
     /// <param name="text">The scene.</param>
     /// <param name="place">Where it is at home.</param>
     /// <returns>The files that the scene names and the bundle does not have.</returns>

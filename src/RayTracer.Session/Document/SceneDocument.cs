@@ -97,8 +97,8 @@ public sealed class SceneDocument : IDisposable
     /// <param name="from">Offset of the part.</param>
     /// <param name="to">Offset behind it.</param>
     /// <param name="insert">What takes its place.</param>
-    /// <param name="gesture">What it is a part of; null where it is to be undone by itself.</param>
-    /// <returns>Whether the revision was the newest; otherwise nothing has changed.</returns>
+    /// <param name="gesture">The gesture that it is a part of; null where it is to be undone by itself.</param>
+    /// <returns>True if the revision was the newest; otherwise nothing has changed.</returns>
     /// <exception cref="DocumentException">There is no such part.</exception>
     public bool TryReplace(int baseRevision, int from, int to, string insert, string? gesture)
     {
@@ -126,7 +126,7 @@ public sealed class SceneDocument : IDisposable
 
     /// <summary>Changes the text as a whole, as panels and gizmos do.</summary>
     /// <param name="label">What is changed, for undo.</param>
-    /// <param name="gesture">What it is a part of; null where it is to be undone by itself.</param>
+    /// <param name="gesture">The gesture that it is a part of; null where it is to be undone by itself.</param>
     /// <param name="change">Makes the new text of the present one; what it throws passes through, and nothing has changed.</param>
     /// <returns>The revision after it.</returns>
     /// <exception cref="DocumentException">The text is no JSON at the moment.</exception>
@@ -153,7 +153,7 @@ public sealed class SceneDocument : IDisposable
     /// <summary>Puts another text in the place of this one, without a way back.</summary>
     /// <param name="text">The text.</param>
     /// <param name="place">Where it is at home.</param>
-    /// <param name="isSaved">Whether it is safe to lose: the text of a file.</param>
+    /// <param name="isSaved">True if it is safe to lose: the text of a file.</param>
     public void Open(string text, DocumentPlace place, bool isSaved)
     {
         lock (_lock)
@@ -248,13 +248,13 @@ public sealed class SceneDocument : IDisposable
 /// <param name="Revision">The text's revision.</param>
 /// <param name="Name">What the document is called.</param>
 /// <param name="Path">The whole path of its file; null where it has none yet.</param>
-/// <param name="IsDirty">Whether there are changes that were not saved.</param>
-/// <param name="CanUndo">Whether there is a step to undo.</param>
-/// <param name="CanRedo">Whether there is a step to do again.</param>
+/// <param name="IsDirty">True if there are changes that were not saved.</param>
+/// <param name="CanUndo">True if there is a step to undo.</param>
+/// <param name="CanRedo">True if there is a step to do again.</param>
 /// <param name="UndoLabel">What the step to undo changed; null where there is none.</param>
 /// <param name="RedoLabel">What the step to do again changed; null where there is none.</param>
 /// <param name="Diagnostics">What is wrong with the text that was built last.</param>
-/// <param name="IsGood">Whether a scene could be built from that text.</param>
+/// <param name="IsGood">True if a scene could be built from that text.</param>
 /// <param name="BuiltRevision">The revision of that text: that of the text itself once it is built.</param>
 public sealed record DocumentStatus(
     int Revision, string Name, string? Path, bool IsDirty, bool CanUndo, bool CanRedo, string? UndoLabel, string? RedoLabel,

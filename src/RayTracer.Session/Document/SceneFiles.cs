@@ -52,7 +52,7 @@ public sealed class SceneFiles
     private static bool IsImage(string name) => ImageFormat.Has(name, ImageFeatures.Texts);
 
     /// <summary>Begins a new scene.</summary>
-    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <param name="discard">True if changes that were not saved may go.</param>
     /// <exception cref="DocumentException">There are such.</exception>
     public void New(bool discard = false)
     {
@@ -65,7 +65,7 @@ public sealed class SceneFiles
     /// program the scene that it was rendered from, as it was rendered. A film is resumed.
     /// </summary>
     /// <param name="path">The file's whole path.</param>
-    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <param name="discard">True if changes that were not saved may go.</param>
     /// <exception cref="DocumentException">It cannot be opened, or there are such changes; the document is as it was.</exception>
     public void Open(string path, bool discard = false)
     {
@@ -77,7 +77,7 @@ public sealed class SceneFiles
 
     /// <summary>Opens a shipped scene, as one that has no file of its own yet.</summary>
     /// <param name="id">Which, as the gallery calls it.</param>
-    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <param name="discard">True if changes that were not saved may go.</param>
     /// <exception cref="DocumentException">There is no such scene, or there are such changes.</exception>
     public void OpenGallery(string id, bool discard = false)
     {
@@ -87,7 +87,7 @@ public sealed class SceneFiles
 
     /// <summary>Opens a text that was not saved, as one with unsaved changes.</summary>
     /// <param name="id">Which, as the recovery calls it.</param>
-    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <param name="discard">True if changes that were not saved may go.</param>
     /// <exception cref="DocumentException">There is no such text, or there are such changes.</exception>
     public void OpenRecovered(string id, bool discard = false)
     {
@@ -111,7 +111,7 @@ public sealed class SceneFiles
     /// </summary>
     /// <param name="name">Its name.</param>
     /// <param name="content">Its content.</param>
-    /// <param name="discard">Whether changes that were not saved may go.</param>
+    /// <param name="discard">True if changes that were not saved may go.</param>
     /// <param name="cancellation">Ends the transfer.</param>
     /// <returns>The file's path, and whether it was opened.</returns>
     /// <exception cref="DocumentException">It is too large, or cannot be opened, or there are such changes.</exception>
@@ -135,7 +135,7 @@ public sealed class SceneFiles
 
     /// <summary>Saves the document.</summary>
     /// <param name="path">The file's whole path; null for that which it has.</param>
-    /// <param name="overwrite">Whether another file, or one that somebody else has changed, may be overwritten.</param>
+    /// <param name="overwrite">True if another file, or one that somebody else has changed, may be overwritten.</param>
     /// <returns>The file's path.</returns>
     /// <exception cref="DocumentException">It cannot be written, or there is such a file.</exception>
     public string Save(string? path = null, bool overwrite = false)
@@ -163,7 +163,7 @@ public sealed class SceneFiles
 
     /// <summary>The contents of a folder, for a dialog.</summary>
     /// <param name="path">The folder; null for the user's own.</param>
-    /// <param name="isNamed">Whether pictures and models are looked for, which a scene may name, instead of what can be opened.</param>
+    /// <param name="isNamed">True if pictures and models are looked for, which a scene may name, instead of what can be opened.</param>
     /// <exception cref="DocumentException">It cannot be listed.</exception>
     public FolderListing List(string? path = null, bool isNamed = false) =>
         FolderListing.Of(string.IsNullOrEmpty(path) ? _folders.Home : Whole(path), isNamed ? IsNamed : CanOpen);

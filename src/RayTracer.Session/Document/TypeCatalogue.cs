@@ -46,18 +46,18 @@ public sealed record CatalogueType(string Name, string Summary, IReadOnlyList<Ca
 /// <summary>A parameter of a record of scene files.</summary>
 /// <param name="Key">Its key.</param>
 /// <param name="Kind">The name of its <see cref="ParameterForm"/>.</param>
-/// <param name="Summary">What it means.</param>
+/// <param name="Summary">The meaning.</param>
 /// <param name="Unit">Its unit; empty where there is none.</param>
 /// <param name="Minimum">The smallest allowed number; null where there is no bound.</param>
 /// <param name="Maximum">The largest allowed number; null where there is no bound.</param>
-/// <param name="MinimumIsExclusive">Whether the minimum itself is refused.</param>
-/// <param name="Required">Whether it must be written.</param>
+/// <param name="MinimumIsExclusive">True if the minimum itself is refused.</param>
+/// <param name="Required">True if it must be written.</param>
 /// <param name="Choices">The words to choose from; empty where it is no choice.</param>
 /// <param name="Default">What holds where nothing is written; null where it may be missing.</param>
 /// <param name="Range">The allowed range in words; empty where every number is allowed.</param>
 /// <param name="Family">shape, material, texture or environment where it is one, or several; otherwise null.</param>
 /// <param name="Record">The section that it is, or that its elements are; otherwise null.</param>
-/// <param name="IsNumber">Whether it is a texture in whose place a number may stand.</param>
+/// <param name="IsNumber">True if it is a texture in whose place a number may stand.</param>
 public sealed record CatalogueParameter(
     string Key, string Kind, string Summary, string Unit, double? Minimum, double? Maximum, bool MinimumIsExclusive, bool Required,
     IReadOnlyList<string> Choices, Json? Default, string Range, string? Family, string? Record, bool IsNumber)

@@ -66,7 +66,7 @@ public sealed class UndoHistory
     public void MarkSaved(int point) => _saved = point;
 
     /// <summary>Forgets everything.</summary>
-    /// <param name="isSaved">Whether the text is that of a file.</param>
+    /// <param name="isSaved">True if the text is that of a file.</param>
     public void Reset(bool isSaved)
     {
         _steps.Clear();

@@ -6,7 +6,7 @@ using RayTracer.Textures;
 namespace RayTracer.Session;
 
 /// <summary>A film from a file, with whose samples a picture begins.</summary>
-/// <param name="header">What the file says of it.</param>
+/// <param name="header">Its header in the file.</param>
 /// <param name="film">The film.</param>
 public sealed class FilmStart(FilmHeader header, Film film)
 {

@@ -5,9 +5,9 @@ namespace RayTracer.Session;
 /// <summary>A format of files that pictures are written to.</summary>
 /// <param name="Value">The ending of names, without its dot.</param>
 /// <param name="Label">The name that is shown.</param>
-/// <param name="HasDepth">Whether bits a channel can be chosen.</param>
-/// <param name="HasLayers">Whether it takes auxiliary images.</param>
-/// <param name="IsFilm">Whether it is the film itself, which is only written to files.</param>
+/// <param name="HasDepth">True if bits a channel can be chosen.</param>
+/// <param name="HasLayers">True if it takes auxiliary images.</param>
+/// <param name="IsFilm">True if it is the film itself, which is only written to files.</param>
 public sealed record PictureFormat(string Value, string Label, bool HasDepth, bool HasLayers, bool IsFilm)
 {
     /// <summary>The film itself.</summary>

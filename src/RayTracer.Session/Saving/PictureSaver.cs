@@ -18,7 +18,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     /// <summary>Writes the picture, or the film itself (.rtfilm), to a file, as a job.</summary>
     /// <param name="path">The file; relative to the document's folder.</param>
     /// <param name="request">The depth and the layers.</param>
-    /// <param name="overwrite">Whether a file that is there already may be replaced.</param>
+    /// <param name="overwrite">True if a file that is there already may be replaced.</param>
     /// <returns>The job's number.</returns>
     /// <exception cref="SessionException">There is no picture, or there is such a file.</exception>
     /// <exception cref="JobException">What is requested does not go together with the file.</exception>

@@ -9,7 +9,7 @@ namespace RayTracer.Session;
 /// <summary>
 /// Jobs on what the view shows, which are carried out beside the user's work; their files are meant from the document's folder.
 /// </summary>
-/// <param name="document">What is rendered.</param>
+/// <param name="document">The document that is rendered.</param>
 /// <param name="view">The samples, the region, the threads and the tone that the user wants.</param>
 /// <param name="jobs">The list of what is being done.</param>
 internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList jobs)
@@ -48,7 +48,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
 
     /// <summary>Finds out before the work whether a job makes sense, and whether its files can be written.</summary>
     /// <param name="job">The job.</param>
-    /// <param name="overwrite">Whether files that are there already may be replaced.</param>
+    /// <param name="overwrite">True if files that are there already may be replaced.</param>
     /// <param name="more">Other files that are written.</param>
     /// <exception cref="JobException">Its values do not go together, or a file has an unknown extension.</exception>
     /// <exception cref="SessionException">There is such a file.</exception>
@@ -75,7 +75,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
     }
 
     /// <summary>Starts to render a job of one picture.</summary>
-    /// <param name="text">What is done, in a few words.</param>
+    /// <param name="text">The action, in a few words.</param>
     /// <param name="job">The job.</param>
     /// <param name="report">Returns what is said at the end.</param>
     /// <returns>Its number in the list.</returns>
@@ -86,7 +86,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
     });
 
     /// <summary>Starts some work.</summary>
-    /// <param name="text">What is done, in a few words.</param>
+    /// <param name="text">The action, in a few words.</param>
     /// <param name="work">Does it, and returns what is said at the end.</param>
     /// <param name="pictures">How many pictures are rendered.</param>
     /// <returns>Its number in the list.</returns>

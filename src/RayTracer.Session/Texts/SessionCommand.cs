@@ -4,7 +4,7 @@ namespace RayTracer.Session;
 
 /// <summary>Something that a menu, a button or a key can do, whatever shows it.</summary>
 /// <param name="Id">How programs call it.</param>
-/// <param name="Name">What it is called.</param>
+/// <param name="Name">The name.</param>
 /// <param name="Tip">What it is for.</param>
 /// <param name="Group">The key of its group's name among the texts.</param>
 /// <param name="Keys">
@@ -30,9 +30,9 @@ public sealed record SessionCommand(string Id, string Name, string Tip, string G
 
     /// <summary>Returns whether a press of keys means the command. Shift counts by what it makes of the key.</summary>
     /// <param name="key">The key, as browsers call it: a letter as it would be written, "ArrowUp", "Delete" …</param>
-    /// <param name="mod">Whether Ctrl (on a Mac: Command) is held.</param>
-    /// <param name="shift">Whether Shift is held.</param>
-    /// <param name="alt">Whether Alt is held.</param>
+    /// <param name="mod">True if Ctrl (on a Mac: Command) is held.</param>
+    /// <param name="shift">True if Shift is held.</param>
+    /// <param name="alt">True if Alt is held.</param>
     public bool IsPressed(string key, bool mod, bool shift, bool alt)
     {
         string[] parts = Keys?.Split('+') ?? [];

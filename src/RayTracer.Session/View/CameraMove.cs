@@ -8,7 +8,7 @@ namespace RayTracer.Session;
 /// <param name="Dy">Downwards.</param>
 /// <param name="Dz">Forward.</param>
 /// <param name="Gesture">Of which gesture it is a part: they are undone together.</param>
-/// <param name="End">Whether the gesture ends with it.</param>
+/// <param name="End">True if the gesture ends with it.</param>
 /// <param name="Position">For <see cref="CameraMoveKind.Set"/>: the position of the eye; null leaves it.</param>
 /// <param name="LookAt">For <see cref="CameraMoveKind.Set"/>: the point looked at; null leaves it.</param>
 /// <param name="Up">For <see cref="CameraMoveKind.Set"/>: the upward direction; null leaves it.</param>

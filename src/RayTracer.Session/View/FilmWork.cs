@@ -8,7 +8,7 @@ namespace RayTracer.Session;
 /// <summary>
 /// The work on one picture after the other, step by step; all on the render loop's thread. Films and pictures are used again.
 /// </summary>
-/// <param name="frames">Where frames hang.</param>
+/// <param name="frames">The place where frames hang.</param>
 internal sealed class FilmWork(FrameBoard frames)
 {
     private const int PreviewDepth = 1;

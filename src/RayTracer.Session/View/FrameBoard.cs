@@ -49,7 +49,7 @@ public sealed class FrameBoard
     /// <summary>Waits for a frame.</summary>
     /// <param name="version">The version that is known already.</param>
     /// <param name="cancellation">Ends the waiting.</param>
-    /// <returns>Whether there is one.</returns>
+    /// <returns>True if there is one.</returns>
     public async Task<bool> Wait(long version, CancellationToken cancellation)
     {
         Task<bool> wait = Changes.WaitBeyond(version, cancellation);
@@ -124,9 +124,9 @@ public sealed class FrameBoard
 /// <param name="PictureWidth">Width of the whole picture; a preview has fewer pixels.</param>
 /// <param name="PictureHeight">Height of the whole picture.</param>
 /// <param name="Samples">Samples in each pixel; 0 in a preview.</param>
-/// <param name="IsPreview">Whether there is less in it than a sample of each pixel.</param>
-/// <param name="IsLast">Whether nothing more will be added to it.</param>
-/// <param name="IsLight">Whether it shows light, so that exposure and tone map apply; maps have their colours already.</param>
+/// <param name="IsPreview">True if there is less in it than a sample of each pixel.</param>
+/// <param name="IsLast">True if nothing more will be added to it.</param>
+/// <param name="IsLight">True if it shows light, so that exposure and tone map apply; maps have their colours already.</param>
 public sealed record FrameInfo(int PictureWidth, int PictureHeight, int Samples, bool IsPreview, bool IsLast, bool IsLight);
 
 /// <summary>A frame for as long as it is looked at: its memory is used again after it was disposed of.</summary>

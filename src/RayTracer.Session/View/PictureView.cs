@@ -152,7 +152,7 @@ public sealed class PictureView : IDisposable
     private static string ScenePath(string folder) => Path.Combine(folder, "scene.json");
 
     /// <summary>Shows another camera, which the text does not have yet.</summary>
-    /// <returns>Whether the scene can be seen from there; if not, nothing has changed.</returns>
+    /// <returns>True if the scene can be seen from there; if not, nothing has changed.</returns>
     internal bool TrySetCamera(CameraDescription camera)
     {
         lock (_lock)

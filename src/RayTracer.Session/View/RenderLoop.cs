@@ -23,7 +23,7 @@ public sealed class RenderLoop : IDisposable
     private bool _isDisposed;
 
     /// <summary>Starts the loop; it waits for an order.</summary>
-    /// <param name="frames">Where frames hang.</param>
+    /// <param name="frames">The place where frames hang.</param>
     public RenderLoop(FrameBoard frames)
     {
         _frames = frames;

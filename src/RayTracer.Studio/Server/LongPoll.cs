@@ -10,7 +10,7 @@ internal sealed class LongPoll(WindowWatch windows, TimeSpan patience, Cancellat
     /// <param name="wait">Waits until there are more changes than a number.</param>
     /// <param name="after">How many whoever asks knows already.</param>
     /// <param name="aborted">Whoever asks has gone.</param>
-    /// <returns>Whether there is any.</returns>
+    /// <returns>True if there is any.</returns>
     public async Task<bool> Wait(Func<long, CancellationToken, Task<bool>> wait, long after, CancellationToken aborted)
     {
         using IDisposable visit = windows.Enter();

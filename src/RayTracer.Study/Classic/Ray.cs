@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Study;
 
 /// <summary>One ray, for code that follows one at a time.</summary>
-/// <param name="Origin">Where it starts.</param>
+/// <param name="Origin">The point from which it starts.</param>
 /// <param name="Direction">Where it goes; distances are in units of its length.</param>
 internal readonly record struct Ray(Vector3 Origin, Vector3 Direction)
 {

@@ -6,7 +6,7 @@ namespace RayTracer.Study;
 
 /// <summary>Traces with the hierarchy that the renderer uses.</summary>
 /// <param name="mesh">The triangles.</param>
-/// <param name="streams">Whether many rays go through the tree together, as in a render, or one after another.</param>
+/// <param name="streams">True if many rays go through the tree together, as in a render, or one after another.</param>
 internal sealed unsafe class BvhTracer(MeshData mesh, bool streams) : ITracer
 {
     private const int Columns = 7;

@@ -5,7 +5,7 @@ namespace RayTracer.Study;
 /// <summary>The page about a reproduction: machine, scenes, pictures, times and their growth.</summary>
 /// <param name="plan">How large the pictures are.</param>
 /// <param name="scenes">What was measured.</param>
-/// <param name="machine">What it was measured on.</param>
+/// <param name="machine">The machine that it was measured on.</param>
 internal sealed class ReproductionPage(ReproductionPlan plan, IReadOnlyList<ReproducedScene> scenes, Machine machine)
 {
     /// <summary>The page's title.</summary>

@@ -128,7 +128,7 @@ internal static class SvgChart
 /// <param name="XTitle">The horizontal axis and its unit.</param>
 /// <param name="YTitle">The vertical axis and its unit.</param>
 /// <param name="Series">The curves; at least one point is not at zero in x, and one in y.</param>
-/// <param name="IsLogarithmic">Whether both axes are logarithmic.</param>
+/// <param name="IsLogarithmic">True if both axes are logarithmic.</param>
 internal sealed record ChartPanel(
     string Title, string XTitle, string YTitle, IReadOnlyList<ChartSeries> Series, bool IsLogarithmic = false);
 

@@ -27,7 +27,7 @@ public abstract class SurfaceTable(int count, int stride)
 
     /// <summary>Describes the surface where rays met it.</summary>
     /// <param name="primitives">The primitives hit.</param>
-    /// <param name="needsUv">Whether uv is wanted.</param>
+    /// <param name="needsUv">True if uv is wanted.</param>
     /// <param name="surface">
     /// In: the hit point as computed along the ray. Out: that point moved onto the surface, the outward normal, the offset, and uv where
     /// wanted.

@@ -155,7 +155,7 @@ public sealed class Camera
     /// <param name="sampler">Where the lens's random numbers come from.</param>
     /// <param name="pixelKey">Keys of the pixels.</param>
     /// <param name="sample">Numbers of the samples.</param>
-    /// <param name="origin">Where the rays start.</param>
+    /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Their unit directions.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void GenerateRays(FloatW x, FloatW y, Sampler sampler, in UIntW pixelKey, in UIntW sample, out Vec3W origin, out Vec3W direction)

@@ -12,7 +12,7 @@ public abstract class CameraProjection
     /// <summary>The rays through points of the picture.</summary>
     /// <param name="x">Columns, in pixels from the left edge.</param>
     /// <param name="y">Rows, in pixels from the top edge.</param>
-    /// <param name="origin">Where they start.</param>
+    /// <param name="origin">The points from which they start.</param>
     /// <param name="toFocus">From there to the point in focus that they pass.</param>
     public abstract void Rays(in FloatW x, in FloatW y, out Vec3W origin, out Vec3W toFocus);
 }

@@ -34,14 +34,14 @@ internal sealed class SpaceContents
 /// <param name="Data">The triangles, checked and mended.</param>
 /// <param name="Materials">What they are made of; at least one.</param>
 /// <param name="Place">Where the mesh stands.</param>
-/// <param name="Source">What it was made from; null where that is not kept.</param>
+/// <param name="Source">The source that it was made from; null where that is not kept.</param>
 /// <param name="Label">The label of its light.</param>
 internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place, ShapeDescription? Source, LightGroupLabel? Label);
 
 /// <summary>A space in another one.</summary>
 /// <param name="Contents">What it holds.</param>
 /// <param name="Motion">Where it is.</param>
-/// <param name="Source">What it was made from; null where that is not kept.</param>
+/// <param name="Source">The source that it was made from; null where that is not kept.</param>
 /// <param name="Label">The label of its light, where its contents have none.</param>
 internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeDescription? Source, LightGroupLabel? Label);
 

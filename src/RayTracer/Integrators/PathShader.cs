@@ -12,7 +12,7 @@ namespace RayTracer.Rendering;
 /// sampling and the scattered ray can find is weighted between the two by multiple importance sampling (Veach 1997, section 9.2, power
 /// heuristic); paths that carry little end at random, and the others make up for them (Arvo &amp; Kirk 1990).
 /// </summary>
-/// <param name="context">What it works with.</param>
+/// <param name="context">The context that it works in.</param>
 /// <param name="maxDepth">How many edges a path may have after the camera; below 0 for no limit.</param>
 internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : SurfaceShader(context)
 {

@@ -30,7 +30,7 @@ public sealed class ShaderContext
 /// What happens where paths meet a surface, a class for each <see cref="Integrator"/>; and what all of them share: how a surface is described,
 /// and how a ray leaves it.
 /// </summary>
-/// <param name="context">What it works with.</param>
+/// <param name="context">The context that it works in.</param>
 public abstract unsafe class SurfaceShader(ShaderContext context)
 {
     // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
@@ -125,7 +125,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     /// <param name="group">The group.</param>
     /// <param name="stream">The paths.</param>
     /// <param name="index">Indices of a packet of paths in the stream.</param>
-    /// <param name="needsUv">Whether uv is wanted.</param>
+    /// <param name="needsUv">True if uv is wanted.</param>
     /// <param name="surface">The surfaces.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Describe(Scene scene, ShadingGroup group, PathStream stream, uint* index, bool needsUv, out SurfaceW surface)

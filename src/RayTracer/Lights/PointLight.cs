@@ -40,9 +40,9 @@ public sealed record PointLightDescription : PunctualLightDescription
 }
 
 /// <summary>A light at a point that shines alike in all directions.</summary>
-/// <param name="position">Where it stands in its own space.</param>
+/// <param name="position">The position in its space.</param>
 /// <param name="intensity">Radiant intensity: power per steradian.</param>
-/// <param name="motion">Where its own space is in the world.</param>
+/// <param name="motion">The motion of its space in the world.</param>
 internal sealed class PointLight(Vector3 position, Rgb intensity, Motion motion) : PunctualLight(position, Vector3.UnitZ, motion)
 {
     /// <inheritdoc/>

@@ -8,7 +8,7 @@ namespace RayTracer.Lights;
 /// <summary>
 /// A light without extent: from each lit point there is one way to it. Its density is a delta function, and rays never meet it.
 /// </summary>
-/// <param name="position">Where it stands in its own space.</param>
+/// <param name="position">The position in its space.</param>
 /// <param name="axis">A direction in the light's space.</param>
 /// <param name="motion">Where its own space is in the world. Sizes do not matter: only the position, and where the axis points.</param>
 public abstract unsafe class PunctualLight(Vector3 position, Vector3 axis, Motion motion) : LightSource(0, -1)

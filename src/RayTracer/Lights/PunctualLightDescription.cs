@@ -29,7 +29,7 @@ public abstract record PunctualLightDescription : ShapeDescription
     }
 
     /// <summary>The light, once <see cref="Check"/> found nothing wrong.</summary>
-    /// <param name="motion">Where its own space is in the world.</param>
+    /// <param name="motion">The motion of its space in the world.</param>
     public abstract LightSource Create(Motion motion);
 
     /// <summary>Reports it where a position is moved too far away.</summary>

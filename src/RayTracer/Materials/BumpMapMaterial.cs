@@ -37,7 +37,7 @@ public sealed record BumpMapMaterialDescription : MaterialDescription
 }
 
 /// <summary>Tilts normals as those of a surface that is moved outwards by a height (Blinn 1978).</summary>
-/// <param name="inner">What scatters light.</param>
+/// <param name="inner">The material that scatters light.</param>
 /// <param name="map">The heights; the red channel counts.</param>
 /// <param name="scale">Factor on the heights.</param>
 internal sealed class BumpMapMaterial(Material inner, Texture map, float scale) : PerturbedMaterial(inner)

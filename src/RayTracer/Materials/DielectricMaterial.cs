@@ -70,7 +70,7 @@ public sealed record DielectricMaterialDescription : GlassDescription
 /// <param name="model">How the reflectance is computed.</param>
 /// <param name="reflectedPart">Factor on what is reflected; null for 1.</param>
 /// <param name="refractedPart">Factor on what is refracted; null for 1.</param>
-/// <param name="interior">What fills the inside besides; null for nothing.</param>
+/// <param name="interior">The medium inside besides; null for none.</param>
 /// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does
 /// not.</param>
 /// <param name="nesting">How the inside goes with others that overlap it, whose extinction then counts in place of

@@ -53,7 +53,7 @@ public abstract record GlassDescription : MaterialDescription
     /// <summary>The index by wavelength; null where it does not.</summary>
     /// <param name="builder">Takes what is wrong.</param>
     /// <param name="refractiveIndex">The property of the index that does not depend on it.</param>
-    /// <param name="isGiven">Whether that is another than the one that is used where none is given.</param>
+    /// <param name="isGiven">True if that is another than the one that is used where none is given.</param>
     protected Dispersion? BuildDispersion(SceneBuilder builder, string refractiveIndex, bool isGiven)
     {
         string[] ways = [.. Ways()];

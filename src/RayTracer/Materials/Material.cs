@@ -61,7 +61,7 @@ public abstract class Material
     /// The whole BSDF but for delta lobes, in 1/sr without the cosine: what part of the irradiance from <paramref name="direction"/>
     /// goes back along the ray as radiance. <see cref="Brdf"/> is a part of it.
     /// </summary>
-    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="surface">The point at which the path meets the surface.</param>
     /// <param name="direction">Unit direction away from the surface, to where light would come from.</param>
     /// <param name="bsdf">The BSDF; zero where only a delta lobe scatters.</param>
     public virtual void Bsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf) => bsdf = default;
@@ -70,7 +70,7 @@ public abstract class Material
     /// The part of <see cref="Bsdf"/> that is matt: what a surface scatters as if it had no gloss, reflected or let through. Layers of
     /// light separate it from the rest.
     /// </summary>
-    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="surface">The point at which the path meets the surface.</param>
     /// <param name="direction">Unit direction away from the surface, to where light would come from.</param>
     /// <param name="bsdf">The part, in 1/sr without the cosine.</param>
     public virtual void DiffuseBsdf(in SurfaceW surface, in Vec3W direction, out RgbW bsdf)
@@ -83,13 +83,13 @@ public abstract class Material
     /// The density, per steradian, with which <see cref="Scatter"/> chooses a direction. Its integral falls short of 1
     /// by the share of paths that end (<see cref="ScatterW.Absorbed"/>) and of delta lobes.
     /// </summary>
-    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="surface">The point at which the path meets the surface.</param>
     /// <param name="direction">Unit direction away from the surface.</param>
     /// <param name="pdf">The density.</param>
     public virtual void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) => pdf = 0f;
 
     /// <summary><see cref="Bsdf"/> and <see cref="Pdf"/> at once.</summary>
-    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="surface">The point at which the path meets the surface.</param>
     /// <param name="direction">Unit direction away from the surface.</param>
     /// <param name="bsdf">The BSDF.</param>
     /// <param name="pdf">The density.</param>
@@ -108,7 +108,7 @@ public abstract class Material
     public virtual void Transparency(in SurfaceW surface, out RgbW transparency) => transparency = default;
 
     /// <summary>Chooses the next ray of a path (report: DiffuseDirection).</summary>
-    /// <param name="surface">Where the path meets the surface.</param>
+    /// <param name="surface">The point at which the path meets the surface.</param>
     /// <param name="samples">The random numbers of this vertex.</param>
     /// <param name="scatter">
     /// The new direction and its weight, BSDF · |cosine| / pdf of the chosen lobe: where several lobes may choose one direction, the
@@ -200,7 +200,7 @@ public struct SurfaceW
     }
 
     /// <summary>The frame in which microfacets are described: W is <see cref="Facing"/>.</summary>
-    /// <param name="isTurned">Whether U must be <see cref="Tangent"/>; any direction otherwise.</param>
+    /// <param name="isTurned">True if U must be <see cref="Tangent"/>; any direction otherwise.</param>
     /// <param name="frame">The frame.</param>
     public readonly void Frame(bool isTurned, out Onb frame)
     {

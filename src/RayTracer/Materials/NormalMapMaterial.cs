@@ -49,7 +49,7 @@ public sealed record NormalMapMaterialDescription : MaterialDescription
 }
 
 /// <summary>Turns normals to those of a texture, in the frame of the tangent along u, the normal × that, and the normal.</summary>
-/// <param name="inner">What scatters light.</param>
+/// <param name="inner">The material that scatters light.</param>
 /// <param name="map">The normals.</param>
 /// <param name="strength">Factor on the slopes.</param>
 internal sealed class NormalMapMaterial(Material inner, Texture map, float strength) : PerturbedMaterial(inner)

@@ -42,7 +42,7 @@ public sealed record PlasticMaterialDescription : CoatedDescription
 /// </summary>
 /// <param name="base">Colour of the base.</param>
 /// <param name="refractiveIndex">Index of the coat over that of the outside, at least 1.</param>
-/// <param name="nonlinear">Whether the colour counts in each reflection inside, or only once.</param>
+/// <param name="nonlinear">True if the colour counts in each reflection inside, or only once.</param>
 /// <param name="reflectance">Factor on what the coat reflects.</param>
 internal sealed class PlasticMaterial(Texture @base, float refractiveIndex, bool nonlinear, Texture reflectance) : Material
 {

@@ -110,7 +110,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
 /// </summary>
 /// <param name="textures">The parameters.</param>
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 1.</param>
-/// <param name="interior">What fills the inside; null for nothing.</param>
+/// <param name="interior">The medium inside; null for none.</param>
 internal sealed class PrincipledMaterial(PrincipledTextures textures, float refractiveIndex, Medium? interior = null) : Material
 {
     private const float SmallestAlpha = 1e-3f;

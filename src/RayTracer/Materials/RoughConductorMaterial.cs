@@ -53,7 +53,7 @@ public sealed record RoughConductorMaterialDescription : MetalDescription
 /// <param name="fresnel">How much they reflect.</param>
 /// <param name="roughness">How they are tilted.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
-/// <param name="multipleScattering">Whether what microfacets reflect onto each other is made up for; then the roughness is the same
+/// <param name="multipleScattering">True if what microfacets reflect onto each other is made up for; then the roughness is the same
 /// everywhere.</param>
 internal sealed class RoughConductorMaterial(ConductorFresnel fresnel, Roughness roughness, Texture reflectance, bool multipleScattering = false) : Material
 {

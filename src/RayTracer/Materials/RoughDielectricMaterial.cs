@@ -68,7 +68,7 @@ public sealed record RoughDielectricMaterialDescription : GlassDescription
 /// <param name="roughness">How the microfacets are tilted.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
 /// <param name="transmittance">Factor on what is refracted.</param>
-/// <param name="interior">What fills the inside besides; null for nothing.</param>
+/// <param name="interior">The medium inside besides; null for none.</param>
 /// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does
 /// not.</param>
 /// <param name="nesting">How the inside goes with others that overlap it; null for an index relative to what is around.</param>

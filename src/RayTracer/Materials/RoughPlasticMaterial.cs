@@ -30,7 +30,7 @@ public sealed record RoughPlasticMaterialDescription : CoatedDescription
 /// </summary>
 /// <param name="base">Colour of the base.</param>
 /// <param name="refractiveIndex">Index of the coat over that of the outside, at least 1.</param>
-/// <param name="nonlinear">Whether the colour counts in each reflection inside, or only once.</param>
+/// <param name="nonlinear">True if the colour counts in each reflection inside, or only once.</param>
 /// <param name="reflectance">Factor on what the coat reflects.</param>
 /// <param name="distribution">How the microfacets' normals are distributed.</param>
 /// <param name="alpha">Roughness of the coat.</param>

@@ -38,7 +38,7 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
 /// <param name="refractiveIndex">Index of the pane over that of its surroundings.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
 /// <param name="transmittance">Factor on what goes through.</param>
-/// <param name="interior">What fills the inside; null for nothing.</param>
+/// <param name="interior">The medium inside; null for none.</param>
 internal sealed class ThinDielectricMaterial(float refractiveIndex, Texture reflectance, Texture transmittance, Medium? interior = null) : Material
 {
     /// <inheritdoc/>

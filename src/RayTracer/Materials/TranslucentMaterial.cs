@@ -40,7 +40,7 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
 /// <summary>Lambertian reflection and diffuse transmission (report, sections 4.2.2 and 4.2.4): BSDF = colour/π on each side.</summary>
 /// <param name="above">Fraction of the light that is reflected.</param>
 /// <param name="below">Fraction of the light that is let through.</param>
-/// <param name="interior">What fills the inside; null for nothing.</param>
+/// <param name="interior">The medium inside; null for none.</param>
 internal sealed class TranslucentMaterial(Texture above, Texture below, Medium? interior = null) : Material
 {
     /// <inheritdoc/>

@@ -23,8 +23,8 @@ internal static class MediumStack
     /// <summary>The stack after a boundary: of four media within each other, the outermost one is forgotten.</summary>
     /// <param name="stack">The stack.</param>
     /// <param name="medium">Number of the medium behind the boundary.</param>
-    /// <param name="crosses">Where the boundary is crossed.</param>
-    /// <param name="enters">Whether that is inwards.</param>
+    /// <param name="crosses">The lanes in which the boundary is crossed.</param>
+    /// <param name="enters">True if that is inwards.</param>
     public static UIntW Cross(UIntW stack, uint medium, MaskW crosses, MaskW enters)
     {
         UIntW media = stack & Media;
@@ -46,8 +46,8 @@ internal static class MediumStack
     /// </summary>
     /// <param name="stack">The stack.</param>
     /// <param name="medium">Number of the medium behind the boundary.</param>
-    /// <param name="crosses">Where the boundary is crossed.</param>
-    /// <param name="enters">Whether that is inwards.</param>
+    /// <param name="crosses">The lanes in which the boundary is crossed.</param>
+    /// <param name="enters">True if that is inwards.</param>
     /// <param name="priorities">The priorities of the media by number, of which that of number 0 is below all others.</param>
     public static unsafe UIntW CrossByPriority(UIntW stack, uint medium, MaskW crosses, MaskW enters, float* priorities)
     {

@@ -20,7 +20,7 @@ internal readonly struct DepressedQuartic(Vector<double> p, Vector<double> q, Ve
     /// <summary>The first place between two where the sign changes; NaN where it does not.</summary>
     /// <param name="begin">The lower end.</param>
     /// <param name="end">The upper end, not below the lower one.</param>
-    /// <param name="onlyUpwards">Whether only changes from below zero to above count.</param>
+    /// <param name="onlyUpwards">True if only changes from below zero to above count.</param>
     public Vector<double> FirstCrossing(Vector<double> begin, Vector<double> end, bool onlyUpwards)
     {
         Vector<double> inflection = Vector.SquareRoot(Vector.Max(_p * new Vector<double>(-1.0 / 6), Vector<double>.Zero));

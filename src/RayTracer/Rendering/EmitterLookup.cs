@@ -40,7 +40,7 @@ internal sealed unsafe class EmitterLookup
     public int Count => _lights.Length;
 
     /// <summary>The density, per steradian, with which the lights that were met are sampled in those directions.</summary>
-    /// <param name="group">What was met.</param>
+    /// <param name="group">The group of hits.</param>
     /// <param name="instance">The instances that show it.</param>
     /// <param name="hit">Where rays meet it.</param>
     /// <param name="lanes">The lanes asked for.</param>
@@ -77,7 +77,7 @@ internal sealed unsafe class EmitterLookup
     }
 
     /// <summary>The number of the light that a ray has met; −1 where it is not sampled.</summary>
-    /// <param name="group">What was met.</param>
+    /// <param name="group">The group of hits.</param>
     /// <param name="instance">The instance that shows it.</param>
     /// <param name="primitive">The primitive.</param>
     public int Find(ShadingGroup group, uint instance, uint primitive) =>

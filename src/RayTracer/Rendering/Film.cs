@@ -31,7 +31,7 @@ public sealed class Film : IImageRows
     /// <summary>Makes an empty film.</summary>
     /// <param name="width">Width in pixels, at least 1.</param>
     /// <param name="height">Height in pixels, at least 1.</param>
-    /// <param name="planes">What it holds beside its picture.</param>
+    /// <param name="planes">The planes beside its picture.</param>
     /// <exception cref="OutOfMemoryException">There are more than <see cref="MaxPixels"/> pixels, or not so much memory.</exception>
     public Film(int width, int height, params IReadOnlyList<FilmPlane> planes)
     {
@@ -284,8 +284,8 @@ public sealed class Film : IImageRows
 
     /// <summary>
     /// SHA-256, as hexadecimal digits, of the exact content: of the size and of the SHA-256 of each row, which covers the
-    /// sums (16 bytes each, lowest first), then the counts (4 bytes each) of its pixels, and then of each plane its name and the sums of its
-    /// pixels.
+    /// sums (16 bytes each, lowest first), then the counts (4 bytes each) of its pixels, and then of each plane its name and the sums of
+    /// its pixels.
     /// </summary>
     /// <param name="planes">The planes that it covers; null for all that the film has.</param>
     /// <exception cref="ArgumentException">The film does not have a plane.</exception>
@@ -319,7 +319,7 @@ public sealed class Film : IImageRows
     /// <param name="sums">The sums of each pixel, in their units.</param>
     /// <param name="rest">What those do not hold of each pixel (<see cref="SumRest"/>); nothing where they hold all.</param>
     /// <param name="samples">The number of samples of each pixel, those that were left out included.</param>
-    /// <param name="isOfHalf">Whether they are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
+    /// <param name="isOfHalf">True if they are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
     /// <param name="sign">1 to add, −1 to take away.</param>
     internal void AddRow(int x, int y, ReadOnlySpan<long> sums, ReadOnlySpan<long> rest, int samples, bool isOfHalf, int sign = 1)
     {

@@ -18,8 +18,8 @@ public sealed class FilmPlane
     }
 
     /// <summary>
-    /// One half of the samples: their red, green and blue, their squared luminance and their number, in the film's units. The first half and
-    /// the second take turns, in blocks that grow with the samples' numbers to 64: so each is spread over pixel, lens and lights as a
+    /// One half of the samples: their red, green and blue, their squared luminance and their number, in the film's units. The first half
+    /// and the second take turns, in blocks that grow with the samples' numbers to 64: so each is spread over pixel, lens and lights as a
     /// picture of half as many samples would be.
     /// </summary>
     public static FilmPlane Half { get; } = new("half", ["red", "green", "blue", "square", "count"]);

@@ -48,7 +48,7 @@ internal sealed class PassCell(Tile area)
     /// <param name="film">The film.</param>
     /// <param name="run">Column, row and number of the pixels.</param>
     /// <param name="samples">The number of samples of each pixel.</param>
-    /// <param name="isOfHalf">Whether they are of <see cref="FilmPlane.Half"/>.</param>
+    /// <param name="isOfHalf">True if they are of <see cref="FilmPlane.Half"/>.</param>
     public void TakeBack(Film film, (int X, int Y, int Length) run, int samples, bool isOfHalf)
     {
         int first = First(run.X, run.Y);

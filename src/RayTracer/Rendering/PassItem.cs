@@ -37,7 +37,7 @@ internal sealed class PassItem(PassCell cell, Tile tile, ReadOnlyMemory<int> pix
 
     /// <summary>Hands over what has been followed.</summary>
     /// <param name="worker">Has it.</param>
-    /// <param name="isOfHalf">Whether it is of <see cref="FilmPlane.Half"/>, and the film has that.</param>
+    /// <param name="isOfHalf">True if it is of <see cref="FilmPlane.Half"/>, and the film has that.</param>
     public void HandOver(Wavefront worker, bool isOfHalf)
     {
         worker.Accumulator.End(isOfHalf, cell);
@@ -46,7 +46,7 @@ internal sealed class PassItem(PassCell cell, Tile tile, ReadOnlyMemory<int> pix
 
     /// <summary>Takes back what was handed over.</summary>
     /// <param name="film">The film that it was handed over to.</param>
-    /// <param name="isOfHalf">Whether it is of <see cref="FilmPlane.Half"/>.</param>
+    /// <param name="isOfHalf">True if it is of <see cref="FilmPlane.Half"/>.</param>
     public void TakeBack(Film film, bool isOfHalf)
     {
         (int X, int Y, int Length) run;

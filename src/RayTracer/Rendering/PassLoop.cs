@@ -246,7 +246,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
     /// <param name="samples">The samples of pixels that have that many.</param>
     /// <param name="items">Its pieces.</param>
     /// <param name="number">Its number, from 1.</param>
-    /// <param name="isOfHalf">Whether the samples are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
+    /// <param name="isOfHalf">True if the samples are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
     private sealed class Pass(SampleRange samples, PassItem[] items, int number, bool isOfHalf)
     {
         private int _taken;

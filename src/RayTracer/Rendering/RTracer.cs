@@ -4,7 +4,7 @@ namespace RayTracer.Rendering;
 /// Renders scenes (the report's class of that name), in passes over the whole picture: of one sample of each pixel at first, then of as many
 /// as there are. Tiles are spread over threads; the film's exact sums make the result the same to the bit however that is done.
 /// </summary>
-/// <param name="scene">What to render.</param>
+/// <param name="scene">The scene to render.</param>
 /// <param name="options">How to compute it; null for the defaults.</param>
 public sealed class RTracer(Scene scene, RenderOptions? options = null)
 {

@@ -150,7 +150,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private static float Clamp(float channel) => float.Clamp(channel, -Film.SampleLimit, Film.SampleLimit);
 
     /// <summary>Hands everything to the film.</summary>
-    /// <param name="isOfHalf">Whether the samples are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
+    /// <param name="isOfHalf">True if the samples are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
     /// <param name="cell">Keeps what was handed over, so that it can be taken back; null where nobody will.</param>
     public void End(bool isOfHalf = false, PassCell? cell = null)
     {

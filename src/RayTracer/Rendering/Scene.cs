@@ -146,8 +146,8 @@ public sealed class Scene
     /// <summary>Returns the media that a path is in after a boundary.</summary>
     /// <param name="stack">What it is in.</param>
     /// <param name="interior">Number of what is inside the boundary.</param>
-    /// <param name="crosses">Where the boundary is crossed.</param>
-    /// <param name="enters">Whether that is inwards.</param>
+    /// <param name="crosses">The lanes in which the boundary is crossed.</param>
+    /// <param name="enters">True if that is inwards.</param>
     internal unsafe UIntW Cross(UIntW stack, uint interior, MaskW crosses, MaskW enters) => HasNesting
         ? MediumStack.CrossByPriority(stack, interior, crosses, enters, Media.Priorities)
         : MediumStack.Cross(stack, interior, crosses, enters);

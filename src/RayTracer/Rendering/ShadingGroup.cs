@@ -11,7 +11,7 @@ namespace RayTracer.Rendering;
 /// <param name="material">The material.</param>
 /// <param name="batch">The batch that the shapes belong to.</param>
 /// <param name="onlyIndex">Index in the batch of the group's only shape; −1 if it has several.</param>
-/// <param name="isInstanced">Whether the shapes stand in a space that instances show.</param>
+/// <param name="isInstanced">True if the shapes stand in a space that instances show.</param>
 public sealed class ShadingGroup(Material material, SurfaceTable batch, int onlyIndex, bool isInstanced)
 {
     private MaterialTraits _traits = material.Traits;

@@ -66,8 +66,8 @@ internal sealed unsafe class ShadowQueue
     }
 
     /// <summary>Adds rays of the packet.</summary>
-    /// <param name="lanes">Which lanes.</param>
-    /// <param name="origin">Where they start.</param>
+    /// <param name="lanes">The lanes.</param>
+    /// <param name="origin">The points from which they start.</param>
     /// <param name="direction">Their unit directions.</param>
     /// <param name="distance">The distances to the light.</param>
     /// <param name="time">Their times in seconds; used only where something moves.</param>

@@ -20,8 +20,8 @@ internal sealed unsafe class Transmittance(Scene scene)
     private PathStream _next = new(16);
 
     /// <summary>Follows shadow rays.</summary>
-    /// <param name="lanes">Which lanes.</param>
-    /// <param name="origin">Where they start.</param>
+    /// <param name="lanes">The lanes.</param>
+    /// <param name="origin">The points from which they start.</param>
     /// <param name="direction">Their unit directions.</param>
     /// <param name="distance">The distances to the light.</param>
     /// <param name="media">The media in which they start.</param>

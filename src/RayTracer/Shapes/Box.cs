@@ -47,7 +47,7 @@ public sealed record BoxDescription : ShapeDescription
 }
 
 /// <summary>A box parallel to the axes.</summary>
-/// <param name="material">What it is made of.</param>
+/// <param name="material">The material.</param>
 /// <param name="name">A name for messages.</param>
 /// <param name="a">One corner.</param>
 /// <param name="b">The opposite corner.</param>

@@ -50,13 +50,13 @@ public sealed record ConeDescription : ShapeDescription
 }
 
 /// <summary>A cone or the frustum of one.</summary>
-/// <param name="material">What it is made of.</param>
+/// <param name="material">The material.</param>
 /// <param name="name">A name for messages.</param>
 /// <param name="bottom">The middle of the bottom.</param>
 /// <param name="top">The apex, or the middle of the top.</param>
 /// <param name="radius">The radius of the bottom, above zero.</param>
 /// <param name="topRadius">The radius of the top, not below zero.</param>
-/// <param name="caps">Whether the ends are closed.</param>
+/// <param name="caps">True if the ends are closed.</param>
 internal sealed class Cone(Material material, string name, Vector3 bottom, Vector3 top, float radius, float topRadius, bool caps)
     : ConicalShape(material, name, bottom, top, radius, topRadius, caps)
 {

@@ -45,12 +45,12 @@ public sealed record CylinderDescription : ShapeDescription
 }
 
 /// <summary>A cylinder.</summary>
-/// <param name="material">What it is made of.</param>
+/// <param name="material">The material.</param>
 /// <param name="name">A name for messages.</param>
 /// <param name="bottom">The middle of the bottom.</param>
 /// <param name="top">The middle of the top.</param>
 /// <param name="radius">The radius, above zero.</param>
-/// <param name="caps">Whether the ends are closed.</param>
+/// <param name="caps">True if the ends are closed.</param>
 internal sealed class Cylinder(Material material, string name, Vector3 bottom, Vector3 top, float radius, bool caps)
     : ConicalShape(material, name, bottom, top, radius, radius, caps)
 {

@@ -47,7 +47,7 @@ public sealed record DiskDescription : ShapeDescription
 }
 
 /// <summary>A disk.</summary>
-/// <param name="material">What it is made of.</param>
+/// <param name="material">The material.</param>
 /// <param name="name">A name for messages.</param>
 /// <param name="center">The centre.</param>
 /// <param name="normal">Unit normal of the front.</param>

@@ -4,7 +4,7 @@ using RayTracer.Materials;
 namespace RayTracer.Shapes;
 
 /// <summary>A part of a plane: what <see cref="FlatBatch"/> meets with rays.</summary>
-/// <param name="material">What it is made of.</param>
+/// <param name="material">The material.</param>
 /// <param name="name">A name for messages.</param>
 internal abstract unsafe class FlatShape(Material material, string name) : Shape(material, name)
 {

@@ -58,7 +58,7 @@ public sealed record PlaneDescription : ShapeDescription
 internal sealed unsafe class Plane : FlatShape
 {
     /// <summary>From a point and a normal.</summary>
-    /// <param name="material">What it is made of.</param>
+    /// <param name="material">The material.</param>
     /// <param name="name">A name for messages.</param>
     /// <param name="point">A point of the plane, the centre of the rectangle.</param>
     /// <param name="normal">Unit normal.</param>

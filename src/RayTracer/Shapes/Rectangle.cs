@@ -54,7 +54,7 @@ public sealed record RectangleDescription : ShapeDescription
 }
 
 /// <summary>A rectangle or parallelogram.</summary>
-/// <param name="material">What it is made of.</param>
+/// <param name="material">The material.</param>
 /// <param name="name">A name for messages.</param>
 /// <param name="corner">The corner where uv is (0, 0).</param>
 /// <param name="edgeU">From there to where uv is (1, 0).</param>

@@ -9,7 +9,7 @@ namespace RayTracer.Shapes;
 /// A surface with a material. A shape holds its own numbers; rays are traced against all shapes of one kind at a time by
 /// the kind's <see cref="ShapeBatch"/>.
 /// </summary>
-/// <param name="material">What the surface is made of.</param>
+/// <param name="material">The surface's material.</param>
 /// <param name="name">A name for messages; may be empty.</param>
 public abstract class Shape(Material material, string name)
 {

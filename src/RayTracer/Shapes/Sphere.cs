@@ -36,7 +36,7 @@ public sealed record SphereDescription : ShapeDescription
 }
 
 /// <summary>A sphere (report, section 3.3.5).</summary>
-/// <param name="material">What it is made of.</param>
+/// <param name="material">The material.</param>
 /// <param name="name">A name for messages.</param>
 /// <param name="center">The centre.</param>
 /// <param name="radius">The radius, above zero.</param>

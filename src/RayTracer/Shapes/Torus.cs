@@ -59,7 +59,7 @@ public sealed record TorusDescription : ShapeDescription
 }
 
 /// <summary>A torus.</summary>
-/// <param name="material">What it is made of.</param>
+/// <param name="material">The material.</param>
 /// <param name="name">A name for messages.</param>
 /// <param name="center">The centre.</param>
 /// <param name="axis">The direction through the hole.</param>

@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Shapes;
 
 /// <summary>A box that stands askew: what a <see cref="Box"/> becomes when it is turned.</summary>
-/// <param name="material">What it is made of.</param>
+/// <param name="material">The material.</param>
 /// <param name="name">A name for messages.</param>
 /// <param name="center">The middle.</param>
 /// <param name="axes">Three unit vectors, perpendicular to each other, along its edges: where the axes of the box went.</param>

@@ -42,7 +42,7 @@ internal static class GradientNoise
     /// <param name="seed">Selects the function.</param>
     /// <param name="octaves">How many, at least 1.</param>
     /// <param name="gain">Height of each over that of the one before.</param>
-    /// <param name="isTurbulent">Whether the magnitude of each is summed: creases, as of billows (Perlin, An image synthesizer,
+    /// <param name="isTurbulent">True if the magnitude of each is summed: creases, as of billows (Perlin, An image synthesizer,
     /// 1985).</param>
     public static FloatW Sum(in Vec3W p, uint seed, int octaves, float gain, bool isTurbulent)
     {

@@ -121,6 +121,6 @@ public class FilmPlaneTests
         { "render": { "integrator": "path", "width": 19, "height": 11, "samplesPerPixel": 80 }, "camera": { "position": [0, 1, 5], "lookAt": [0, 0.5, 0] }, "shapes": [
           { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0] },
           { "type": "sphere", "center": [0, 0.5, 0], "radius": 0.5, "material": { "type": "dielectric" } },
-          { "type": "sphere", "center": [2, 3, 1], "radius": 0.2, "material": { "type": "luminaire", "multiplier": 900 } }] }
+          { "type": "sphere", "center": [1.2, 1.4, 0], "radius": 0.3, "material": { "type": "luminaire", "multiplier": 900 } }] }
         """);
 }

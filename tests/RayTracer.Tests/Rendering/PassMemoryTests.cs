@@ -20,5 +20,11 @@ public class PassMemoryTests
         long before = GC.GetTotalAllocatedBytes(precise: true);
         new RTracer(scene, new() { Threads = 1, Samples = new(0, 2) }).Render(film);
         Assert.InRange(GC.GetTotalAllocatedBytes(precise: true) - before, 0, (32L * edge * edge) + others);
+
+        // Layers of light have room for the latest pass in what they take anyway.
+        before = GC.GetTotalAllocatedBytes(precise: true);
+        LightPathAovFilm layers = new(film, scene, [LightPathAov.Direct, LightPathAov.Indirect]);
+        long taken = GC.GetTotalAllocatedBytes(precise: true) - before;
+        Assert.InRange(taken, LightPathAovFilm.Bytes([LightPathAov.Direct, LightPathAov.Indirect], scene), (2L * 48 * edge * edge) + others);
     }
 }

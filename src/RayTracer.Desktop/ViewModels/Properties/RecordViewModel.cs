@@ -82,7 +82,7 @@ internal sealed class StepsFieldViewModel(PanelContext context, CatalogueParamet
 }
 
 /// <summary>A record of a list, such as a step of a transform.</summary>
-/// <param name="Title">What it is called.</param>
+/// <param name="Title">The title.</param>
 /// <param name="RemoveText">What the button says that takes it away.</param>
 /// <param name="Record">Its parameters.</param>
 /// <param name="Remove">Takes it away.</param>

@@ -62,8 +62,8 @@ internal readonly unsafe ref struct InstanceMaps(float* memory)
     public FloatW Determinant() => Vec3W.Dot(new(Number(0), Number(1), Number(2)), Vec3W.Cross(new(Number(4), Number(5), Number(6)), new(Number(8), Number(9), Number(10))));
 
     /// <summary>Moves a surface from the space into the world.</summary>
-    /// <param name="hasShading">Whether it is shaded with a normal of its own.</param>
-    /// <param name="hasTangents">Whether it is told how points move with u and v.</param>
+    /// <param name="hasShading">True if it is shaded with another normal.</param>
+    /// <param name="hasTangents">True if it says how points move with u and v.</param>
     /// <param name="surface">In: the surface in the space. Out: in the world, with the offset that all roundings on the way need.</param>
     public void Describe(bool hasShading, bool hasTangents, ref SurfaceW surface)
     {

@@ -189,7 +189,7 @@ internal sealed class Space
 }
 
 /// <summary>A ray in the coordinates of a space.</summary>
-/// <param name="Origin">Where it starts.</param>
+/// <param name="Origin">The point from which it starts.</param>
 /// <param name="Direction">Its direction, of any length, in which distances are measured.</param>
 internal readonly unsafe record struct SpaceRay(Vector3 Origin, Vector3 Direction)
 {

@@ -42,7 +42,7 @@ internal sealed unsafe class PrimitiveList
     public long TreeBytes => _tree?.MemoryBytes ?? 0;
 
     /// <summary>Finds the nearest hit of each ray.</summary>
-    /// <param name="origin">Where the rays start.</param>
+    /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">Distance to the nearest hit; infinite where there is none.</param>
     /// <param name="primitive">The primitive hit; the number that stands for nothing where there is none.</param>
@@ -55,7 +55,7 @@ internal sealed unsafe class PrimitiveList
     }
 
     /// <summary>Shortens rays to their nearest hits.</summary>
-    /// <param name="origin">Where the rays start.</param>
+    /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">Distance to the nearest hit so far.</param>
     /// <param name="primitive">The primitive hit so far.</param>
@@ -76,7 +76,7 @@ internal sealed unsafe class PrimitiveList
     }
 
     /// <summary>Clears those rays that something stands in the way of.</summary>
-    /// <param name="origin">Where the rays start.</param>
+    /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">How far they must be free.</param>
     /// <param name="skip">A primitive that does not count; −1 for none.</param>

@@ -20,7 +20,7 @@ public abstract unsafe class ShapeBatch(int count, int constants) : SurfaceTable
     public override long MemoryBytes => (long)Count * Stride * sizeof(float);
 
     /// <summary>Shortens rays to the nearest shape of this kind.</summary>
-    /// <param name="origin">Where the rays start.</param>
+    /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">Distance of the nearest hit so far; shortened.</param>
     /// <param name="primitive">The primitive hit so far; replaced where the ray was shortened. Among equal distances the lowest number
@@ -31,7 +31,7 @@ public abstract unsafe class ShapeBatch(int count, int constants) : SurfaceTable
     /// <summary>Shortens rays to the nearest of some shapes of this kind.</summary>
     /// <param name="from">Index of the first shape.</param>
     /// <param name="to">Index behind the last shape.</param>
-    /// <param name="origin">Where the rays start.</param>
+    /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">Distance of the nearest hit so far; shortened.</param>
     /// <param name="primitive">The primitive hit so far; replaced where the ray was shortened. Among equal distances the lowest number
@@ -39,7 +39,7 @@ public abstract unsafe class ShapeBatch(int count, int constants) : SurfaceTable
     public abstract void ClosestHit(int from, int to, in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive);
 
     /// <summary>Finds out which rays are free (report: ShadowHit, which ends at the first hit here).</summary>
-    /// <param name="origin">Where the rays start.</param>
+    /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">How far the rays must be free.</param>
     /// <param name="skip">A primitive that does not count: the light source that the rays end on, of which only what lies before that end
@@ -51,7 +51,7 @@ public abstract unsafe class ShapeBatch(int count, int constants) : SurfaceTable
     /// <summary>Finds out which rays are free of some shapes of this kind.</summary>
     /// <param name="from">Index of the first shape.</param>
     /// <param name="to">Index behind the last shape.</param>
-    /// <param name="origin">Where the rays start.</param>
+    /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">How far the rays must be free.</param>
     /// <param name="skip">A primitive that does not count, as above.</param>

@@ -10,7 +10,7 @@ internal interface IBoxSearch
     /// <summary>Looks at a thing whose box the ray meets.</summary>
     /// <param name="thing">Its number in the tree.</param>
     /// <param name="distance">How far hits still count.</param>
-    /// <returns>Whether the search is over.</returns>
+    /// <returns>True if the search is over.</returns>
     bool Visit(int thing, ref float distance);
 
     /// <summary>Told of each node.</summary>
@@ -25,7 +25,7 @@ internal static unsafe class BoxTraversal
     /// <param name="ray">The ray.</param>
     /// <param name="distance">How far hits count.</param>
     /// <param name="search">What is done with the things.</param>
-    /// <returns>Whether the search ended before all were visited.</returns>
+    /// <returns>True if the search ended before all were visited.</returns>
     [SkipLocalsInit]
     public static bool Follow<TSearch>(WideBvh tree, in SpaceRay ray, float distance, ref TSearch search)
         where TSearch : struct, IBoxSearch

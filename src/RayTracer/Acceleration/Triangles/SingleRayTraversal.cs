@@ -15,7 +15,7 @@ internal static unsafe class SingleRayTraversal
     /// <param name="ray">Which one.</param>
     /// <param name="start">Node or leaf to begin with.</param>
     /// <param name="stack">Memory to work with.</param>
-    /// <returns>Whether there is a hit, for any hit.</returns>
+    /// <returns>True if there is a hit, for any hit.</returns>
     /// <remarks>Long, because a call in the loop would cost more than what is in it.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static bool Follow<TSearch>(BvhNode* nodes, float* triangles, RayBlock* rays, int ray, uint start, TraversalStack* stack)

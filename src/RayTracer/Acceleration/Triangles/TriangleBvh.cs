@@ -72,11 +72,11 @@ internal sealed unsafe class TriangleBvh
     public void AnyHit(in RayStream rays, TraversalMode mode = TraversalMode.Automatic) => Trace<AnySearch>(rays, mode);
 
     /// <summary>Finds the nearest hit of a ray.</summary>
-    /// <param name="origin">Where it starts.</param>
+    /// <param name="origin">The point from which it starts.</param>
     /// <param name="direction">Its direction, of any length.</param>
     /// <param name="distance">In: the limit. Out: the distance in multiples of the direction, if there is a hit.</param>
     /// <param name="primitive">The triangle; −1 where there is none.</param>
-    /// <returns>Whether there is a hit.</returns>
+    /// <returns>True if there is a hit.</returns>
     public bool ClosestHit(Vector3 origin, Vector3 direction, ref float distance, out int primitive)
     {
         (distance, primitive, _) = TraceOne<ClosestSearch>(origin, direction, distance);
@@ -84,7 +84,7 @@ internal sealed unsafe class TriangleBvh
     }
 
     /// <summary>Returns whether a ray hits anything.</summary>
-    /// <param name="origin">Where it starts.</param>
+    /// <param name="origin">The point from which it starts.</param>
     /// <param name="direction">Its direction, of any length.</param>
     /// <param name="distance">The limit, in multiples of the direction.</param>
     public bool AnyHit(Vector3 origin, Vector3 direction, float distance) => TraceOne<AnySearch>(origin, direction, distance).Primitive >= 0;
@@ -93,7 +93,7 @@ internal sealed unsafe class TriangleBvh
     /// What it costs a ray by itself to find its nearest hit: visited nodes plus tested triangles. A measure of the tree, and the same whatever mode
     /// pictures are rendered with.
     /// </summary>
-    /// <param name="origin">Where it starts.</param>
+    /// <param name="origin">The point from which it starts.</param>
     /// <param name="direction">Its direction, of any length.</param>
     /// <param name="distance">The limit, in multiples of the direction.</param>
     public long Cost(Vector3 origin, Vector3 direction, float distance) => TraceOne<CountingSearch>(origin, direction, distance).Cost;

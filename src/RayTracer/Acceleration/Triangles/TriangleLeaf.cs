@@ -41,7 +41,7 @@ internal static unsafe class TriangleLeaf
     }
 
     /// <summary>One ray and all triangles of a leaf.</summary>
-    /// <returns>Whether the ray's distance or primitive changed, or, for any hit, whether there is one.</returns>
+    /// <returns>True if the ray's distance or primitive changed, or, for any hit, whether there is one.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool Intersect<TSearch>(float* rows, int count, RayBlock* rays, int ray, int major)
         where TSearch : ISearch

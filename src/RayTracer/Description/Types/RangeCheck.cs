@@ -8,7 +8,7 @@ internal sealed class RangeCheck(Action<SceneComplaint> complain)
     private readonly HashSet<object> _seen = new(ReferenceEqualityComparer.Instance);
 
     /// <summary>Checks a record and all that it consists of.</summary>
-    /// <returns>Whether nothing was reported.</returns>
+    /// <returns>True if nothing was reported.</returns>
     public bool IsGood(object root)
     {
         bool isGood = true;

@@ -5,7 +5,7 @@ namespace RayTracer.Rendering;
 /// <summary>
 /// Renders samples of single pixels, wherever they are, on several threads. It keeps what the threads need from one call to the next.
 /// </summary>
-/// <param name="scene">What to render.</param>
+/// <param name="scene">The scene to render.</param>
 /// <param name="options">How to compute it.</param>
 internal sealed class PixelRenderer(Scene scene, RenderOptions options)
 {

@@ -7,7 +7,7 @@ namespace RayTracer.Rendering;
 /// strata of a survey).
 /// </summary>
 /// <param name="weights">The blocks' numbers of pixels.</param>
-/// <param name="goal">What is wanted.</param>
+/// <param name="goal">The goal.</param>
 /// <param name="fewest">The least samples of a pixel.</param>
 internal sealed class SampleAllocation(double[] weights, SampleGoal goal, int fewest)
 {

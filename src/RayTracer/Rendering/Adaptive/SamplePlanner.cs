@@ -8,7 +8,7 @@ namespace RayTracer.Rendering;
 /// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="options">How to compute it; the crop is the part that counts.</param>
-/// <param name="goal">What is wanted.</param>
+/// <param name="goal">The goal.</param>
 public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal goal)
 {
     private const int BlockEdge = 8;

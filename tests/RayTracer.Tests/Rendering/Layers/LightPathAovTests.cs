@@ -183,6 +183,29 @@ public sealed class LightPathAovTests
         .Replace("LIGHT", light, StringComparison.Ordinal)
         .Replace("FACTOR", $"{factor}", StringComparison.Ordinal));
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(-1)]
+    public void Sums_of_passes_exceed_64_bits_and_the_latest_is_taken_back(int sign)
+    {
+        Film film = new(2, 2);
+        LightPathAovFilm layers = new(film, Of("path"), [LightPathAov.Direct]);
+        Tile tile = new(0, 1, 2, 1);
+        const long most = 1L << 62;
+        Int128 sum = 0;
+        for (int pass = 0; pass < 9; pass++)
+        {
+            layers.Begin(tile);
+            layers.Add((int)LightPathAov.Direct, 3, 2, sign * most);
+            sum += sign * most;
+            Assert.Equal(sum, layers.Sum(0, 1, 1, 2));
+        }
+
+        layers.TakeBack(tile);
+        Assert.Equal(sum - (sign * most), layers.Sum(0, 1, 1, 2));
+        Assert.Equal(0, layers.Sum(0, 0, 1, 2));
+    }
+
     private static (Film Film, LightPathAovFilm Layers) Render(Scene scene, RenderOptions? options = null)
     {
         Film film = new(scene.Render.Width, scene.Render.Height);
