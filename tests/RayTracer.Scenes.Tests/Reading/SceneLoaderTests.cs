@@ -42,7 +42,7 @@ public sealed class SceneLoaderTests : IDisposable
 
         Assert.NotNull(result.Scene);
         Assert.Equal(
-            $"{path}:2:80: warning: cannot read \"sub/marble.png\": file not found (did you mean \"marbel.png\"?): magenta checks are shown instead", result.Diagnostics[0].ToString());
+            $"{path}:2:80: warning: cannot read \"sub/marble.png\": file not found (did you mean \"marbel.png\"?): a half is used", result.Diagnostics[0].ToString());
     }
 
     [Theory]
