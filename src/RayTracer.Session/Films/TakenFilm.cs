@@ -12,7 +12,7 @@ internal sealed record TakenFilm(Film Film, RenderOrder Order, int Samples, Slic
     /// <summary>Takes a copy.</summary>
     public static TakenFilm Of(Film film, RenderOrder order, int samples, Slice? rest)
     {
-        Film copy = FilmBudget.Create(film.Width, film.Height);
+        Film copy = FilmBudget.Create(film.Width, film.Height, film.Planes);
         copy.Merge(film);
         return new(copy, order, samples, rest);
     }

@@ -36,7 +36,8 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         return _jobs.Start($"writing {Path.GetFileName(full)}", watch =>
         {
             JobResult result = Result(taken, job, watch.Cancellation);
-            result = header is null ? result : result with { Header = header with { Samples = [taken.Complete(watch.Cancellation)] } };
+            result = header is null ? result
+                : result with { Header = header with { Samples = [taken.Complete(watch.Cancellation)], Planes = taken.Film.Planes } };
             scene?.Write();
             new PictureFiles(job).Write(result, watch);
             watch.RequireWritten();

@@ -1,3 +1,4 @@
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 
 namespace RayTracer.Session;
@@ -10,9 +11,9 @@ internal static class FilmBudget
 
     /// <summary>Makes a film.</summary>
     /// <exception cref="SessionException">It would be too large.</exception>
-    public static Film Create(int width, int height)
+    public static Film Create(int width, int height, params IReadOnlyList<FilmPlane> planes)
     {
-        long bytes = (long)width * height * Film.BytesPerPixel;
+        long bytes = FilmMemory.Bytes(width, height, planes);
         if ((long)width * height > Film.MaxPixels || bytes > GC.GetGCMemoryInfo().TotalAvailableMemoryBytes / Part)
         {
             throw TooLarge(width, height, bytes, null);
@@ -20,7 +21,7 @@ internal static class FilmBudget
 
         try
         {
-            return new(width, height);
+            return new(width, height, planes);
         }
         catch (OutOfMemoryException e)
         {

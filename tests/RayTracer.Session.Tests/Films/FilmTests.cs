@@ -85,6 +85,30 @@ public sealed class FilmTests
     }
 
     [Fact]
+    public async Task Halves_of_the_samples_stay_in_a_film_that_is_resumed()
+    {
+        using TestSession test = new();
+        string scene = await Written(test);
+        await OpenFile(test, scene);
+        await test.Done();
+        string path = Path.Combine(test.Folder, "a.rtfilm");
+        await Save(test, path);
+        FilmHeader header = FilmFile.ReadHeader(path);
+        Film few = new(24, 16, FilmPlane.Half);
+        Scene built = test.Session.View.RequireShown().Scene;
+        new RTracer(built, new() { Samples = new(0, 3) }).Render(few, null, default);
+        File.Delete(path);
+        FilmFile.Write(path, few, header with { Samples = [new(0, 3)] });
+        await OpenFile(test, path);
+        await test.Done();
+        string saved = Path.Combine(test.Folder, "b.rtfilm");
+        await Save(test, saved);
+        Film whole = new(24, 16, FilmPlane.Half);
+        new RTracer(built, new() { Samples = header.Wanted }).Render(whole, null, default);
+        Assert.Equal(whole.ComputeHash(), FilmFile.Read(saved).Film.ComputeHash());
+    }
+
+    [Fact]
     public async Task Options_that_replaced_what_the_scene_says_are_put_into_its_text()
     {
         using TestSession test = new();
