@@ -1,6 +1,7 @@
 using System.Collections;
 using RayTracer.Description;
 using RayTracer.Materials;
+using RayTracer.Shapes;
 
 namespace RayTracer.Jobs;
 
@@ -29,6 +30,8 @@ public static class BitVersions
             scene.Render.WeakenedShadows || records.Any(r => IsBoundary(r) || HasPriority(r))),
         new("instances or models with a material", 22, (_, records) => records.Any(
             r => Name(r) is "instance" or "model" && !ReferenceEquals(((ShapeDescription)r).Material, ShapeDescription.DefaultMaterial))),
+        new("instances, and shapes that are placed or move", 23, (_, records) => records.Any(r => r is ModelDescription or InstanceDescription
+            || (r is ShapeDescription shape && (shape.Transform.Count > 0 || shape.Motion.Count > 0)))),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 

@@ -51,6 +51,10 @@ internal sealed unsafe class OcclusionShader(ShaderContext context) : SurfaceSha
             }
 
             next.Append(going, Leave(surface, scatter.Direction), scatter.Direction, Numerics.Rgb.White, Numerics.Rgb.Black, path, PathState.OneDiffuse);
+            if (group.IsInstanced)
+            {
+                next.SetStart(going, surface.Instance, LeaveInside(surface, scatter.Direction));
+            }
         }
     }
 }

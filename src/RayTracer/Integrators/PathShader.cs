@@ -294,6 +294,10 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
             FloatW.Pick(stream.Travelled, index) + FloatW.Pick(stream.Distance, index));
         next.Append(
             going, Leave(surface, direction), direction, stream.PickThroughput(index), stream.PickRadiance(index), UIntW.Pick(stream.Path, index), UIntW.Pick(stream.State, index));
+        if (group.IsInstanced)
+        {
+            next.SetStart(going, surface.Instance, LeaveInside(surface, direction));
+        }
     }
 
     // Where paths scattered last: boundaries on the way are no vertices.
@@ -331,6 +335,10 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         packet.Origin = Leave(surface, scatter.Direction);
         packet.Vertex = (packet.Vertex + 1u) | emission;
         next.Append(going, packet.Origin, scatter.Direction, packet.Throughput, packet.Radiance, packet.Path, packet.Vertex);
+        if (group.IsInstanced)
+        {
+            next.SetStart(going, surface.Instance, LeaveInside(surface, scatter.Direction));
+        }
     }
 
     // Ends paths at random, and makes those that survive brighter, so that the mean stays.

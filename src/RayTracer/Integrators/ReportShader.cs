@@ -114,6 +114,10 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
             }
 
             next.Append(going, packet.Origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission | WavelengthAfter(group, state));
+            if (group.IsInstanced)
+            {
+                next.SetStart(going, surface.Instance, LeaveInside(surface, scatter.Direction));
+            }
         }
     }
 

@@ -261,10 +261,13 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         Unsafe.SkipInit(out surface);
         float* memory = stackalloc float[InstanceMaps.Floats];
         InstanceMaps maps = new(memory);
-        maps.Fill(scene.World.Instances!, UIntW.Pick(stream.Instance, index), scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f);
+        surface.Instance = UIntW.Pick(stream.Instance, index);
+        maps.Fill(scene.World.Instances!, surface.Instance, scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f);
         surface.Incoming = stream.PickDirection(index);
         surface.Distance = FloatW.Pick(stream.Distance, index);
-        surface.Point = Vec3W.MultiplyAdd(maps.VectorBack(surface.Incoming), surface.Distance, maps.PointBack(stream.PickOrigin(index)));
+        MaskW isOwn = UIntW.Equal(surface.Instance, UIntW.Pick(stream.StartInstance, index));
+        Vec3W start = isOwn.Select(stream.PickInnerStart(index), maps.PointBack(stream.PickOrigin(index)));
+        surface.Point = Vec3W.MultiplyAdd(maps.VectorBack(surface.Incoming), surface.Distance, start);
         DescribeTable(group, stream, index, needsUv, ref surface);
         maps.Describe(group.HasShadingNormals, group.Traits.UsesTangent, ref surface);
         TurnToRay(ref surface);
@@ -340,6 +343,13 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     {
         FloatW side = FloatW.CopySign(surface.Offset, Vec3W.Dot(direction, surface.Normal));
         return Vec3W.MultiplyAdd(surface.Normal, side, surface.Point);
+    }
+
+    /// <summary>The same in the space of the instance that shows the surface, for the rays that the instance itself meets.</summary>
+    internal static Vec3W LeaveInside(in SurfaceW surface, in Vec3W direction)
+    {
+        FloatW side = FloatW.CopySign(surface.InnerOffset, Vec3W.Dot(direction, surface.Normal));
+        return Vec3W.MultiplyAdd(surface.InnerNormal, side, surface.InnerPoint);
     }
 
     /// <summary>The values that shading works with, beside those of the stream.</summary>

@@ -183,6 +183,12 @@ public struct SurfaceW
     /// </summary>
     public FloatW Offset;
 
+    // Where an instance shows the surface: which one, and the point, normal and offset in its space, where new rays of the instance start. Set
+    // only there.
+    internal UIntW Instance;
+    internal Vec3W InnerPoint, InnerNormal;
+    internal FloatW InnerOffset;
+
     /// <summary>The shapes of their batch that are met. Last, for it is no whole number of registers.</summary>
     public Acceleration.PrimitiveIndex Primitives;
 

@@ -64,6 +64,13 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         ref LitW lit = ref *_lit.Pointer;
         lit.Side = side;
         lit.Origin = Vec3W.MultiplyAdd(side, surface.Offset, surface.Point);
+        lit.Instance = 0u;
+        if (group.IsInstanced)
+        {
+            lit.Instance = surface.Instance;
+            lit.Inner = SurfaceShader.LeaveInside(surface, side);
+        }
+
         lit.Media = media;
         lit.Interior = isShared ? group.Interior : 0;
         lit.Time = time;
@@ -135,7 +142,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
                 ShadowRays += BitOperations.PopCount(lit.Bits);
                 FloatW phase = HenyeyGreenstein.Evaluate(Vec3W.Dot(incoming, sample.Direction), anisotropy);
                 FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf / probability);
-                _transmittance!.Trace(lit.Bits, point, sample.Direction, sample.Distance, media, time, _lights[i], out RgbW part);
+                _transmittance!.Trace(lit.Bits, point, 0u, default, sample.Direction, sample.Distance, media, time, _lights[i], out RgbW part);
                 radiance = RgbW.MultiplyAdd(weight * light * (share / probability), part, radiance);
                 observer?.LitInMedium(i, lit, weight * light * (share / probability) * part);
             }
@@ -219,7 +226,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         if (_transmittance is not null)
         {
             UIntW there = SurfaceShader.MediaAlong(scene, surface, sample.Direction, lit.Interior, lit.Media);
-            _transmittance.Trace(wanted, origin, towards, distance, there, lit.Time, _lights[light], out RgbW part);
+            _transmittance.Trace(wanted, origin, lit.Instance, lit.Inner, towards, distance, there, lit.Time, _lights[light], out RgbW part);
             arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
             observer?.Lit(light, free, radiance * part * cosine, isWaiting: false);
             return;
@@ -228,7 +235,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         scene.Primitives.Occlude(origin, towards, distance, _lights[light].OwnPrimitive, ref free);
         if (queue is not null)
         {
-            queue.Add(free.Bits, origin, towards, distance, lit.Time, light, radiance, cosine);
+            queue.Add(free.Bits, origin, lit.Instance, lit.Inner, towards, distance, lit.Time, light, radiance, cosine);
             observer?.Lit(light, free, radiance * cosine, isWaiting: true);
             return;
         }
@@ -242,6 +249,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     private static void Aim(in SurfaceW surface, in ShapeSampleW sample, ref LitW lit)
     {
         lit.Start = SurfaceShader.Leave(surface, sample.Direction);
+        lit.Inner = SurfaceShader.LeaveInside(surface, sample.Direction);
         (lit.Towards, lit.Distance) = (sample.Direction, sample.Distance);
         TurnTo(Vec3W.MultiplyAdd(sample.Direction, sample.Distance, surface.Point - lit.Start), ref lit.Towards, ref lit.Distance);
     }
@@ -281,6 +289,8 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         public Vec3W From;
         public Vec3W Start;
         public Vec3W Towards;
+        public Vec3W Inner;
+        public UIntW Instance;
         public FloatW Distance;
         public FloatW U, V;
         public RgbW Arriving;

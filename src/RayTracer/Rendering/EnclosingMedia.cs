@@ -101,6 +101,10 @@ internal sealed unsafe class EnclosingMedia
         }
 
         Append(_next, SurfaceShader.Leave(surface, surface.Incoming), surface.Incoming);
+        if (group.IsInstanced)
+        {
+            _next.SetStart(1u, surface.Instance, SurfaceShader.LeaveInside(surface, surface.Incoming));
+        }
     }
 
     private void Append(PathStream to, in Vec3W origin, in Vec3W direction)

@@ -10,7 +10,7 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed unsafe class PathStream
 {
-    private const int Columns = 24;
+    private const int Columns = 28;
     private readonly PinnedBuffer<float> _memory;
     private readonly PinnedBuffer<RayW> _packet = new(1);
 
@@ -54,6 +54,10 @@ public sealed unsafe class PathStream
         NormalX = Next();
         NormalY = Next();
         NormalZ = Next();
+        StartInstance = (uint*)Next();
+        InnerX = Next();
+        InnerY = Next();
+        InnerZ = Next();
     }
 
     internal int Capacity { get; }
@@ -105,6 +109,14 @@ public sealed unsafe class PathStream
     internal float* NormalY { get; }
     internal float* NormalZ { get; }
 
+    /// <summary>The instance from whose surface the ray starts; 0 for none.</summary>
+    internal uint* StartInstance { get; }
+
+    // Where that is in the instance's space: its own things are near there, however far away it stands in the world.
+    internal float* InnerX { get; }
+    internal float* InnerY { get; }
+    internal float* InnerZ { get; }
+
     /// <summary>Number of the path in the tile: pixel · samples + sample.</summary>
     public uint* Path { get; }
 
@@ -129,6 +141,7 @@ public sealed unsafe class PathStream
         radiance.B.Compress(RadianceB + at, lanes);
         path.Compress(Path + at, lanes);
         state.Compress(State + at, lanes);
+        ((UIntW)0u).Store(StartInstance + at);
         Count = at + System.Numerics.BitOperations.PopCount(lanes);
     }
 
@@ -149,7 +162,11 @@ public sealed unsafe class PathStream
 
     /// <summary>The ray of one path.</summary>
     internal SpaceRay Ray(int path) =>
-        new(new(OriginX[path], OriginY[path], OriginZ[path]), new(DirectionX[path], DirectionY[path], DirectionZ[path]));
+        new(new(OriginX[path], OriginY[path], OriginZ[path]), new(DirectionX[path], DirectionY[path], DirectionZ[path]))
+        {
+            StartInstance = (int)StartInstance[path],
+            InnerStart = new(InnerX[path], InnerY[path], InnerZ[path]),
+        };
 
     /// <summary>Sets the times of the chosen lanes of a packet that is appended next.</summary>
     public void SetTime(uint lanes, in FloatW time) => time.Compress(Time + Count, lanes);
@@ -171,6 +188,19 @@ public sealed unsafe class PathStream
         normal.Y.Compress(NormalY + Count, lanes);
         normal.Z.Compress(NormalZ + Count, lanes);
     }
+
+    /// <summary>Says in which instances' spaces the chosen lanes of the packet start that was appended last, and where there.</summary>
+    internal void SetStart(uint lanes, in UIntW instance, in Vec3W start)
+    {
+        int at = Count - System.Numerics.BitOperations.PopCount(lanes);
+        instance.Compress(StartInstance + at, lanes);
+        start.X.Compress(InnerX + at, lanes);
+        start.Y.Compress(InnerY + at, lanes);
+        start.Z.Compress(InnerZ + at, lanes);
+    }
+
+    /// <summary>Where the paths of a packet start in their instances' spaces.</summary>
+    internal Vec3W PickInnerStart(uint* index) => new(FloatW.Pick(InnerX, index), FloatW.Pick(InnerY, index), FloatW.Pick(InnerZ, index));
 
     /// <summary>Normals where the paths of a packet start.</summary>
     internal Vec3W PickNormal(uint* index) => new(FloatW.Pick(NormalX, index), FloatW.Pick(NormalY, index), FloatW.Pick(NormalZ, index));

@@ -12,7 +12,7 @@ namespace RayTracer.Rendering;
 internal sealed unsafe class ShadowQueue
 {
     private const int MaxPackets = 1024;
-    private const int Columns = 12;
+    private const int Columns = 16;
     private const uint IsFinished = 0x80000000;
     private const uint IsNowhere = uint.MaxValue;
     private readonly Scene _scene;
@@ -22,7 +22,7 @@ internal sealed unsafe class ShadowQueue
     private readonly int _capacity;
     private readonly int _stride;
 
-    // Of rays: origin, direction, distance, time, radiance, cosine; then the lane that each is for, the light it comes from, and what it
+    // Of rays: origin, direction, distance, time, radiance, cosine, and where there are instances, that of the start, and where in its space; then the lane that each is for, the light it comes from, and what it
     // hits.
     private readonly PinnedBuffer<float> _rays;
     private readonly PinnedBuffer<uint> _lanes;
@@ -68,6 +68,8 @@ internal sealed unsafe class ShadowQueue
     /// <summary>Adds rays of the packet.</summary>
     /// <param name="lanes">The lanes.</param>
     /// <param name="origin">The points from which they start.</param>
+    /// <param name="instance">The instances on which they start; 0 for none.</param>
+    /// <param name="inner">Those points in the instances' spaces.</param>
     /// <param name="direction">Their unit directions.</param>
     /// <param name="distance">The distances to the light.</param>
     /// <param name="time">Their times in seconds; used only where something moves.</param>
@@ -75,7 +77,8 @@ internal sealed unsafe class ShadowQueue
     /// <param name="radiance">What they bring, if they are free.</param>
     /// <param name="cosine">What that is multiplied by.</param>
     public void Add(
-        uint lanes, in Vec3W origin, in Vec3W direction, in FloatW distance, in FloatW time, int light, in RgbW radiance, in FloatW cosine)
+        uint lanes, in Vec3W origin, in UIntW instance, in Vec3W inner, in Vec3W direction, in FloatW distance, in FloatW time, int light,
+        in RgbW radiance, in FloatW cosine)
     {
         float* to = _rays.Pointer + _count;
         origin.X.Compress(to, lanes);
@@ -90,6 +93,14 @@ internal sealed unsafe class ShadowQueue
         radiance.G.Compress(to + (9 * _stride), lanes);
         radiance.B.Compress(to + (10 * _stride), lanes);
         cosine.Compress(to + (11 * _stride), lanes);
+        if (_scene.World.Instances is not null)
+        {
+            instance.Compress((uint*)to + (12 * _stride), lanes);
+            inner.X.Compress(to + (13 * _stride), lanes);
+            inner.Y.Compress(to + (14 * _stride), lanes);
+            inner.Z.Compress(to + (15 * _stride), lanes);
+        }
+
         (UIntW.Iota + (uint)((_packets - 1) * FloatW.Count)).Compress(_lanes.Pointer + _count, lanes);
         ((UIntW)(uint)light).Store(_lightOf.Pointer + _count);
         _count += BitOperations.PopCount(lanes);
@@ -162,6 +173,12 @@ internal sealed unsafe class ShadowQueue
         color.B.Store(to + (2 * FloatW.Count));
     }
 
+    private Vector3 Column(int column, int ray)
+    {
+        float* first = _rays.Pointer + ((long)column * _stride) + ray;
+        return new(first[0], first[_stride], first[2 * _stride]);
+    }
+
     private void Trace()
     {
         float* rays = _rays.Pointer;
@@ -179,8 +196,7 @@ internal sealed unsafe class ShadowQueue
         {
             if (_hits.Pointer[i] < 0)
             {
-                SpaceRay ray = new(
-                    new(rays[i], rays[_stride + i], rays[(2 * _stride) + i]), new(rays[(3 * _stride) + i], rays[(4 * _stride) + i], rays[(5 * _stride) + i]));
+                SpaceRay ray = new(Column(0, i), Column(3, i)) { StartInstance = ((int*)rays)[(12 * _stride) + i], InnerStart = Column(13, i) };
                 LightSource light = _lights[_lightOf.Pointer[i]];
                 _hits.Pointer[i] = world.Instances.AnyHit(ray, rays[(7 * _stride) + i], rays[(6 * _stride) + i], light.Instance, light.Primitive) ? 0 : -1;
             }

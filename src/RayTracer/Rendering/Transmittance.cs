@@ -22,6 +22,8 @@ internal sealed unsafe class Transmittance(Scene scene)
     /// <summary>Follows shadow rays.</summary>
     /// <param name="lanes">The lanes.</param>
     /// <param name="origin">The points from which they start.</param>
+    /// <param name="instance">The instances on which they start; 0 for none.</param>
+    /// <param name="inner">Those points in the instances' spaces.</param>
     /// <param name="direction">Their unit directions.</param>
     /// <param name="distance">The distances to the light.</param>
     /// <param name="media">The media in which they start.</param>
@@ -29,12 +31,13 @@ internal sealed unsafe class Transmittance(Scene scene)
     /// <param name="light">The light.</param>
     /// <param name="transmittance">The fraction of the light that arrives; black in other lanes.</param>
     public void Trace(
-        uint lanes, in Vec3W origin, in Vec3W direction, in FloatW distance, in UIntW media, in FloatW time, LightSource light, out RgbW transmittance)
+        uint lanes, in Vec3W origin, in UIntW instance, in Vec3W inner, in Vec3W direction, in FloatW distance, in UIntW media, in FloatW time, LightSource light, out RgbW transmittance)
     {
         float* arrived = stackalloc float[3 * 16];
         new Span<float>(arrived, 3 * 16).Clear();
         _rays.Count = 0;
         Append(_rays, lanes, origin, direction, Rgb.White, UIntW.Iota, media, distance, time);
+        _rays.SetStart(lanes, instance, inner);
         for (int boundary = 0; boundary < MaxBoundaries && _rays.Count > 0; boundary++)
         {
             scene.World.ClosestHit(_rays, _hits.Pointer);
@@ -108,6 +111,10 @@ internal sealed unsafe class Transmittance(Scene scene)
         FloatW rest = left - met;
         DirectLight.TurnTo(Vec3W.MultiplyAdd(direction, left, _rays.PickOrigin(index) - start), ref direction, ref rest);
         Append(_next, 1u, start, direction, transmittance, UIntW.Pick(_rays.Path, index), beyond, rest, time);
+        if (group.IsInstanced)
+        {
+            _next.SetStart(1u, surface.Instance, SurfaceShader.LeaveInside(surface, surface.Incoming));
+        }
     }
 
     private void Append(

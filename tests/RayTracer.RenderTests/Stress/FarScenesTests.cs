@@ -47,6 +47,28 @@ public class FarScenesTests
         Assert.Contains(" wide and lies at 1e+0", warning.Message, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData(1e4)]
+    [InlineData(1e5)]
+    public void Things_of_an_instance_touch_one_another_wherever_it_stands(double offset)
+    {
+        string place = offset.ToString("r", CultureInfo.InvariantCulture);
+        string moved = $$"""
+            { "type": "instance", "transform": [{ "translate": [{{place}}, {{place}}, {{place}}] }], "of": { "type": "group", "shapes": [{{Points(Things, 1, 0)}}] } }
+            """;
+        Scene scene = Load(Write(moved, 1, 0, 1, offset), out Diagnostic[] diagnostics);
+        Assert.Empty(diagnostics);
+        Assert.InRange(Difference(scene), 0, offset * 1e-7);
+    }
+
+    [Fact]
+    public void Things_of_another_size_touch_one_another_in_an_instance_that_is_made_large()
+    {
+        const string Made = """{ "type": "instance", "transform": [{ "scale": 1e6 }], "of": { "type": "group", "shapes": [SHAPES] } }""";
+        Scene scene = Load(Write(Made.Replace("SHAPES", Points(Things, 1, 0), StringComparison.Ordinal), 1, 0, 1e6, 0), out _);
+        Assert.InRange(Difference(scene), 0, 0.0005);
+    }
+
     private static Scene Load(string json, out Diagnostic[] diagnostics)
     {
         SceneLoadResult result = SceneLoader.Build(SceneReader.ReadText(json, "far.json"), ".");

@@ -64,19 +64,16 @@ internal readonly unsafe ref struct InstanceMaps(float* memory)
     /// <summary>Moves a surface from the space into the world.</summary>
     /// <param name="hasShading">True if it is shaded with another normal.</param>
     /// <param name="hasTangents">True if it says how points move with u and v.</param>
-    /// <param name="surface">In: the surface in the space. Out: in the world, with the offset that all roundings on the way need.</param>
+    /// <param name="surface">In: the surface in the space. Out: in the world, and in the space, from which the instance's rays start.</param>
     public void Describe(bool hasShading, bool hasTangents, ref SurfaceW surface)
     {
         Vec3W inside = surface.Point;
+        (surface.InnerPoint, surface.InnerNormal, surface.InnerOffset) = (inside, surface.Normal, surface.Offset);
         surface.Point = Point(inside);
-        Vec3W normal = NormalOut(surface.Normal);
-        FloatW shrink = FloatW.Sqrt(Vec3W.Dot(normal, normal));
-        surface.Normal = normal * (1f / shrink);
+        surface.Normal = Vec3W.Normalize(NormalOut(surface.Normal));
 
-        // Heights above the surface in the space are heights in the world times shrink. A ray is mapped into the space again when it starts,
-        // which is rounded like the numbers it is summed up from; so is the point on its way out.
-        FloatW back = LargestSum(12, surface.Point);
-        surface.Offset = FloatW.MultiplyAdd(FloatW.MultiplyAdd(back, RayOffset.Relative, surface.Offset), 1f / shrink, LargestSum(0, inside) * RayOffset.Relative);
+        // New rays meet their own instance from a start in its space. For all else they start here, beyond what the point is rounded by.
+        surface.Offset = LargestSum(0, inside) * (RayOffset.Relative / 6);
         if (hasShading)
         {
             surface.Shading = Vec3W.Normalize(NormalOut(surface.Shading));

@@ -148,7 +148,7 @@ internal sealed unsafe class InstanceTable
     internal long CostOf(int instance, in SpaceRay ray, float time, float distance)
     {
         float* scratch = stackalloc float[Stride];
-        return SpaceOf(instance).Cost(Inside(ray, MapsAt(instance, time, scratch) + Back), distance);
+        return SpaceOf(instance).Cost(Inside(instance, ray, MapsAt(instance, time, scratch) + Back), distance);
     }
 
     /// <summary>The nearest hit of one instance.</summary>
@@ -156,7 +156,7 @@ internal sealed unsafe class InstanceTable
     {
         float distance = hit.Distance;
         float* scratch = stackalloc float[Stride];
-        int primitive = SpaceOf(instance).ClosestHit(Inside(ray, MapsAt(instance, time, scratch) + Back), ref distance);
+        int primitive = SpaceOf(instance).ClosestHit(Inside(instance, ray, MapsAt(instance, time, scratch) + Back), ref distance);
         if (primitive >= 0 && (distance < hit.Distance || (distance == hit.Distance && instance < hit.Instance)))
         {
             hit = new(distance, primitive, instance);
@@ -167,7 +167,7 @@ internal sealed unsafe class InstanceTable
     internal bool IsMet(int instance, in SpaceRay ray, float time, float distance, int skip)
     {
         float* scratch = stackalloc float[Stride];
-        return SpaceOf(instance).AnyHit(Inside(ray, MapsAt(instance, time, scratch) + Back), distance, skip);
+        return SpaceOf(instance).AnyHit(Inside(instance, ray, MapsAt(instance, time, scratch) + Back), distance, skip);
     }
 
     private static void Write(in Bounds box, Span<float> to)
@@ -183,11 +183,11 @@ internal sealed unsafe class InstanceTable
         place.Inverse().Write(to + Back);
     }
 
-    private static SpaceRay Inside(in SpaceRay ray, float* m)
+    private static SpaceRay Inside(int instance, in SpaceRay ray, float* m)
     {
         (Vector3 o, Vector3 d) = (ray.Origin, ray.Direction);
         return new(
-            new(Row(m, o), Row(m + 4, o), Row(m + 8, o)),
+            instance == ray.StartInstance ? ray.InnerStart : new(Row(m, o), Row(m + 4, o), Row(m + 8, o)),
             new(new Vector3(m[0], m[1], m[2]).Dot(d), new Vector3(m[4], m[5], m[6]).Dot(d), new Vector3(m[8], m[9], m[10]).Dot(d)));
     }
 

@@ -193,6 +193,12 @@ internal sealed class Space
 /// <param name="Direction">Its direction, of any length, in which distances are measured.</param>
 internal readonly unsafe record struct SpaceRay(Vector3 Origin, Vector3 Direction)
 {
+    /// <summary>In the world: the instance from whose surface it starts; 0 for none.</summary>
+    public int StartInstance { get; init; }
+
+    /// <summary>Where it starts in that instance's space.</summary>
+    public Vector3 InnerStart { get; init; }
+
     /// <summary>The ray as a stream of one.</summary>
     /// <param name="self">This ray, where it stays.</param>
     /// <param name="distance">How far hits count.</param>
