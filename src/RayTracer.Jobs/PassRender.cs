@@ -5,8 +5,8 @@ using RayTracer.Rendering;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// Renders the samples that a job lacks, and does between passes what there is to do: the film always holds whole ranges of samples then, so
-/// that it can be written and shown, and the rendering can end for want of time.
+/// Renders the samples that a job lacks, and does between passes what there is to do: the film always holds whole ranges of samples then,
+/// so that it can be written and shown, and the rendering can end for want of time.
 /// </summary>
 /// <param name="loaded">The loaded scene to render.</param>
 /// <param name="films">What to render into.</param>
@@ -80,7 +80,7 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
             : new RTracer(loaded.Scene, options).Render(films.Film, loaded.Progress, loaded.Cancellation);
     }
 
-    // All of it is quickly done, without which the samples would be worth less: so it is not cancelled.
+    // It takes little time, and without it the samples would be worth less: so it is not cancelled.
     private TimeSpan AfterPass(SampleRange pass, SampleRange missing)
     {
         // Pixels with more samples than most are seen as sharply as those.

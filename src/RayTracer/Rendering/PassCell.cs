@@ -53,7 +53,8 @@ internal sealed class PassCell(Tile area)
     {
         int first = First(run.X, run.Y);
         ReadOnlySpan<long> rest = _rest is { } kept ? kept.AsSpan(first, run.Length) : default;
-        film.AddRow(run.X, run.Y, _sums.AsSpan(first * Film.SumsPerPixel, run.Length * Film.SumsPerPixel), rest, samples, isOfHalf, sign: -1);
+        ReadOnlySpan<long> sums = _sums.AsSpan(first * Film.SumsPerPixel, run.Length * Film.SumsPerPixel);
+        film.AddRow(run.X, run.Y, sums, rest, samples, isOfHalf, sign: -1);
     }
 
     /// <summary>Gives the memory back.</summary>

@@ -3,10 +3,10 @@ using System.Diagnostics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Renders samples of a picture in passes over all of its pixels, on several threads. Each pass doubles the samples, or takes a second, up to 64
-/// samples or 5 s. A thread that finds nothing left of a pass begins the next one, while others still work: it only waits before it hands over
-/// samples of pixels that lack those of the pass before. So when the rendering is stopped, every pass but the last is complete as soon as
-/// all threads have handed over what they have, and the last is taken back.
+/// Renders samples of a picture in passes over all of its pixels, on several threads. Each pass doubles the samples, or takes a second, up
+/// to 64 samples or 5 s. A thread that finds nothing left of a pass begins the next one, while others still work: it only waits before it
+/// hands over samples of pixels that lack those of the pass before. So when the rendering is stopped, every pass but the last is complete
+/// as soon as all threads have handed over what they have, and the last is taken back.
 /// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="options">How to compute it.</param>
@@ -126,7 +126,8 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         {
             try
             {
-                Render(workers[i] ??= new(scene, options.StreamSize, LargestItem, options.Layers is { } layers ? new LightContributions(scene, layers) : null));
+                LightContributions? Observer() => options.Layers is { } layers ? new(scene, layers) : null;
+                Render(workers[i] ??= new(scene, options.StreamSize, LargestItem, Observer()));
             }
             catch (Exception e)
             {
@@ -239,7 +240,8 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
     {
         long done = Interlocked.Add(ref _pathsDone, paths);
         long traced = Interlocked.Add(ref _raysDone, rays);
-        _progress?.Report(new(done, Math.Max(done, TotalPaths), traced) { Pass = pass.Number, SamplesDone = pass.Samples.First - _samples.First });
+        int samples = pass.Samples.First - _samples.First;
+        _progress?.Report(new(done, Math.Max(done, TotalPaths), traced) { Pass = pass.Number, SamplesDone = samples });
     }
 
     /// <summary>A pass.</summary>

@@ -1,8 +1,8 @@
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Renders scenes (the report's class of that name), in passes over the whole picture: of one sample of each pixel at first, then of as many
-/// as there are. Tiles are spread over threads; the film's exact sums make the result the same to the bit however that is done.
+/// Renders scenes (the report's class of that name), in passes over the whole picture: of one sample of each pixel at first, then of as
+/// many as there are. Tiles are spread over threads; the film's exact sums make the result the same to the bit however that is done.
 /// </summary>
 /// <param name="scene">The scene to render.</param>
 /// <param name="options">How to compute it; null for the defaults.</param>
@@ -94,7 +94,8 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
         }
 
         double share = (double)area.Width * area.Height / (8.0 * threads);
-        double pixels = Math.Clamp(share, (double)_options.StreamSize / samples, Math.Max(_options.StreamSize, PathsPerTile) / (double)samples);
+        double most = Math.Max(_options.StreamSize, PathsPerTile);
+        double pixels = Math.Clamp(share, (double)_options.StreamSize / samples, most / samples);
         return Math.Clamp((int)double.Sqrt(pixels), SmallestTile, LargestTile);
     }
 }

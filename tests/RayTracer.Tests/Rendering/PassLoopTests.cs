@@ -111,7 +111,8 @@ public class PassLoopTests
             return pass.End == 8 ? TimeSpan.Zero : TimeSpan.FromHours(1);
         }
 
-        RenderStatistics statistics = new RTracer(s_scene, new() { TileSize = 8, Threads = 3, AfterPass = After, ShortestPass = TimeSpan.Zero }).Render(film);
+        RenderOptions options = new() { TileSize = 8, Threads = 3, AfterPass = After, ShortestPass = TimeSpan.Zero };
+        RenderStatistics statistics = new RTracer(s_scene, options).Render(film);
         Assert.Equal((8, false), (statistics.SamplesPerPixel, statistics.Cancelled));
         Assert.Equal([new(0, 1), new(1, 2), new(2, 4), new(4, 8)], seen.Select(s => s.Pass));
         Assert.All(seen, s => Assert.Equal(Of(s_scene, new(0, s.Pass.End)).ComputeHash(), s.Hash));
@@ -149,8 +150,10 @@ public class PassLoopTests
     public void No_pass_has_more_than_64_samples()
     {
         List<int> passes = [];
-        Scene scene = TestScenes.Build(TestScenes.Everything.Replace("SAMPLER", "sobol", StringComparison.Ordinal).Replace("\"samplesPerPixel\": 16", "\"samplesPerPixel\": 300", StringComparison.Ordinal));
-        new RTracer(scene, new() { Crop = new(0, 0, 4, 4), AfterPass = pass => Add(pass.Count), ShortestPass = TimeSpan.Zero }).Render(new Film(48, 32));
+        Scene scene = TestScenes.Build(TestScenes.Everything.Replace("SAMPLER", "sobol", StringComparison.Ordinal)
+            .Replace("\"samplesPerPixel\": 16", "\"samplesPerPixel\": 300", StringComparison.Ordinal));
+        RenderOptions options = new() { Crop = new(0, 0, 4, 4), AfterPass = pass => Add(pass.Count), ShortestPass = TimeSpan.Zero };
+        new RTracer(scene, options).Render(new Film(48, 32));
         Assert.Equal([1, 1, 2, 4, 8, 16, 32, 64, 64, 64, 44], passes);
 
         TimeSpan Add(int count)
@@ -184,19 +187,21 @@ public class PassLoopTests
     [Fact]
     public void Samples_of_a_later_pass_wait_for_those_of_an_earlier_one()
     {
-        // One thread is held up in the first pass. If the other went on to the third one meanwhile, the stop there would take back the wrong samples.
+        // One thread is held up in the first pass. If the other came to the third one meanwhile, the stop there would take back the wrong
+        // samples.
         using ManualResetEventSlim later = new();
         SceneBuilder builder = new((_, _) => throw new NotSupportedException());
         Scene scene = builder.Build(new()
         {
             Render = new() { Width = 48, Height = 32, SamplesPerPixel = 16, Integrator = Integrator.Report },
             Background = new(0.5f, 0.25f, 1),
-            Shapes = [new SphereDescription { Center = new(0, 0.5f, 0), Material = new GateDescription { Gate = new(() => later.Wait(500)) } }],
+            Shapes = [new SphereDescription { Material = new GateDescription { Gate = new(() => later.Wait(500)) } }],
         })!;
         Film film = new(48, 32);
         using CancellationTokenSource stop = new();
         int reports = 0;
-        RenderStatistics statistics = new RTracer(scene, new() { TileSize = 8, Threads = 2, ShortestPass = TimeSpan.Zero }).Render(film, new Report(p =>
+        RenderOptions options = new() { TileSize = 8, Threads = 2, ShortestPass = TimeSpan.Zero };
+        RenderStatistics statistics = new RTracer(scene, options).Render(film, new Report(p =>
         {
             if (p.Pass == 3 && Interlocked.Increment(ref reports) == 22)
             {

@@ -1,8 +1,8 @@
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Renders a picture whose pixels have the numbers of samples that a plan says, in passes as <see cref="RTracer"/>. Each pixel is what it is
-/// in a plain picture with that many samples, to the bit.
+/// Renders a picture whose pixels have the numbers of samples that a plan says, in passes as <see cref="RTracer"/>. Each pixel is what it
+/// is in a plain picture with that many samples, to the bit.
 /// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="options">How to compute it.</param>
@@ -12,8 +12,8 @@ public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan
     /// <summary>Renders.</summary>
     /// <param name="film">An empty film of the scene's size.</param>
     /// <param name="progress">Takes how far the picture is, the plan's samples included; may be null.</param>
-    /// <param name="cancellation">Ends the work after the pixels under way. The film has the samples of all complete passes then: as many of
-    /// each pixel as that comes to (<see cref="RenderStatistics.SamplesPerPixel"/>), or as the plan says where that is less.</param>
+    /// <param name="cancellation">Ends the work after the pixels under way. The film has the samples of all complete passes then: as many
+    /// of each pixel as that comes to (<see cref="RenderStatistics.SamplesPerPixel"/>), or as the plan says where that is less.</param>
     /// <returns>What was done for the picture and the plan.</returns>
     public RenderStatistics Render(Film film, IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
     {
