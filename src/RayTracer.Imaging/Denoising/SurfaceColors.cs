@@ -11,8 +11,8 @@ internal static class SurfaceColors
 {
     private const int Radius = 3;
 
-    // Darker surfaces are not divided by their albedo: rounding and rays past the edge would be all that is left.
-    private const float LeastAlbedo = 0.03f;
+    // What darker surfaces are divided by: most of their light may be that of a coat, which the colour below does not weaken.
+    private const float LeastAlbedo = 0.1f;
 
     // Squared differences of albedos below it, which have nothing to explain.
     private const float SmallestSpread = 1e-6f;
@@ -46,7 +46,7 @@ internal static class SurfaceColors
         }
 
         FloatW known = albedo.Load(x, y) + 1f - FloatW.Min(1f, FloatW.Sqrt(squares));
-        return (known > LeastAlbedo).Select(known, 1f);
+        return FloatW.Max(known, LeastAlbedo);
     }
 
     // The slope of a line through the colours over the albedos of the surroundings, both relative to their means: 1 where the light is even

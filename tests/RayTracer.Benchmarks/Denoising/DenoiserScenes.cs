@@ -48,6 +48,11 @@ internal static class DenoiserScenes
         ("studio", "lights/02-studio.json"),
         ("metals", "materials/02-rough-metals.json"),
         ("motion", "meshes/04-motion-blur.json"),
+        ("polish", $$"""
+            { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": {{Tiles}} },
+            { "type": "box", "a": [-2, 0, -1], "b": [2, 1.6, 0], "material": { "type": "principled", "roughness": 0.3, "clearcoat": 0.6,
+              "baseColor": { "type": "wood", "first": [0.16, 0.08, 0.04], "second": [0.08, 0.035, 0.018], "rings": 18, "turbulence": 2 } } }, {{Lamp}}
+            """),
     ];
 
     /// <summary>Builds a scene.</summary>

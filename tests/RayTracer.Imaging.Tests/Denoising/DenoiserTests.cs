@@ -29,6 +29,25 @@ public class DenoiserTests
     }
 
     [Fact]
+    public void A_coat_over_a_dark_pattern_keeps_its_colour()
+    {
+        // The coat's light is white, and most of what comes back: stripes whose blue is nearly black must not make it blue.
+        Scene Coated(int samples, long seed) => TestScenes.Build($$"""
+            { "render": { "width": 64, "height": 40, "samplesPerPixel": {{samples}}, "seed": {{seed + (100L * TestSettings.Seed)}}, "integrator": "path" },
+              "camera": { "position": [0, 0, 4], "lookAt": [0, 0, 0] }, "background": [0.5, 0.5, 0.5],
+              "shapes": [{ "type": "box", "a": [-3, -2, -1], "b": [3, 2, 0], "material": { "type": "principled", "roughness": 0.4, "clearcoat": 0.6,
+                "baseColor": { "type": "checker", "even": [0.16, 0.08, 0.04], "odd": [0.08, 0.035, 0.018], "scale": [6, 6] } } }],
+              "lights": [{ "type": "sphere", "center": [2, 2, 5], "radius": 0.5, "material": { "type": "luminaire", "multiplier": 8 } }] }
+            """);
+        HalfRender[] halves = Halves(Coated(16, 1));
+        Film raw = new(64, 40);
+        raw.Merge(halves[0].Film);
+        raw.Merge(halves[1].Film);
+        Film reference = new RTracer(Coated(1024, 2)).Render().Film;
+        Assert.InRange(Error(Denoiser.Denoise(halves[0], halves[1]).Picture, reference) / Error(raw, reference), 0, 0.4);
+    }
+
+    [Fact]
     public void Two_halves_make_the_film_of_one_go_to_the_bit()
     {
         Scene scene = TestScenes.BuildEverything();
