@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Numerics;
-using RayTracer.Numerics;
 using RayTracer.Description;
+using RayTracer.Numerics;
 using RayTracer.Shapes;
 
 namespace RayTracer.Scenes;
