@@ -2,10 +2,11 @@ using System.CommandLine;
 using System.Globalization;
 using RayTracer.Description;
 using RayTracer.Scenes;
+using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
-/// <summary>The options <c>--memory</c>, <c>--work</c> and <c>--root</c> of all verbs: the limits of what a scene may take and read.</summary>
+/// <summary>The options <c>--memory</c>, <c>--work</c>, <c>--root</c> and <c>--strict</c> of all verbs: the limits of what a scene may take, read and lack.</summary>
 internal static class LimitOptions
 {
     private static readonly Option<string> s_memory = new("--memory")
@@ -30,6 +31,12 @@ internal static class LimitOptions
         Recursive = true,
     };
 
+    private static readonly Option<bool> s_strict = new("--strict")
+    {
+        Description = "Makes errors of what is otherwise replaced with a warning: pictures and material files that are missing, statements of MTL files that are wrong.",
+        Recursive = true,
+    };
+
     private static readonly (string Letter, int Shift)[] s_units = [("K", 10), ("M", 20), ("G", 30), ("T", 40)];
 
     /// <summary>Gives a command, and those under it, the options.</summary>
@@ -38,12 +45,14 @@ internal static class LimitOptions
         command.Options.Add(s_memory);
         command.Options.Add(s_work);
         command.Options.Add(s_root);
+        command.Options.Add(s_strict);
     }
 
     /// <summary>Sets the limits that are given, for all that the process reads.</summary>
     /// <exception cref="CommandException">A value is wrong.</exception>
     public static void Apply(ParseResult result)
     {
+        StandIn.IsError = result.GetValue(s_strict);
         if (result.GetValue(s_memory) is { } size)
         {
             SceneBudget.Limit = Amount("--memory", size);

@@ -6,6 +6,11 @@ namespace RayTracer.Scenes;
 /// <summary>The gate that every file of a scene passes: says why one cannot be opened, and keeps what is read from being written over.</summary>
 internal static class FileSearch
 {
+    private const string NotFound = "file not found";
+
+    /// <summary>Returns whether a scene may read a file, but there is none.</summary>
+    public static bool IsMissing(string path) => Complaint(path)?.StartsWith(NotFound, StringComparison.Ordinal) == true;
+
     /// <summary>The reason why a scene cannot read a file: there is none, with the most similar name beside it, or it is none that ends; else null.</summary>
     /// <param name="path">The file's path.</param>
     /// <param name="isStream">True where a pipe or a device will do.</param>
@@ -24,7 +29,7 @@ internal static class FileSearch
 
         if (path.Length == 0 || path.Contains('\0', StringComparison.Ordinal))
         {
-            return "file not found";
+            return NotFound;
         }
 
         if (Directory.Exists(path))
@@ -35,10 +40,10 @@ internal static class FileSearch
         string folder = Path.GetDirectoryName(Path.GetFullPath(path)) ?? path;
         if (!Directory.Exists(folder))
         {
-            return "file not found: its folder does not exist";
+            return $"{NotFound}: its folder does not exist";
         }
 
-        return "file not found" + Spelling.DidYouMean(Path.GetFileName(path), Names(folder));
+        return NotFound + Spelling.DidYouMean(Path.GetFileName(path), Names(folder));
     }
 
     // Pipes and devices have none.

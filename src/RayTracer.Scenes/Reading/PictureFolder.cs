@@ -24,7 +24,7 @@ internal sealed class PictureFolder(string folder, Func<string, bool, Picture> r
         {
             if (FileSearch.Complaint(full) is { } complaint)
             {
-                throw new PictureException(complaint);
+                throw new PictureException(complaint) { IsMissing = FileSearch.IsMissing(full) };
             }
 
             picture = read(Path.Combine(folder, path), raw);
@@ -37,7 +37,7 @@ internal sealed class PictureFolder(string folder, Func<string, bool, Picture> r
         {
             // Where readers name the whole path, the cause below says only what is wrong.
             string cause = e is PictureException { InnerException: { } inner } ? inner.Message : e.Message;
-            throw new PictureException($"cannot read {Quotation.Of(path)}: {cause.TrimEnd('.')}", e);
+            throw new PictureException($"cannot read {Quotation.Of(path)}: {cause.TrimEnd('.')}", e) { IsMissing = e is PictureException { IsMissing: true } };
         }
 
         _pictures.Add((full, raw), picture);

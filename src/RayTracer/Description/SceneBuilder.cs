@@ -114,13 +114,19 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
     public Material Material(MaterialDescription description) => _parts == 0 ? SurfaceMaterial(description) : Described(description);
 
     /// <summary>
-    /// Loads the picture that a property of a record names; reports an error and returns a grey pixel if it cannot be read.
+    /// Loads the picture that a property of a record names; reports an error and returns a grey pixel if it cannot be read, and a warning
+    /// and a stand-in if it is missing.
     /// </summary>
     public Picture Picture(object subject, string property, string path, bool raw)
     {
         try
         {
             return (loadPicture ?? throw new PictureException("there is nothing that reads pictures here"))(path, raw);
+        }
+        catch (PictureException e) when (e.IsMissing && !StandIn.IsError)
+        {
+            Warn(subject, property, $"{e.Message}: {(raw ? "a half is used" : StandIn.Words)}");
+            return raw ? StandIn.Numbers : StandIn.Checks;
         }
         catch (PictureException e)
         {

@@ -75,4 +75,7 @@ public sealed class PictureException : Exception
     public PictureException()
     {
     }
+
+    /// <summary>True where there is no such file.</summary>
+    public bool IsMissing { get; init; }
 }

@@ -9,6 +9,10 @@ internal sealed class GltfFiles(GltfDocument document)
     // Thousands of buffers may name one file.
     private readonly Dictionary<string, ReadOnlyMemory<byte>> _read = [];
 
+    /// <summary>Returns whether a URI names a file that is not there.</summary>
+    public bool IsMissing(string uri) =>
+        !DataUri.Is(uri) && !uri.Contains(':', StringComparison.Ordinal) && FileSearch.IsMissing(Path.Combine(document.Folder, Uri.UnescapeDataString(uri)));
+
     /// <summary>The bytes that a property named "uri" refers to.</summary>
     /// <param name="from">The object that holds the URI.</param>
     /// <param name="uri">The URI.</param>

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Numerics;
 using RayTracer.Textures;
@@ -47,6 +48,12 @@ internal sealed class GltfImages(GltfDocument document, GltfBuffers buffers, Glt
     private Picture? Decode(int index, GltfChannel channel)
     {
         GltfObject image = document.List("images")[index];
+        if (!StandIn.IsError && image.Text("uri") is { } uri && files.IsMissing(uri))
+        {
+            document.Notes.Add($"the picture {Quotation.Of(uri)} is not there: {StandIn.Words}");
+            return channel switch { GltfChannel.Alpha => null, GltfChannel.Color => StandIn.Checks, _ => StandIn.Numbers };
+        }
+
         try
         {
             ReadOnlySpan<byte> file = Content(image).Span;

@@ -8,6 +8,12 @@ namespace RayTracer.Import;
 /// <summary>The materials that an OBJ file uses, from the MTL files that it names.</summary>
 internal sealed class MtlLibrary(string folder)
 {
+    // Beyond these a file is none of materials.
+    private const int MostFaults = 20;
+
+    // A matt colour that is not understood is seen.
+    private static readonly Rgb s_magenta = new(1, 0, 1);
+
     // Statements that change nothing here without loss: ambient light is the scene's, sharpness belongs to reflection maps that are ready-made.
     private static readonly string[] s_ignored = ["Ka", "map_Ka", "sharpness", "map_aat"];
 
@@ -36,6 +42,7 @@ internal sealed class MtlLibrary(string folder)
 
     private readonly Dictionary<string, MtlMaterial> _known = new(StringComparer.Ordinal);
     private readonly HashSet<string> _files = new(StringComparer.Ordinal);
+    private int _faults;
     private readonly List<string> _used = [];
     private readonly Dictionary<string, int> _places = new(StringComparer.Ordinal);
     private readonly SortedSet<string> _notes = new(StringComparer.Ordinal);
@@ -64,13 +71,13 @@ internal sealed class MtlLibrary(string folder)
         {
             if (Find(name) is not { } path)
             {
-                _notes.Add($"the material file {Quotation.Of(name)} does not exist");
+                Require(isThere: false, $"the material file {Quotation.Of(name)} does not exist");
                 continue;
             }
 
             try
             {
-                Parse(ModelBytes.Read(path));
+                Parse(ModelBytes.Read(path), Path.GetFileName(path));
             }
             catch (Exception e) when (e is ModelException or IOException or UnauthorizedAccessException)
             {
@@ -84,11 +91,8 @@ internal sealed class MtlLibrary(string folder)
     public IReadOnlyList<MaterialDescription> Materials(List<string> notes)
     {
         string[] missing = [.. _used.Where(name => !_known.ContainsKey(name))];
-        if (missing.Length > 0)
-        {
-            string more = missing.Length > 1 ? $" and {missing.Length - 1} more" : "";
-            _notes.Add($"no material file describes {Quotation.Of(missing[0])}{more}: grey is used instead");
-        }
+        string more = missing.Length > 1 ? $" and {missing.Length - 1} more" : "";
+        Require(missing.Length == 0, $"no material file describes {Quotation.Of(missing.FirstOrDefault(""))}{more}: grey is used instead");
 
         MaterialDescription[] all = [.. _used.Select(name => _known.TryGetValue(name, out MtlMaterial? known) ? known.ToDescription(_notes) : ShapeDescription.DefaultMaterial)];
         notes.AddRange(_notes);
@@ -101,8 +105,10 @@ internal sealed class MtlLibrary(string folder)
     }
 
     /// <summary>Reads the content of a material file.</summary>
-    /// <exception cref="ModelException">Something is wrong with it.</exception>
-    internal void Parse(ReadOnlySpan<byte> file)
+    /// <param name="file">The whole file.</param>
+    /// <param name="name">What notes call it.</param>
+    /// <exception cref="ModelException">Too much is wrong with it, or what is missing is an error.</exception>
+    internal void Parse(ReadOnlySpan<byte> file, string name = "the material file")
     {
         var text = new ModelText(file, hasContinuations: true) { AcceptsOddNumbers = true };
         MtlMaterial? material = null;
@@ -123,8 +129,30 @@ internal sealed class MtlLibrary(string folder)
                 continue;
             }
 
-            ReadStatement(keyword, ref text, material ?? throw text.ErrorAt(begin, "a statement comes before the first newmtl"));
+            try
+            {
+                ReadStatement(keyword, ref text, material ?? throw text.ErrorAt(begin, "a statement comes before the first newmtl"));
+            }
+            catch (ModelException e) when (!StandIn.IsError && ++_faults <= MostFaults)
+            {
+                _notes.Add($"{name}: {e.Message}: the statement is ignored");
+                if (keyword == "Kd" && material is not null)
+                {
+                    material.Diffuse = s_magenta;
+                }
+            }
         }
+    }
+
+    // What is missing is noted, or an error.
+    private void Require(bool isThere, string note)
+    {
+        if (!isThere && StandIn.IsError)
+        {
+            throw new ModelException(note);
+        }
+
+        _ = isThere || _notes.Add(note);
     }
 
     private void ReadStatement(string keyword, ref ModelText text, MtlMaterial material)
@@ -150,7 +178,9 @@ internal sealed class MtlLibrary(string folder)
         }
         else if (s_maps.Contains(keyword))
         {
-            if (Picture(ref text, material) is { } picture)
+            bool isColor = keyword is "map_Kd" or "map_Ke";
+            ImageTextureDescription picture = Picture(ref text, material, isColor ? StandIn.Words : "its number is used instead");
+            if (picture.Picture is null || isColor)
             {
                 material.Pictures[keyword] = picture;
             }
@@ -177,7 +207,7 @@ internal sealed class MtlLibrary(string folder)
         return text.IsAtLineEnd() ? new Rgb(red, red, red) : new Rgb(red, text.Number(), text.Number());
     }
 
-    private ImageTextureDescription? Picture(ref ModelText text, MtlMaterial material)
+    private ImageTextureDescription Picture(ref ModelText text, MtlMaterial material, string instead)
     {
         ImageTextureDescription texture = new();
         while (true)
@@ -204,8 +234,8 @@ internal sealed class MtlLibrary(string folder)
         if (path is null || ImageFormat.OfName(path) is null)
         {
             string fault = path is null ? "is not there" : $"has no readable format ({ImageFormat.Endings()})";
-            _notes.Add($"the picture {Quotation.Of(name)} {fault}: its colour is used instead");
-            return null;
+            Require(isThere: false, $"the picture {Quotation.Of(name)} {fault}: {instead}");
+            return texture with { Picture = StandIn.Checks };
         }
 
         return texture with { File = path };

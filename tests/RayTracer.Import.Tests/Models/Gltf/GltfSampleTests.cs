@@ -31,7 +31,7 @@ public class GltfSampleTests
     [SkippableTheory]
     [InlineData("IndexOutOfRange/IndexOutOfRange.gltf", "vertices")]
     [InlineData("IndexOutOfRange/AllIndicesOutOfRange.gltf", "vertices")]
-    [InlineData("MissingBin/BoxTextured.gltf", "cannot read \"CesiumLogoFlat.png\": file not found")]
+    [InlineData("MissingBin/BoxTextured.gltf", "buffers[0].uri: cannot read")]
     [InlineData("RecursiveNodes/RecursiveNodes.gltf", "reached twice")]
     public void Samples_that_are_broken_on_purpose_are_refused(string path, string expected) =>
         Assert.Contains(expected, Assert.Throws<ModelException>(() => GltfReader.Read(Sample(path))).Message, StringComparison.Ordinal);

@@ -167,14 +167,16 @@ public class ObjReaderTests
         Assert.Equal(plain with { Raw = true }, mask.Opacity);
         Assert.Equal((0.25f, plain with { Raw = true }), (bump.Scale, bump.Map));
         Assert.Equal(new ProductTextureDescription { First = expected, Second = Solid(0.5f, 0.5f, 0.5f) }, ((DiffuseMaterialDescription)bump.Material).Color);
-        Assert.Equal(new Rgb(1, 0, 0), Color(((DiffuseMaterialDescription)materials[1]).Color));
+        Assert.Equal(
+            new ProductTextureDescription { First = new ImageTextureDescription { Picture = StandIn.Checks }, Second = Solid(1, 0, 0) },
+            ((DiffuseMaterialDescription)materials[1]).Color);
         Assert.Equal(plain, ((LuminaireMaterialDescription)materials[3]).Color);
         Assert.Equal(
             [
                 "emission (Ke) becomes a luminaire with Ke as its radiance, on the side that the normal points to",
-                "the picture \"missing.png\" is not there: its colour is used instead",
-                "the picture \"nothing.png\" is not there: its colour is used instead",
-                "the picture \"picture.tga\" has no readable format (.png, .jpg, .pfm, .exr or .hdr): its colour is used instead",
+                "the picture \"missing.png\" is not there: magenta checks are shown instead",
+                "the picture \"nothing.png\" is not there: its number is used instead",
+                "the picture \"picture.tga\" has no readable format (.png, .jpg, .pfm, .exr or .hdr): magenta checks are shown instead",
                 "these material statements are ignored: Tf, refl",
             ],
             model.Notes);
@@ -217,6 +219,10 @@ public class ObjReaderTests
     {
         using TemporaryFolder folder = new();
         File.WriteAllText(folder["a.mtl"], "newmtl m\nKd red");
+        ImportedModel model = Parse(Square + "mtllib a.mtl\nusemtl m\nf 1 2 3", folder.Path);
+        Assert.Equal("a.mtl: line 2: expected a number instead of \"red\": the statement is ignored", Assert.Single(model.Notes));
+        Assert.Equal(new Rgb(1, 0, 1), Assert.IsType<SolidTextureDescription>(Assert.IsType<DiffuseMaterialDescription>(Shape(model).Materials is [var only] ? only : Shape(model).Material).Color).Color);
+        StandIn.IsError = true;
         Assert.Equal("a.mtl: line 2: expected a number instead of \"red\"", Assert.Throws<ModelException>(() => Parse("mtllib a.mtl", folder.Path)).Message);
         File.WriteAllText(folder["a.mtl"], "Kd 1 0 0");
         Assert.Equal("a.mtl: line 1: a statement comes before the first newmtl", Assert.Throws<ModelException>(() => Parse("mtllib a.mtl", folder.Path)).Message);
@@ -229,6 +235,7 @@ public class ObjReaderTests
         byte[][] pieces = [[.. "f 1 2 3\n"u8], [.. " 999999999 "u8], [.. "\\\n"u8], [.. "//"u8], [.. "-"u8], [.. "1e999"u8], [0], [.. "\nusemtl x\n"u8]];
         ModelFuzz.Run(Encoding.ASCII.GetBytes(Text), f => ObjReader.Parse(f, "", "x"), pieces);
         const string Statements = "newmtl m\nKd 1 0.5 0\nKs 0.5 0.5 0.5\nNs 20\nd 0.5\nTr 0.25\nillum 2\nKe 0 0 0\nmap_Kd -s 1 2 3 -o 1 x.png\nbump -bm 2 y.png\nPr 0.5\nNi 1.5\nnewmtl n\nKd xyz 1 2 3\nTf 1 1 1\n";
+        StandIn.IsError = true;
         ModelFuzz.Run(Encoding.ASCII.GetBytes(Statements), ReadMaterials, pieces);
     }
 
