@@ -21,6 +21,8 @@ public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
     private long _last = Stopwatch.GetTimestamp();
     private TimeSpan _cost;
 
+    private readonly bool _isUnreadable = new FileInfo(path) is { Exists: true, Length: > 0 } && There(path) is null;
+
     // What may be replaced: what was there before, and what was written since.
     private FilmHeader? _known = There(path);
 
@@ -34,9 +36,14 @@ public sealed class Checkpoints(string path, TimeSpan interval, IJobWatch watch)
     public TimeSpan Spent { get; private set; }
 
     /// <summary>Keeps a film that is there, and is not resumed, from being lost.</summary>
-    /// <exception cref="JobException">There is one of another picture, or one of this that was not to be overwritten.</exception>
+    /// <exception cref="JobException">There is one of another picture, or one of this that was not to be overwritten, or something else.</exception>
     internal void CheckLost(LoadedJob loaded)
     {
+        if (_isUnreadable)
+        {
+            throw new JobException(JobFault.File, $"'{path}' holds no film that can be read: give another name, or delete it");
+        }
+
         bool isOwn = (loaded.Job.Resumed ?? loaded.Job.Decision) is { Path: var own } && Path.GetFullPath(own) == Path.GetFullPath(path);
         if (isOwn || _known is not { } there)
         {

@@ -118,6 +118,16 @@ public sealed class LostFileTests : IDisposable
     }
 
     [Fact]
+    public void A_checkpoint_replaces_nothing_that_is_no_film_or_a_damaged_one()
+    {
+        string film = _folder["c.rtfilm"];
+        File.WriteAllText(film, "notes");
+        Keeps(film, "holds no film that can be read", ["render", _scene, "--checkpoint", film, "--overwrite"]);
+        File.WriteAllText(film, "");
+        CliRun.Fine("render", _scene, "--checkpoint", film, "--quiet");
+    }
+
+    [Fact]
     public void A_checkpoint_of_the_same_picture_is_replaced_where_that_is_said()
     {
         string film = _folder["c.rtfilm"];
