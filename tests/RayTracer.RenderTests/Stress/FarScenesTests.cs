@@ -58,7 +58,7 @@ public class FarScenesTests
             """;
         Scene scene = Load(Write(moved, 1, 0, 1, offset), out Diagnostic[] diagnostics);
         Assert.Empty(diagnostics);
-        Assert.InRange(Difference(scene), 0, offset * 1e-7);
+        Assert.InRange(Difference(scene), 0, offset * 2.3e-8);
     }
 
     [Fact]
