@@ -32,7 +32,7 @@ public class ConvertTests
         using TemporaryFolder folder = new();
         Write(folder);
         File.Delete(folder["p.png"]);
-        Assert.Equal(3, CliRun.Of("convert", folder["scene.xml"], folder["scene.json"]).Status);
+        Assert.Equal(3, CliRun.Of("convert", folder["scene.xml"], folder["scene.json"], "--strict").Status);
         Assert.Equal(4, CliRun.Of("convert", folder["missing.xml"], folder["scene.json"]).Status);
         Assert.Equal(2, CliRun.Of("convert", folder["scene.xml"], folder["scene.txt"]).Status);
         Assert.False(File.Exists(folder["scene.json"]));

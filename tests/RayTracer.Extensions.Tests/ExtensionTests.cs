@@ -88,7 +88,7 @@ public sealed class ExtensionTests : IDisposable
         string help = string.Join(' ', CliRun.Fine("render", "--help").Output.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
         Assert.Contains(".exr, .hdr or .ppm;", help, StringComparison.Ordinal);
         Assert.Contains("PNG, JPEG and PPM: stops", help, StringComparison.Ordinal);
-        Assert.Contains("error,facing,", help, StringComparison.Ordinal);
+        Assert.Contains("error, facing, ", help, StringComparison.Ordinal);
         CliRun.Refused(2, "(did you mean '.ppm'?)", "render", _scene, "-o", _folder["a.pppm"]);
         CliRun.Refused(2, "(did you mean \"facing\"?)", "render", _scene, "-o", _folder["a.ppm"], "--aov", "facin");
         CliRun.Refused(2, "a PPM picture has at most 9999 pixels a side", "render", _scene, "-o", _folder["a.ppm"], "--width", "10000", "--height", "1");

@@ -19,7 +19,7 @@ public sealed class ApiTests
         Assert.Equal("test.json", state.GetProperty("document").GetProperty("name").GetString());
         Assert.Equal(("done", 4, 32), (state.GetProperty("render").GetProperty("status").GetString(), state.GetProperty("render").GetProperty("samples").GetInt32(), state.GetProperty("render").GetProperty("width").GetInt32()));
         Assert.Equal("light", state.GetProperty("render").GetProperty("map").GetString());
-        Assert.Equal(["clamp", "reinhard", "aces", "agx"], state.GetProperty("tone").GetProperty("choices").EnumerateArray().Select(c => c.GetString()));
+        Assert.Equal(["clamp", "soft", "reinhard", "aces", "agx"], state.GetProperty("tone").GetProperty("choices").EnumerateArray().Select(c => c.GetString()));
         Task<JsonElement> waiting = server.Get($"/api/state?after={version + 1}");
         await server.Post("/api/view/tone", new { exposure = 1.5, toneMap = "aces" });
         await server.Post("/api/view/tone", new { exposure = 1.25 });
