@@ -19,7 +19,7 @@ public sealed class BindingTests
         using TestWindow test = await TestWindow.Open();
         await test.Until(() => test.Main.Status.Fraction == 1);
         test.Do("actualSize");
-        test.Session.View.Tone = new(1, Imaging.ToneMap.Aces);
+        test.Session.View.Tone = new(1, RayTracer.Description.ToneMap.Aces);
         FrameView view = test.View<ViewportView>().FindControl<FrameView>("Picture")!;
         byte[] wanted = new byte[4 * 60 * 40];
         await test.Until(() =>

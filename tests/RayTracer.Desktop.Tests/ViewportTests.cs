@@ -135,7 +135,7 @@ public sealed class ViewportTests
         ViewportViewModel viewport = test.Main.Viewport;
         viewport.ExposureText = "1.5";
         viewport.ToneMap = viewport.ToneMaps.First(t => t.Value == "Aces");
-        await test.Until(() => test.Session.View.Tone == new Tone(1.5f, Imaging.ToneMap.Aces));
+        await test.Until(() => test.Session.View.Tone == new Tone(1.5f, RayTracer.Description.ToneMap.Aces));
         viewport.Map = viewport.Maps.First(m => m.Value == "normal");
         await test.Until(() => test.Session.View.Settings.Map == ViewMap.Named("normal") && viewport.Map?.Value == "normal");
         viewport.Zoom = viewport.Zooms.First(z => z.Value == "200");

@@ -28,6 +28,9 @@ internal static unsafe class EnclosingThing
         }
 
         scene.World.ClosestHit(rays, hits.Pointer);
+
+        // Nothing else holds this memory, which the garbage collector would give away while the trees write to it.
+        GC.KeepAlive(hits);
         Bounds around = Bounds.Empty;
         for (int i = 0; i < rays.Count; i++)
         {

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Windows.Input;
 using CommunityToolkit.Mvvm.Input;
+using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Session;
 
