@@ -7,7 +7,7 @@ namespace RayTracer.Tests.Rendering;
 public class EnclosingThingTests
 {
     [Fact]
-    public void Memory_that_trees_write_to_is_not_collected_meanwhile()
+    public async Task Memory_that_trees_write_to_is_not_collected_meanwhile()
     {
         Scene scene = TestScenes.Build("""{ "shapes": [{ "type": "mesh", "file": "PATH", "transform": { "scale": 30 } }] }"""
             .Replace("PATH", ProjectFolder.PathOf("scenes", "gallery", "bishop.ply").Replace('\\', '/'), StringComparison.Ordinal));
@@ -37,6 +37,6 @@ public class EnclosingThingTests
         }
 
         Task Long(Action work) => Task.Factory.StartNew(work, TaskCreationOptions.LongRunning);
-        Task.WaitAll([.. Enumerable.Range(0, 8).Select(i => Long(() => Look(i))), Long(Collect)]);
+        await Task.WhenAll([.. Enumerable.Range(0, 8).Select(i => Long(() => Look(i))), Long(Collect)]);
     }
 }
