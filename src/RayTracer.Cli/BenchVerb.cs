@@ -58,7 +58,7 @@ internal static class BenchVerb
 
             Measurement one = Best(path, scene, 1, repeat);
             Measurement many = Best(path, scene, Environment.ProcessorCount, repeat);
-            stages.EndRender();
+            stages.End(JobStage.Render);
             all.AddRange(one, many);
             if (!json)
             {
@@ -82,7 +82,7 @@ internal static class BenchVerb
         Measurement? best = null;
         for (int i = 0; i < repeat; i++)
         {
-            Film film = new(scene.Render.Width, scene.Render.Height);
+            Film film = new(scene.Render.Width, scene.Render.Height, FilmPlane.Needed(scene.Render.Integrator));
             long start = Stopwatch.GetTimestamp();
             RenderStatistics statistics = tracer.Render(film);
             double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;

@@ -41,7 +41,7 @@ internal static class CompareVerb
 
         Picture image = ImageFile.Read(paths[0]);
         Picture reference = ImageFile.Read(paths[1]);
-        stages.EndLoad();
+        stages.End(JobStage.Load);
         if (image.Width != reference.Width || image.Height != reference.Height)
         {
             throw new CommandException(
@@ -54,7 +54,7 @@ internal static class CompareVerb
         Write(files.Difference, () => new DifferenceRows(image, reference));
         Write(files.Map, () => ComparisonSheet.Draw(flip));
         Write(files.Sheet, () => ComparisonSheet.Draw(image, Path.GetFileName(paths[0]), reference, Path.GetFileName(paths[1]), flip));
-        stages.EndWrite();
+        stages.End(JobStage.Write);
 
         bool isDifferent = tolerance is { } limit && !(comparison.Rmse <= limit && comparison.NotFinite == 0);
         if (json)

@@ -47,7 +47,7 @@ internal static class ComposeVerb
         Picture? composed = OfFile<Picture?>(path, file =>
         {
             RelightableImage mix = RelightableImage.Open(file);
-            stages.EndLoad();
+            stages.End(JobStage.Load);
             Dictionary<string, Rgb> byLight = ByLight(factors, mix.Lights, path);
             if (outputs.Count == 0 && words.Length == 0)
             {
@@ -74,7 +74,7 @@ internal static class ComposeVerb
 
         stages.End("compose");
         int written = JobFiles.Write(outputs, composed, writing.OfImage(path, ImageFile.ReadText(path)), streams).Count;
-        stages.EndWrite();
+        stages.End(JobStage.Write);
         return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
     }
 

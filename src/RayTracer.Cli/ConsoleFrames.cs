@@ -6,7 +6,7 @@ namespace RayTracer.Cli;
 
 /// <summary>Carries out a job of several frames for a command.</summary>
 /// <param name="job">The job.</param>
-/// <param name="display">What is reported.</param>
+/// <param name="display">The user's choice of what is reported.</param>
 /// <param name="streams">The streams to write to.</param>
 internal sealed class ConsoleFrames(RenderJob job, Display display, Streams streams)
 {

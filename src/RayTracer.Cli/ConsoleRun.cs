@@ -8,7 +8,7 @@ using RayTracer.Scenes;
 namespace RayTracer.Cli;
 
 /// <summary>Carries out jobs for a command: with progress on the console, signals that end them, and a report.</summary>
-/// <param name="display">What is reported.</param>
+/// <param name="display">The user's choice of what is reported.</param>
 /// <param name="streams">The streams to write to.</param>
 internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
 {

@@ -114,9 +114,10 @@ internal sealed class ConvertVerb
             return ConvertFilm(path, target, writing, result, stages);
         }
 
+        UnfinishedFilms.Check([target]);
         (IImageRows image, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = Read(path);
         writing = writing.OfImage(path, texts);
-        stages.EndLoad();
+        stages.End(JobStage.Load);
         (int width, int height) = Size(image, (int?)_width.Value(result), (int?)_height.Value(result));
         bool isWhole = (width, height) == (image.Width, image.Height);
         if (layers.Count > 0 && !isWhole && ImageFormat.Has(target, ImageFeatures.Layers))
@@ -142,7 +143,8 @@ internal sealed class ConvertVerb
         }
 
         (FilmHeader header, Film film) = CarriedFilm.Read(path);
-        stages.EndLoad();
+        UnfinishedFilms.Check([target], replacement: header);
+        stages.End(JobStage.Load);
         JobFiles.WriteFilm(
             target, film, header, writing with { Metadata = PictureTexts.Of(header, film.ComputeHash()), ExrLayers = LayersBeside(path) });
         stages.End("write");

@@ -32,7 +32,7 @@ internal sealed class DenoiseVerb
     {
         command.Arguments.Add(_image);
         _writing = new(command, $"The image file: {ImageFormat.Endings()}. Repeatable.");
-        command.AddOptions([_albedo, _normal, _scene, _threads, .. _writing.Looks]);
+        command.AddOptions([_albedo, _normal, _scene, _threads, .. _writing.Looks, _writing.Transparent]);
         _verbose = new(command);
     }
 
@@ -51,17 +51,33 @@ internal sealed class DenoiseVerb
         StageTimes stages = _verbose.Times(result, streams);
         HeldFilm? film = CarriedFilm.Is(path) && CarriedFilm.Read(path) is var (header, held) ? new(header, held, path) : null;
         bool isOfFilm = film is not null && (film.Film.Planes.Contains(FilmPlane.Half) || !HasGuides(result, path));
+        CheckAlpha(writing, isOfFilm ? film : null, path);
         Picture? denoised = isOfFilm ? OfFilm(film!, result, stages, streams) : OfImage(path, result, stages, streams);
-        stages.EndDenoise();
+        stages.End(JobStage.Denoise);
         if (denoised is null)
         {
             return SceneFile.FailureStatus(path);
         }
 
         writing = film is null ? writing.OfImage(path, ImageFile.ReadText(path)) : writing.With(film.Header.Tone);
-        int written = JobFiles.Write(outputs, denoised, writing, streams).Count;
-        stages.EndWrite();
+        IImageRows image = denoised;
+        (image, writing) = film is null ? (image, writing) : TransparentRows.Of(image, film.Film, writing);
+        int written = JobFiles.Write(outputs, image, writing, streams).Count;
+        stages.End(JobStage.Write);
         return written < outputs.Count ? ExitStatus.InputOutput : ExitStatus.Fine;
+    }
+
+    private static void CheckAlpha(ImageWriteOptions writing, HeldFilm? film, string path)
+    {
+        if (film is not null)
+        {
+            PictureFiles.CheckAlpha(writing, film.Film.Planes, path);
+        }
+        else if (writing.Transparent)
+        {
+            throw new CommandException(
+                ExitStatus.Usage, $"--transparent is for films: which light of the image '{path}' is from behind everything is not known");
+        }
     }
 
     private bool HasGuides(ParseResult result, string path) => result.GetValue(_albedo) is not null || result.GetValue(_normal) is not null
@@ -75,22 +91,13 @@ internal sealed class DenoiseVerb
                 ExitStatus.Usage, "--albedo and --normal are for images: what the camera rays of a film meet is found in its scene: leave them out");
         }
 
-        if (film.Header.Samples.Count == 0)
-        {
-            throw new CommandException(ExitStatus.InputOutput, $"'{film.Path}' holds no samples yet");
-        }
-
-        if (DecisionCheckpoint.Is(film.Header))
-        {
-            throw DecisionCheckpoint.NoPicture(film.Path);
-        }
-
+        HeldFilm.CheckPicture(film.Header, film.Path);
         if (Denoising.Of(film, result.GetValue(_scene), Threads(result), new ConsoleRun(new(Quiet: true), streams)) is not { } denoising)
         {
             return null;
         }
 
-        stages.EndLoad();
+        stages.End(JobStage.Load);
         if (film.Film.Planes.Contains(FilmPlane.Half))
         {
             return denoising.Denoise(film.Film, null)?.Picture ?? throw new CommandException(
@@ -121,7 +128,7 @@ internal sealed class DenoiseVerb
                 + "or an .exr image of render --aov albedo,normal");
         }
 
-        stages.EndLoad();
+        stages.End(JobStage.Load);
         return Denoiser.Denoise(image, albedo, normal, Threads(result));
     }
 

@@ -19,9 +19,10 @@ internal sealed class HelpPage(Streams streams, Func<Command, VerbHelp> describe
     [
         ("Scene", [.. JobOptions.OfScenes.Select(o => o.Name)]),
         ("Parts and noise", ["--noise", "--adaptive", "--crop", "--pixel", "--sample", "--samples", "--part", "--partial"]),
+        ("Guiding", [.. JobOptions.OfGuiding.Select(o => o.Name)]),
         ("Long renders", [.. JobOptions.OfLongRenders.Select(o => o.Name), "--resume", "--overwrite"]),
         ("Animations", ["--frames", "--fps"]),
-        ("Looks of images", [.. JobOptions.OfLooks.Select(o => o.Name), JobOptions.ExrFilm.Name]),
+        ("Looks of images", [.. JobOptions.OfLooks.Select(o => o.Name), JobOptions.Transparent.Name, JobOptions.ExrFilm.Name]),
         ("Further images", ["--aov", "--denoise", JobOptions.Halves.Name, "--map", "--side-by-side"]),
         ("Reports", ["--preview", "--quiet", "--json", "--format", "--hash", "--verbose"]),
         ("Machine and limits", [JobOptions.Threads.Name, "--memory", "--work", "--root", "--plugin", "--version"]),

@@ -52,12 +52,12 @@ internal static class InfoVerb
             if (isFilm)
             {
                 FilmInfo.Show(path, result.GetValue(hash), result.GetValue(json), streams);
-                stages.EndLoad();
+                stages.End(JobStage.Load);
             }
             else if (isImage)
             {
                 ImageInfo.Show(path, result.GetValue(hash), result.GetValue(json), streams);
-                stages.EndLoad();
+                stages.End(JobStage.Load);
             }
             else
             {
@@ -84,7 +84,7 @@ internal static class InfoVerb
             return SceneFile.FailureStatus(path);
         }
 
-        SceneContent content = SceneContent.Of(result.Description!);
+        SceneContent content = new(result.Description!);
         string folder = Path.GetDirectoryName(path) ?? "";
         long textures = content.Images.Sum(i => pictures.GetValueOrDefault(Path.Combine(folder, i.File)));
         SceneStatistics statistics = new(scene);
@@ -116,6 +116,8 @@ internal static class InfoVerb
         output.WriteLine(
             FiniteBounds(statistics) is { } box ? $"bounds     {Text(box.Minimum)} to {Text(box.Maximum)}" : "bounds     no finite shape");
         output.WriteLine($"picture    {render.Width}×{render.Height} pixels, {render.SamplesPerPixel} samples each ({render.Sampler.ToString().ToLowerInvariant()})");
+        IntegratorAdvice advice = IntegratorAdvice.For(scene);
+        output.WriteLine($"integrator {render.Integrator}; {(advice.Integrator == render.Integrator ? "it fits" : $"{advice.Integrator} fits better")}: {advice.Reason}");
         string memory = string.Join(", ", Memory(render, statistics, textures).Select(m => $"{m.Kind} {FilmMemory.Text(m.Bytes)}"));
         output.WriteLine($"memory     {memory}");
         foreach (SceneTree tree in statistics.Trees.OrderByDescending(t => t.Statistics.Primitives).Take(MostTrees))
@@ -132,7 +134,7 @@ internal static class InfoVerb
 
     private static IEnumerable<(string Kind, long Bytes)> Memory(RenderDescription render, SceneStatistics statistics, long textures) =>
     [
-        ("film", FilmBytes(render)), ("textures", textures), ("shapes", statistics.ShapeBytes),
+        ("film", FilmMemory.Bytes(render.Width, render.Height, FilmPlane.Needed(render.Integrator))), ("textures", textures), ("shapes", statistics.ShapeBytes),
         ("triangles", statistics.TriangleBytes), ("nodes", statistics.NodeBytes), ("instances", statistics.InstanceBytes),
     ];
 
@@ -148,8 +150,6 @@ internal static class InfoVerb
         $"{counts.Values.Sum()} ({string.Join(", ", counts.Select(c => $"{c.Value} {c.Key}"))})";
 
     private static string Text(System.Numerics.Vector3 v) => $"({v.X}, {v.Y}, {v.Z})";
-
-    private static long FilmBytes(RenderDescription render) => FilmMemory.Bytes(render.Width, render.Height);
 
     private static Bounds? FiniteBounds(SceneStatistics statistics) => statistics.FiniteBounds is { IsFinite: true } box ? box : null;
 
@@ -168,6 +168,9 @@ internal static class InfoVerb
             ["width"] = scene.Render.Width,
             ["height"] = scene.Render.Height,
             ["samplesPerPixel"] = scene.Render.SamplesPerPixel,
+            ["integrator"] = scene.Render.Integrator.Name,
+            ["recommendedIntegrator"] = IntegratorAdvice.For(scene).Integrator.Name,
+            ["recommendedBecause"] = IntegratorAdvice.For(scene).Reason,
             ["meshes"] = statistics.Meshes,
             ["triangles"] = statistics.Triangles,
             ["trianglesShown"] = statistics.TrianglesShown,

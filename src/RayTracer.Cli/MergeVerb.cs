@@ -20,7 +20,7 @@ internal sealed class MergeVerb
     {
         command.Arguments.Add(_parts);
         _writing = new(command);
-        command.AddOptions([.. _writing.Looks, _writing.ExrFilm, _partial]);
+        command.AddOptions([.. _writing.Looks, _writing.Transparent, _writing.ExrFilm, _partial]);
         _display = new(command, hasPreview: false);
     }
 
@@ -36,11 +36,7 @@ internal sealed class MergeVerb
         _writing.WarnOfUnused(result, outputs, streams);
         StageTimes stages = _display.Times(result, streams);
         FilmMerge merge = FilmMerge.Of(result.GetValue(_parts)!);
-        if (DecisionCheckpoint.Is(merge.Header))
-        {
-            throw DecisionCheckpoint.NoPicture(result.GetValue(_parts)![0]);
-        }
-
+        HeldFilm.CheckPicture(merge.Header, result.GetValue(_parts)![0]);
         if (merge.Missing is { } missing)
         {
             if (!result.GetValue(_partial))
@@ -53,15 +49,16 @@ internal sealed class MergeVerb
 
         foreach ((string path, FilmPlane plane) in merge.Lost)
         {
-            streams.Warn($"'{path}' has no plane '{plane}' as others have, so that what is merged has none (render --halves)");
+            streams.Warn($"'{path}' has no plane '{plane}' as others have, so that what is merged has none (render {(plane == FilmPlane.Alpha ? JobOptions.Transparent : JobOptions.Halves).Name})");
         }
 
+        PictureFiles.CheckAlpha(_writing.Writing(result), merge.Header.Planes, result.GetValue(_parts)![0]);
         UnfinishedFilms.Check(outputs, replacement: merge.Header);
         stages.End("headers");
         Film film = merge.Add();
-        stages.EndLoad();
+        stages.End(JobStage.Load);
         int status = Write(result, film, merge.Header, outputs, streams);
-        stages.EndWrite();
+        stages.End(JobStage.Write);
         return status;
     }
 

@@ -1,8 +1,8 @@
 namespace RayTracer.Cli;
 
 /// <summary>An option of a verb, as help pages and shells see it.</summary>
-/// <param name="Names">How it is written: the long name first.</param>
-/// <param name="Form">What its value looks like; null where it has none.</param>
+/// <param name="Names">The names, the long one first.</param>
+/// <param name="Form">The form of its value; null where it has none.</param>
 /// <param name="Summary">The meaning.</param>
 /// <param name="IsRepeatable">True if it may be given several times.</param>
 internal sealed record OptionHelp(IReadOnlyList<string> Names, string? Form, string Summary, bool IsRepeatable)

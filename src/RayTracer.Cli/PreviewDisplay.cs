@@ -6,8 +6,8 @@ namespace RayTracer.Cli;
 
 /// <summary>The picture itself as progress, drawn again and again in the same place of a terminal, with a line below it.</summary>
 /// <param name="error">The terminal.</param>
-/// <param name="graphics">How it shows pictures.</param>
-/// <param name="size">How large it is.</param>
+/// <param name="graphics">The kind of pictures that it shows.</param>
+/// <param name="size">Its size.</param>
 /// <param name="looks">Exposure and tone map.</param>
 internal sealed class PreviewDisplay(TextWriter error, TerminalGraphics graphics, TerminalSize size, ImageWriteOptions looks) : ProgressDisplay
 {

@@ -7,11 +7,11 @@ using RayTracer.Rendering;
 namespace RayTracer.Cli;
 
 /// <summary>The report that <c>render</c> prints when it is done.</summary>
-/// <param name="job">What was asked for.</param>
-/// <param name="result">What it came to.</param>
-/// <param name="display">What is reported.</param>
-/// <param name="stages">How long its stages took.</param>
-/// <param name="totalSeconds">How long everything took.</param>
+/// <param name="job">The job.</param>
+/// <param name="result">Its result.</param>
+/// <param name="display">The user's choice of what is reported.</param>
+/// <param name="stages">The times of its stages.</param>
+/// <param name="totalSeconds">The time of everything together, in seconds.</param>
 internal sealed class RenderReport(RenderJob job, JobResult result, Display display, StageTimes stages, double totalSeconds)
 {
     private readonly RenderStatistics _statistics = result.Statistics;
@@ -28,6 +28,10 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
         {
             WriteSummary(streams.Output);
             streams.Wrote(result.Files);
+            if (result.Denoised is not null && result.IsWritten)
+            {
+                streams.Output.WriteLine($"the denoised picture is {string.Join(" and ", new PictureFiles(job).Denoised)}");
+            }
         }
 
         if (result.Plan?.Error > job.Noise)
@@ -77,6 +81,11 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
             output.WriteLine($"the noise is about {100 * plan.Error:G3} % of the picture's brightness; {plan.Statistics.Paths:N0} of these paths were rendered to estimate that");
         }
 
+        if (result.Guide is { } guide)
+        {
+            output.WriteLine(guide.Paths > 0 ? $"guided by what {guide.Paths:N0} other paths learned in {guide.Seconds:F2} s" : $"guided by {job.GuideFile}");
+        }
+
         if (result.Header is { IsComplete: false } header && !_statistics.Cancelled)
         {
             string film = (job.Checkpoint ?? result.Files.FirstOrDefault(FilmFile.IsNamed)) is { } file
@@ -96,17 +105,24 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
     {
         JsonObject json = new() { ["width"] = _render.Width, ["height"] = _render.Height, ["samplesPerPixel"] = result.MeanSamples };
         AddNoise(json);
+        if (result.Guide is { } guide)
+        {
+            json["guideHash"] = guide.Hash;
+            json["learningPaths"] = guide.Paths;
+            json["learningSeconds"] = guide.Seconds;
+        }
+
         json["threads"] = result.Threads;
-        json["loadSeconds"] = stages.Load;
-        json["buildSeconds"] = stages.Build;
+        json["loadSeconds"] = stages[JobStage.Load];
+        json["buildSeconds"] = stages[JobStage.Build];
         json["renderSeconds"] = result.Seconds;
         if (result.Denoised is { } denoised)
         {
-            json["denoiseSeconds"] = stages.Denoise;
+            json["denoiseSeconds"] = stages[JobStage.Denoise];
             json["cutShare"] = denoised.CutShare;
         }
 
-        json["writeSeconds"] = stages.Write;
+        json["writeSeconds"] = stages[JobStage.Write];
         json["totalSeconds"] = totalSeconds;
         if (StageTimes.PeakMemory is { } bytes)
         {

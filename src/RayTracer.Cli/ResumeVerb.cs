@@ -10,7 +10,6 @@ internal sealed class ResumeVerb
 {
     private static readonly JobOption s_samples = JobOptions.Find("--spp")!;
     private static readonly JobOption s_denoise = JobOptions.Find("--denoise")!;
-    private static readonly JobOption s_time = JobOptions.Find("--time")!;
     private readonly Argument<string> _file = new("FILE")
     {
         Description = "The film: .rtfilm, of --checkpoint or -o; or an .exr image that carries it (--exr-film). It is brought up to date itself, now and then and at the end.",
@@ -26,8 +25,8 @@ internal sealed class ResumeVerb
     {
         command.Arguments.Add(_file);
         _writing = new(command);
-        _options = new(command, [s_samples, JobOptions.Threads, s_denoise]);
-        command.AddOptions([_scene, .. _writing.Looks, _writing.ExrFilm]);
+        _options = new(command, [s_samples, JobOptions.Threads, s_denoise, JobOptions.GuideFile]);
+        command.AddOptions([_scene, .. _writing.Looks, _writing.Transparent, _writing.ExrFilm]);
 
         _long = new(command, JobOptions.OfLongRenders.Select(o => o.Name == "--checkpoint" ? o with { Description = "Writes the film to this file now and then; without it, to FILE." } : o));
         _display = new(command);
@@ -51,8 +50,10 @@ internal sealed class ResumeVerb
             Settings = origin.Settings,
             Frames = origin.Frames,
             Noise = origin.Noise,
+            Guide = origin.Guide,
             Crop = origin.Crop,
             Halves = origin.Halves,
+            Alpha = origin.KeepsAlpha,
             Outputs = _writing.Files(result),
             Writing = Writing(result, file),
         };

@@ -1,5 +1,6 @@
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Scenes;
 using RayTracer.Textures;
 
@@ -24,17 +25,17 @@ internal static class SceneFile
         string path, StageTimes stages, Func<string, bool, Picture>? readPicture = null, IReadOnlyList<SceneSetting>? settings = null,
         Func<SceneDescription, SceneDescription>? change = null)
     {
-        Action end = stages.EndLoad;
+        JobStage stage = JobStage.Load;
         ReadScene read = path == Input ? SceneLoader.ReadText(Console.In.ReadToEnd(), Name(path), "", settings) : SceneLoader.Read(path, settings);
         SceneLoadResult result = read.Build(
             scene =>
             {
-                stages.EndLoad();
-                end = stages.EndBuild;
+                stages.End(JobStage.Load);
+                stage = JobStage.Build;
                 return change?.Invoke(scene) ?? scene;
             },
             readPicture);
-        end();
+        stages.End(stage);
         return result;
     }
 

@@ -33,7 +33,7 @@ internal sealed record Streams(TextWriter Output, TextWriter Error, bool HasTerm
     public void Read(IReadOnlyList<Diagnostic> diagnostics) => Read(diagnostics, isQuiet: false);
 
     /// <summary>Shows diagnostics as a compiler does.</summary>
-    /// <param name="diagnostics">What is wrong.</param>
+    /// <param name="diagnostics">The diagnostics.</param>
     /// <param name="isQuiet">True without notes.</param>
     public void Read(IReadOnlyList<Diagnostic> diagnostics, bool isQuiet)
     {

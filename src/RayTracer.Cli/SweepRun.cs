@@ -8,10 +8,10 @@ using RayTracer.Textures;
 namespace RayTracer.Cli;
 
 /// <summary>Renders the pictures of a sweep, and places them on a sheet.</summary>
-/// <param name="job">What is the same in all.</param>
-/// <param name="axes">What changes.</param>
+/// <param name="job">The job, of which all pictures have the same values but for the axes.</param>
+/// <param name="axes">The settings that change, and their values.</param>
 /// <param name="change">Gives a scene the size of a cell.</param>
-/// <param name="display">What is reported.</param>
+/// <param name="display">The user's choice of what is reported.</param>
 /// <param name="streams">The streams to write to.</param>
 internal sealed class SweepRun(
     RenderJob job, SweepAxes axes, Func<SceneDescription, SceneDescription> change, Display display, Streams streams)

@@ -66,7 +66,7 @@ internal sealed class SweepVerb
         stages.End("pictures");
         ImageWriteOptions writing = job.Writing with { Exposure = null, ToneMap = null, Metadata = PictureTexts.Of(CommandLine.Text(result), job.Scene) };
         IReadOnlyList<string> written = run.Sheet is { } sheet ? JobFiles.Write(outputs, sheet.Picture, writing, streams) : [];
-        stages.EndWrite();
+        stages.End(JobStage.Write);
         if (display.Json)
         {
             JsonText.Write(streams, Json(axes, run.Films, written));

@@ -6,7 +6,7 @@ namespace RayTracer.Cli;
 /// Writes to a stream for messages, and goes on in silence where that fails: a full disk behind standard error must not
 /// cost the user the picture.
 /// </summary>
-/// <param name="inner">Where the messages go.</param>
+/// <param name="inner">The writer that takes the messages.</param>
 internal sealed class UnfailingWriter(TextWriter inner) : TextWriter
 {
     /// <inheritdoc/>

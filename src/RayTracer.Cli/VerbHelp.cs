@@ -5,10 +5,10 @@ namespace RayTracer.Cli;
 
 /// <summary>A verb, as help pages and shells see it.</summary>
 /// <param name="Name">Its name: a word, or two for a verb below another one.</param>
-/// <param name="Summary">What it does.</param>
-/// <param name="Synopsis">What stands after it.</param>
+/// <param name="Summary">A sentence that says what it does.</param>
+/// <param name="Synopsis">The words that follow it.</param>
 /// <param name="Arguments">The words that are no options, and what they mean.</param>
-/// <param name="Choices">What the words that are no options may be; empty where they are files or anything else.</param>
+/// <param name="Choices">The possible words that are no options; empty where they are files or anything else.</param>
 /// <param name="Options">Its options.</param>
 /// <param name="Example">A command, without the program's name.</param>
 internal sealed record VerbHelp(string Name, string Summary, string Synopsis, IReadOnlyList<(string Name, string Summary)> Arguments, IReadOnlyList<string> Choices, IReadOnlyList<OptionHelp> Options, string Example)

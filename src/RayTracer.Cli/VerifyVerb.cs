@@ -92,16 +92,7 @@ internal static class VerifyVerb
         if (CarriedFilm.Is(file))
         {
             (FilmHeader header, Film film) = CarriedFilm.Read(file);
-            if (header.Samples.Count == 0)
-            {
-                throw new CommandException(ExitStatus.InputOutput, $"'{file}' holds no samples yet");
-            }
-
-            if (DecisionCheckpoint.Is(header))
-            {
-                throw DecisionCheckpoint.NoPicture(file);
-            }
-
+            HeldFilm.CheckPicture(header, file);
             return new(
                 file, At(JobOrigin.Of(header, file).WithSamples(header.Total)), [.. header.Samples.Select(r => (SampleRange?)r)], film.ComputeHash(), IsOld: header.Words is not null);
         }
@@ -132,7 +123,7 @@ internal static class VerifyVerb
 
     /// <summary>The claim of a file about its making.</summary>
     /// <param name="File">The file.</param>
-    /// <param name="Job">How it was rendered.</param>
+    /// <param name="Job">The job that rendered it.</param>
     /// <param name="Samples">The samples that it holds; null for those that the job decides on.</param>
     /// <param name="Hash">The hash of its film.</param>
     /// <param name="IsOld">True if it is of the first format.</param>

@@ -30,15 +30,5 @@ internal static class ViewVerb
         });
     }
 
-    private static int Columns()
-    {
-        try
-        {
-            return Console.IsOutputRedirected || Console.WindowWidth < 1 ? ColumnsWithoutTerminal : Console.WindowWidth;
-        }
-        catch (IOException)
-        {
-            return ColumnsWithoutTerminal;
-        }
-    }
+    private static int Columns() => Console.IsOutputRedirected ? ColumnsWithoutTerminal : TerminalSize.Current.Columns;
 }

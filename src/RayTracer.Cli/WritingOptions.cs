@@ -8,7 +8,7 @@ namespace RayTracer.Cli;
 internal sealed class WritingOptions
 {
     private readonly Option<string[]> _outputs = new("-o", "--output") { HelpName = "FILE" };
-    private readonly JobOptionSet _options = new([.. JobOptions.OfLooks, JobOptions.ExrFilm]);
+    private readonly JobOptionSet _options = new([.. JobOptions.OfLooks, JobOptions.Transparent, JobOptions.ExrFilm]);
 
     /// <summary>Makes the options, for a command that takes the file otherwise: those of <see cref="Looks"/> only.</summary>
     public WritingOptions()
@@ -17,7 +17,7 @@ internal sealed class WritingOptions
 
     /// <summary>Gives a command the options.</summary>
     /// <param name="command">The command.</param>
-    /// <param name="outputs">What the files are; null for images or the film itself.</param>
+    /// <param name="outputs">A description of the files; null for images or the film itself.</param>
     public WritingOptions(Command command, string? outputs = null)
     {
         _outputs.Description = outputs ?? $"The file to write: {ImageFormat.Endings()}, or .rtfilm for the film itself. May be given several times.";
@@ -30,13 +30,16 @@ internal sealed class WritingOptions
     /// <summary>The option of verbs that have the film itself: whether .exr files carry it. It is none of <see cref="Looks"/>.</summary>
     public Option ExrFilm => _options.Symbol(JobOptions.ExrFilm);
 
+    /// <summary>The option of verbs that have the film itself: whether what is behind everything is left out.</summary>
+    public Option Transparent => _options.Symbol(JobOptions.Transparent);
+
     /// <summary>The files.</summary>
     public IReadOnlyList<string> Files(ParseResult result) => result.GetValue(_outputs) ?? [];
 
     /// <summary>The files, of which there must be one where no JSON object is printed.</summary>
     /// <param name="result">The words that were given.</param>
-    /// <param name="display">What is printed.</param>
-    /// <param name="alone">What the object is good for without files.</param>
+    /// <param name="display">The user's choice of what is printed.</param>
+    /// <param name="alone">The use of the JSON object without files, in words.</param>
     /// <param name="check">Finds out before the work whether a file can be written after it.</param>
     public IReadOnlyList<string> Files(ParseResult result, Display display, string alone, Action<string> check)
     {

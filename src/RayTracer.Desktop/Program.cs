@@ -31,7 +31,7 @@ internal static class Program
 
             return Start(session);
         }
-        catch (Exception e) when (e is DocumentException or JobException)
+        catch (Exception e) when (e is SessionException or JobException)
         {
             Console.Error.WriteLine($"error: {e.Message}");
             return InputOutput;

@@ -14,7 +14,7 @@ internal static class AtomicFile
     private const int LongestName = 255;
 
     /// <summary>Writes a file.</summary>
-    /// <param name="path">Where to; the folder must exist. A symbolic link stays one: the file that it names is replaced.</param>
+    /// <param name="path">The file; its folder must exist. A symbolic link stays one: the file that it names is replaced.</param>
     /// <param name="write">
     /// Writes the content to a stream that can seek. What it throws, other than input/output errors, passes through unchanged.
     /// </param>

@@ -12,10 +12,10 @@ public static class ComparisonSheet
 
     /// <summary>Draws the sheet.</summary>
     /// <param name="image">Linear RGB.</param>
-    /// <param name="imageLabel">What it is called.</param>
+    /// <param name="imageLabel">The label of the image.</param>
     /// <param name="reference">The same of the reference.</param>
-    /// <param name="referenceLabel">What it is called.</param>
-    /// <param name="error">What differs.</param>
+    /// <param name="referenceLabel">The label of the reference.</param>
+    /// <param name="error">The error of each pixel.</param>
     public static Picture Draw(IImageRows image, string imageLabel, IImageRows reference, string referenceLabel, FlipError error)
     {
         Canvas canvas = new(image, 3);

@@ -18,9 +18,9 @@ public sealed class ContactSheet
     private readonly SheetCanvas _canvas;
 
     /// <summary>Draws the labels of an empty sheet.</summary>
-    /// <param name="columns">What changes from left to right.</param>
-    /// <param name="rows">What changes from top to bottom.</param>
-    /// <param name="blocks">What changes from one block of rows to the next one below.</param>
+    /// <param name="columns">The axis from left to right.</param>
+    /// <param name="rows">The axis from top to bottom.</param>
+    /// <param name="blocks">The axis from one block of rows to the next one below.</param>
     /// <param name="width">Width of each image.</param>
     /// <param name="height">Height of each image.</param>
     /// <exception cref="ArgumentException">The sheet would be larger than <see cref="MaxPixels"/>.</exception>
@@ -102,7 +102,7 @@ public sealed class ContactSheet
 
 /// <summary>The setting that changes along an axis of a <see cref="ContactSheet"/>.</summary>
 /// <param name="Name">The name.</param>
-/// <param name="Values">What it is at each step.</param>
+/// <param name="Values">The value at each step.</param>
 public sealed record SheetAxis(string Name, IReadOnlyList<string> Values)
 {
     /// <summary>An axis of one step without a name.</summary>

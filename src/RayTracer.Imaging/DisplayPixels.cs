@@ -9,7 +9,7 @@ internal static class DisplayPixels
     /// <summary>Converts pixels.</summary>
     /// <param name="linear">Red, green and blue of each pixel.</param>
     /// <param name="map">The tone map, applied after the exposure.</param>
-    /// <param name="factor">What light is multiplied by (<see cref="Factor"/>).</param>
+    /// <param name="factor">The factor on light (<see cref="Factor"/>).</param>
     /// <param name="rgba">Takes red, green, blue and 255 of each pixel.</param>
     public static void Write(ReadOnlySpan<float> linear, ToneMap map, float factor, Span<byte> rgba)
     {

@@ -50,7 +50,7 @@ public sealed class FlipError : IImageRows
     /// <summary>Compares two images of one size; it does not matter which is the reference.</summary>
     /// <param name="image">Linear RGB, of which what a display shows counts: 0 to 1. What is no number counts as 0.</param>
     /// <param name="reference">The same of the reference.</param>
-    /// <param name="pixelsPerDegree">How many pixels a degree of the field of view has, 1 to 1000.</param>
+    /// <param name="pixelsPerDegree">The number of pixels per degree of the field of view, 1 to 1000.</param>
     /// <exception cref="PictureException">The images differ in size.</exception>
     public static FlipError Compare(IImageRows image, IImageRows reference, double pixelsPerDegree = StandardPixelsPerDegree)
     {

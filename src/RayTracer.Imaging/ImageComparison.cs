@@ -48,7 +48,7 @@ public sealed record ImageComparison
 
     /// <summary>Compares two images of one size, row by row.</summary>
     /// <param name="image">The image to judge; linear RGB.</param>
-    /// <param name="reference">What it should be; linear RGB.</param>
+    /// <param name="reference">The reference image; linear RGB.</param>
     /// <exception cref="PictureException">The images differ in size.</exception>
     public static ImageComparison Compare(IImageRows image, IImageRows reference)
     {

@@ -4,8 +4,8 @@ namespace RayTracer.Imaging;
 /// <param name="Format">Its format's name.</param>
 /// <param name="Width">Columns of pixels.</param>
 /// <param name="Height">Rows of pixels.</param>
-/// <param name="Compression">How its pixels are packed.</param>
-/// <param name="Channels">What each pixel has, in the file's order.</param>
+/// <param name="Compression">The compression of its pixels.</param>
+/// <param name="Channels">The channels of each pixel, in the file's order.</param>
 /// <param name="Texts">The texts that it carries, in their order.</param>
 public sealed record ImageDescription(
     string Format, int Width, int Height, string Compression, IReadOnlyList<ImageChannel> Channels, IReadOnlyList<KeyValuePair<string, string>> Texts)
@@ -19,8 +19,8 @@ public sealed record ImageDescription(
 
 /// <summary>A channel of a picture file.</summary>
 /// <param name="Name">Its name; in OpenEXR, behind that of its layer and a dot.</param>
-/// <param name="Type">What its numbers are.</param>
-/// <param name="Bits">How many bits each has.</param>
+/// <param name="Type">The type of its numbers.</param>
+/// <param name="Bits">The number of bits of each.</param>
 public sealed record ImageChannel(string Name, string Type, int Bits)
 {
     internal const string Integer = "integer";

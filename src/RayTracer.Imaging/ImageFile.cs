@@ -86,7 +86,7 @@ public static class ImageFile
     public static IReadOnlyList<KeyValuePair<string, string>> ReadText(string path) => OfFile(path, file => Known(file).ReadText(file));
 
     /// <summary>Writes an image, row by row, in the format of the extension, whole or not at all (<see cref="AtomicFile"/>).</summary>
-    /// <param name="path">Where to; the folder must exist.</param>
+    /// <param name="path">The file; its folder must exist.</param>
     /// <param name="image">Linear RGB.</param>
     /// <param name="options">Details; by default 8 bits, JPEG of quality 90, no tone map, OpenEXR of halves with ZIP, no metadata.</param>
     /// <exception cref="ImageWriteException">
@@ -120,7 +120,7 @@ public static class ImageFile
     }
 
     /// <summary>Checks before a long computation that the extension is known and the folder exists.</summary>
-    /// <param name="path">Where an image is to be written.</param>
+    /// <param name="path">The file in which an image is to be written.</param>
     /// <param name="others">Extensions of files that are no images, and would do too.</param>
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>
     public static void Check(string path, params string[] others)
@@ -132,7 +132,8 @@ public static class ImageFile
     private static void Encode(Stream stream, ImageFormat format, IImageRows image, ImageWriteOptions options)
     {
         bool isForDisplay = format.Features.HasFlag(ImageFeatures.Display);
-        format.Write(stream, isForDisplay ? options.Shown(image) : image, options);
+        IImageRows shown = isForDisplay && options.Alpha is { } alpha ? new StraightRows(image, alpha) : image;
+        format.Write(stream, isForDisplay ? options.Shown(shown) : image, options);
     }
 
     private const int LongestExtension = 16;
@@ -166,8 +167,8 @@ public static class ImageFile
     /// <summary>Reads something from a file, or from its beginning.</summary>
     /// <param name="path">The file.</param>
     /// <param name="read">Reads it.</param>
-    /// <param name="what">What messages call it.</param>
-    /// <param name="atMost">How many bytes to take of it.</param>
+    /// <param name="what">The name of the file in messages.</param>
+    /// <param name="atMost">The largest number of bytes to read.</param>
     /// <exception cref="PictureException">It cannot be read; the message names it.</exception>
     internal static T OfFile<T>(string path, Func<byte[], T> read, string what = "picture", int? atMost = null)
     {

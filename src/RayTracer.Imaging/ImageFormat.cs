@@ -100,7 +100,7 @@ public abstract class ImageFormat
     public virtual IReadOnlyList<ExrLayerChannel> ReadLayers(ReadOnlySpan<byte> file) => [];
 
     /// <summary>Writes a picture, row by row.</summary>
-    /// <param name="output">Where to; it can seek.</param>
+    /// <param name="output">The stream to write to; it can seek.</param>
     /// <param name="image">Linear RGB; for formats of <see cref="ImageFeatures.Display"/> it is exposed and tone-mapped already.</param>
     /// <param name="options">The options, of which those of the format's features count.</param>
     /// <exception cref="ArgumentException">The options cannot be met.</exception>
@@ -138,4 +138,7 @@ public enum ImageFeatures
 
     /// <summary>Channels beside those of the picture.</summary>
     Layers = 64,
+
+    /// <summary>How opaque each pixel is.</summary>
+    Alpha = 128,
 }

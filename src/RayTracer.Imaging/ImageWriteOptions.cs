@@ -39,6 +39,16 @@ public sealed record ImageWriteOptions
     /// <summary>OpenEXR: whether the film itself goes along, as <see cref="FilmExr"/> writes it.</summary>
     public bool ExrFilm { get; init; }
 
+    /// <summary>
+    /// PNG and OpenEXR: whether pictures of films lack what is behind everything, and say how opaque they are. Such a film was rendered for that.
+    /// </summary>
+    public bool Transparent { get; init; }
+
+    /// <summary>
+    /// PNG and OpenEXR: writes how opaque the pixels of a row are, 0 to 1, where the image is premultiplied with that; null where it is opaque.
+    /// </summary>
+    internal Action<int, Span<float>>? Alpha { get; init; }
+
     /// <summary>The options with the exposure and the tone map of a scene, where none are given.</summary>
     public ImageWriteOptions For(RenderDescription render) =>
         this with { ToneMap = ToneMap ?? render.ShownToneMap, Exposure = Exposure ?? render.Exposure };

@@ -48,7 +48,7 @@ public static class TerminalPicture
     /// <summary>The text.</summary>
     /// <param name="image">Colours as they are to be seen, 0 to 1 in linear light.</param>
     /// <param name="columns">The most columns of the terminal to take; images are made smaller, but not larger.</param>
-    /// <param name="graphics">How.</param>
+    /// <param name="graphics">The kind of graphics of the terminal.</param>
     public static string Draw(IImageRows image, int columns, TerminalGraphics graphics) => graphics switch
     {
         TerminalGraphics.Blocks => Blocks(Fit(image, columns, 1)),

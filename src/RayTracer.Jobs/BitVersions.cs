@@ -1,4 +1,3 @@
-using System.Collections;
 using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Shapes;
@@ -22,7 +21,7 @@ public static class BitVersions
     public static IReadOnlyList<BitVersion> All { get; } =
     [
         new("boundaries inside of other materials", 15, (_, records) => records.Any(
-            r => r is MaterialDescription && Inside(r).Any(IsBoundary))),
+            r => r is MaterialDescription && RecordType.WithParts(r).Skip(1).Any(p => IsBoundary(p.Record)))),
         new("meshes with literal shading normals or materials that transmit", 17, (scene, records) =>
             records.Any(r => Name(r) is "mesh" or "model")
                 && (scene.Render.ShadingNormals == ShadingNormals.Literal || records.Any(Transmits))),
@@ -38,8 +37,7 @@ public static class BitVersions
     /// <summary>Those that a scene has.</summary>
     public static IReadOnlyList<BitVersion> Of(SceneDescription scene)
     {
-        List<object> records = [];
-        Visit(scene, records);
+        object[] records = [.. RecordType.WithParts(scene).Select(p => p.Record)];
         return [.. All.Where(v => v.IsIn(scene, records))];
     }
 
@@ -50,36 +48,4 @@ public static class BitVersions
     private static bool Transmits(object record) => Name(record) is "roughDielectric" or "principled" or "translucent";
 
     private static string Name(object record) => RecordType.Of(record.GetType()).Name;
-
-    private static IEnumerable<object> Inside(object record)
-    {
-        List<object> records = [];
-        Visit(record, records);
-        return records.Skip(1);
-    }
-
-    private static void Visit(object? value, List<object> records)
-    {
-        switch (value)
-        {
-            case SceneDescription or ShapeDescription or MaterialDescription when !records.Any(r => ReferenceEquals(r, value)):
-                records.Add(value);
-                foreach (RecordParameter parameter in RecordType.Of(value.GetType()).Parameters)
-                {
-                    Visit(parameter.Get(value), records);
-                }
-
-                break;
-            case IDictionary named:
-                Visit(named.Values, records);
-                break;
-            case IEnumerable<ShapeDescription> or IEnumerable<MaterialDescription> or ICollection and not Array:
-                foreach (object? thing in (IEnumerable)value)
-                {
-                    Visit(thing, records);
-                }
-
-                break;
-        }
-    }
 }

@@ -10,8 +10,8 @@ namespace RayTracer.Jobs;
 /// so that it never counts as whole.
 /// </summary>
 /// <param name="checkpoints">Writes them.</param>
-/// <param name="picture">What a film file would say of the picture.</param>
-/// <param name="goal">What is decided, in words: decisions on something else are not resumed.</param>
+/// <param name="picture">The header that the picture's film would have.</param>
+/// <param name="goal">The goal of the decision, in words: decisions for another one are not resumed.</param>
 public sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader picture, string goal)
 {
     private const string Mark = "-deciding-";
@@ -43,7 +43,11 @@ public sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader pictu
             Height = state.Film.Height,
             Crop = null,
             Settings = [.. picture.Settings, .. JobOptions.Kept(
-                new() { Scene = "", Crop = picture.Crop, Halves = picture.Planes.Contains(FilmPlane.Half) }, JobOptionUse.Pictures)],
+                new()
+                {
+                    Scene = "", Crop = picture.Crop, Halves = picture.Planes.Contains(FilmPlane.Half),
+                    Writing = new() { Transparent = picture.Planes.Contains(FilmPlane.Alpha) },
+                }, JobOptionUse.Pictures)],
             Planes = [],
             Content = _content,
             Samples = [new(0, state.Samples)],

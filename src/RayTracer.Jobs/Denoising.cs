@@ -11,14 +11,20 @@ namespace RayTracer.Jobs;
 /// own, afterwards: so films need not keep it.
 /// </summary>
 /// <param name="scene">The scene that the film shows.</param>
-/// <param name="options">How it was computed, and from which sample on.</param>
+/// <param name="options">The options of its computation, with the first of its samples.</param>
 public sealed class Denoising(Scene scene, RenderOptions options)
 {
     private const int MostSamples = 128;
 
+    // About so much of the time goes into finding what the camera rays meet.
+    private const double GuidesEnd = 0.5;
+
     /// <summary>Memory of what is needed besides the film, in bytes.</summary>
-    public static long Bytes(int width, int height) =>
-        (2 * (FilmMemory.Bytes(width, height) + AovFilm.Bytes(HalfRender.Kinds, width, height))) + (Denoiser.BytesPerPixel * (long)width * height);
+    /// <param name="width">Width in pixels.</param>
+    /// <param name="height">Height in pixels.</param>
+    /// <param name="planes">The planes of each half.</param>
+    public static long Bytes(int width, int height, params IReadOnlyList<FilmPlane> planes) =>
+        (2 * (FilmMemory.Bytes(width, height, planes) + AovFilm.Bytes(HalfRender.Kinds, width, height))) + (Denoiser.BytesPerPixel * (long)width * height);
 
     /// <summary>Prepares for a film in a file, whose scene is loaded for that; null where the scene is wrong, which was reported.</summary>
     /// <param name="film">The film.</param>
@@ -38,7 +44,7 @@ public sealed class Denoising(Scene scene, RenderOptions options)
             return null;
         }
 
-        string content = OldFilms.Current(header, description, job.Scene, header.Crop).Content;
+        string content = Guidance.Unguided(OldFilms.Current(header, description, job.Scene, header.Crop).Content);
         return content == ContentHash.Of(description, job.Scene, header.Crop)
             ? new(built, new() { Threads = threads, Crop = header.Crop, Samples = header.Samples[0] })
             : throw LoadedJob.OtherScene(job.Scene);
@@ -49,9 +55,9 @@ public sealed class Denoising(Scene scene, RenderOptions options)
     /// <param name="progress">Takes how much is done, 0 to 1; may be null.</param>
     public DenoiseResult? Denoise(Film film, IProgress<double>? progress)
     {
-        (HalfRender first, HalfRender second) = HalfRender.Of(scene, options with { Samples = SamplesOf(film) }, film);
+        (HalfRender first, HalfRender second) = HalfRender.Of(scene, options with { Samples = SamplesOf(film) }, film, Part(progress, 0, GuidesEnd));
         return first.Film.TotalSamples > 0 && second.Film.TotalSamples > 0
-            ? Denoiser.Denoise(first, second, options.Threads, progress) : null;
+            ? Denoiser.Denoise(first, second, options.Threads, Part(progress, GuidesEnd, 1)) : null;
     }
 
     /// <summary>Returns the denoised picture of a film without halves: its noise is estimated from its pixels, which is worse.</summary>
@@ -69,5 +75,12 @@ public sealed class Denoising(Scene scene, RenderOptions options)
         int first = options.Samples?.First ?? 0;
         long pixels = options.Crop?.Pixels ?? ((long)film.Width * film.Height);
         return new(first, first + (int)Math.Clamp((film.TotalSamples + pixels - 1) / pixels, 1, MostSamples));
+    }
+
+    private static PartOfProgress? Part(IProgress<double>? whole, double from, double to) => whole is null ? null : new(whole, from, to);
+
+    private sealed class PartOfProgress(IProgress<double> whole, double from, double to) : IProgress<double>
+    {
+        public void Report(double value) => whole.Report(from + ((to - from) * value));
     }
 }

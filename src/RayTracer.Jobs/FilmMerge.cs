@@ -103,7 +103,8 @@ public sealed class FilmMerge
         {
             if (header.Content != first.Content || (header.Width, header.Height, header.Crop) != (first.Width, first.Height, first.Crop))
             {
-                throw new JobException($"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings, a plug-in or the program differ");
+                string? guides = Guidance.Unguided(header.Content) == Guidance.Unguided(first.Content) ? "one was rendered with --guide, or by another version's, and the other was not" : null;
+                throw new JobException(guides is not null ? $"'{path}' does not go with '{firstPath}': {guides}" : $"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings, a plug-in or the program differ");
             }
         }
 

@@ -7,7 +7,7 @@ namespace RayTracer.Jobs;
 /// <summary>Frames of an animation: 7, 0..239 or, every second one, 0..239:2.</summary>
 /// <param name="First">The first.</param>
 /// <param name="Last">The last may be less than a step before it.</param>
-/// <param name="Step">How far it is from one to the next.</param>
+/// <param name="Step">The distance from one frame to the next.</param>
 public sealed record FrameRange(int First, int Last, int Step)
 {
     private const int Largest = 9_999_999;

@@ -28,7 +28,7 @@ public static class FrameFiles
 /// <summary>The outcome of a frame.</summary>
 /// <param name="Number">Its number.</param>
 /// <param name="Which">Which of how many it is, in words.</param>
-/// <param name="Result">What its rendering came to; null where it was there already.</param>
+/// <param name="Result">The result of its rendering; null where the frame existed already.</param>
 /// <param name="Files">Its files.</param>
 /// <param name="IsNoisy">True if it was there already, and is noisier than wanted.</param>
 public sealed record RenderedFrame(int Number, string Which, JobResult? Result, IReadOnlyList<string> Files, bool IsNoisy);

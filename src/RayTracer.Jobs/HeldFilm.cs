@@ -4,7 +4,7 @@ using RayTracer.Rendering;
 namespace RayTracer.Jobs;
 
 /// <summary>A film from a file, to which samples are added.</summary>
-/// <param name="Header">What the file says of it.</param>
+/// <param name="Header">The header of the file.</param>
 /// <param name="Film">The film.</param>
 /// <param name="Path">The file.</param>
 public sealed record HeldFilm(FilmHeader Header, Film Film, string Path)
@@ -18,6 +18,16 @@ public sealed record HeldFilm(FilmHeader Header, Film Film, string Path)
         (FilmHeader header, Film film) = CarriedFilm.Read(path);
         return new(header, film, path);
     }
+
+    /// <summary>Finds out whether a film holds samples of its picture.</summary>
+    /// <exception cref="JobException">It holds none yet.</exception>
+    public static void CheckPicture(FilmHeader header, string path)
+    {
+        if (header.Samples.Count == 0 || DecisionCheckpoint.Is(header))
+        {
+            throw header.Samples.Count == 0 ? new JobException($"'{path}' holds no samples yet") : DecisionCheckpoint.NoPicture(path);
+        }
+    }
 }
 
 /// <summary>Films in files whose rendering is not finished.</summary>
@@ -26,7 +36,7 @@ public static class UnfinishedFilms
     /// <summary>Keeps films of unfinished renderings from being written over.</summary>
     /// <param name="paths">The files to write.</param>
     /// <param name="own">A film that may be replaced, for it is resumed; null for none.</param>
-    /// <param name="replacement">What is going to be written; null where that is not known yet. Films all of whose samples are in it may be
+    /// <param name="replacement">The header of the film that is written; null where that is not known yet. Films all of whose samples are in it may be
     /// replaced.</param>
     /// <exception cref="JobException">There is one; the message says what to do with it.</exception>
     public static void Check(IEnumerable<string> paths, string? own = null, FilmHeader? replacement = null)

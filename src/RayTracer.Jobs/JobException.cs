@@ -30,7 +30,7 @@ public sealed class JobException : Exception
 
     /// <summary>Says what is wrong.</summary>
     /// <param name="fault">Of what kind it is.</param>
-    /// <param name="message">What is wrong and what was expected, in one clause.</param>
+    /// <param name="message">The fault and what was expected, in one clause.</param>
     public JobException(JobFault fault, string message) : base(message) => Fault = fault;
 
     /// <summary>The kind of fault.</summary>

@@ -13,7 +13,11 @@ public static class JobFiles
     /// <summary>Finds out before the work whether a file can be written after it.</summary>
     /// <exception cref="JobException">The extension is unknown.</exception>
     /// <exception cref="ImageWriteException">The folder is missing or closed to us, or has no room for another file.</exception>
-    public static void Check(string path) => Check(path, isFilm: false);
+    public static void Check(string path)
+    {
+        Check(path, isFilm: false);
+        UnfinishedFilms.Check([path]);
+    }
 
     /// <summary>As <see cref="Check(string)"/>, of a file that the film itself may be written to.</summary>
     /// <inheritdoc cref="Check(string)"/>
@@ -68,7 +72,7 @@ public static class JobFiles
     /// <param name="path">The file.</param>
     /// <param name="film">The film.</param>
     /// <param name="header">Its header in the file.</param>
-    /// <param name="options">How an image is written; null for one with nothing but the film.</param>
+    /// <param name="options">The details of writing an image; null for one with nothing but the film.</param>
     /// <exception cref="ImageWriteException">It cannot be written.</exception>
     public static void WriteFilm(string path, Film film, FilmHeader header, ImageWriteOptions? options = null)
     {
@@ -78,7 +82,11 @@ public static class JobFiles
         }
         else
         {
-            FilmExr.Write(path, film, header, options ?? new() { Metadata = PictureTexts.Of(header, film.ComputeHash()) });
+            FilmExr.Write(path, film, header, options ?? new()
+            {
+                Metadata = PictureTexts.Of(header, film.ComputeHash()),
+                Transparent = film.Planes.Contains(FilmPlane.Alpha),
+            });
         }
     }
 
@@ -87,8 +95,8 @@ public static class JobFiles
     /// </summary>
     /// <param name="paths">The files.</param>
     /// <param name="film">The film.</param>
-    /// <param name="header">What a file says of the film; null where none carries it.</param>
-    /// <param name="options">How images are written.</param>
+    /// <param name="header">The header of the film; null where no file carries it.</param>
+    /// <param name="options">The details of writing images.</param>
     /// <param name="watch">Takes failures.</param>
     /// <returns>Those that were written.</returns>
     public static IReadOnlyList<string> Write(IEnumerable<string> paths, Film film, FilmHeader? header, ImageWriteOptions options, IJobWatch watch) => Each(paths, watch, path =>
@@ -99,7 +107,8 @@ public static class JobFiles
         }
         else
         {
-            ImageFile.Write(path, watch.Rows(film), options);
+            (IImageRows image, ImageWriteOptions written) = TransparentRows.Of(watch.Rows(film), film, options);
+            ImageFile.Write(path, image, written);
         }
     });
 

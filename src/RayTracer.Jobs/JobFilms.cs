@@ -22,7 +22,7 @@ internal sealed class JobFilms
 
         Light = job.Layers.Count > 0 ? LightOf(job, scene, Film) : null;
         Auxiliary = new(Film, job.Aovs);
-        CheckHalves(job, scene);
+        CheckPlanes(job, scene);
     }
 
     /// <summary>The film.</summary>
@@ -34,15 +34,24 @@ internal sealed class JobFilms
     /// <summary>The auxiliary images.</summary>
     public AovFilm Auxiliary { get; }
 
-    // Two halves of the samples, where they are compared or kept.
-    private static IReadOnlyList<FilmPlane> PlanesOf(RenderJob job) => job.Denoise || job.Halves ? [FilmPlane.Half] : [];
+    // Two halves of the samples, where they are compared or kept; the noise of light, where it is shown.
+    private static IReadOnlyList<FilmPlane> PlanesOf(RenderJob job, Scene scene) =>
+        FilmPlane.Needed(scene.Render.Integrator, job.Denoise || job.Halves, ShowsNoise(job), job.KeepsAlpha);
 
-    private static void CheckHalves(RenderJob job, Scene scene)
+    private static bool ShowsNoise(RenderJob job) => job.Aovs.OfType<ErrorImage>().Any();
+
+    private static void CheckPlanes(RenderJob job, Scene scene)
     {
-        if (PlanesOf(job).Except(job.Resumed?.Film.Planes ?? PlanesOf(job)).Any())
+        if (job.Resumed is { } film)
         {
-            string path = job.Resumed!.Path;
-            throw new JobException(
+            PictureFiles.CheckAlpha(job.Writing, film.Film.Planes, film.Path);
+        }
+
+        if (job.Resumed is { Path: var path } resumed && PlanesOf(job, scene).Except(resumed.Film.Planes).ToArray() is [var missing, ..])
+        {
+            throw missing == FilmPlane.LightSquare ? new(
+                JobFault.File, $"'{path}' does not know how noisy its light is, which --aov error shows: render it from scratch with --halves")
+                : new JobException(
                 JobFault.File,
                 $"'{path}' does not keep two halves of its samples, which --denoise compares: render it from scratch with --halves, "
                 + $"or estimate its noise otherwise, which is worse: \"raytracer denoise {path}\"");
@@ -58,9 +67,12 @@ internal sealed class JobFilms
     private static Film FilmOf(RenderJob job, Scene scene)
     {
         (int width, int height) = (scene.Render.Width, scene.Render.Height);
-        IReadOnlyList<FilmPlane> planes = PlanesOf(job);
-        long bytes = FilmMemory.Bytes(width, height, planes) + ((long)PassCell.BytesPerPixel * width * height)
-            + AovFilm.Bytes(job.Aovs, width, height) + LightPathAovFilm.Bytes(job.Layers, scene) + (job.Denoise ? Denoising.Bytes(width, height) : 0);
+        IReadOnlyList<FilmPlane> planes = PlanesOf(job, scene);
+        int atWork = PassCell.BytesPerPixel + (planes.Contains(FilmPlane.Light) ? SplatSums.BytesPerPixel : 0)
+            + (planes.Contains(FilmPlane.Alpha) ? PassCell.BackdropBytesPerPixel : 0);
+        long bytes = FilmMemory.Bytes(width, height, planes) + ((long)atWork * width * height)
+            + AovFilm.Bytes(job.Aovs, width, height) + LightPathAovFilm.Bytes(job.Layers, scene)
+            + (job.Denoise ? Denoising.Bytes(width, height, FilmPlane.Needed(scene.Render.Integrator, noise: true)) : 0);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         return bytes <= available && (long)width * height <= Film.MaxPixels ? new(width, height, planes) : throw new JobException(
             JobFault.File, $"a film of {width}×{height} pixels takes {FilmMemory.Text(bytes)} of memory, more than is available ({FilmMemory.Text(available)})");

@@ -22,8 +22,8 @@ public enum JobOptionUse
 
 /// <summary>A value of a job by a name, for command lines and files.</summary>
 /// <param name="Name">Its name, with two dashes; without them, it is the path among settings.</param>
-/// <param name="Form">What its value looks like; null for one that is there or not.</param>
-/// <param name="Description">What it means.</param>
+/// <param name="Form">The form of its value; null for a flag.</param>
+/// <param name="Description">Its meaning.</param>
 /// <param name="Put">Puts a value into a job; throws <see cref="FormatException"/> with what was expected.</param>
 /// <param name="Text">The value in a job; null where it is as without the option.</param>
 public sealed record JobOption(
@@ -118,10 +118,16 @@ public static class JobOptions
         (j, _) => Written(j, o => o with { ExrFilm = true }), j => Flag(j.Writing.ExrFilm))
     { Use = JobOptionUse.Pictures };
 
+    /// <summary>The option that pictures lack what is behind everything; of verbs that have the film.</summary>
+    public static JobOption Transparent { get; } = new(
+        "--transparent", null, $"{ImageFormat.Names(ImageFeatures.Alpha)}: what is behind everything is left out, and alpha says how much of each pixel is seen.",
+        (j, _) => Written(j, o => o with { Transparent = true }), j => Flag(j.Writing.Transparent))
+    { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Alpha };
+
     /// <summary>The option that films keep what a denoiser compares.</summary>
     public static JobOption Halves { get; } = new(
         "--halves", null, "Films keep two halves of the samples apart, for the verb denoise and for resume --denoise. Implied by --denoise.",
-        (j, _) => j with { Halves = true }, j => Flag(j.Planes.Contains(FilmPlane.Half)))
+        (j, _) => j with { Halves = true }, j => Flag(j.KeepsHalves))
     { Use = JobOptionUse.Pictures };
 
     /// <summary>The number of threads.</summary>
@@ -150,11 +156,23 @@ public static class JobOptions
             (j, w) => j with { CheckpointInterval = W.Duration(w, allowsZero: true) }, _ => null),
     ];
 
+    /// <summary>The file that keeps what was learned.</summary>
+    public static JobOption GuideFile { get; } = new("--guide-file", "FILE", "With --guide: reads what was learned from this file, or writes it there where the file does not exist.",
+        (j, w) => j with { GuideFile = w }, j => j.GuideFile);
+
+    /// <summary>Those of guiding.</summary>
+    public static IReadOnlyList<JobOption> OfGuiding { get; } =
+    [
+        new("--guide", null, "Learns where light comes from before the picture, and sends paths there: for light that comes through gaps and around corners. With the path integrator.",
+            (j, _) => j with { Guide = true }, j => Flag(j.Guide)) { Use = JobOptionUse.Films },
+        GuideFile,
+    ];
+
     /// <summary>All that <c>render</c> has.</summary>
     public static IReadOnlyList<JobOption> All { get; } =
     [
         .. OfScenes,
-        Threads, .. OfLooks, ExrFilm, Crop,
+        Threads, .. OfLooks, Transparent, ExrFilm, Crop,
         new("--pixel", "x,y", "Renders only this pixel and prints its radiance.", (j, w) => j with { Pixel = W.Integers(w, "x,y") is [var x, var y] ? (x, y) : null },
             j => j.Pixel is { } p ? $"{p.X},{p.Y}" : null),
         new("--sample", "N", "With --pixel: renders only this sample, from 0.", (j, w) => j with { Sample = (int)W.Integer(w, 0, int.MaxValue - 1) }, j => Text(j.Sample, null)),
@@ -168,6 +186,7 @@ public static class JobOptions
                 j with { Noise = W.Fraction(w) }, j => Text(j.Noise, null)) { Use = JobOptionUse.Films },
         new("--adaptive", null, "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes.",
             (j, _) => j with { Adaptive = true }, j => Flag(j.Adaptive)) { Use = JobOptionUse.Pictures },
+        .. OfGuiding,
         new("--samples", "A..B", "Renders only these samples of each pixel, both included, from 0. With -o part.rtfilm, for merge.",
             (j, w) =>
                 j with { Samples = W.Samples(w) }, j => j.Samples is { } s ? FilmHeader.Text(s) : null) { Use = JobOptionUse.Pictures },

@@ -33,6 +33,7 @@ public static class JobOrigin
             Scene = file is null ? header.Scene : ScenePath(header.Scene, file),
             Crop = header.Crop,
             Halves = header.Planes.Contains(FilmPlane.Half),
+            Alpha = header.Planes.Contains(FilmPlane.Alpha),
         },
         OldFilms.Settings(header), file ?? "the film");
 

@@ -21,10 +21,13 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     public bool IsWritten { get; init; }
 
     /// <summary>The hash of the film as files keep it: of halves of the samples, only where they do.</summary>
-    public string Hash => _hash ??= Film.ComputeHash(Header?.Planes ?? []);
+    public string Hash => _hash ??= Film.ComputeHash(Header?.Planes ?? [.. Film.Planes.Where(p => p == FilmPlane.Light || p == FilmPlane.Alpha)]);
 
     /// <summary>The decision on the numbers of samples; null where they were given.</summary>
     public SamplePlan? Plan { get; init; }
+
+    /// <summary>What was learned before the picture; null where it is not guided.</summary>
+    public GuideResult? Guide { get; init; }
 
     /// <summary>The header of the film's file; null where it need not hold whole passes.</summary>
     public FilmHeader? Header { get; init; }

@@ -30,6 +30,8 @@ public static class JobRules
         ("--adaptive", "--samples|--part", "--adaptive decides how many samples there are: leave --samples and --part out"),
         ("--preview", "--pixel", "--pixel prints numbers: leave --preview out"),
         ("--adaptive", "passes", "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot resume: leave it out"),
+        ("--guide-file", "!--guide", "--guide-file keeps what --guide learns: give --guide too"),
+        ("several frames", "--guide-file", "--guide-file keeps what is learned of one picture: give one frame, or leave it out"),
         ("--noise", "--samples|--part", "--noise decides how many samples there are: leave --samples and --part out"),
         ("--samples", "--part", "--samples and --part cannot go together"),
         ("--pixel", "--samples|--part|--time|--checkpoint", "--pixel goes with --sample only: leave --samples, --part, --time and --checkpoint out"),
@@ -48,6 +50,8 @@ public static class JobRules
         ("--fps", "!--frames", "--fps is for animated PNGs: give --frames"),
         (".apng", "!--frames", "-o {.apng}: an animated PNG is made of --frames"),
         ("--sample", "!--pixel", "--sample needs --pixel"),
+        ("--transparent", "an animated PNG", "an animated PNG has no alpha: leave --transparent out, or give -o frame-####.png"),
+        ("--transparent", "no alpha", "--transparent: {no alpha} has no alpha: write .png or .exr"),
         ("--exr-film", "no .exr", "--exr-film is for OpenEXR images, but none is written: give -o FILE.exr"),
     ];
 
@@ -88,6 +92,8 @@ public static class JobRules
         Add("an animated PNG", isAnimation);
         Add("only an animated PNG", isAnimation && job.Outputs.All(o => FrameFiles.IsAnimated(o, job.Frames)));
         Add(".apng", apng is not null, apng);
+        string? opaque = job.Outputs.FirstOrDefault(o => ImageFormat.OfName(o) is { } format && !format.Features.HasFlag(ImageFeatures.Alpha));
+        Add("no alpha", opaque is not null, opaque is null ? null : $"{opaque}, {ImageFormat.OfName(opaque)!.FileName},");
         return facts;
     }
 }

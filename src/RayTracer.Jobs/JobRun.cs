@@ -83,11 +83,14 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
 
     private JobResult Render(LoadedJob loaded, JobFilms films)
     {
-        _checkpoints?.CheckLost(loaded);
+        Guidance.Check(loaded);
         JobResult result = new(loaded.Scene, films.Film, new() { Cancelled = true }, loaded.Options.Threads, 0) { Light = films.Light };
         try
         {
             long begun = Stopwatch.GetTimestamp();
+            (loaded, GuideResult? learned) = Guidance.Guide(loaded);
+            result = result with { Guide = learned };
+            _checkpoints?.CheckLost(loaded);
             result = result with { Plan = _decision.Plan(loaded, _checkpoints) };
             loaded = loaded.With(_decision.Earlier ?? SampleDecision.RangeOf(result.Plan));
             return new PassRender(loaded, films, watch) { Limit = job.Time - Stopwatch.GetElapsedTime(begun), Checkpoints = _checkpoints }.Render(result);

@@ -5,10 +5,10 @@ using RayTracer.Rendering;
 namespace RayTracer.Jobs;
 
 /// <summary>A job whose scene is loaded: what the stages of rendering share.</summary>
-/// <param name="Job">What to render.</param>
+/// <param name="Job">The job.</param>
 /// <param name="Scene">Its scene.</param>
 /// <param name="Description">The description that the scene was built from.</param>
-/// <param name="Options">How to compute it.</param>
+/// <param name="Options">The options of the computation.</param>
 /// <param name="Progress">Takes the progress; may be null.</param>
 /// <param name="Cancellation">Ends it early.</param>
 internal sealed record LoadedJob(
@@ -28,7 +28,7 @@ internal sealed record LoadedJob(
     {
         Width = Scene.Render.Width,
         Height = Scene.Render.Height,
-        Content = _content.Value,
+        Content = Guidance.Content(_content.Value, Scene.Guide),
         Samples = [],
         Wanted = Samples,
         Total = Job.Samples is null && Job.Part is null ? Samples.End : Scene.Render.SamplesPerPixel,
@@ -37,7 +37,7 @@ internal sealed record LoadedJob(
         Settings = Job.FilmSettings,
         Tone = PictureTone.Text(Job.Writing.For(Scene.Render)),
         Software = ProgramName.Text,
-        Planes = Job.Planes,
+        Planes = Job.Planes(Scene.Render.Integrator),
     };
 
     /// <summary>Returns the header of the film that is resumed, or of a new one.</summary>
@@ -79,6 +79,13 @@ internal sealed record LoadedJob(
 
     private JobException OtherFilm(FilmHeader header)
     {
+        if (Guidance.Unguided(header.Content) == _content.Value)
+        {
+            return new(
+                JobFault.File, Scene.Guide is null ? "the film was rendered with --guide: give that too" : Guidance.IsGuided(header.Content)
+                    ? "the film was guided by what another version learned: render it from scratch" : "the film was rendered without --guide: leave that out");
+        }
+
         if (IntegratorOf(header) is { } integrator)
         {
             return new(

@@ -6,7 +6,7 @@ namespace RayTracer.Jobs;
 
 /// <summary>The machine that something is measured on, and the day: without them a figure says nothing.</summary>
 /// <param name="Processor">The processor's name and class.</param>
-/// <param name="Load">How many programs wanted a processor, on average over the minute before the measurement.</param>
+/// <param name="Load">The number of programs that wanted a processor, on average over the minute before the measurement.</param>
 public sealed record Machine(string Processor, string Load)
 {
     private const string Unknown = "unknown";

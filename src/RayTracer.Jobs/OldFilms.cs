@@ -51,7 +51,7 @@ public static class OldFilms
     /// <summary>
     /// Returns what a film of the first format would say of itself now, if it is of the same picture; any other film as it is.
     /// </summary>
-    /// <param name="header">What its file says.</param>
+    /// <param name="header">The header of its file.</param>
     /// <param name="scene">The picture's scene.</param>
     /// <param name="path">The scene's file.</param>
     /// <param name="crop">The part of the picture.</param>
@@ -120,7 +120,9 @@ public static class OldFilms
             return Of(scene);
         }
 
-        private protected override bool Counts(RecordParameter parameter, object? value) => true;
+        private static readonly string[] s_later = ["mergeRadius"];
+
+        private protected override bool Counts(RecordParameter parameter, object? value) => !s_later.Contains(parameter.Key) || base.Counts(parameter, value);
 
         private protected override void EndRecord()
         {

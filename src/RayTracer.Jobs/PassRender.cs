@@ -9,7 +9,7 @@ namespace RayTracer.Jobs;
 /// so that it can be written and shown, and the rendering can end for want of time.
 /// </summary>
 /// <param name="loaded">The loaded scene to render.</param>
-/// <param name="films">What to render into.</param>
+/// <param name="films">The films to render into.</param>
 /// <param name="watch">Is shown the film after each pass.</param>
 internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch watch)
 {

@@ -35,6 +35,11 @@ public sealed class PictureFiles
     /// <summary>All files.</summary>
     public IReadOnlyList<string> All => [.. _job.Outputs, .. _images.Select(f => f.Path), .. _denoised, .. _layers.Select(l => l.Path)];
 
+    /// <summary>The places of the denoised picture, as they are reported: files, and layers of files.</summary>
+    public IEnumerable<string> Denoised =>
+        Pictures.Select(o => $"{DenoisedFiles.Beside(o)} ({o} keeps its noise)")
+            .Concat(_job.Outputs.Where(o => ImageFormat.Has(o, ImageFeatures.Layers)).Select(o => $"the layer \"denoised\" of {o}"));
+
     private string[] Checkpoint => _job.Checkpoint is { } file ? [file] : [];
 
     private IEnumerable<string> Written => All.Concat(Checkpoint);
@@ -62,6 +67,19 @@ public sealed class PictureFiles
     /// <summary>Finds out, once the scene is loaded, whether a file would replace one that the scene is read from.</summary>
     /// <exception cref="ImageWriteException">One would.</exception>
     public void CheckInputs() => Written.ToList().ForEach(AtomicFile.Check);
+
+    /// <summary>Finds out whether a film knows what pictures of it shall lack.</summary>
+    /// <param name="options">How they are written.</param>
+    /// <param name="planes">The film's planes.</param>
+    /// <param name="path">Its file.</param>
+    /// <exception cref="JobException">It does not.</exception>
+    public static void CheckAlpha(ImageWriteOptions options, IReadOnlyList<FilmPlane> planes, string path)
+    {
+        if (options.Transparent && !planes.Contains(FilmPlane.Alpha))
+        {
+            throw new JobException(JobFault.File, $"'{path}' does not know which of its light is from behind everything: render it from scratch with --transparent");
+        }
+    }
 
     /// <summary>Lists the files of layers of light.</summary>
     /// <param name="layers">The layers' names.</param>
@@ -92,7 +110,7 @@ public sealed class PictureFiles
             [
                 .. result.Auxiliary is { } images ? AovFiles.Layers(images) : [],
                 .. result.Light is { } light ? AovFiles.Layers(light) : [],
-                .. denoised is null ? [] : DenoisedFiles.Layers(denoised),
+                .. denoised is null ? [] : DenoisedFiles.Layers(TransparentRows.Of(denoised, result.Film, writing).Image),
             ],
         };
     }
@@ -119,7 +137,8 @@ public sealed class PictureFiles
             [l.Path], result.Light!.Image(l.Layer), writing, new KeyValuePair<string, string>("Layer", result.Light.Names[l.Layer])));
         if (denoised is not null)
         {
-            Write(_denoised, denoised, writing, new KeyValuePair<string, string>("Denoised", "yes"));
+            (IImageRows image, ImageWriteOptions options) = TransparentRows.Of(denoised, result.Film, writing);
+            Write(_denoised, image, options, new KeyValuePair<string, string>("Denoised", "yes"));
         }
 
         return written;

@@ -26,9 +26,9 @@ public static class PictureTexts
     public static IReadOnlyList<string> Keys { get; } = ["Software", CommandKey, SettingsKey, "Scene", "Samples", "FilmHash", "SampleRange", PictureTone.Key];
 
     /// <summary>The texts of a picture.</summary>
-    /// <param name="job">What was rendered.</param>
+    /// <param name="job">The job that rendered it.</param>
     /// <param name="hash">The film's hash.</param>
-    /// <param name="samples">How many samples the pixels have.</param>
+    /// <param name="samples">The number of samples of each pixel, in words.</param>
     /// <param name="range">Which ones, where all have the same; else null.</param>
     private static IReadOnlyList<KeyValuePair<string, string>> Of(RenderJob job, string hash, string samples, string? range) =>
     [

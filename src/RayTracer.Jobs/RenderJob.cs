@@ -57,11 +57,20 @@ public sealed record RenderJob
     /// <summary>True if films in files keep two halves of the samples apart.</summary>
     public bool Halves { get; init; }
 
+    /// <summary>True if films hold what is behind everything, whether pictures show it or not.</summary>
+    public bool Alpha { get; init; }
+
     /// <summary>The relative error at which to stop; null to take all samples.</summary>
     public double? Noise { get; init; }
 
     /// <summary>True if samples are spent where the error is.</summary>
     public bool Adaptive { get; init; }
+
+    /// <summary>True if paths are guided by what others learned before the picture.</summary>
+    public bool Guide { get; init; }
+
+    /// <summary>The file that keeps what was learned; null for none.</summary>
+    public string? GuideFile { get; init; }
 
     /// <summary>The samples to render; null for all.</summary>
     public SampleRange? Samples { get; init; }
@@ -126,8 +135,16 @@ public sealed record RenderJob
     /// <summary>True if there is a file that the film comes from or goes to.</summary>
     public bool HasFilmFile => Checkpoint is not null || Resumed is not null || Outputs.Any(Writing.TakesFilm);
 
-    /// <summary>What films in files hold beside the picture: halves of the samples, where asked for or where they are compared.</summary>
-    public IReadOnlyList<FilmPlane> Planes => Resumed?.Film.Planes ?? (Halves || (Denoise && HasFilmFile) ? [FilmPlane.Half] : []);
+    /// <summary>True if films in files hold halves of the samples: where asked for, or where they are compared.</summary>
+    public bool KeepsHalves => Resumed?.Film.Planes.Contains(FilmPlane.Half) ?? (Halves || (Denoise && HasFilmFile));
+
+    /// <summary>True if films hold what is behind everything.</summary>
+    public bool KeepsAlpha => Resumed?.Film.Planes.Contains(FilmPlane.Alpha) ?? (Alpha || Writing.Transparent);
+
+    /// <summary>The planes of films in files beside the picture.</summary>
+    /// <param name="integrator">What computes it.</param>
+    public IReadOnlyList<FilmPlane> Planes(Integrator integrator) =>
+        Resumed?.Film.KeptPlanes ?? FilmPlane.Needed(integrator, KeepsHalves, alpha: KeepsAlpha);
 
     /// <summary>The settings that a film names: the scene's, the frame, and the noise that decided on the number of its samples.</summary>
     public IReadOnlyList<string> FilmSettings => [.. Settings.Select(s => s.Text), .. JobOptions.Kept(this, JobOptionUse.Films)];
@@ -203,7 +220,7 @@ public sealed record RenderJob
 
     /// <summary>The command that follows one sample's path again.</summary>
     public string ReplayCommand(BadSample bad) =>
-        (new RenderJob { Scene = Scene, Settings = Settings, Frames = Frames, Pixel = (bad.X, bad.Y), Sample = bad.Sample }).Command;
+        (new RenderJob { Scene = Scene, Settings = Settings, Frames = Frames, Guide = Guide, Pixel = (bad.X, bad.Y), Sample = bad.Sample }).Command;
 
     private ReadScene Read() => Text is null ? SceneLoader.Read(Scene, Settings, Frame)
         : SceneLoader.ReadText(Text, Path.GetFileName(Scene), Path.GetDirectoryName(Scene)!, Settings, Frame);

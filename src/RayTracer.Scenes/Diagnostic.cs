@@ -17,8 +17,8 @@ public enum Severity
 /// <param name="File">The file, as its user named it; or the option of the command that gave what is wrong.</param>
 /// <param name="Line">The line, from 1; 0 where the message is about no place in the file, or about an option.</param>
 /// <param name="Column">The column, from 1, in UTF-16 units; 0 where there is no place.</param>
-/// <param name="Severity">How bad it is.</param>
-/// <param name="Message">What is wrong and what was expected: one sentence without a final stop.</param>
+/// <param name="Severity">The severity.</param>
+/// <param name="Message">The fault and what was expected: one sentence without a final stop.</param>
 public sealed record Diagnostic(string File, int Line, int Column, Severity Severity, string Message)
 {
     /// <summary>The category of the diagnostic.</summary>
@@ -30,7 +30,7 @@ public sealed record Diagnostic(string File, int Line, int Column, Severity Seve
 
     /// <summary>One diagnostic a line, at most <paramref name="limit"/> of them, then how many more there are.</summary>
     /// <param name="diagnostics">The diagnostics in the order to show.</param>
-    /// <param name="limit">How many are shown.</param>
+    /// <param name="limit">The number of diagnostics shown at most.</param>
     public static string Format(IReadOnlyList<Diagnostic> diagnostics, int limit = 20)
     {
         IEnumerable<string> lines = diagnostics.Take(limit).Select(d => d.ToString());
@@ -47,7 +47,7 @@ public sealed record Diagnostic(string File, int Line, int Column, Severity Seve
 
 /// <summary>The category of a diagnostic, for tools that count and filter.</summary>
 /// <param name="Id">A word of small letters and hyphens, the same in all versions.</param>
-/// <param name="Summary">What is wrong.</param>
+/// <param name="Summary">The fault, in one sentence.</param>
 public sealed record DiagnosticRule(string Id, string Summary)
 {
     /// <summary>The file cannot be opened or decoded.</summary>

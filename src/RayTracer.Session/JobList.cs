@@ -114,6 +114,6 @@ public sealed class JobList(NoticeBoard notices) : IDisposable
 
 /// <summary>Something that takes its time, and can be cancelled.</summary>
 /// <param name="Id">Its number.</param>
-/// <param name="Text">What is done, in a few words.</param>
-/// <param name="Fraction">How far it is, 0 to 1.</param>
+/// <param name="Text">The work, in a few words.</param>
+/// <param name="Fraction">The progress, 0 to 1.</param>
 public sealed record Job(int Id, string Text, double Fraction);

@@ -4,7 +4,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Session;
 
-/// <summary>Something that the user asked for cannot be done; the message is a sentence for the user.</summary>
+/// <summary>Something that the user asked for cannot be done; the message is a sentence or a clause for the user.</summary>
 public sealed class SessionException : Exception
 {
     /// <summary>An unnamed fault.</summary>
@@ -38,8 +38,14 @@ public enum SessionFault
     /// <summary>There is no such thing.</summary>
     Missing,
 
-    /// <summary>Something else has happened meanwhile, or would be lost.</summary>
-    Conflict,
+    /// <summary>There is a file of that name already; it is replaced if the user repeats the command.</summary>
+    Exists,
+
+    /// <summary>There are changes that were not saved; they are lost if the user repeats the command.</summary>
+    Unsaved,
+
+    /// <summary>Somebody else has changed the file since it was opened or saved here; that is lost if the user repeats the command.</summary>
+    ChangedOnDisk,
 }
 
 /// <summary>The sentences for the user about errors.</summary>
@@ -48,8 +54,8 @@ public static class Complaint
     /// <summary>One sentence; null where the program itself is at fault.</summary>
     public static string? Of(Exception fault) => fault switch
     {
-        DocumentException or JobException => Sentence(fault.Message),
-        SessionException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException => fault.Message,
+        SessionException or JobException => Sentence(fault.Message),
+        ImageWriteException or PictureException or IOException or UnauthorizedAccessException => fault.Message,
         OutOfMemoryException => "There is not enough memory.",
         _ => null,
     };

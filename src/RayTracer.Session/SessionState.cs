@@ -4,13 +4,13 @@ namespace RayTracer.Session;
 /// <param name="Version">The number of changes that it has; what happens while it is read is reported again by the next one.</param>
 /// <param name="Document">The document.</param>
 /// <param name="Selection">The pointer of the selected thing; null where there is none.</param>
-/// <param name="Render">How far the picture is.</param>
-/// <param name="Settings">What the user wants of the picture.</param>
-/// <param name="Tone">How light is brought onto the screen.</param>
+/// <param name="Render">The progress of the picture.</param>
+/// <param name="Settings">The user's settings of the picture.</param>
+/// <param name="Tone">The exposure and tone map of the screen.</param>
 /// <param name="Snapshots">Earlier pictures, the oldest first.</param>
 /// <param name="Recovery">Texts that were not saved.</param>
 /// <param name="Notice">The newest message; null before there was one.</param>
-/// <param name="Jobs">What is being done beside the user's work.</param>
+/// <param name="Jobs">The jobs that run beside the user's work.</param>
 public sealed record SessionState(
     long Version, DocumentStatus Document, string? Selection, RenderStatus Render, ViewSettings Settings, Tone Tone, IReadOnlyList<Snapshot> Snapshots,
     IReadOnlyList<RecoveryEntry> Recovery, Notice? Notice, IReadOnlyList<Job> Jobs)

@@ -23,9 +23,9 @@ internal static class DocumentEndpoints
     }
 
     /// <summary>Something that a request must have.</summary>
-    /// <exception cref="DocumentException">It has not.</exception>
+    /// <exception cref="SessionException">It has not.</exception>
     internal static T Needed<T>(T? value, string name)
-        where T : class => value ?? throw new DocumentException($"the request needs \"{name}\"");
+        where T : class => value ?? throw new SessionException($"the request needs \"{name}\"");
 
     private static void MapReading(RouteGroupBuilder api, StudioSession session)
     {
@@ -91,7 +91,7 @@ internal static class DocumentEndpoints
         }
 
         return set.Value.ValueKind == JsonValueKind.Undefined
-            ? throw new DocumentException("the request needs \"value\" or \"json\"")
+            ? throw new SessionException("the request needs \"value\" or \"json\"")
             : edits.Set(pointer, System.Text.Json.Nodes.JsonNode.Parse(set.Value.GetRawText()), set.Gesture);
     }
 

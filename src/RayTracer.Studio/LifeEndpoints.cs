@@ -6,7 +6,7 @@ internal static class LifeEndpoints
     private const int LongestLog = 4000;
 
     /// <summary>Adds the requests.</summary>
-    /// <param name="api">Where to.</param>
+    /// <param name="api">The group of requests that they are added to.</param>
     /// <param name="guard">Knows the secret.</param>
     /// <param name="windows">Follows the windows that close.</param>
     /// <param name="errors">Takes the errors of the page.</param>

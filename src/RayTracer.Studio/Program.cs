@@ -46,7 +46,7 @@ internal static class Program
             await server.Ended;
             return 0;
         }
-        catch (Exception e) when (e is IOException or DocumentException or JobException)
+        catch (Exception e) when (e is IOException or SessionException or JobException)
         {
             await Console.Error.WriteLineAsync($"error: {e.Message}");
             return InputOutput;

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Session;
 using static RayTracer.Studio.DocumentEndpoints;
 
@@ -19,14 +20,13 @@ internal static class SavingEndpoints
     private static void MapPictures(RouteGroupBuilder api, StudioSession session)
     {
         api.MapPost("/save/picture", async (SaveRequest r) =>
-            Started(session, await session.Pictures.Save(r.Path, PictureRequest.Of(r.BitDepth, r.Layers ?? []), r.Overwrite)));
+            Started(session, await session.Pictures.Save(session.Pictures.Job(r.Path, r.BitDepth, r.Layers ?? []), r.Overwrite)));
         api.MapGet("/picture", async (string? format, int? bitDepth, string? layers, HttpContext context) =>
         {
-            PictureRequest picture = PictureRequest.Of(bitDepth, layers?.Split(',', StringSplitOptions.RemoveEmptyEntries) ?? []);
-            string extension = $".{format ?? "png"}";
-            byte[] bytes = await session.Pictures.Encode(extension, picture, context.RequestAborted);
-            string type = ImageFormat.OfName(extension)!.MediaType;
-            return Results.Bytes(bytes, type, Path.ChangeExtension(session.Document.Place.Name, extension));
+            string name = Path.ChangeExtension(session.Document.Place.Name, format ?? "png");
+            RenderJob job = session.Pictures.Job(name, bitDepth, layers?.Split(',', StringSplitOptions.RemoveEmptyEntries) ?? []);
+            byte[] bytes = await session.Pictures.Encode(job, context.RequestAborted);
+            return Results.Bytes(bytes, ImageFormat.OfName(name)!.MediaType, name);
         });
         api.MapGet("/picture/formats", () => Results.Json(new { formats = PictureSaver.Formats }));
         api.MapGet("/command", () => Results.Json(new { text = session.Pictures.Command() }));

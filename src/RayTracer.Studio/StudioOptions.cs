@@ -19,7 +19,7 @@ internal sealed record StudioOptions
 
     /// <summary>Reads a command line.</summary>
     /// <param name="args">The words after the program's name.</param>
-    /// <param name="complaint">What is wrong; null where nothing is.</param>
+    /// <param name="complaint">The fault of the arguments; null where there is none.</param>
     public static StudioOptions Parse(IReadOnlyList<string> args, out string? complaint)
     {
         StudioOptions options = new();

@@ -68,7 +68,7 @@ public sealed class ComposeTests : IDisposable
         AssertRefused("it has no layers of lights", 4, _folder["plain.exr"], "-o", _folder["b.png"]);
         AssertRefused("no-such.exr", 4, _folder["no-such.exr"], "-o", _folder["b.png"]);
         CliRun normals = CliRun.Of("render", _scene, "-o", _folder["b.exr"], "--integrator", "normals", "--aov", "lights", "--quiet");
-        Assert.Contains("--aov: the integrator normals has no light that can be split: choose another --integrator", normals.Error, StringComparison.Ordinal);
+        Assert.Contains("--aov: layers of light: only the report, path, direct and volPath integrators write them, and the scene's is normals: choose another --integrator", normals.Error, StringComparison.Ordinal);
         Assert.Equal(2, normals.Status);
         Assert.False(File.Exists(_folder["b.png"]) || File.Exists(_folder["b.exr"]));
     }

@@ -37,6 +37,17 @@ public sealed class DenoiseTests : IDisposable
     }
 
     [Fact]
+    public void The_last_line_says_where_the_denoised_picture_is()
+    {
+        (string png, string exr) = (_folder["a.png"], _folder["a.exr"]);
+        CliRun run = CliRun.Of("render", _folder["scene.json"], "--spp", "2", "--denoise", "-o", png, "-o", exr);
+        Assert.EndsWith(
+            $"the denoised picture is {_folder["a.denoised.png"]} ({png} keeps its noise) and the layer \"denoised\" of {exr}",
+            run.Output.TrimEnd(),
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Without_guides_there_is_a_warning()
     {
         CliRun run = CliRun.Of("denoise", _folder["noisy.pfm"], "-o", _folder["alone.png"]);

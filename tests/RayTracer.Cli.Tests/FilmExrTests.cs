@@ -30,6 +30,8 @@ public sealed class FilmExrTests : IDisposable
         FilmExr.Write(_image, film, header with { Wanted = new(0, 16) }, new());
 
         CliRun.Refused(4, $"'{_image}' holds samples 0..6 of an unfinished rendering: \"raytracer resume {_image}\" continues", "render", _scene, "--spp", "1", "-o", _image);
+        CliRun.Refused(4, $"'{_image}' holds samples 0..6 of an unfinished rendering", "convert", _folder["whole.exr"], _image);
+        CliRun.Refused(4, $"'{_image}' holds samples 0..6 of an unfinished rendering", "denoise", _folder["whole.exr"], "-o", _image);
         CliRun.Fine("resume", _image, "--quiet");
         Assert.Equal(whole, CarriedFilm.Read(_image).Film.ComputeHash());
         Assert.True(CarriedFilm.ReadHeader(_image).IsComplete);
@@ -194,7 +196,9 @@ public sealed class FilmExrTests : IDisposable
         (int status, string output) = ProgramFactAttribute.Run("exrheader", _image);
         Assert.Equal(0, status);
         Assert.Contains("film.square.1, 32-bit unsigned integer, sampling 1 1", output, StringComparison.Ordinal);
-        Assert.Equal(0, ProgramFactAttribute.Run("exrinfo", "-s", _image).ExitCode);
+
+        // Its exit status is any number in OpenEXR 3.1.
+        Assert.Contains("'film.square.1': uint samp 1 1", ProgramFactAttribute.Run("exrinfo", "-s", _image).Output, StringComparison.Ordinal);
 
         // What it rewrites still has the picture; tiles are not resumed.
         Assert.Equal(0, ProgramFactAttribute.Run("exrmaketiled", "-o", "-z", "piz", _image, _folder["b.exr"]).ExitCode);

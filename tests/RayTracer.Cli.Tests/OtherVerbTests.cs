@@ -43,7 +43,12 @@ public sealed class OtherVerbTests : IDisposable
         Assert.Equal(5 * 4 * 12, json.GetProperty("textureBytes").GetInt32());
         Assert.Equal(24 * 16 * 68, json.GetProperty("filmBytes").GetInt32());
         Assert.Equal(-0.5f, json.GetProperty("boundsMinimum")[0].GetSingle());
-        Assert.Contains("24×16 pixels, 4 samples each (sobol)", CliRun.Of("info", _scene).Output, StringComparison.Ordinal);
+        Assert.Equal("report", json.GetProperty("recommendedIntegrator").GetString());
+        string reason = json.GetProperty("recommendedBecause").GetString()!;
+        string text = CliRun.Of("info", _scene).Output;
+        Assert.Contains("24×16 pixels, 4 samples each (sobol)", text, StringComparison.Ordinal);
+        Assert.Contains($"integrator report; it fits: {reason}", text, StringComparison.Ordinal);
+        Assert.Contains("integrator direct; path fits better: ", CliRun.Of("info", _scene, "--set", "render.integrator=direct").Output, StringComparison.Ordinal);
     }
 
     [Fact]

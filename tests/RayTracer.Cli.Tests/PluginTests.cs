@@ -87,6 +87,19 @@ public class PluginTests
         Assert.Contains("seen from the side", text, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("light", "error: no light paths can start at a light source without a name, as the integrator light needs")]
+    [InlineData("photons", "error: no light paths can start at a light source without a name, as the integrator photons needs")]
+    [InlineData("vcm", null)]
+    public void A_light_of_a_plug_in_is_refused_where_all_its_light_would_have_to_come_from_there(string integrator, string? error)
+    {
+        using TemporaryFolder folder = new();
+        string scene = Write(folder, Scene.Replace("\"path\"", $"\"{integrator}\"", StringComparison.Ordinal));
+        (int status, string text) = Run("check", scene, "--plugin", s_plugin);
+        Assert.Equal(error is null ? 0 : 3, status);
+        Assert.Contains(error ?? "", text, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Scenes_with_things_of_plug_ins_are_converted_and_described()
     {
@@ -152,7 +165,7 @@ public class PluginTests
         Refused([folder["missing.dll"]], "cannot be loaded: ");
         Refused([Path.Combine(AppContext.BaseDirectory, "xunit.assert.dll")], "xunit.assert has no types for scenes");
         Refused([old], "was made for version 9.9.9.9 of RayTracer.Core, but this is ");
-        Refused([s_plugin, s_plugin], "the shape \"ball\" of RayTracer.SamplePlugin needs another name: there is one already");
+        Refused([s_plugin, s_plugin], " of RayTracer.SamplePlugin needs another name: there is one already");
 
         void Refused(string[] files, string message)
         {

@@ -82,6 +82,6 @@ public sealed class LayoutTests
     private static IEnumerable<DialogViewModel> Dialogs() =>
     [
         new UnsavedViewModel("a", () => Task.FromResult(true), () => { }), new OverwriteViewModel("b", () => { }), new RenameViewModel("c", _ => { }),
-        new ExportViewModel((_, _) => { }), new ShortcutsViewModel(), new TourViewModel(),
+        new ExportViewModel((_, _, _) => { }), new ShortcutsViewModel(), new TourViewModel(),
     ];
 }

@@ -134,12 +134,27 @@ public sealed class ExtensionTests : IDisposable
         Assert.Contains("\"ambient\" has no effect with the integrator headlight: leave it out, or write \"integrator\": \"report\"", string.Join('\n', SceneLoader.Load(file).Diagnostics), StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("light")]
+    [InlineData("bidirectional")]
+    [InlineData("photons")]
+    [InlineData("vcm")]
+    public void A_projection_that_does_not_say_where_points_are_seen_is_refused_by_integrators_that_trace_light(string integrator)
+    {
+        string file = WriteScene("fisheye", "independent", 4);
+        File.WriteAllText(file, File.ReadAllText(file).Replace("headlight", integrator, StringComparison.Ordinal).Replace("black", "white", StringComparison.Ordinal));
+        SceneLoadResult result = SceneLoader.Load(file);
+        string message = Assert.Single(result.Diagnostics).ToString();
+        Assert.Contains($": error: the integrator {integrator} asks where points are seen, which the projection \"fisheye\" does not say: write", message, StringComparison.Ordinal);
+        Assert.Null(result.Scene);
+    }
+
     [Fact]
     public void The_Studio_offers_them()
     {
         Assert.Contains(PictureSaver.Formats, f => f is { Value: "ppm", Label: "PPM", HasDepth: false, HasLayers: false, IsFilm: false });
         Assert.Contains(TypeCatalogue.Instance.Maps, m => m is { Name: "facing", Title: "Facing", IsLight: false });
-        Assert.IsType<FacingImage>(Assert.Single(PictureRequest.Of(null, ["facing"]).Layers));
+        Assert.IsType<FacingImage>(ViewMap.Named("facing").Image);
     }
 
     [Fact]

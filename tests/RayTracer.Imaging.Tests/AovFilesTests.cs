@@ -60,8 +60,10 @@ public class AovFilesTests
         using TemporaryFolder folder = new();
         ImageFile.Write(folder["a.exr"], TestPictures.Noise(48, 32), new() { ExrLayers = AovFiles.Layers(s_film.Value) });
         (int header, string list) = ProgramFactAttribute.Run("exrheader", folder["a.exr"]);
-        (int info, string strict) = ProgramFactAttribute.Run("exrinfo", "-v", "-s", folder["a.exr"]);
-        Assert.True((header, info) == (0, 0), strict);
+        Assert.Equal(0, header);
+
+        // Its exit status is any number in OpenEXR 3.1.
+        Assert.Contains("'depth.Z': float", ProgramFactAttribute.Run("exrinfo", "-v", "-s", folder["a.exr"]).Output, StringComparison.Ordinal);
         foreach (string name in new[] { "R", "depth.Z", "normal.X", "normal.Y", "normal.Z", "albedo.R", "albedo.G", "albedo.B", "uv.U", "uv.V", "bvhCost.Y" })
         {
             Assert.Contains($" {name}, {(name == "R" ? 16 : 32)}-bit floating-point", list, StringComparison.Ordinal);

@@ -7,13 +7,13 @@ namespace RayTracer.RenderTests;
 /// <summary>
 /// The same pictures, to the bit, whatever instructions and register widths the runtime may use and however it compiles: each
 /// case is a child process with another setting of the runtime.
-/// Covers `FloatW`, `LaneMath` and `RTracer`.
+/// Covers `FloatW`, `LaneMath`, `RTracer` and `Denoiser`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public sealed class InstructionSetTests : IDisposable
 {
     private const string Child = "RayTracer.RenderTests.dll";
-    private static readonly Lazy<string[]> s_expected = new(() => [.. BitScenes.All.Concat(BitScenes.Auxiliary).Select(name => $"{name} {Program.Hash(name, 0)}")]);
+    private static readonly Lazy<string[]> s_expected = new(() => [.. BitScenes.Pictures.Select(name => $"{name} {Program.Hash(name, 0)}")]);
     private readonly string _folder = Directory.CreateTempSubdirectory("raytracer-").FullName;
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
@@ -45,7 +45,7 @@ public sealed class InstructionSetTests : IDisposable
     [MemberData(nameof(Settings))]
     public void All_pictures_have_the_same_bits_with(string setting, string effect)
     {
-        string[] lines = ChildProcess.Run(Child, setting, ["0", .. BitScenes.All, .. BitScenes.Auxiliary]).Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        string[] lines = ChildProcess.Run(Child, setting, ["0", .. BitScenes.Pictures]).Split('\n', StringSplitOptions.RemoveEmptyEntries);
         Assert.Contains(effect, lines[0], StringComparison.Ordinal);
         Assert.Equal(s_expected.Value, lines.Skip(1));
     }
@@ -55,7 +55,7 @@ public sealed class InstructionSetTests : IDisposable
     public void Pictures_have_the_same_bits_without_any_vector_instructions()
     {
         // Each operation of a lane is a call then: little of each picture must do.
-        string[] scenes = [.. BitScenes.Report, "everything-sobol", "everything-jittered", "meshes/02-smooth", BitScenes.Hills];
+        string[] scenes = [.. BitScenes.Report, "everything-sobol", "everything-jittered", "meshes/02-smooth", BitScenes.Hills, "light-paths-vcm", .. BitScenes.Denoised];
         string[] lines = ChildProcess.Run(Child, "DOTNET_EnableHWIntrinsic=0", ["4", .. scenes]).Split('\n', StringSplitOptions.RemoveEmptyEntries);
         Assert.Contains("avx2=False", lines[0], StringComparison.Ordinal);
         Assert.Equal(scenes.Select(name => $"{name} {Program.Hash(name, 4)}"), lines.Skip(1));

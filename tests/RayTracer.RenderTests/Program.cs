@@ -2,6 +2,7 @@ using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics.X86;
 using System.Security.Cryptography;
+using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.RenderTests.Bits;
 
@@ -24,7 +25,7 @@ internal static class Program
     }
 
     /// <summary>The hash of a picture, or of a tile in its middle.</summary>
-    /// <param name="name">One of <see cref="BitScenes.All"/>, or of <see cref="BitScenes.Auxiliary"/>.</param>
+    /// <param name="name">One of <see cref="BitScenes.Pictures"/>.</param>
     /// <param name="edge">Edge of the tile in pixels; 0 for all of the picture.</param>
     public static string Hash(string name, int edge)
     {
@@ -33,9 +34,23 @@ internal static class Program
             return HashOfAuxiliaryImages(BitScenes.Load(name["aov/".Length..]));
         }
 
+        if (BitScenes.Denoised.Contains(name))
+        {
+            return HashOfDenoised(BitScenes.Load(name["denoised/".Length..]));
+        }
+
         Scene scene = BitScenes.Load(name);
         Tile middle = new((scene.Render.Width - edge) / 2, (scene.Render.Height - edge) / 2, edge, edge);
         return new RTracer(scene, new() { Crop = edge > 0 ? middle : null, Threads = 2 }).Render().Film.ComputeHash();
+    }
+
+    private static string HashOfDenoised(Scene scene)
+    {
+        Film film = new(scene.Render.Width, scene.Render.Height, FilmPlane.Half);
+        new RTracer(scene, new() { Threads = 2 }).Render(film);
+        (HalfRender first, HalfRender second) = HalfRender.Of(scene, new() { Threads = 2 }, film);
+        float[] pixels = Denoiser.Denoise(first, second, 2).Picture.Pixels;
+        return Convert.ToHexStringLower(SHA256.HashData(MemoryMarshal.AsBytes<float>(pixels)));
     }
 
     private static string HashOfAuxiliaryImages(Scene scene)

@@ -82,7 +82,7 @@ internal sealed class CommandTable
         ["gallery"] = () => main.Layout.OpenLeft("gallery"),
         ["save"] = () => _ = main.Files.Save(),
         ["saveAs"] = () => _ = main.Files.SaveAs(),
-        ["export"] = () => main.Ask(new ExportViewModel((format, request) => _ = main.Files.Export(format, request))),
+        ["export"] = () => main.Ask(new ExportViewModel((format, bits, layers) => _ = main.Files.Export(format, bits, layers))),
         ["copyImage"] = () => _ = main.Files.CopyPicture(),
         ["copyCommand"] = () => _ = main.Files.CopyCommand(),
         ["bundle"] = () => _ = main.Files.Bundle(),

@@ -4,7 +4,7 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>A command as menus, buttons and keys have it.</summary>
-/// <param name="about">What all faces of the session know about it.</param>
+/// <param name="about">The session's description of the command, which all faces share.</param>
 /// <param name="run">Does it.</param>
 internal sealed class CommandViewModel(SessionCommand about, Action run) : Observable, ICommand
 {

@@ -6,8 +6,8 @@ namespace RayTracer.Desktop.ViewModels;
 /// <param name="Revision">The text's revision.</param>
 /// <param name="Text">The text.</param>
 /// <param name="Selection">The selected thing; null where there is none.</param>
-/// <param name="Outline">What the scene consists of; null before a text could be read.</param>
-/// <param name="Values">What stands at the places that panels show, by their pointers.</param>
+/// <param name="Outline">The outline of the scene; null before a text could be read.</param>
+/// <param name="Values">The values at the places that panels show, by their pointers.</param>
 internal sealed record DocumentSnapshot(int Revision, string Text, string? Selection, Outline? Outline, IReadOnlyDictionary<string, PropertyValues> Values)
 {
     /// <summary>That of a session.</summary>
@@ -21,7 +21,7 @@ internal sealed record DocumentSnapshot(int Revision, string Text, string? Selec
             IEnumerable<string> pointers = TypeCatalogue.Instance.Sections["scene"].Parameters.Select(p => $"/{p.Key}").Append(selection).OfType<string>().Distinct();
             return new(revision, text, selection, Outline.Of(revision, root), ValuesAt(root, pointers));
         }
-        catch (DocumentException)
+        catch (SessionException)
         {
             return new(revision, text, selection, null, new Dictionary<string, PropertyValues>());
         }
@@ -36,7 +36,7 @@ internal sealed record DocumentSnapshot(int Revision, string Text, string? Selec
             {
                 values.Add(pointer, PropertyValues.At(root, pointer));
             }
-            catch (DocumentException)
+            catch (SessionException)
             {
                 // It is not in the text that can be read.
             }

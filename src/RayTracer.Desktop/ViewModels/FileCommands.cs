@@ -64,12 +64,13 @@ internal sealed class FileCommands(SessionDispatcher dispatcher, IWindowServices
 
     /// <summary>Asks where to, and writes the picture.</summary>
     /// <param name="format">The format's extension, without its dot.</param>
-    /// <param name="request">What to write.</param>
-    public Task Export(string format, PictureRequest request) => dispatcher.Attempt(async () =>
+    /// <param name="bitDepth">Bits a channel.</param>
+    /// <param name="layers">The names of auxiliary images to write too.</param>
+    public Task Export(string format, int bitDepth, IEnumerable<string> layers) => dispatcher.Attempt(async () =>
     {
         if (await window.ChooseNewFile(SessionTexts.Of("dialogs.exportTitle"), Folder, Path.ChangeExtension(Name, format)) is { } path)
         {
-            await dispatcher.Aside(s => s.Pictures.Save(path, request, overwrite: true));
+            await dispatcher.Aside(s => s.Pictures.Save(s.Pictures.Job(path, bitDepth, layers), overwrite: true));
         }
     });
 
@@ -91,7 +92,7 @@ internal sealed class FileCommands(SessionDispatcher dispatcher, IWindowServices
     /// <summary>Puts the picture on the clipboard.</summary>
     public Task CopyPicture() => dispatcher.Attempt(async () =>
     {
-        await window.CopyPicture(await dispatcher.Aside(s => s.Pictures.Encode(".png", PictureRequest.Of(8, []), CancellationToken.None)));
+        await window.CopyPicture(await dispatcher.Aside(s => s.Pictures.Encode(s.Pictures.Job(Path.ChangeExtension(s.Document.Place.Name, ".png")), CancellationToken.None)));
         dispatcher.Messages.Say("info", SessionTexts.Of("messages.copiedImage"));
     });
 
@@ -111,7 +112,7 @@ internal sealed class FileCommands(SessionDispatcher dispatcher, IWindowServices
         {
             await Step(step, discard: false);
         }
-        catch (DocumentException e) when (e.Conflict == DocumentConflict.Unsaved)
+        catch (SessionException e) when (e.Fault == SessionFault.Unsaved)
         {
             ask(new UnsavedViewModel(Name, Save, () => _ = dispatcher.Attempt(() => Step(step, discard: true))));
         }
@@ -135,7 +136,7 @@ internal sealed class FileCommands(SessionDispatcher dispatcher, IWindowServices
                 await dispatcher.Ask(s => write(s, false));
                 isWritten = true;
             }
-            catch (DocumentException e) when (e.Conflict is DocumentConflict.Exists or DocumentConflict.ChangedOnDisk)
+            catch (SessionException e) when (e.Fault is SessionFault.Exists or SessionFault.ChangedOnDisk)
             {
                 ask(new OverwriteViewModel(Complaint.Of(e)!, () => _ = dispatcher.Attempt(() => dispatcher.Ask(s => write(s, true)))));
             }

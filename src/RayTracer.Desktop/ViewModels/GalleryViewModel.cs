@@ -33,7 +33,7 @@ internal sealed class GalleryViewModel(SessionDispatcher dispatcher, Action<stri
 }
 
 /// <summary>Shipped scenes that belong together.</summary>
-/// <param name="Title">What they are.</param>
+/// <param name="Title">The title of the group.</param>
 /// <param name="Items">The scenes.</param>
 internal sealed record GalleryGroupViewModel(string Title, IReadOnlyList<GalleryItemViewModel> Items);
 

@@ -173,11 +173,11 @@ internal sealed class OutlinerViewModel(Action<OutlineRow> choose) : Observable
 }
 
 /// <summary>A line of the outliner.</summary>
-/// <param name="Pointer">What it is of.</param>
+/// <param name="Pointer">The pointer of its thing.</param>
 /// <param name="Name">The name.</param>
 /// <param name="About">A word about it.</param>
 /// <param name="Tip">A few words about it.</param>
-/// <param name="Level">How deep it stands, from 0.</param>
+/// <param name="Level">The depth in the tree, from 0.</param>
 /// <param name="Color">Its main colour as #rrggbb; empty where it has none.</param>
 /// <param name="Icon">Its icon as SVG writes paths; empty where it has a colour.</param>
 internal sealed record OutlineRow(string Pointer, string Name, string About, string Tip, int Level, string Color, string Icon)

@@ -143,7 +143,7 @@ internal sealed record ProblemViewModel(int Line, int Column, int From, int To, 
 /// <summary>The one stretch in which two texts differ.</summary>
 /// <param name="From">Offset of the first character that goes.</param>
 /// <param name="To">Offset behind the last one.</param>
-/// <param name="Insert">What comes in their place.</param>
+/// <param name="Insert">The text that replaces them.</param>
 internal sealed record TextStretch(int From, int To, string Insert)
 {
     /// <summary>The stretch between two texts; null where they are the same.</summary>

@@ -75,6 +75,6 @@ internal sealed record AddGroup(string Name, IReadOnlyList<AddItem> Items);
 
 /// <summary>A thing that can be added.</summary>
 /// <param name="Name">The name.</param>
-/// <param name="Tip">What it is.</param>
+/// <param name="Tip">A description of it.</param>
 /// <param name="Add">Adds it.</param>
 internal sealed record AddItem(string Name, string Tip, ICommand Add);

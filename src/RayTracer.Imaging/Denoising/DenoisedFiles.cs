@@ -11,7 +11,7 @@ internal static class DenoisedFiles
     public static string Beside(string path) => Path.ChangeExtension(path, $".{Name}{Path.GetExtension(path)}");
 
     /// <summary>The layers of an OpenEXR file.</summary>
-    public static IReadOnlyList<ExrLayerChannel> Layers(Picture denoised)
+    public static IReadOnlyList<ExrLayerChannel> Layers(IImageRows denoised)
     {
         float[] row = new float[3 * denoised.Width];
         return [.. "RGB".Select((letter, channel) => new ExrLayerChannel($"{Name}.{letter}", ExrPixelType.Float, (y, values) =>

@@ -16,12 +16,11 @@ internal sealed class DenoiserInput
     // How many deviations, or steps to the neighbours, two features may differ (the same, k_f).
     private const float FeatureTolerance = 1;
 
-    /// <summary>Compares two halves, which are changed: what stands out of one alone is cut.</summary>
+    /// <summary>Compares two halves.</summary>
     public DenoiserInput(HalfPlanes first, HalfPlanes second)
     {
         (int width, int height) = (first.Spread.Width, first.Spread.Height);
         Halves = [first, second];
-        Cut(first, second);
         Sampled = new(width, height);
         for (int y = 0; y < height; y++)
         {
@@ -39,11 +38,8 @@ internal sealed class DenoiserInput
         Features = [new(first.Normal, second.Normal), new(first.Albedo, second.Albedo)];
     }
 
-    /// <summary>The halves, cut to each other.</summary>
+    /// <summary>The halves.</summary>
     public HalfPlanes[] Halves { get; }
-
-    /// <summary>The share of the light that was cut.</summary>
-    public double CutShare { get; private set; }
 
     /// <summary>Red, green and blue of each half, divided by <see cref="Surfaces"/>.</summary>
     public PaddedPlane[][] Light { get; }
@@ -60,7 +56,15 @@ internal sealed class DenoiserInput
     /// <summary>The normals and the albedos.</summary>
     public GuideFeature[] Features { get; }
 
-    private void Cut(HalfPlanes first, HalfPlanes second)
+    /// <summary>The same at half the size.</summary>
+    public DenoiserInput Halved()
+    {
+        HalfPlanes first = Halves[0].Halved();
+        return new(first, ReferenceEquals(Halves[0], Halves[1]) ? first : Halves[1].Halved());
+    }
+
+    /// <summary>Cuts what stands out of one of two halves alone, and returns the share of the light that was cut.</summary>
+    public static double Cut(HalfPlanes first, HalfPlanes second)
     {
         PaddedPlane[] a = [.. first.Color, first.Spread];
         PaddedPlane[] b = [.. second.Color, second.Spread];
@@ -78,7 +82,7 @@ internal sealed class DenoiserInput
             cut += isLight ? before - a[i].Total() - b[i].Total() : 0;
         }
 
-        CutShare = all > 0 ? cut / all : 0;
+        return all > 0 ? cut / all : 0;
     }
 
     private static PaddedPlane HalfSquares(PaddedPlane[] a, PaddedPlane[] b, float factor) => a[0].With((x, y) =>

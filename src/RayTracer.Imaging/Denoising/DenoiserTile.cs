@@ -14,8 +14,8 @@ internal sealed unsafe class DenoiserTile
     /// <summary>The largest height of a tile.</summary>
     public const int Height = 32;
 
-    /// <summary>The distance up to which a pixel's likes are looked for, in pixels.</summary>
-    public const int Window = 8;
+    /// <summary>The distance up to which a pixel's likes are looked for, in pixels; farther ones are those of <see cref="CoarserScale"/>.</summary>
+    public const int Window = 6;
 
     // Half the side of the patches that are compared.
     private const int Patch = 3;

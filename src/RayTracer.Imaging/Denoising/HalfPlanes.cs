@@ -1,3 +1,4 @@
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
@@ -40,9 +41,8 @@ internal sealed class HalfPlanes
             for (int x = 0; x < film.Width; x++)
             {
                 (planes.Color[0][x, y], planes.Color[1][x, y], planes.Color[2][x, y]) = film.Mean(x, y);
-                uint count = film.SampleCount(x, y);
-                planes.Counts[x, y] = count;
-                planes.Spread[x, y] = film.SampleVariance(x, y) / Math.Max(1, count);
+                planes.Counts[x, y] = film.SampleCount(x, y);
+                planes.Spread[x, y] = film.MeanVariance(x, y);
             }
 
             Read(half.Features, HalfRender.Kinds[0], y, row, planes.Normal);
@@ -76,6 +76,21 @@ internal sealed class HalfPlanes
 
     /// <summary>Lets the edges go on in the margins.</summary>
     public void Extend() => Array.ForEach([.. Color, Spread, Counts, .. Normal, .. Albedo], p => p.Extend());
+
+    /// <summary>The same at half the size: means over squares of four pixels, of those that have samples.</summary>
+    public HalfPlanes Halved()
+    {
+        PaddedPlane sampled = Counts.With((x, y) => (Counts.Load(x, y) > 0f).Select(1f, 0f));
+        PaddedPlane share = sampled.Halved(sampled, 4);
+        HalfPlanes half = new((Spread.Width + 1) / 2, (Spread.Height + 1) / 2);
+        PaddedPlane[] from = [.. Color, .. Normal, .. Albedo, Spread, Counts];
+        PaddedPlane[] to = [.. half.Color, .. half.Normal, .. half.Albedo, half.Spread, half.Counts];
+        Parallel.For(0, from.Length, i => to[i].Fill(from[i].Halved(sampled, 1).Load));
+
+        // The variance of a mean of n numbers is an n-th of theirs.
+        half.Spread.Fill((x, y) => half.Spread.Load(x, y) / FloatW.Max(1f, 4f * share.Load(x, y)));
+        return half;
+    }
 
     private static void Read(Picture picture, PaddedPlane[] to)
     {

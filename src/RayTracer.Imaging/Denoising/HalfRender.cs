@@ -17,16 +17,19 @@ public sealed record HalfRender(Film Film, AovFilm Features)
     /// <param name="scene">The scene that the film shows.</param>
     /// <param name="options">How to compute it, and which samples the film holds.</param>
     /// <param name="film">The film.</param>
+    /// <param name="progress">Takes how much of the rays is traced, 0 to 1; may be null.</param>
     /// <exception cref="ArgumentException">The film has no <see cref="FilmPlane.Half"/>.</exception>
-    public static (HalfRender First, HalfRender Second) Of(Scene scene, RenderOptions options, Film film)
+    public static (HalfRender First, HalfRender Second) Of(Scene scene, RenderOptions options, Film film, IProgress<double>? progress = null)
     {
         (Film first, Film second) = film.Halves();
+        SampleRange all = options.Samples ?? new(0, scene.Render.SamplesPerPixel);
+        double whole = Math.Min(2 * MostFeatureSamples, all.Count);
+        int done = 0;
         return (Half(first, isFirst: true), Half(second, isFirst: false));
 
         HalfRender Half(Film half, bool isFirst)
         {
             AovFilm features = new(half, Kinds);
-            SampleRange all = options.Samples ?? new(0, scene.Render.SamplesPerPixel);
             int left = MostFeatureSamples;
             for (int sample = all.First; sample < all.End && left > 0; sample++)
             {
@@ -40,6 +43,8 @@ public sealed record HalfRender(Film Film, AovFilm Features)
                 if (sample > begin)
                 {
                     new FirstHitPass(scene, options with { Samples = new(begin, sample) }).Render(features);
+                    done += sample - begin;
+                    progress?.Report(Math.Min(1, done / whole));
                 }
             }
 
@@ -50,9 +55,10 @@ public sealed record HalfRender(Film Film, AovFilm Features)
     /// <summary>An empty half.</summary>
     /// <param name="width">Width in pixels.</param>
     /// <param name="height">Height in pixels.</param>
-    public static HalfRender Create(int width, int height)
+    /// <param name="planes">The planes of its film.</param>
+    public static HalfRender Create(int width, int height, params IReadOnlyList<FilmPlane> planes)
     {
-        Film film = new(width, height);
+        Film film = new(width, height, planes);
         return new(film, new AovFilm(film, Kinds));
     }
 }

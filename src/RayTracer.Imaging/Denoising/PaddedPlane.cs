@@ -100,6 +100,33 @@ internal sealed unsafe class PaddedPlane
         return With((x, y) => Sum(across.At(x, y - radius), Stride, side) * (1f / side));
     }
 
+    /// <summary>A plane of half the size: means over squares of four pixels.</summary>
+    /// <param name="weights">What each of them counts.</param>
+    /// <param name="least">The least that the weights of four are taken to be together: less makes the mean smaller.</param>
+    public PaddedPlane Halved(PaddedPlane weights, float least)
+    {
+        PaddedPlane half = new((Width + 1) / 2, (Height + 1) / 2);
+        for (int y = 0; y < half.Height; y++)
+        {
+            for (int x = 0; x < half.Width; x++)
+            {
+                float sum = 0;
+                float weight = 0;
+                for (int i = 0; i < 4; i++)
+                {
+                    (int column, int row) = ((2 * x) + (i & 1), (2 * y) + (i >> 1));
+                    sum = float.FusedMultiplyAdd(weights[column, row], this[column, row], sum);
+                    weight += weights[column, row];
+                }
+
+                half[x, y] = sum / float.Max(weight, least);
+            }
+        }
+
+        half.Extend();
+        return half;
+    }
+
     /// <summary>The largest numbers of the squares around each pixel.</summary>
     /// <inheritdoc cref="Blurred"/>
     public PaddedPlane Largest(int radius)

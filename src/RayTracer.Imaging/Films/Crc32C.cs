@@ -11,7 +11,7 @@ internal static class Crc32C
 {
     /// <summary>The check of bytes that follow others.</summary>
     /// <param name="check">That of the others; 0 where there are none.</param>
-    /// <param name="bytes">What follows.</param>
+    /// <param name="bytes">The bytes that follow.</param>
     public static uint Append(uint check, ReadOnlySpan<byte> bytes)
     {
         uint rest = ~check;

@@ -64,9 +64,9 @@ public static class FilmExr
     /// Writes a picture with its film. The file is there whole or not at all, and what was there before stays until then
     /// (<see cref="AtomicFile"/>).
     /// </summary>
-    /// <param name="path">Where to; the name ends with .exr.</param>
+    /// <param name="path">The file, whose name ends with .exr.</param>
     /// <param name="film">The film.</param>
-    /// <param name="header">What to say of it.</param>
+    /// <param name="header">The header of the film.</param>
     /// <param name="options">Further texts and layers.</param>
     /// <exception cref="ImageWriteException">It cannot be written.</exception>
     public static void Write(string path, Film film, FilmHeader header, ImageWriteOptions options)
@@ -76,8 +76,9 @@ public static class FilmExr
             throw new ImageWriteException($"Cannot write '{path}': {TooLarge}.");
         }
 
-        string text = Encoding.UTF8.GetString((header with { Planes = film.Planes }).ToBytes());
-        ImageFile.Write(path, film, options with
+        string text = Encoding.UTF8.GetString((header with { Planes = film.KeptPlanes }).ToBytes());
+        (IImageRows image, options) = TransparentRows.Of(film, film, options);
+        ImageFile.Write(path, image, options with
         {
             Metadata = [.. options.Metadata.Where(t => t.Key != HashKey), new(HashKey, film.ComputeHash()), new(HeaderKey, text), new(ChecksumKey, Checksum(text))],
             ExrLayers = [.. options.ExrLayers, .. Channels(film)],
@@ -102,7 +103,7 @@ public static class FilmExr
     /// <summary>The names of a file's layers beside picture and film.</summary>
     /// <exception cref="PictureException">It cannot be read, or is damaged.</exception>
     public static IReadOnlyList<string> OtherLayers(string path) =>
-        [.. Head(path).Channels.Select(c => c.Name).Where(n => n is not ("R" or "G" or "B") && !IsOfFilm(n)).Select(n => n.Split('.')[0]).Distinct()];
+        [.. Head(path).Channels.Select(c => c.Name).Where(n => n is not ("R" or "G" or "B" or ExrFormat.Alpha) && !IsOfFilm(n)).Select(n => n.Split('.')[0]).Distinct()];
 
     /// <summary>Reads a film from a whole file.</summary>
     /// <exception cref="PictureException">It is damaged, or carries no film; the message is a clause.</exception>
@@ -178,8 +179,9 @@ public static class FilmExr
 
     private static List<ExrLayerChannel> Channels(Film film)
     {
-        string[] names = SumsOf(film.Planes);
-        Int128[][] parts = Parts(film.Width, film.Planes);
+        IReadOnlyList<FilmPlane> planes = film.KeptPlanes;
+        string[] names = SumsOf(planes);
+        Int128[][] parts = Parts(film.Width, planes);
         uint[] counts = new uint[film.Width];
         int words = WordsOf64Bits;
 
@@ -188,9 +190,9 @@ public static class FilmExr
         void Read(int y)
         {
             film.ReadSums(y, parts[0], counts);
-            for (int i = 0; i < film.Planes.Count; i++)
+            for (int i = 0; i < planes.Count; i++)
             {
-                film.ReadPlane(film.Planes[i], y, parts[1 + i]);
+                film.ReadPlane(planes[i], y, parts[1 + i]);
             }
 
             read = y;

@@ -51,7 +51,8 @@ public static class FilmFile
             stream.Write(bytes);
         }
 
-        byte[] text = (header with { Planes = film.Planes }).ToBytes();
+        IReadOnlyList<FilmPlane> kept = film.KeptPlanes;
+        byte[] text = (header with { Planes = kept }).ToBytes();
         byte[] front = new byte[FrontLength];
         Signature.CopyTo(front);
         BinaryPrimitives.WriteInt32LittleEndian(front.AsSpan(8), Version);
@@ -61,7 +62,7 @@ public static class FilmFile
         PutCheck();
         byte[] row = new byte[1 + ((long)film.Width * Film.BytesPerPixel)];
         Int128[] sums = new Int128[(long)film.Width * SumsPerPixel];
-        Int128[][] planes = [.. film.Planes.Select(p => new Int128[(long)film.Width * p.Sums.Count])];
+        Int128[][] planes = [.. kept.Select(p => new Int128[(long)film.Width * p.Sums.Count])];
         byte[] plane = new byte[1 + (16L * planes.Max(p => (int?)p.Length) ?? 0)];
         uint[] counts = new uint[film.Width];
         for (int y = 0; y < film.Height; y++)
@@ -70,7 +71,7 @@ public static class FilmFile
             Put(row.AsSpan(0, EncodeRow(sums, counts, row)));
             for (int i = 0; i < planes.Length; i++)
             {
-                film.ReadPlane(film.Planes[i], y, planes[i]);
+                film.ReadPlane(kept[i], y, planes[i]);
                 Put(plane.AsSpan(0, EncodePlane(planes[i], plane)));
             }
 

@@ -48,7 +48,7 @@ public sealed record FilmHeader
     /// <summary>The program that wrote it.</summary>
     public string Software { get; init; } = "";
 
-    /// <summary>What it holds beside the picture, in the file's order; also what this version of the program does not know.</summary>
+    /// <summary>Its planes beside the picture, in the file's order; also what this version of the program does not know.</summary>
     public IReadOnlyList<FilmPlane> Planes { get; init; } = [];
 
     /// <summary>True where it holds all the samples that it is meant to.</summary>

@@ -33,7 +33,7 @@ internal sealed class FilmInput(Stream stream)
     }
 
     /// <summary>Reads the check of all that was read.</summary>
-    /// <param name="what">What the check is of, for messages.</param>
+    /// <param name="what">The part that is checked, for messages.</param>
     /// <exception cref="PictureException">It is another.</exception>
     public void Check(string what)
     {

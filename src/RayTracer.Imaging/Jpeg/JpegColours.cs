@@ -35,7 +35,7 @@ internal sealed class JpegColours
 
     /// <summary>Prepares the conversion.</summary>
     /// <param name="frame">The picture, reconstructed.</param>
-    /// <param name="space">What its components mean.</param>
+    /// <param name="space">The meaning of its components.</param>
     /// <param name="inverted">True where 255 means no ink, as in Adobe's files.</param>
     /// <param name="raw">True where codes are to be divided by 255 instead of being decoded from sRGB.</param>
     public JpegColours(JpegFrame frame, JpegColourSpace space, bool inverted, bool raw)

@@ -12,7 +12,7 @@ internal sealed class JpegHuffmanCode
     private readonly byte[] _lengths = new byte[Symbols];
 
     /// <summary>Makes the code.</summary>
-    /// <param name="frequencies">How often each of the 256 symbols comes; 0 for those that get no code.</param>
+    /// <param name="frequencies">The frequency of each of the 256 symbols; 0 for those that get no code.</param>
     public JpegHuffmanCode(ReadOnlySpan<long> frequencies)
     {
         int[] lengths = Lengths(frequencies);

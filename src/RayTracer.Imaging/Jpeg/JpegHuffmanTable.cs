@@ -25,8 +25,8 @@ internal sealed class JpegHuffmanTable
     private readonly int[] _symbolOffset = new int[LongestCode + 1];
 
     /// <summary>Makes the codes of a table.</summary>
-    /// <param name="counts">How many codes there are of each length from 1 to 16.</param>
-    /// <param name="symbols">What the codes stand for, in the order of the codes.</param>
+    /// <param name="counts">The number of codes of each length from 1 to 16.</param>
+    /// <param name="symbols">The symbols of the codes, in the order of the codes.</param>
     /// <exception cref="PictureException">There are more codes of a length than there can be.</exception>
     public JpegHuffmanTable(ReadOnlySpan<byte> counts, ReadOnlySpan<byte> symbols)
     {
@@ -73,7 +73,7 @@ internal sealed class JpegHuffmanTable
 
     /// <summary>A number whose first bit is its sign (T.81, figure F.12).</summary>
     /// <param name="bits">The number's bits.</param>
-    /// <param name="length">How many these are.</param>
+    /// <param name="length">The number of these bits.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static int Extend(int bits, int length)
     {

@@ -61,8 +61,8 @@ internal sealed class JpegScan
 
     /// <summary>Reads the scan's data.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="position">Where the data begins.</param>
-    /// <returns>Where the data ends.</returns>
+    /// <param name="position">The offset at which the data begins.</param>
+    /// <returns>The offset at which the data ends.</returns>
     /// <exception cref="PictureException">The data is damaged.</exception>
     public int Read(ReadOnlySpan<byte> file, int position)
     {

@@ -19,7 +19,7 @@ internal static class JpegTransform
 
     /// <summary>Makes 64 samples from 64 coefficients.</summary>
     /// <param name="coefficients">Quantized coefficients, row by row.</param>
-    /// <param name="steps">What each is multiplied by.</param>
+    /// <param name="steps">The factor on each coefficient.</param>
     /// <param name="samples">Receives the first sample of each row.</param>
     /// <param name="stride">Bytes from one row of samples to the next.</param>
     public static void Inverse(ReadOnlySpan<short> coefficients, ReadOnlySpan<float> steps, Span<byte> samples, int stride)

@@ -28,7 +28,7 @@ internal static class JpegWriter
     /// <param name="output">The destination.</param>
     /// <param name="image">Linear RGB; what lies outside [0, 1] is cut off, NaN becomes 0.</param>
     /// <param name="quality">1 to 100, on libjpeg's scale.</param>
-    /// <param name="chroma">How many differences of colour are kept; null for all from quality 90 on, below it a quarter.</param>
+    /// <param name="chroma">The resolution of differences of colour; null for all of it from quality 90 on, and a quarter below.</param>
     /// <param name="metadata">
     /// Texts to keep as comments (COM), <c>key: value</c> in UTF-8. One that has more than 65,533 bytes continues in further ones, called
     /// <c>key (continued)</c>.

@@ -13,6 +13,9 @@ internal static class ExrFormat
     public const int ShortName = 31;
     public const int LongName = 255;
 
+    /// <summary>The channel of how opaque the pixels are; the picture is premultiplied with it.</summary>
+    public const string Alpha = "A";
+
     /// <summary>A compression that is read, but not written.</summary>
     public const ExrCompression Piz = (ExrCompression)4;
 
@@ -62,7 +65,7 @@ internal static class ExrFormat
 /// <param name="Name">
 /// Its name, such as <c>depth.Z</c>: the layer, a point, and the channel of the layer; 1 to 255 bytes of ASCII without NUL.
 /// </param>
-/// <param name="Type">How its values are stored.</param>
+/// <param name="Type">The type of its values.</param>
 /// <param name="ReadRow">Writes the values of a row (0 is the top), one a pixel.</param>
 public sealed record ExrLayerChannel(string Name, ExrPixelType Type, Action<int, Memory<double>> ReadRow);
 

@@ -11,7 +11,7 @@ namespace RayTracer.Imaging;
 internal static class ExrWriter
 {
     /// <summary>Writes an image, a block of at most 16 rows at a time: no more is in memory.</summary>
-    /// <param name="output">Where to; it must be able to seek, for the table of blocks before the pixels.</param>
+    /// <param name="output">The stream to write to; it must be able to seek, for the table of blocks before the pixels.</param>
     /// <param name="image">Linear RGB.</param>
     /// <param name="type">
     /// Half or float. Floats are kept bit for bit; for halves, finite values are rounded to the nearest and cut off at ±65504.

@@ -11,7 +11,7 @@ internal sealed class OpenExrFormat : ImageFormat
 
     public override IReadOnlyList<string> Extensions => [".exr"];
 
-    public override ImageFeatures Features => ImageFeatures.PixelType | ImageFeatures.Texts | ImageFeatures.Layers;
+    public override ImageFeatures Features => ImageFeatures.PixelType | ImageFeatures.Texts | ImageFeatures.Layers | ImageFeatures.Alpha;
 
     public override bool Matches(ReadOnlySpan<byte> head) => head.StartsWith(ExrReader.Signature);
 
@@ -24,5 +24,20 @@ internal sealed class OpenExrFormat : ImageFormat
     public override IReadOnlyList<ExrLayerChannel> ReadLayers(ReadOnlySpan<byte> file) => ExrReader.ReadLayers(file);
 
     public override void Write(Stream output, IImageRows image, ImageWriteOptions options) =>
-        ExrWriter.Write(output, image, options.ExrPixelType, options.ExrCompression, options.Metadata, options.ExrLayers);
+        ExrWriter.Write(
+            output, image, options.ExrPixelType, options.ExrCompression, options.Metadata,
+            options.Alpha is { } alpha ? [.. options.ExrLayers, Alpha(image.Width, options.ExrPixelType, alpha)] : options.ExrLayers);
+
+    private static ExrLayerChannel Alpha(int width, ExrPixelType type, Action<int, Span<float>> read)
+    {
+        float[] row = new float[width];
+        return new(ExrFormat.Alpha, type, (y, values) =>
+        {
+            read(y, row);
+            for (int x = 0; x < width; x++)
+            {
+                values.Span[x] = row[x];
+            }
+        });
+    }
 }

@@ -7,7 +7,7 @@ internal static class PizWavelet
 
     /// <summary>Undoes the transform of one channel in place.</summary>
     /// <param name="data">The numbers.</param>
-    /// <param name="begin">Where the first one is.</param>
+    /// <param name="begin">The index of the first one.</param>
     /// <param name="width">Numbers in a row.</param>
     /// <param name="stepX">From one to the next.</param>
     /// <param name="height">Number of rows.</param>

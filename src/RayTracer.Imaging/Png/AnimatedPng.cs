@@ -8,7 +8,7 @@ namespace RayTracer.Imaging;
 /// without end. Programs that know no animation show the first. The compressed pictures are in memory until they are written.
 /// </summary>
 /// <param name="texts">Texts to keep in the file.</param>
-/// <param name="secondsPerFrame">How long each picture is shown.</param>
+/// <param name="secondsPerFrame">The time for which each picture is shown, in seconds.</param>
 public sealed class AnimatedPng(IEnumerable<KeyValuePair<string, string>> texts, double secondsPerFrame)
 {
     private readonly List<byte[]> _frames = [];
@@ -56,7 +56,7 @@ public sealed class AnimatedPng(IEnumerable<KeyValuePair<string, string>> texts,
     }
 
     /// <summary>Writes the file, whole or not at all (<see cref="AtomicFile"/>).</summary>
-    /// <param name="path">Where to.</param>
+    /// <param name="path">The file.</param>
     /// <exception cref="ImageWriteException">It cannot be written.</exception>
     /// <exception cref="InvalidOperationException">There is no picture.</exception>
     public void Write(string path)

@@ -9,7 +9,7 @@ internal sealed class PngFormat : ImageFormat
 
     public override IReadOnlyList<string> Extensions => [".png"];
 
-    public override ImageFeatures Features => ImageFeatures.Display | ImageFeatures.BitDepth | ImageFeatures.Texts;
+    public override ImageFeatures Features => ImageFeatures.Display | ImageFeatures.BitDepth | ImageFeatures.Texts | ImageFeatures.Alpha;
 
     public override string MediaType => "image/png";
 
@@ -24,5 +24,5 @@ internal sealed class PngFormat : ImageFormat
     public override IReadOnlyList<KeyValuePair<string, string>> ReadText(ReadOnlySpan<byte> file) => PngReader.ReadText(file);
 
     public override void Write(Stream output, IImageRows image, ImageWriteOptions options) =>
-        PngWriter.Write(output, image, options.BitDepth, options.Metadata);
+        PngWriter.Write(output, image, options.BitDepth, options.Metadata, options.Alpha);
 }

@@ -6,7 +6,10 @@ using RayTracer.Textures;
 
 namespace RayTracer.Imaging;
 
-/// <summary>Writes PNG files (W3C PNG specification, third edition): RGB with 8 or 16 bits a channel, sRGB-encoded.</summary>
+/// <summary>
+/// Writes PNG files (W3C PNG specification, third edition): RGB with 8 or 16 bits a channel, sRGB-encoded, and alpha beside them where it is
+/// known.
+/// </summary>
 internal static class PngWriter
 {
     /// <summary>Writes an image, row by row: no more than a few rows are in memory.</summary>
@@ -17,36 +20,39 @@ internal static class PngWriter
     /// Text to keep with the image: keys of 1 to 79 printable Latin-1 characters, without spaces at the ends or side by side; values
     /// without NUL.
     /// </param>
+    /// <param name="readAlpha">Writes how opaque the pixels of a row are, 0 to 1; null for a file without alpha.</param>
     /// <exception cref="ArgumentException">A bit depth that is neither 8 nor 16, or metadata that PNG cannot hold.</exception>
-    public static void Write(Stream output, IImageRows image, int bitDepth = 8, IEnumerable<KeyValuePair<string, string>>? metadata = null)
+    public static void Write(
+        Stream output, IImageRows image, int bitDepth = 8, IEnumerable<KeyValuePair<string, string>>? metadata = null, Action<int, Span<float>>? readAlpha = null)
     {
         if (bitDepth is not (8 or 16))
         {
             throw new ArgumentException($"A PNG is written with 8 or 16 bits per channel, not {bitDepth}.", nameof(bitDepth));
         }
 
-        WriteStart(output, image.Width, image.Height, bitDepth);
+        WriteStart(output, image.Width, image.Height, bitDepth, hasAlpha: readAlpha is not null);
         WriteTexts(output, metadata ?? []);
         using (var chunks = new PngChunkStream(output))
         using (var zlib = new ZLibStream(chunks, CompressionLevel.Optimal))
         {
-            WriteRows(zlib, image, bitDepth);
+            WriteRows(zlib, image, bitDepth, readAlpha);
         }
 
         PngChunkStream.WriteChunk(output, "IEND"u8, []);
     }
 
     /// <summary>Writes what stands before texts and pixels.</summary>
-    internal static void WriteStart(Stream output, int width, int height, int bitDepth)
+    internal static void WriteStart(Stream output, int width, int height, int bitDepth, bool hasAlpha = false)
     {
         const byte Rgb = 2;
+        const byte Rgba = 6;
         output.Write(PngReader.Signature);
         Span<byte> header = stackalloc byte[13];
         header.Clear();
         BinaryPrimitives.WriteInt32BigEndian(header, width);
         BinaryPrimitives.WriteInt32BigEndian(header[4..], height);
         header[8] = (byte)bitDepth;
-        header[9] = Rgb;
+        header[9] = hasAlpha ? Rgba : Rgb;
         PngChunkStream.WriteChunk(output, "IHDR"u8, header);
 
         // Intent 0 (perceptual); gAMA is the value prescribed beside sRGB: 1/2.2 in units of 1/100000.
@@ -87,12 +93,13 @@ internal static class PngWriter
     }
 
     /// <summary>Writes the filtered rows, which are then compressed.</summary>
-    internal static void WriteRows(Stream output, IImageRows image, int bitDepth)
+    internal static void WriteRows(Stream output, IImageRows image, int bitDepth, Action<int, Span<float>>? readAlpha = null)
     {
         SrgbCodes codes = SrgbCurve.CodesOf(bitDepth);
-        int channels = 3 * image.Width;
-        int pixelBytes = 3 * bitDepth / 8;
-        var linear = new float[channels];
+        int channels = readAlpha is null ? 3 : 4;
+        int pixelBytes = channels * bitDepth / 8;
+        var linear = new float[3 * image.Width];
+        var alpha = new float[image.Width];
         var row = new byte[image.Width * pixelBytes];
         var above = new byte[row.Length];
         var candidate = new byte[1 + row.Length];
@@ -100,23 +107,32 @@ internal static class PngWriter
         for (int y = 0; y < image.Height; y++)
         {
             image.ReadRow(y, linear);
-            for (int i = 0; i < channels; i++)
+            for (int i = 0; i < linear.Length; i++)
             {
-                int code = codes.Encode(linear[i]);
-                if (bitDepth == 8)
-                {
-                    row[i] = (byte)code;
-                }
-                else
-                {
-                    row[2 * i] = (byte)(code >> 8);
-                    row[(2 * i) + 1] = (byte)code;
-                }
+                Put(row, (i / 3 * channels) + (i % 3), codes.Encode(linear[i]), bitDepth);
+            }
+
+            readAlpha?.Invoke(y, alpha);
+            for (int x = 0; x < alpha.Length && readAlpha is not null; x++)
+            {
+                Put(row, (x * channels) + 3, (int)((alpha[x] * ((1 << bitDepth) - 1)) + 0.5f), bitDepth);
             }
 
             ChooseFilter(row, above, pixelBytes, ref candidate, ref best);
             output.Write(best);
             (row, above) = (above, row);
+        }
+    }
+
+    private static void Put(byte[] row, int value, int code, int bitDepth)
+    {
+        if (bitDepth == 8)
+        {
+            row[value] = (byte)code;
+        }
+        else
+        {
+            BinaryPrimitives.WriteUInt16BigEndian(row.AsSpan(2 * value), (ushort)code);
         }
     }
 

@@ -48,19 +48,5 @@ internal static class MaterialTextures
             || values.GetValueOrDefault("Anisotropic") is SolidTextureDescription { Color.R: not 0 };
     }
 
-    // Each once: materials that share parts would else be followed along each of very many ways.
-    private static HashSet<object> Parts(MaterialDescription material)
-    {
-        HashSet<object> seen = new(ReferenceEqualityComparer.Instance) { material };
-        Queue<object> next = new(seen);
-        while (next.TryDequeue(out object? whole))
-        {
-            foreach (object part in RecordType.Of(whole.GetType()).Parameters.Select(p => p.Get(whole)).Where(v => v is MaterialDescription or TextureDescription).Where(seen.Add!)!)
-            {
-                next.Enqueue(part);
-            }
-        }
-
-        return seen;
-    }
+    private static IEnumerable<object> Parts(MaterialDescription material) => RecordType.WithParts(material).Select(p => p.Record);
 }

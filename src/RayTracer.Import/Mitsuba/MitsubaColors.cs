@@ -15,9 +15,9 @@ internal static class MitsubaColors
     private static readonly Rgb s_equalEnergy = new Spectrum([CieTables.First, CieTables.Last], [1, 1]).Light();
 
     /// <summary>A property's colour.</summary>
-    /// <param name="thing">What has the property.</param>
+    /// <param name="thing">The object that has the property.</param>
     /// <param name="name">The property.</param>
-    /// <param name="standard">What holds where it is not given, or wrong.</param>
+    /// <param name="standard">The colour where none is given, or a wrong one.</param>
     /// <param name="isLight">True where it is of light, and not of what reflects it.</param>
     /// <param name="maximum">The most that a channel may be.</param>
     public static Rgb Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false, float maximum = float.PositiveInfinity)

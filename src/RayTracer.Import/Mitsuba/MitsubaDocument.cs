@@ -88,15 +88,7 @@ internal sealed class MitsubaDocument
         _open.Remove(thing);
     }
 
-    private List<Link> LinksOf(MitsubaObject thing)
-    {
-        if (!_links.TryGetValue(thing, out List<Link>? links))
-        {
-            _links.Add(thing, links = []);
-        }
-
-        return links;
-    }
+    private List<Link> LinksOf(MitsubaObject thing) => _links.Remember(thing, () => []);
 
     private bool IsScene(MitsubaElement root)
     {

@@ -12,7 +12,7 @@ internal static class MitsubaMedia
 
     /// <summary>The material of a shape with what is inside; the material itself where nothing is.</summary>
     /// <param name="shape">The shape.</param>
-    /// <param name="material">What its surface is made of.</param>
+    /// <param name="material">The material of its surface.</param>
     public static MaterialDescription Fill(MitsubaObject shape, MaterialDescription material)
     {
         if (shape.Child("medium", "exterior") is { } outside)

@@ -63,7 +63,7 @@ internal static class MitsubaNumbers
 
     /// <summary>A vector of the attributes x, y and z, or of <c>value</c> with one or three numbers; null after an error.</summary>
     /// <param name="element">The element.</param>
-    /// <param name="standard">What coordinates are that are not given.</param>
+    /// <param name="standard">The value of coordinates that are not given.</param>
     /// <param name="log">Takes what is wrong.</param>
     public static Vector3? Vector(MitsubaElement element, float standard, MitsubaLog log)
     {

@@ -11,7 +11,7 @@ namespace RayTracer.Import;
 /// what nobody has asked for is an error in the end, so that nothing is passed over silently.
 /// </summary>
 /// <param name="element">Its element.</param>
-/// <param name="files">Where files that it names are looked for.</param>
+/// <param name="files">The folders in which files that it names are looked for.</param>
 /// <param name="log">Takes what is wrong.</param>
 internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, MitsubaLog log)
 {
@@ -274,6 +274,6 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
 
 /// <summary>A thing within another one, or a reference to a thing.</summary>
 /// <param name="Name">The name that it has within the other one; may be empty.</param>
-/// <param name="Place">Where it, or the reference, stands.</param>
+/// <param name="Place">The position of it, or of the reference.</param>
 /// <param name="Resolve">Finds the thing; null, after an error, where there is none.</param>
 internal sealed record MitsubaChild(string Name, SourcePlace Place, Func<MitsubaObject?> Resolve);

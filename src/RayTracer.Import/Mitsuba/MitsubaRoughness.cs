@@ -5,10 +5,10 @@ using RayTracer.Textures;
 namespace RayTracer.Import;
 
 /// <summary>The roughness of a surface.</summary>
-/// <param name="Distribution">How its facets are tilted.</param>
-/// <param name="Alpha">How much.</param>
-/// <param name="AlphaU">How much along u; null where it is <paramref name="Alpha"/>.</param>
-/// <param name="AlphaV">How much along v; null where it is <paramref name="Alpha"/>.</param>
+/// <param name="Distribution">The distribution of the facets' normals.</param>
+/// <param name="Alpha">The roughness.</param>
+/// <param name="AlphaU">The roughness along u; null where it is <paramref name="Alpha"/>.</param>
+/// <param name="AlphaV">The roughness along v; null where it is <paramref name="Alpha"/>.</param>
 internal sealed record MitsubaRoughness(MicrofacetDistribution Distribution, TextureDescription Alpha, TextureDescription? AlphaU, TextureDescription? AlphaV)
 {
     private const float Standard = 0.1f;

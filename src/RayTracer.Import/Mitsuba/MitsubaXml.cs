@@ -125,12 +125,12 @@ internal static class MitsubaXml
 
 /// <summary>An attribute of an XML element.</summary>
 /// <param name="Value">Its value.</param>
-/// <param name="Place">Where its name begins.</param>
+/// <param name="Place">The position of its name.</param>
 internal readonly record struct MitsubaAttribute(string Value, SourcePlace Place);
 
 /// <summary>An XML element, and where it stands.</summary>
 /// <param name="name">Its name.</param>
-/// <param name="place">Where its name begins.</param>
+/// <param name="place">The position of its name.</param>
 internal sealed class MitsubaElement(string name, SourcePlace place)
 {
     /// <summary>Its name.</summary>

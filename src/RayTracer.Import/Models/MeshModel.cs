@@ -13,7 +13,7 @@ internal static class MeshModel
     /// <summary>Makes a model; meshes with vertex colours get a white material, so that the colours are unchanged.</summary>
     /// <param name="path">The file, after which the mesh is named.</param>
     /// <param name="mesh">The triangles.</param>
-    /// <param name="notes">What is said about the file.</param>
+    /// <param name="notes">The notes on the file.</param>
     /// <exception cref="ModelException">There are no triangles.</exception>
     public static ImportedModel Of(string path, MeshData mesh, IReadOnlyList<string> notes)
     {

@@ -82,20 +82,10 @@ internal ref struct ModelText
     /// <summary>Goes to the begin of the next line, over all that is left of this one.</summary>
     public void SkipLine()
     {
-        while (true)
-        {
-            int length = _text[Position..].IndexOfAny((byte)'\n', (byte)'\r');
-            if (length < 0)
-            {
-                Position = _text.Length;
-                return;
-            }
-
-            Position += length;
-            bool isTwo = _text[Position] == '\r' && Position + 1 < _text.Length && _text[Position + 1] == '\n';
-            Position += isTwo ? 2 : 1;
-            return;
-        }
+        int length = _text[Position..].IndexOfAny((byte)'\n', (byte)'\r');
+        Position = length < 0 ? _text.Length : Position + length;
+        int end = _text[Position..].StartsWith("\r\n"u8) ? 2 : 1;
+        Position = Math.Min(Position + end, _text.Length);
     }
 
     /// <summary>Skips blanks and line ends; false at the end of the text.</summary>

@@ -74,7 +74,7 @@ public abstract class ParameterForm(string name)
     public abstract string Words(RecordParameter parameter);
 
     /// <summary>Returns true where a value consists of numbers alone, so that tracks can change it.</summary>
-    /// <param name="written">What stands in the file; null where nothing does.</param>
+    /// <param name="written">The node in the file; null where there is none.</param>
     public virtual bool IsNumeric(JsonNode? written) => false;
 
     /// <summary>Returns the value that is written, whatever its range, for editors; null where it is not of the right form, or consists of things.</summary>

@@ -13,7 +13,7 @@ public sealed class SourceText
     private int _end;
 
     /// <summary>Takes a text; a byte order mark at its beginning is left out.</summary>
-    /// <param name="fileName">How messages call the file.</param>
+    /// <param name="fileName">The name of the file in messages.</param>
     /// <param name="text">The text.</param>
     public SourceText(string fileName, string text)
     {
@@ -39,9 +39,9 @@ public sealed class SourceText
     public string Text { get; }
 
     /// <summary>Decodes UTF-8.</summary>
-    /// <param name="fileName">How messages call the file.</param>
+    /// <param name="fileName">The name of the file in messages.</param>
     /// <param name="bytes">The file's bytes.</param>
-    /// <param name="error">What is wrong where the bytes are no UTF-8; otherwise null.</param>
+    /// <param name="error">The fault where the bytes are no UTF-8; otherwise null.</param>
     /// <returns>The text up to the first error.</returns>
     public static SourceText Decode(string fileName, ReadOnlySpan<byte> bytes, out Diagnostic? error)
     {
@@ -61,7 +61,7 @@ public sealed class SourceText
     }
 
     /// <summary>Gives a text of another origin, such as an option of a command, offsets behind those of this one, so that messages can point at its columns.</summary>
-    /// <param name="name">How messages call it.</param>
+    /// <param name="name">Its name in messages.</param>
     /// <param name="length">Its length.</param>
     /// <returns>The offset of its first character.</returns>
     internal int Annex(string name, int length)

@@ -10,7 +10,7 @@ namespace RayTracer.Scenes;
 internal static class ModelScene
 {
     /// <summary>The scene that shows a model, which it names by its file.</summary>
-    /// <param name="model">What the file holds.</param>
+    /// <param name="model">The contents of the file.</param>
     /// <param name="file">The file, as a scene names it.</param>
     /// <param name="up">The direction that is up; null for that of the format.</param>
     /// <returns>The scene, and a sentence on what was made up. The model's own notes are reported when the scene is built.</returns>

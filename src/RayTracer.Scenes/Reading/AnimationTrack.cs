@@ -15,7 +15,7 @@ internal static class AnimationTrack
     /// <summary>A scene as it is at a time.</summary>
     /// <param name="root">The scene, whose tracks were found to be without fault.</param>
     /// <param name="tracks">Its tracks.</param>
-    /// <param name="map">Where they stand.</param>
+    /// <param name="map">The places of the tracks in the file.</param>
     /// <param name="time">The time in seconds.</param>
     public static JsonNode Apply(JsonNode root, IEnumerable<TrackDescription> tracks, SourceMap map, double time)
     {

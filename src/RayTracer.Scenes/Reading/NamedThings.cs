@@ -6,7 +6,7 @@ namespace RayTracer.Scenes;
 /// The things that a scene file defines under names. Each is read when it is first referred to, so that definitions may
 /// stand in any order.
 /// </summary>
-/// <param name="noun">What each of them is: texture or material.</param>
+/// <param name="noun">The kind of the things: texture or material.</param>
 /// <param name="bag">Takes what is wrong.</param>
 /// <param name="definitions">The object whose members are the definitions; null where there is none.</param>
 /// <param name="read">Reads the definition of a name.</param>
@@ -28,7 +28,7 @@ internal sealed class NamedThings<T>(string noun, DiagnosticBag bag, JsonNode? d
 
     /// <summary>The thing of a name that is defined; null after an error in its definition.</summary>
     /// <param name="name">The name.</param>
-    /// <param name="reference">Where it is referred to.</param>
+    /// <param name="reference">The node that refers to it.</param>
     public T? Find(string name, JsonNode reference)
     {
         if (_things.TryGetValue(name, out T? thing))

@@ -48,7 +48,7 @@ internal sealed class NumberReader(DiagnosticBag bag)
         bag.Fail<T>(node, $"{key} is too large: {Quotation.Short(node.Text)}{beyond}", DiagnosticRule.OutOfRange);
 
     /// <summary>Reads a colour.</summary>
-    /// <param name="key">What the colour is for, in messages.</param>
+    /// <param name="key">The key whose value is the colour, for messages.</param>
     /// <param name="node">The colour.</param>
     /// <param name="bounds">The parameters whose ranges it must keep to.</param>
     public Rgb? Color(string key, JsonNode node, params ReadOnlySpan<RecordParameter> bounds) => node.Kind switch

@@ -10,7 +10,7 @@ public sealed record PropertyAddress(IReadOnlyList<string> Steps, IReadOnlyList<
     /// <summary>Finds a property.</summary>
     /// <param name="root">The scene.</param>
     /// <param name="path">The path, as in <c>shapes.ball.center[1]</c>.</param>
-    /// <returns>Where it is; null where there is none.</returns>
+    /// <returns>The address; null where there is none.</returns>
     public static PropertyAddress? Find(JsonNode root, string path) =>
         PropertyPlace.Find(root, PropertyPath.Read(path)) is { Complaint: null } place
             ? new([.. place.Steps.Select(s => s.Index?.ToString(CultureInfo.InvariantCulture) ?? s.Key)], [.. place.Steps.Select(s => s.IsNamed)]) : null;

@@ -6,33 +6,15 @@ namespace RayTracer.Scenes;
 /// <param name="scene">The outermost record.</param>
 internal sealed class RecordOwners(SceneDescription scene)
 {
-    private Dictionary<object, object>? _owners;
+    private Dictionary<object, object?>? _owners;
 
     /// <summary>A record, then those around it, the innermost first; of several that hold it, the first.</summary>
     public IEnumerable<object> From(object record)
     {
-        _owners ??= Owners();
+        _owners ??= RecordType.WithParts(scene).ToDictionary(p => p.Record, p => p.Owner, ReferenceEqualityComparer.Instance);
         for (object? next = record; next is not null; next = _owners.GetValueOrDefault(next))
         {
             yield return next;
         }
-    }
-
-    private Dictionary<object, object> Owners()
-    {
-        Dictionary<object, object> owners = new(ReferenceEqualityComparer.Instance);
-        Queue<object> records = new([scene]);
-        while (records.TryDequeue(out object? owner))
-        {
-            foreach (RecordParameter parameter in RecordType.Of(owner.GetType()).Parameters)
-            {
-                foreach (object part in parameter.RecordsIn(parameter.Get(owner)).Where(p => !ReferenceEquals(p, scene) && owners.TryAdd(p, owner)))
-                {
-                    records.Enqueue(part);
-                }
-            }
-        }
-
-        return owners;
     }
 }

@@ -52,7 +52,7 @@ public static class SceneLoader
 
     /// <summary>Builds the scene of a text in the native format.</summary>
     /// <param name="text">The text.</param>
-    /// <param name="fileName">How diagnostics call it.</param>
+    /// <param name="fileName">The name of the file in diagnostics.</param>
     /// <param name="folder">The folder from which files that it names are looked for.</param>
     /// <param name="overrides">As for <see cref="Load"/>.</param>
     /// <param name="frame">As for <see cref="Load"/>.</param>
@@ -94,7 +94,7 @@ public static class SceneLoader
     }
 
     /// <summary>Builds the scene of a description that has been read; it remembers the records that its parts were made from.</summary>
-    /// <param name="read">What was read.</param>
+    /// <param name="read">The scene as it was read.</param>
     /// <param name="folder">The folder from which pictures are looked for.</param>
     /// <param name="overrides">As for <see cref="Load"/>.</param>
     /// <param name="readPicture">As for <see cref="Load"/>.</param>
@@ -164,7 +164,7 @@ public static class SceneLoader
 /// <summary>The result of loading a scene file.</summary>
 /// <param name="Scene">The scene, ready to be rendered; null where any diagnostic is an error.</param>
 /// <param name="Description">The scene's description; null where any diagnostic of reading it is an error.</param>
-/// <param name="Diagnostics">What is wrong, by position.</param>
+/// <param name="Diagnostics">The faults, by position.</param>
 public sealed record SceneLoadResult(Scene? Scene, SceneDescription? Description, IReadOnlyList<Diagnostic> Diagnostics);
 
 /// <summary>A format of scene files other than the native one; RayTracer.Import registers Mitsuba's.</summary>

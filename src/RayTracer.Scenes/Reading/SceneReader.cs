@@ -40,7 +40,7 @@ public static class SceneReader
 
     /// <summary>Reads a text.</summary>
     /// <param name="text">The scene file's text.</param>
-    /// <param name="fileName">How diagnostics call it.</param>
+    /// <param name="fileName">The name of the file in diagnostics.</param>
     /// <param name="settings">Values to put in the place of the text's; null for none.</param>
     /// <param name="frame">The frame whose values animated properties get; null for those that the file has in their places.</param>
     public static SceneReadResult ReadText(string text, string fileName, IReadOnlyList<SceneSetting>? settings = null, int? frame = null) =>

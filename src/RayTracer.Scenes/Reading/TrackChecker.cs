@@ -5,7 +5,7 @@ namespace RayTracer.Scenes;
 /// <summary>Finds out whether the tracks of an animation lead to numbers, and whether each of their keys could stand there itself.</summary>
 /// <param name="root">The scene.</param>
 /// <param name="bag">Takes what is wrong.</param>
-/// <param name="map">Where the tracks stand.</param>
+/// <param name="map">The places of the tracks in the file.</param>
 /// <param name="read">Reads the value of a parameter.</param>
 internal sealed class TrackChecker(JsonNode root, DiagnosticBag bag, SourceMap map, Func<RecordParameter, JsonNode, object?> read)
 {

@@ -182,7 +182,7 @@ public static partial class SceneExplanation
 }
 
 /// <summary>A place in scene files, as <see cref="SceneExplanation"/> finds it.</summary>
-/// <param name="Path">How it is written.</param>
+/// <param name="Path">The path as it is written.</param>
 /// <param name="Parameter">The parameter that stands there; null where it is a type.</param>
 /// <param name="Types">The types of things that may stand there, or in its elements.</param>
 /// <param name="HasNames">True where a name or number comes before their keys.</param>

@@ -57,7 +57,7 @@ public sealed class Relighting(SceneDocument document, PictureView view, JobList
     }
 
     /// <summary>The picture with its lights balanced, as a PNG to look at.</summary>
-    /// <param name="factors">What lights are multiplied by: red, green and blue; others stay.</param>
+    /// <param name="factors">The factors on lights: red, green and blue; others stay.</param>
     /// <exception cref="SessionException">No picture is open.</exception>
     public byte[] Png(IReadOnlyDictionary<string, float[]> factors) =>
         ImageFile.Encode(".png", Compose(factors), view.Tone.Writing);

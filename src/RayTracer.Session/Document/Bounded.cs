@@ -4,12 +4,12 @@ namespace RayTracer.Session;
 internal static class Bounded
 {
     /// <summary>Copies a stream to its end.</summary>
-    /// <param name="from">What is read.</param>
-    /// <param name="to">What is written.</param>
+    /// <param name="from">The stream that is read.</param>
+    /// <param name="to">The stream that is written.</param>
     /// <param name="most">The largest number of bytes.</param>
-    /// <param name="complaint">What is said where there are more.</param>
+    /// <param name="complaint">The message where there are more.</param>
     /// <returns>The number of bytes.</returns>
-    /// <exception cref="DocumentException">There are more.</exception>
+    /// <exception cref="SessionException">There are more.</exception>
     public static long Copy(Stream from, Stream to, long most, string complaint)
     {
         byte[] block = new byte[1 << 16];
@@ -19,7 +19,7 @@ internal static class Bounded
             total += read;
             if (total > most)
             {
-                throw new DocumentException(complaint);
+                throw new SessionException(complaint);
             }
 
             to.Write(block, 0, read);
@@ -38,7 +38,7 @@ internal static class Bounded
             total += read;
             if (total > most)
             {
-                throw new DocumentException(complaint);
+                throw new SessionException(complaint);
             }
 
             await to.WriteAsync(block.AsMemory(0, read), cancellation).ConfigureAwait(false);

@@ -30,7 +30,7 @@ public static class FileNames
     }
 
     /// <summary>As the other one, for a text that is JSON.</summary>
-    /// <exception cref="DocumentException">It is none.</exception>
+    /// <exception cref="SessionException">It is none.</exception>
     public static string Move(string text, string from, string to) => Move(JsonText.Of(text), from, to).Text;
 
     private static string Relative(string folder, string file) => Path.GetRelativePath(folder, file).Replace('\\', '/');

@@ -13,7 +13,7 @@ public sealed record FolderListing(string Path, string? Parent, IReadOnlyList<st
     /// <summary>Lists a folder.</summary>
     /// <param name="folder">The folder.</param>
     /// <param name="isFor">Which files, by their names.</param>
-    /// <exception cref="DocumentException">It cannot be listed.</exception>
+    /// <exception cref="SessionException">It cannot be listed.</exception>
     public static FolderListing Of(string folder, Func<string, bool> isFor)
     {
         try
@@ -27,7 +27,7 @@ public sealed record FolderListing(string Path, string? Parent, IReadOnlyList<st
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
-            throw new DocumentException($"the folder {folder} cannot be listed: {e.Message.TrimEnd('.')}", e);
+            throw new SessionException($"the folder {folder} cannot be listed: {e.Message.TrimEnd('.')}", e);
         }
     }
 }

@@ -20,7 +20,7 @@ public sealed class Gallery : IDisposable
     private readonly CancellationTokenSource _end = new();
 
     /// <summary>Looks for the scenes.</summary>
-    /// <param name="folders">Where pictures are kept.</param>
+    /// <param name="folders">The folders in which pictures are kept.</param>
     /// <param name="scenes">The folder of the scenes; null for the one that comes with the program.</param>
     public Gallery(UserFolders folders, string? scenes = null)
     {
@@ -35,7 +35,7 @@ public sealed class Gallery : IDisposable
     /// <summary>A scene's small picture, of at most 240 × 180 pixels, as a PNG file. One is made at a time.</summary>
     /// <param name="id">Which scene.</param>
     /// <param name="cancellation">Ends the waiting.</param>
-    /// <exception cref="DocumentException">There is no such scene, or it cannot be rendered.</exception>
+    /// <exception cref="SessionException">There is no such scene, or it cannot be rendered.</exception>
     public async Task<byte[]> Thumbnail(string id, CancellationToken cancellation = default)
     {
         string path = PathOf(id);
@@ -55,7 +55,7 @@ public sealed class Gallery : IDisposable
         }
         catch (IOException e)
         {
-            throw new DocumentException($"the picture of {id} cannot be read: {e.Message.TrimEnd('.')}", e);
+            throw new SessionException($"the picture of {id} cannot be read: {e.Message.TrimEnd('.')}", e);
         }
         finally
         {
@@ -74,9 +74,9 @@ public sealed class Gallery : IDisposable
     }
 
     /// <summary>The file of a scene.</summary>
-    /// <exception cref="DocumentException">There is no such scene.</exception>
+    /// <exception cref="SessionException">There is no such scene.</exception>
     internal string PathOf(string id) =>
-        _paths.TryGetValue(id, out string? path) ? path : throw new DocumentException($"the gallery has no scene {JsonLayout.Quote(id)}");
+        _paths.TryGetValue(id, out string? path) ? path : throw new SessionException($"the gallery has no scene {JsonLayout.Quote(id)}");
 
     private static byte[] Render(string path, CancellationToken cancellation)
     {
@@ -96,7 +96,7 @@ public sealed class Gallery : IDisposable
         });
         if (load.Scene is not { } scene)
         {
-            throw new DocumentException($"{Path.GetFileName(path)} cannot be rendered: {string.Join("; ", load.Diagnostics.Select(d => d.Message))}");
+            throw new SessionException($"{Path.GetFileName(path)} cannot be rendered: {string.Join("; ", load.Diagnostics.Select(d => d.Message))}");
         }
 
         (Film film, RenderStatistics statistics) = new RTracer(scene, new RenderOptions { Threads = 1 }).Render(cancellation: cancellation);
@@ -191,14 +191,14 @@ public sealed class Gallery : IDisposable
 }
 
 /// <summary>Shipped scenes that belong together.</summary>
-/// <param name="Title">What they are.</param>
+/// <param name="Title">The title of the group.</param>
 /// <param name="Items">The scenes.</param>
 public sealed record GalleryGroup(string Title, IReadOnlyList<GalleryItem> Items);
 
 /// <summary>A shipped scene.</summary>
-/// <param name="Id">How it is asked for.</param>
+/// <param name="Id">The identifier by which it is requested.</param>
 /// <param name="Name">The name.</param>
-/// <param name="Summary">What it shows, from the comment at its head.</param>
+/// <param name="Summary">A description of the scene, from the comment at its head.</param>
 public sealed record GalleryItem(string Id, string Name, string Summary);
 
 /// <summary>Finds the folder of the scenes that come with the program.</summary>

@@ -15,7 +15,7 @@ public static class JsonEdit
     /// <summary>
     /// Sets or inserts a value; parents that are missing are made. In an array, the step "-" stands for the place behind the last.
     /// </summary>
-    /// <exception cref="DocumentException">A parent is neither object nor array, or an array has no such place.</exception>
+    /// <exception cref="SessionException">A parent is neither object nor array, or an array has no such place.</exception>
     public static JsonText Set(this JsonText text, string pointer, Json? value)
     {
         string[] steps = JsonPointer.Parse(pointer);
@@ -34,7 +34,7 @@ public static class JsonEdit
     }
 
     /// <summary>As <see cref="Set"/>, with the value as it is to be written.</summary>
-    /// <exception cref="DocumentException">It is no JSON, or as for <see cref="Set"/>.</exception>
+    /// <exception cref="SessionException">It is no JSON, or as for <see cref="Set"/>.</exception>
     public static JsonText SetText(this JsonText text, string pointer, string json)
     {
         JsonText value = JsonText.Of(json);
@@ -53,7 +53,7 @@ public static class JsonEdit
     /// Removes a member of an object or an element of an array, with its comma, and with its line and the comment behind it where it has
     /// the line for itself.
     /// </summary>
-    /// <exception cref="DocumentException">There is nothing there, or it is the whole text.</exception>
+    /// <exception cref="SessionException">There is nothing there, or it is the whole text.</exception>
     public static JsonText Remove(this JsonText text, string pointer)
     {
         (JsonNode container, int index) = Locate(text, pointer);
@@ -99,19 +99,19 @@ public static class JsonEdit
     }
 
     /// <summary>Gives a member of an object another key.</summary>
-    /// <exception cref="DocumentException">There is no such member, or there is one of the new key already.</exception>
+    /// <exception cref="SessionException">There is no such member, or there is one of the new key already.</exception>
     public static JsonText Rename(this JsonText text, string pointer, string key)
     {
         (JsonNode container, int index) = Locate(text, pointer);
         if (container.Kind != JsonKind.Object)
         {
-            throw new DocumentException("elements of a list have no key");
+            throw new SessionException("elements of a list have no key");
         }
 
         JsonMember member = container.Members[index];
         return member.Key == key ? text
             : container.Find(key) is null ? text.With(new TextEdit(member.Start, member.End, JsonLayout.Quote(key)))
-            : throw new DocumentException($"there is {JsonLayout.Quote(key)} already");
+            : throw new SessionException($"there is {JsonLayout.Quote(key)} already");
     }
 
     /// <summary>Puts a copy of a value behind it, as it is written.</summary>
@@ -119,7 +119,7 @@ public static class JsonEdit
     /// <param name="pointer">The value.</param>
     /// <param name="key">The copy's key, where it is a member of an object.</param>
     /// <returns>The text, and the pointer of the copy.</returns>
-    /// <exception cref="DocumentException">There is no such value, or there is one of the new key already.</exception>
+    /// <exception cref="SessionException">There is no such value, or there is one of the new key already.</exception>
     public static (JsonText Text, string Pointer) Duplicate(this JsonText text, string pointer, string key = "")
     {
         (JsonNode container, int index) = Locate(text, pointer);
@@ -132,7 +132,7 @@ public static class JsonEdit
 
         if (container.Find(key) is not null)
         {
-            throw new DocumentException($"there is {JsonLayout.Quote(key)} already");
+            throw new SessionException($"there is {JsonLayout.Quote(key)} already");
         }
 
         string copy = JsonLayout.Quote(key) + text.Text[container.Members[index].End..end];
@@ -148,7 +148,7 @@ public static class JsonEdit
             || (container.Kind == JsonKind.Array && (step == "-" || JsonPointer.Index(step) == container.Items.Count));
         if (!fits)
         {
-            throw new DocumentException($"there is nothing at {JsonLayout.Quote(step)} in {(pointer.Length > 0 ? JsonLayout.Quote(pointer) : "the scene")}");
+            throw new SessionException($"there is nothing at {JsonLayout.Quote(step)} in {(pointer.Length > 0 ? JsonLayout.Quote(pointer) : "the scene")}");
         }
 
         string key = container.Kind == JsonKind.Object ? JsonLayout.Quote(step) + ": " : "";
@@ -221,7 +221,7 @@ public static class JsonEdit
     private static (JsonNode Container, int Index) Locate(JsonText text, string pointer)
     {
         JsonNode node = text.At(pointer);
-        JsonNode container = text.At(JsonPointer.Parent(pointer) ?? throw new DocumentException("the whole scene cannot be removed, renamed or copied"));
+        JsonNode container = text.At(JsonPointer.Parent(pointer) ?? throw new SessionException("the whole scene cannot be removed, renamed or copied"));
         int index = 0;
         while (!ReferenceEquals(container.Kind == JsonKind.Array ? container.Items[index] : container.Members[index].Value, node))
         {
@@ -251,5 +251,5 @@ public static class JsonEdit
 /// <summary>The replacement of a part of a text.</summary>
 /// <param name="From">Offset of the part.</param>
 /// <param name="To">Offset behind it.</param>
-/// <param name="Insert">What takes its place.</param>
+/// <param name="Insert">The text that replaces it.</param>
 public readonly record struct TextEdit(int From, int To, string Insert);

@@ -7,7 +7,7 @@ namespace RayTracer.Session;
 public static class JsonPointer
 {
     /// <summary>The steps of a pointer, unescaped; none for the whole text.</summary>
-    /// <exception cref="DocumentException">It is no pointer.</exception>
+    /// <exception cref="SessionException">It is no pointer.</exception>
     public static string[] Parse(string pointer)
     {
         if (pointer.Length == 0)
@@ -17,7 +17,7 @@ public static class JsonPointer
 
         return pointer[0] == '/'
             ? [.. pointer[1..].Split('/').Select(s => s.Replace("~1", "/", StringComparison.Ordinal).Replace("~0", "~", StringComparison.Ordinal))]
-            : throw new DocumentException($"{JsonLayout.Quote(pointer)} is not a JSON pointer: it must start with a slash");
+            : throw new SessionException($"{JsonLayout.Quote(pointer)} is not a JSON pointer: it must start with a slash");
     }
 
     /// <summary>The pointer of some steps.</summary>

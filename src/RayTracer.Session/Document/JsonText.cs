@@ -21,7 +21,7 @@ public sealed class JsonText
     public JsonNode Root { get; }
 
     /// <summary>Parses a text.</summary>
-    /// <exception cref="DocumentException">It is no JSON.</exception>
+    /// <exception cref="SessionException">It is no JSON.</exception>
     public static JsonText Of(string text)
     {
         List<Diagnostic> diagnostics = [];
@@ -30,7 +30,7 @@ public sealed class JsonText
     }
 
     /// <summary>The text and tree that a reader has parsed.</summary>
-    /// <exception cref="DocumentException">It is no JSON.</exception>
+    /// <exception cref="SessionException">It is no JSON.</exception>
     public static JsonText Of(SceneReadResult read) =>
         read is { Root: { } root, Source: { } source } ? new(source.Text, root) : throw Fault(read.Diagnostics);
 
@@ -50,11 +50,11 @@ public sealed class JsonText
     }
 
     /// <summary>The value at a pointer.</summary>
-    /// <exception cref="DocumentException">There is none.</exception>
+    /// <exception cref="SessionException">There is none.</exception>
     public JsonNode At(string pointer) =>
-        JsonPointer.Find(Root, pointer) ?? throw new DocumentException($"there is nothing at {JsonLayout.Quote(pointer)}");
+        JsonPointer.Find(Root, pointer) ?? throw new SessionException($"there is nothing at {JsonLayout.Quote(pointer)}");
 
-    private static DocumentException Fault(IReadOnlyList<Diagnostic> diagnostics)
+    private static SessionException Fault(IReadOnlyList<Diagnostic> diagnostics)
     {
         Diagnostic? first = diagnostics.FirstOrDefault(d => d.Severity == Severity.Error);
         return new($"first correct the text: line {first?.Line ?? 1}, column {first?.Column ?? 1}: {first?.Message ?? "it is no JSON"}");

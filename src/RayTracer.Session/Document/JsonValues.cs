@@ -39,7 +39,7 @@ public static class JsonValues
     /// <summary>
     /// A value of a description record whose numbers were computed: they are freed of the last digits that rounding left.
     /// </summary>
-    /// <exception cref="DocumentException">One is too large.</exception>
+    /// <exception cref="SessionException">One is too large.</exception>
     public static Json? Rounded(RecordParameter parameter, object? value) => value switch
     {
         float number => Number(number),
@@ -49,13 +49,13 @@ public static class JsonValues
     };
 
     /// <summary>A number, freed of the last digits that rounding left.</summary>
-    /// <exception cref="DocumentException">It is too large.</exception>
+    /// <exception cref="SessionException">It is too large.</exception>
     public static Json Number(double value)
     {
         float exact = (float)value;
         if (!float.IsFinite(exact))
         {
-            throw new DocumentException("the shape would move or grow beyond all numbers");
+            throw new SessionException("the shape would move or grow beyond all numbers");
         }
 
         float round = float.Parse(exact.ToString("G6", System.Globalization.CultureInfo.InvariantCulture), System.Globalization.CultureInfo.InvariantCulture);

@@ -35,7 +35,7 @@ internal static class NewThing
     /// <param name="type">Its type.</param>
     /// <param name="view">The place and the size.</param>
     /// <param name="objectName">The object that an instance shows; null where there is none.</param>
-    /// <exception cref="DocumentException">There is nothing that an instance could show, or a model has no file.</exception>
+    /// <exception cref="SessionException">There is nothing that an instance could show, or a model has no file.</exception>
     public static JsonObject Shape(RecordType type, SketchView view, string? objectName)
     {
         JsonObject shape = Written(((ShapeDescription)type.Create()).Sketch(view), type, objectName);
@@ -48,7 +48,7 @@ internal static class NewThing
     }
 
     /// <summary>A material, texture or environment with its default values, of which the colour is written.</summary>
-    /// <exception cref="DocumentException">It needs a file and has none.</exception>
+    /// <exception cref="SessionException">It needs a file and has none.</exception>
     public static JsonObject Plain(RecordType type, string? file)
     {
         JsonObject thing = new() { ["type"] = type.Name };
@@ -58,7 +58,7 @@ internal static class NewThing
             bool isShown = parameter.Required || parameter.Key is "color" or "even" or "odd" or "refractiveIndex" or "exponent" or "scale";
             if (parameter is { Required: true, IsFile: true })
             {
-                thing[parameter.Key] = file ?? throw new DocumentException($"a {type.Name} needs a file");
+                thing[parameter.Key] = file ?? throw new SessionException($"a {type.Name} needs a file");
             }
             else if (isShown && parameter.Get(record) is { } value)
             {
@@ -85,8 +85,8 @@ internal static class NewThing
             object? value = parameter.Get(shape);
             if (parameter.Required && value is null or "")
             {
-                json[parameter.Key] = parameter.IsFile ? throw new DocumentException("open or drop the model's file to add it")
-                    : objectName ?? throw new DocumentException("an instance shows one of the scene's objects, and there are none");
+                json[parameter.Key] = parameter.IsFile ? throw new SessionException("open or drop the model's file to add it")
+                    : objectName ?? throw new SessionException("an instance shows one of the scene's objects, and there are none");
             }
             else if (value is IReadOnlyList<ShapeDescription> shapes)
             {

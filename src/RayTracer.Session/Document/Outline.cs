@@ -12,8 +12,8 @@ namespace RayTracer.Session;
 /// <param name="Revision">The revision of the text that it is of.</param>
 /// <param name="Camera">The camera.</param>
 /// <param name="Render">Size, samples and depths.</param>
-/// <param name="Background">What is seen where there is nothing.</param>
-/// <param name="Environment">What surrounds the scene in place of the background.</param>
+/// <param name="Background">The colour that is seen where there is nothing.</param>
+/// <param name="Environment">The environment, which replaces the background.</param>
 /// <param name="Ambient">The ambient light.</param>
 /// <param name="Shapes">The shapes.</param>
 /// <param name="Lights">The shapes listed as lights.</param>
@@ -134,13 +134,13 @@ public sealed record Outline(
 }
 
 /// <summary>A thing in the outline of a scene.</summary>
-/// <param name="Pointer">Where it stands.</param>
+/// <param name="Pointer">Its pointer in the text.</param>
 /// <param name="Name">The name.</param>
 /// <param name="Type">Its type in scene files.</param>
 /// <param name="Summary">A few words about it.</param>
 /// <param name="IsLight">True if it shines.</param>
 /// <param name="Color">Its main colour as #rrggbb (sRGB); null where it has none.</param>
-/// <param name="Children">What it consists of.</param>
+/// <param name="Children">The things that it consists of.</param>
 public sealed record OutlineNode(string Pointer, string Name, string Type, string Summary, bool IsLight, string? Color, IReadOnlyList<OutlineNode> Children);
 
 /// <summary>The places where a scene's text refers to a material, texture or object by its name.</summary>

@@ -8,7 +8,7 @@ namespace RayTracer.Session;
 /// <param name="From">Offset of the part's first character.</param>
 /// <param name="To">Offset behind its last character.</param>
 /// <param name="Severity">"error", "warning" or "note".</param>
-/// <param name="Message">What is wrong: one sentence without a final stop.</param>
+/// <param name="Message">The fault: one sentence without a final stop.</param>
 public sealed record PlacedDiagnostic(int Line, int Column, int From, int To, string Severity, string Message)
 {
     /// <summary>

@@ -3,7 +3,7 @@ using System.Text.Json;
 namespace RayTracer.Session;
 
 /// <summary>The files that a user opened or saved last, newest first: one list for all Studios of the user.</summary>
-/// <param name="folders">Where the list is kept.</param>
+/// <param name="folders">The folders in which the list is kept.</param>
 public sealed class RecentFiles(UserFolders folders)
 {
     private const int Most = 20;

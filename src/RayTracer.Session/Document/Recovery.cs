@@ -44,7 +44,7 @@ public sealed class Recovery : IDisposable
 
     /// <summary>Forgets a text.</summary>
     /// <param name="id">Which.</param>
-    /// <exception cref="DocumentException">There is no such text.</exception>
+    /// <exception cref="SessionException">There is no such text.</exception>
     public void Discard(string id)
     {
         using (Hold(id))
@@ -55,7 +55,7 @@ public sealed class Recovery : IDisposable
             }
             catch (Exception e) when (e is IOException or UnauthorizedAccessException)
             {
-                throw new DocumentException($"the recovered text cannot be deleted: {e.Message.TrimEnd('.')}", e);
+                throw new SessionException($"the recovered text cannot be deleted: {e.Message.TrimEnd('.')}", e);
             }
         }
 
@@ -115,7 +115,7 @@ public sealed class Recovery : IDisposable
     }
 
     /// <summary>Reads a text that was kept.</summary>
-    /// <exception cref="DocumentException">There is no such text.</exception>
+    /// <exception cref="SessionException">There is no such text.</exception>
     internal RecoveredText Claim(string id)
     {
         using (Hold(id))
@@ -124,7 +124,7 @@ public sealed class Recovery : IDisposable
         }
     }
 
-    private static DocumentException Missing() => new("that unsaved text no longer exists");
+    private static SessionException Missing() => new("that unsaved text no longer exists");
 
     private static RecoveredText? Read(string path)
     {
@@ -221,13 +221,13 @@ public sealed class Recovery : IDisposable
 /// <param name="Name">The name that the document had.</param>
 /// <param name="Path">Its file; null where it had none.</param>
 /// <param name="Folder">The folder from which the files that it names are looked for.</param>
-/// <param name="LineEnd">What ends a line of its file.</param>
+/// <param name="LineEnd">The characters that end a line of its file.</param>
 /// <param name="Time">When it was kept.</param>
 /// <param name="Text">The text.</param>
 public sealed record RecoveredText(string Name, string? Path, string Folder, string LineEnd, DateTime Time, string Text);
 
 /// <summary>A text that was not saved when a session ended.</summary>
-/// <param name="Id">How it is asked for.</param>
+/// <param name="Id">The identifier by which it is requested.</param>
 /// <param name="Name">The name that the document had.</param>
 /// <param name="Time">When it was kept.</param>
 public sealed record RecoveryEntry(string Id, string Name, DateTime Time);

@@ -9,9 +9,9 @@ internal sealed class SceneBuilds(Action built) : IDisposable
 {
     private readonly Lock _lock = new();
     private readonly FileCache _files = new();
+    private readonly ChangeCounter _published = new();
     private DocumentContent _content = Nothing;
     private IReadOnlyList<PlacedDiagnostic> _diagnostics = [];
-    private TaskCompletionSource _next = NewSource();
     private Order? _wanted;
     private bool _isBuilding;
     private bool _isDisposed;
@@ -70,18 +70,15 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     {
         while (true)
         {
-            Task next;
-            lock (_lock)
+            // The version first: what is published meanwhile is not waited for.
+            long version = _published.Version;
+            if (Content is var content && content.Revision >= revision)
             {
-                if (_content.Revision >= revision)
-                {
-                    return _content;
-                }
-
-                next = _next.Task;
+                return content;
             }
 
-            await next.WaitAsync(cancellation).ConfigureAwait(false);
+            await _published.WaitBeyond(version, cancellation).ConfigureAwait(false);
+            cancellation.ThrowIfCancellationRequested();
         }
     }
 
@@ -93,8 +90,6 @@ internal sealed class SceneBuilds(Action built) : IDisposable
             _epoch++;
         }
     }
-
-    private static TaskCompletionSource NewSource() => new(TaskCreationOptions.RunContinuationsAsynchronously);
 
     private void BuildAll()
     {
@@ -125,7 +120,6 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     private bool Publish(DocumentContent content, Order order)
     {
         IReadOnlyList<PlacedDiagnostic> diagnostics = PlacedDiagnostic.Of(content.Read, content.Load.Diagnostics);
-        TaskCompletionSource done;
         lock (_lock)
         {
             if (order.Epoch != _epoch)
@@ -134,10 +128,9 @@ internal sealed class SceneBuilds(Action built) : IDisposable
             }
 
             (_content, _diagnostics) = (content, diagnostics);
-            (done, _next) = (_next, NewSource());
         }
 
-        done.SetResult();
+        _published.Advance();
         return true;
     }
 
@@ -180,7 +173,7 @@ internal sealed class SceneBuilds(Action built) : IDisposable
 /// <summary>A document as it was at one moment: its text, and what the text came to.</summary>
 /// <param name="Revision">Grows with every change of the text.</param>
 /// <param name="Text">The scene file's text.</param>
-/// <param name="Read">What was read from it: nodes with their places, records, diagnostics.</param>
+/// <param name="Read">The result of reading it: nodes with their places, records, diagnostics.</param>
 /// <param name="Load">The scene built from it, and all diagnostics.</param>
 /// <param name="LastGood">The newest content, this or an earlier one, from which a scene could be built; null before there was one.</param>
 public sealed record DocumentContent(int Revision, string Text, SceneReadResult Read, SceneLoadResult Load, GoodScene? LastGood);
@@ -188,6 +181,6 @@ public sealed record DocumentContent(int Revision, string Text, SceneReadResult 
 /// <summary>A scene that can be shown, and where it came from.</summary>
 /// <param name="Revision">The document's revision.</param>
 /// <param name="Text">The text then.</param>
-/// <param name="Read">What was read from it.</param>
+/// <param name="Read">The result of reading it.</param>
 /// <param name="Scene">The scene.</param>
 public sealed record GoodScene(int Revision, string Text, SceneReadResult Read, Scene Scene);

@@ -17,9 +17,9 @@ public static class SceneBundle
     /// <summary>Writes a bundle.</summary>
     /// <param name="output">The destination.</param>
     /// <param name="text">The scene.</param>
-    /// <param name="place">Where it is at home.</param>
+    /// <param name="place">The document's name and folder.</param>
     /// <returns>The files that the scene names and the bundle does not have.</returns>
-    /// <exception cref="DocumentException">A file cannot be read, or there is too much.</exception>
+    /// <exception cref="SessionException">A file cannot be read, or there is too much.</exception>
     public static IReadOnlyList<string> Write(Stream output, JsonText text, DocumentPlace place)
     {
         using ZipArchive zip = new(output, ZipArchiveMode.Create, leaveOpen: true);
@@ -61,9 +61,9 @@ public static class SceneBundle
 
     /// <summary>Unpacks a bundle, or any archive with a scene or model in it.</summary>
     /// <param name="path">The archive.</param>
-    /// <param name="folder">Where to: an empty folder. After an error it is gone.</param>
+    /// <param name="folder">The folder to fill, empty at first. After an error it is gone.</param>
     /// <returns>The path of the scene in it.</returns>
-    /// <exception cref="DocumentException">It is no archive, has no scene, is too large, or names files outside of itself.</exception>
+    /// <exception cref="SessionException">It is no archive, has no scene, is too large, or names files outside of itself.</exception>
     public static string Extract(string path, string folder)
     {
         try
@@ -71,7 +71,7 @@ public static class SceneBundle
             using ZipArchive zip = ZipFile.OpenRead(path);
             if (zip.Entries.Count > MostFiles)
             {
-                throw new DocumentException($"the archive has more than {MostFiles} files");
+                throw new SessionException($"the archive has more than {MostFiles} files");
             }
 
             long left = MaximumBytes;
@@ -80,14 +80,14 @@ public static class SceneBundle
                 left = Extract(entry, folder, left);
             }
 
-            return SceneIn(folder) ?? throw new DocumentException($"there is no scene in {Path.GetFileName(path)}");
+            return SceneIn(folder) ?? throw new SessionException($"there is no scene in {Path.GetFileName(path)}");
         }
         catch (Exception e) when (e is InvalidDataException or IOException or UnauthorizedAccessException or NotSupportedException)
         {
             Delete(folder);
-            throw new DocumentException($"{Path.GetFileName(path)} cannot be unpacked: {e.Message.TrimEnd('.')}", e);
+            throw new SessionException($"{Path.GetFileName(path)} cannot be unpacked: {e.Message.TrimEnd('.')}", e);
         }
-        catch (DocumentException)
+        catch (SessionException)
         {
             Delete(folder);
             throw;
@@ -104,7 +104,7 @@ public static class SceneBundle
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new DocumentException($"{path} cannot be read: {e.Message.TrimEnd('.')}", e);
+            throw new SessionException($"{path} cannot be read: {e.Message.TrimEnd('.')}", e);
         }
     }
 
@@ -127,7 +127,7 @@ public static class SceneBundle
         string target = isWithin ? Path.GetFullPath(Path.Combine(folder, name)) : "";
         if (!isWithin || !target.StartsWith(Path.GetFullPath(folder) + Path.DirectorySeparatorChar, StringComparison.Ordinal))
         {
-            throw new DocumentException($"the archive names a file outside itself: {JsonLayout.Quote(entry.FullName)}");
+            throw new SessionException($"the archive names a file outside itself: {JsonLayout.Quote(entry.FullName)}");
         }
 
         Directory.CreateDirectory(Path.GetDirectoryName(target)!);

@@ -18,7 +18,7 @@ public sealed class SceneDocument : IDisposable
 
     /// <summary>A document that has no file yet.</summary>
     /// <param name="text">Its text.</param>
-    /// <param name="place">What it is called, and where files are looked for.</param>
+    /// <param name="place">The document's name, and the folder in which files are looked for.</param>
     public SceneDocument(string text, DocumentPlace place)
     {
         _text = Normal(text);
@@ -53,7 +53,7 @@ public sealed class SceneDocument : IDisposable
     /// The newest text that is JSON at least, for views of its content: while somebody types, the text is none at every other
     /// key.
     /// </summary>
-    /// <exception cref="DocumentException">There was none yet.</exception>
+    /// <exception cref="SessionException">There was none yet.</exception>
     public (int Revision, JsonNode Root) Readable
     {
         get
@@ -61,7 +61,7 @@ public sealed class SceneDocument : IDisposable
             (int revision, SceneReadResult read) = (Revision, Read);
             return read.Root is { } root ? (revision, root)
                 : Content.LastGood is { } good ? (good.Revision, good.Read.Root!)
-                : throw new DocumentException("the text cannot be read yet");
+                : throw new SessionException("the text cannot be read yet");
         }
     }
 
@@ -96,10 +96,10 @@ public sealed class SceneDocument : IDisposable
     /// <param name="baseRevision">The revision that the offsets are of.</param>
     /// <param name="from">Offset of the part.</param>
     /// <param name="to">Offset behind it.</param>
-    /// <param name="insert">What takes its place.</param>
+    /// <param name="insert">The text that replaces it.</param>
     /// <param name="gesture">The gesture that it is a part of; null where it is to be undone by itself.</param>
     /// <returns>True if the revision was the newest; otherwise nothing has changed.</returns>
-    /// <exception cref="DocumentException">There is no such part.</exception>
+    /// <exception cref="SessionException">There is no such part.</exception>
     public bool TryReplace(int baseRevision, int from, int to, string insert, string? gesture)
     {
         lock (_lock)
@@ -111,7 +111,7 @@ public sealed class SceneDocument : IDisposable
 
             if (from < 0 || to < from || to > _text.Length)
             {
-                throw new DocumentException($"the text has {_text.Length} characters, but from {from} to {to} was to be replaced");
+                throw new SessionException($"the text has {_text.Length} characters, but from {from} to {to} was to be replaced");
             }
 
             if (!TryAccept(string.Concat(_text.AsSpan(0, from), Normal(insert), _text.AsSpan(to)), "typing", gesture))
@@ -125,11 +125,11 @@ public sealed class SceneDocument : IDisposable
     }
 
     /// <summary>Changes the text as a whole, as panels and gizmos do.</summary>
-    /// <param name="label">What is changed, for undo.</param>
+    /// <param name="label">The change in a word or two, for undo.</param>
     /// <param name="gesture">The gesture that it is a part of; null where it is to be undone by itself.</param>
     /// <param name="change">Makes the new text of the present one; what it throws passes through, and nothing has changed.</param>
     /// <returns>The revision after it.</returns>
-    /// <exception cref="DocumentException">The text is no JSON at the moment.</exception>
+    /// <exception cref="SessionException">The text is no JSON at the moment.</exception>
     public int Change(string label, string? gesture, Func<JsonText, JsonText> change)
     {
         lock (_lock)
@@ -152,7 +152,7 @@ public sealed class SceneDocument : IDisposable
 
     /// <summary>Puts another text in the place of this one, without a way back.</summary>
     /// <param name="text">The text.</param>
-    /// <param name="place">Where it is at home.</param>
+    /// <param name="place">The document's name and folder.</param>
     /// <param name="isSaved">True if it is safe to lose: the text of a file.</param>
     public void Open(string text, DocumentPlace place, bool isSaved)
     {
@@ -246,14 +246,14 @@ public sealed class SceneDocument : IDisposable
 
 /// <summary>The status of a document: all that is shown beside its text.</summary>
 /// <param name="Revision">The text's revision.</param>
-/// <param name="Name">What the document is called.</param>
+/// <param name="Name">The document's name.</param>
 /// <param name="Path">The whole path of its file; null where it has none yet.</param>
 /// <param name="IsDirty">True if there are changes that were not saved.</param>
 /// <param name="CanUndo">True if there is a step to undo.</param>
 /// <param name="CanRedo">True if there is a step to do again.</param>
-/// <param name="UndoLabel">What the step to undo changed; null where there is none.</param>
-/// <param name="RedoLabel">What the step to do again changed; null where there is none.</param>
-/// <param name="Diagnostics">What is wrong with the text that was built last.</param>
+/// <param name="UndoLabel">The change that undo takes back, in words; null where there is none.</param>
+/// <param name="RedoLabel">The change that redo makes again, in words; null where there is none.</param>
+/// <param name="Diagnostics">The faults of the text that was built last.</param>
 /// <param name="IsGood">True if a scene could be built from that text.</param>
 /// <param name="BuiltRevision">The revision of that text: that of the text itself once it is built.</param>
 public sealed record DocumentStatus(
@@ -261,7 +261,7 @@ public sealed record DocumentStatus(
     IReadOnlyList<PlacedDiagnostic> Diagnostics, bool IsGood, int BuiltRevision);
 
 /// <summary>The place of a document: its name, file and folder.</summary>
-/// <param name="Name">What it is called: a file's name without its folder.</param>
+/// <param name="Name">The document's name: that of a file without its folder.</param>
 /// <param name="Path">The whole path of its file; null where it has none yet.</param>
 /// <param name="Folder">The folder from which the files that it names are looked for.</param>
 public sealed record DocumentPlace(string Name, string? Path, string Folder)

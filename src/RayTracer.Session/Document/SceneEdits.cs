@@ -7,16 +7,16 @@ namespace RayTracer.Session;
 /// The edits of a scene's things: each is one edit of its text, and one step to undo (edits of one gesture are one step together).
 /// </summary>
 /// <param name="document">The document.</param>
-/// <param name="selection">What is selected: it follows things that are renamed.</param>
+/// <param name="selection">The selection: it follows things that are renamed.</param>
 /// <param name="notices">Shows what else an edit has changed.</param>
 public sealed class SceneEdits(SceneDocument document, Selection selection, NoticeBoard notices)
 {
     /// <summary>Writes a value.</summary>
-    /// <param name="pointer">Where.</param>
-    /// <param name="value">What; null is written as null.</param>
+    /// <param name="pointer">The place in the text.</param>
+    /// <param name="value">The value; null is written as null.</param>
     /// <param name="gesture">Of which gesture it is a part.</param>
     /// <returns>The text's revision then, as with all edits.</returns>
-    /// <exception cref="DocumentException">It cannot be written there; so with all edits.</exception>
+    /// <exception cref="SessionException">It cannot be written there; so with all edits.</exception>
     public int Set(string pointer, Json? value, string? gesture = null) =>
         document.Change(JsonPointer.Last(pointer), gesture, text => text.Set(pointer, value));
 
@@ -102,7 +102,7 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
 
 /// <summary>The movement of a thing; what is null stays.</summary>
 /// <param name="Translate">By how much it is moved.</param>
-/// <param name="Rotate">How it is turned.</param>
+/// <param name="Rotate">The rotation.</param>
 /// <param name="Scale">By which factors it grows.</param>
 /// <param name="Center">The point that scaling and turning leave where it is; null for the thing's own.</param>
 public sealed record Placement(Vector3? Translate = null, Turn? Rotate = null, Vector3? Scale = null, Vector3? Center = null);

@@ -19,7 +19,7 @@ public sealed class SceneFiles
     private FileStamp _stamp;
 
     /// <summary>The files of a session.</summary>
-    /// <param name="document">What they are opened into.</param>
+    /// <param name="document">The document that they are opened into.</param>
     /// <param name="folders">The user's folders.</param>
     /// <param name="recovery">The texts that were not saved.</param>
     /// <param name="gallery">The shipped scenes.</param>
@@ -53,7 +53,7 @@ public sealed class SceneFiles
 
     /// <summary>Begins a new scene.</summary>
     /// <param name="discard">True if changes that were not saved may go.</param>
-    /// <exception cref="DocumentException">There are such.</exception>
+    /// <exception cref="SessionException">There are such.</exception>
     public void New(bool discard = false)
     {
         Guard(discard);
@@ -66,7 +66,7 @@ public sealed class SceneFiles
     /// </summary>
     /// <param name="path">The file's whole path.</param>
     /// <param name="discard">True if changes that were not saved may go.</param>
-    /// <exception cref="DocumentException">It cannot be opened, or there are such changes; the document is as it was.</exception>
+    /// <exception cref="SessionException">It cannot be opened, or there are such changes; the document is as it was.</exception>
     public void Open(string path, bool discard = false)
     {
         Guard(discard);
@@ -78,7 +78,7 @@ public sealed class SceneFiles
     /// <summary>Opens a shipped scene, as one that has no file of its own yet.</summary>
     /// <param name="id">Which, as the gallery calls it.</param>
     /// <param name="discard">True if changes that were not saved may go.</param>
-    /// <exception cref="DocumentException">There is no such scene, or there are such changes.</exception>
+    /// <exception cref="SessionException">There is no such scene, or there are such changes.</exception>
     public void OpenGallery(string id, bool discard = false)
     {
         Guard(discard);
@@ -88,7 +88,7 @@ public sealed class SceneFiles
     /// <summary>Opens a text that was not saved, as one with unsaved changes.</summary>
     /// <param name="id">Which, as the recovery calls it.</param>
     /// <param name="discard">True if changes that were not saved may go.</param>
-    /// <exception cref="DocumentException">There is no such text, or there are such changes.</exception>
+    /// <exception cref="SessionException">There is no such text, or there are such changes.</exception>
     public void OpenRecovered(string id, bool discard = false)
     {
         Guard(discard);
@@ -114,7 +114,7 @@ public sealed class SceneFiles
     /// <param name="discard">True if changes that were not saved may go.</param>
     /// <param name="cancellation">Ends the transfer.</param>
     /// <returns>The file's path, and whether it was opened.</returns>
-    /// <exception cref="DocumentException">It is too large, or cannot be opened, or there are such changes.</exception>
+    /// <exception cref="SessionException">It is too large, or cannot be opened, or there are such changes.</exception>
     public async Task<(string Path, bool IsOpened)> Upload(string name, Stream content, bool discard = false, CancellationToken cancellation = default)
     {
         bool opens = IsScene(name);
@@ -137,13 +137,13 @@ public sealed class SceneFiles
     /// <param name="path">The file's whole path; null for that which it has.</param>
     /// <param name="overwrite">True if another file, or one that somebody else has changed, may be overwritten.</param>
     /// <returns>The file's path.</returns>
-    /// <exception cref="DocumentException">It cannot be written, or there is such a file.</exception>
+    /// <exception cref="SessionException">It cannot be written, or there is such a file.</exception>
     public string Save(string? path = null, bool overwrite = false)
     {
         lock (_lock)
         {
             DocumentPlace place = _document.Place;
-            string target = path is null ? place.Path ?? throw new DocumentException("the scene has no file yet: choose where to save it") : Named(Whole(path));
+            string target = path is null ? place.Path ?? throw new SessionException("the scene has no file yet: choose where to save it") : Named(Whole(path));
             CheckTarget(target, place, overwrite);
             DocumentPlace moved = DocumentPlace.Of(target) with { LineEnd = place.LineEnd };
             if (moved.Folder != place.Folder && _document.Read.Root is not null)
@@ -164,7 +164,7 @@ public sealed class SceneFiles
     /// <summary>The contents of a folder, for a dialog.</summary>
     /// <param name="path">The folder; null for the user's own.</param>
     /// <param name="isNamed">True if pictures and models are looked for, which a scene may name, instead of what can be opened.</param>
-    /// <exception cref="DocumentException">It cannot be listed.</exception>
+    /// <exception cref="SessionException">It cannot be listed.</exception>
     public FolderListing List(string? path = null, bool isNamed = false) =>
         FolderListing.Of(string.IsNullOrEmpty(path) ? _folders.Home : Whole(path), isNamed ? IsNamed : CanOpen);
 
@@ -213,7 +213,7 @@ public sealed class SceneFiles
         origin = origin with { Scene = Path.GetFullPath(origin.Scene) };
         if (!File.Exists(origin.Scene))
         {
-            throw new DocumentException($"the scene of {Path.GetFileName(path)} is neither at {origin.Scene} nor beside it");
+            throw new SessionException($"the scene of {Path.GetFileName(path)} is neither at {origin.Scene} nor beside it");
         }
 
         bool isChanged = OriginText.IsChanged(origin);
@@ -241,7 +241,7 @@ public sealed class SceneFiles
     {
         if (!discard && _document.IsDirty)
         {
-            throw new DocumentException($"{_document.Place.Name} has unsaved changes") { Conflict = DocumentConflict.Unsaved };
+            throw new SessionException($"{_document.Place.Name} has unsaved changes", SessionFault.Unsaved);
         }
     }
 
@@ -254,22 +254,22 @@ public sealed class SceneFiles
 
         if (target != place.Path)
         {
-            throw new DocumentException($"the file {target} exists already") { Conflict = DocumentConflict.Exists };
+            throw new SessionException($"the file {target} exists already", SessionFault.Exists);
         }
 
         if (FileStamp.Of(target) != _stamp)
         {
-            throw new DocumentException($"{target} has been changed elsewhere since it was opened here") { Conflict = DocumentConflict.ChangedOnDisk };
+            throw new SessionException($"{target} has been changed elsewhere since it was opened here", SessionFault.ChangedOnDisk);
         }
     }
 
     private static string Whole(string path) => Path.IsPathFullyQualified(path) && !path.Contains('\0', StringComparison.Ordinal)
-        ? Path.GetFullPath(path) : throw new DocumentException("the file needs an absolute path");
+        ? Path.GetFullPath(path) : throw new SessionException("the file needs an absolute path");
 
     private static string Named(string path) => Path.GetExtension(path).ToLowerInvariant() switch
     {
         ".json" => path,
         "" => path + ".json",
-        _ => throw new DocumentException("scenes are saved as .json files"),
+        _ => throw new SessionException("scenes are saved as .json files"),
     };
 }

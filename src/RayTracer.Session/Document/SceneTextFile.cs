@@ -34,14 +34,14 @@ internal static class SceneTextFile
     /// <summary>Reads a scene file.</summary>
     /// <param name="path">The file.</param>
     /// <returns>The text, with \n at each line's end, and what ends the file's lines.</returns>
-    /// <exception cref="DocumentException">It cannot be read, or is no text.</exception>
+    /// <exception cref="SessionException">It cannot be read, or is no text.</exception>
     public static (string Text, string LineEnd) Read(string path)
     {
         byte[] bytes = Guard(path, () =>
         {
             if (!File.Exists(path))
             {
-                throw new DocumentException($"there is no file {path}");
+                throw new SessionException($"there is no file {path}");
             }
 
             using FileStream stream = File.OpenRead(path);
@@ -52,7 +52,7 @@ internal static class SceneTextFile
         SourceText source = SourceText.Decode(path, bytes, out Diagnostic? error);
         if (error is not null)
         {
-            throw new DocumentException($"{Path.GetFileName(path)} cannot be opened: {error.Message}");
+            throw new SessionException($"{Path.GetFileName(path)} cannot be opened: {error.Message}");
         }
 
         string text = source.Text.ReplaceLineEndings("\n");
@@ -60,7 +60,7 @@ internal static class SceneTextFile
     }
 
     /// <summary>Makes a scene's text of a model file: the model, and the camera and light that are its own or made up.</summary>
-    /// <exception cref="DocumentException">It cannot be read.</exception>
+    /// <exception cref="SessionException">It cannot be read.</exception>
     public static string ReadModel(string path) => Guard(path, () =>
     {
         try
@@ -69,22 +69,22 @@ internal static class SceneTextFile
         }
         catch (Exception e) when (e is ModelException or ArgumentException)
         {
-            throw new DocumentException($"{Path.GetFileName(path)} cannot be opened: {e.Message.TrimEnd('.')}", e);
+            throw new SessionException($"{Path.GetFileName(path)} cannot be opened: {e.Message.TrimEnd('.')}", e);
         }
     });
 
     /// <summary>Makes a scene's text of one in Mitsuba's format, with its warnings as comments at the head.</summary>
-    /// <exception cref="DocumentException">There is something wrong with it.</exception>
+    /// <exception cref="SessionException">There is something wrong with it.</exception>
     public static string ReadMitsuba(string path)
     {
         SceneReadResult read = MitsubaReader.Read(path);
         return read.Description is { } scene
             ? string.Concat(read.Diagnostics.Select(d => $"// {(d with { File = Path.GetFileName(d.File) }).ToString().ReplaceLineEndings(" ")}\n")) + SceneWriter.Write(scene)
-            : throw new DocumentException($"{Path.GetFileName(path)} cannot be opened: {read.Diagnostics.First(d => d.Severity == Severity.Error)}");
+            : throw new SessionException($"{Path.GetFileName(path)} cannot be opened: {read.Diagnostics.First(d => d.Severity == Severity.Error)}");
     }
 
     /// <summary>Writes a scene file under a temporary name and renames it.</summary>
-    /// <exception cref="DocumentException">It cannot be written; the old file is untouched.</exception>
+    /// <exception cref="SessionException">It cannot be written; the old file is untouched.</exception>
     public static void Write(string path, string text, string lineEnd)
     {
         try
@@ -94,7 +94,7 @@ internal static class SceneTextFile
         }
         catch (ImageWriteException e)
         {
-            throw new DocumentException(e.Message.TrimEnd('.'), e);
+            throw new SessionException(e.Message.TrimEnd('.'), e);
         }
     }
 
@@ -106,7 +106,7 @@ internal static class SceneTextFile
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or NotSupportedException)
         {
-            throw new DocumentException($"{path} cannot be opened: {e.Message.TrimEnd('.')}", e);
+            throw new SessionException($"{path} cannot be opened: {e.Message.TrimEnd('.')}", e);
         }
     }
 }

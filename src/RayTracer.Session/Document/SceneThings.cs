@@ -28,13 +28,13 @@ public static class SceneThings
     /// <param name="near">The thing beside which a shape is put; null for the middle of the picture.</param>
     /// <param name="file">The file of a model or picture; null where there is none.</param>
     /// <returns>The text, and the thing's pointer.</returns>
-    /// <exception cref="DocumentException">There is no such type, or it lacks something.</exception>
+    /// <exception cref="SessionException">There is no such type, or it lacks something.</exception>
     public static (JsonText Text, string Pointer) Add(JsonText text, string family, string type, string? near = null, string? file = null)
     {
         bool isLight = family == "light";
         TypeFamily kind = SceneTypes.Families.FirstOrDefault(f => f.Noun == (isLight ? "shape" : family))
-            ?? throw new DocumentException($"there is no family {JsonLayout.Quote(family)}: expected shape, light, material, texture or environment");
-        RecordType record = kind.Find(type) ?? throw new DocumentException($"there is no {kind.Noun} of type {JsonLayout.Quote(type)}");
+            ?? throw new SessionException($"there is no family {JsonLayout.Quote(family)}: expected shape, light, material, texture or environment");
+        RecordType record = kind.Find(type) ?? throw new SessionException($"there is no {kind.Noun} of type {JsonLayout.Quote(type)}");
         if (kind == SceneTypes.Environments)
         {
             text = text.Root.Find("background") is null ? text : text.Remove("/background");
@@ -57,11 +57,11 @@ public static class SceneThings
 
     /// <summary>Copies a thing: a shape to beside it, a definition under another name.</summary>
     /// <returns>The text, and the copy's pointer.</returns>
-    /// <exception cref="DocumentException">There is no such thing.</exception>
+    /// <exception cref="SessionException">There is no such thing.</exception>
     public static (JsonText Text, string Pointer) Duplicate(JsonText text, string pointer)
     {
         SceneValue thing = SceneValue.At(text.Root, pointer) is { Node: not null, Family: not null } found
-            ? found : throw new DocumentException($"there is no shape, material or texture at {JsonLayout.Quote(pointer)}");
+            ? found : throw new SessionException($"there is no shape, material or texture at {JsonLayout.Quote(pointer)}");
         if (SceneReferences.DefinedAt(pointer) is { } family)
         {
             return text.Duplicate(pointer, FreeName(text.Root, family, thing.Key));
@@ -89,7 +89,7 @@ public static class SceneThings
     /// Deletes things. What refers to a material or texture that is deleted gets the default; instances of a deleted object go with it.
     /// </summary>
     /// <returns>The text, and what else has changed, one sentence each.</returns>
-    /// <exception cref="DocumentException">There is no such thing, or it cannot be missing.</exception>
+    /// <exception cref="SessionException">There is no such thing, or it cannot be missing.</exception>
     public static (JsonText Text, IReadOnlyList<string> Notes) Delete(JsonText text, IReadOnlyCollection<string> pointers)
     {
         List<string> notes = [];
@@ -105,25 +105,25 @@ public static class SceneThings
 
     /// <summary>Gives a thing another name: a definition with all that refers to it, a shape by its "name".</summary>
     /// <returns>The text, and the thing's pointer now.</returns>
-    /// <exception cref="DocumentException">There is no such thing, or the name is taken.</exception>
+    /// <exception cref="SessionException">There is no such thing, or the name is taken.</exception>
     public static (JsonText Text, string Pointer) Rename(JsonText text, string pointer, string name)
     {
         SceneValue thing = SceneValue.At(text.Root, pointer) is { Node: not null, Family: not null } found
-            ? found : throw new DocumentException($"nothing at {JsonLayout.Quote(pointer)} can have a name");
+            ? found : throw new SessionException($"nothing at {JsonLayout.Quote(pointer)} can have a name");
         if (SceneReferences.DefinedAt(pointer) is not { } family)
         {
-            return thing.Family != SceneTypes.Shapes ? throw new DocumentException("only shapes and what is defined by name can have a name")
+            return thing.Family != SceneTypes.Shapes ? throw new SessionException("only shapes and what is defined by name can have a name")
                 : (AnimatedProperties.Renamed(text, WithName(text, pointer, name), pointer, pointer), pointer);
         }
 
         if (name.Length == 0)
         {
-            throw new DocumentException("a name needs at least one character");
+            throw new SessionException("a name needs at least one character");
         }
 
         if (family == SceneTypes.Textures && (name.StartsWith('#') || CssColors.Find(name) is not null))
         {
-            throw new DocumentException($"a texture cannot be called {JsonLayout.Quote(name)}, because that is a colour");
+            throw new SessionException($"a texture cannot be called {JsonLayout.Quote(name)}, because that is a colour");
         }
 
         SceneValue[] references = [.. SceneReferences.To(text.Root, family, thing.Key)];
@@ -139,7 +139,7 @@ public static class SceneThings
     {
         if (SceneValue.At(text.Root, pointer) is { Parameter.Required: true } needed && needed.Key == needed.Parameter.Key)
         {
-            throw new DocumentException($"{JsonLayout.Quote(needed.Parameter.Key)} is required");
+            throw new SessionException($"{JsonLayout.Quote(needed.Parameter.Key)} is required");
         }
 
         if (SceneReferences.DefinedAt(pointer) is not { } family)

@@ -9,10 +9,10 @@ namespace RayTracer.Session;
 /// A place in a scene's text, and what the scene format says may stand there. Something may be missing there, or stand there wrongly.
 /// </summary>
 /// <param name="Pointer">The place.</param>
-/// <param name="Node">What stands there; null where nothing does.</param>
+/// <param name="Node">The node at that place; null where there is none.</param>
 /// <param name="Parameter">The parameter that it is, or that it is an element of; null for the whole scene.</param>
 /// <param name="Family">The family: shape, material or texture; null where it is none.</param>
-/// <param name="Type">What record it is: of a member of a family, by its "type"; null where it is none or it is unknown.</param>
+/// <param name="Type">The type of the record: of a member of a family, by its "type"; null where it is none or it is unknown.</param>
 /// <param name="IsList">True if it holds several: elements of a list, or members by name.</param>
 public sealed record SceneValue(string Pointer, JsonNode? Node, RecordParameter? Parameter, TypeFamily? Family, RecordType? Type, bool IsList)
 {

@@ -27,12 +27,12 @@ public sealed class Selection(SceneDocument document)
 
     /// <summary>Selects a thing.</summary>
     /// <param name="pointer">Its pointer; null selects nothing.</param>
-    /// <exception cref="DocumentException">There is no such thing.</exception>
+    /// <exception cref="SessionException">There is no such thing.</exception>
     public void Select(string? pointer)
     {
         if (pointer is not null && document.Read.Root is { } root && JsonPointer.Find(root, pointer) is null)
         {
-            throw new DocumentException($"there is nothing at {JsonLayout.Quote(pointer)}");
+            throw new SessionException($"there is nothing at {JsonLayout.Quote(pointer)}");
         }
 
         lock (_lock)

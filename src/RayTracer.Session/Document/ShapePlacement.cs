@@ -13,7 +13,7 @@ namespace RayTracer.Session;
 public static class ShapePlacement
 {
     /// <summary>Adds a vector.</summary>
-    /// <exception cref="DocumentException">There is no shape, or it would be moved beyond all numbers.</exception>
+    /// <exception cref="SessionException">There is no shape, or it would be moved beyond all numbers.</exception>
     public static JsonText Translate(JsonText text, string pointer, Vector3 by) => Place(text, pointer, new Movement.Translation(by));
 
     /// <summary>Turns about an axis by the right-hand rule.</summary>
@@ -22,23 +22,23 @@ public static class ShapePlacement
     /// <param name="axis">The axis, of any length above zero.</param>
     /// <param name="degrees">The angle.</param>
     /// <param name="center">A point on the axis; null for the shape's middle.</param>
-    /// <exception cref="DocumentException">There is no shape, or the axis has no length.</exception>
+    /// <exception cref="SessionException">There is no shape, or the axis has no length.</exception>
     public static JsonText Rotate(JsonText text, string pointer, Vector3 axis, float degrees, Vector3? center = null) => axis.Norm() > 0 && axis.Unit().IsFinite()
         ? Place(text, pointer, new Movement.Rotation(axis.Unit() is var unit && (axis - unit).Norm() < 1e-6f ? axis : unit, degrees, center ?? Middle(text, pointer)))
-        : throw new DocumentException("the axis of a rotation must have a length");
+        : throw new SessionException("the axis of a rotation must have a length");
 
     /// <summary>Makes larger or smaller along the axes of the world.</summary>
     /// <param name="text">The text.</param>
     /// <param name="pointer">The shape.</param>
     /// <param name="factors">The factors, none of them 0; negative ones mirror.</param>
     /// <param name="center">The point that stays; null for the shape's middle.</param>
-    /// <exception cref="DocumentException">There is no shape, or a factor is 0.</exception>
+    /// <exception cref="SessionException">There is no shape, or a factor is 0.</exception>
     public static JsonText Scale(JsonText text, string pointer, Vector3 factors, Vector3? center = null) => factors.X * factors.Y * factors.Z != 0
         ? Place(text, pointer, new Movement.Scaling(factors, center ?? Middle(text, pointer)))
-        : throw new DocumentException("no factor of a scaling may be 0");
+        : throw new SessionException("no factor of a scaling may be 0");
 
     /// <summary>About where a shape's middle is in the world: for what consists of others, where its own origin is.</summary>
-    /// <exception cref="DocumentException">There is no shape.</exception>
+    /// <exception cref="SessionException">There is no shape.</exception>
     public static Vector3 Middle(JsonText text, string pointer)
     {
         SceneValue shape = Shape(text, pointer);
@@ -50,7 +50,7 @@ public static class ShapePlacement
         SceneValue shape = Shape(text, pointer);
         if (!movement.Map.IsInvertible)
         {
-            throw new DocumentException("the shape would become too large, too small or too far away to compute with");
+            throw new SessionException("the shape would become too large, too small or too far away to compute with");
         }
 
         Transform outer = Outer(text, pointer);
@@ -86,7 +86,7 @@ public static class ShapePlacement
 
     private static SceneValue Shape(JsonText text, string pointer) =>
         SceneValue.At(text.Root, pointer) is { Family: { } family, Type: not null } shape && family == SceneTypes.Shapes
-            ? shape : throw new DocumentException($"there is no shape at {JsonLayout.Quote(pointer)}");
+            ? shape : throw new SessionException($"there is no shape at {JsonLayout.Quote(pointer)}");
 
     // Of all groups around a shape: what takes their space to the world.
     private static Transform Outer(JsonText text, string pointer)

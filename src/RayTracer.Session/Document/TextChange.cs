@@ -1,9 +1,9 @@
 namespace RayTracer.Session;
 
 /// <summary>A change of a text.</summary>
-/// <param name="Offset">Where.</param>
-/// <param name="Removed">What stood there before.</param>
-/// <param name="Inserted">What stands there now.</param>
+/// <param name="Offset">The offset in the text.</param>
+/// <param name="Removed">The text before.</param>
+/// <param name="Inserted">The text that replaces it.</param>
 public readonly record struct TextChange(int Offset, string Removed, string Inserted)
 {
     /// <summary>The change that undoes this one.</summary>

@@ -26,9 +26,9 @@ public sealed record TypeCatalogue(
 }
 
 /// <summary>A record of scene files.</summary>
-/// <param name="Name">What is written after "type", or the key that it stands under.</param>
-/// <param name="Summary">What it is.</param>
-/// <param name="Parameters">What it may have.</param>
+/// <param name="Name">The name written after "type", or the key that it stands under.</param>
+/// <param name="Summary">A description of it.</param>
+/// <param name="Parameters">Its parameters.</param>
 /// <param name="AddedAs">The families of things (shape, light, material …) among which editors offer it to be added.</param>
 public sealed record CatalogueType(string Name, string Summary, IReadOnlyList<CatalogueParameter> Parameters, IReadOnlyList<string> AddedAs)
 {
@@ -53,7 +53,7 @@ public sealed record CatalogueType(string Name, string Summary, IReadOnlyList<Ca
 /// <param name="MinimumIsExclusive">True if the minimum itself is refused.</param>
 /// <param name="Required">True if it must be written.</param>
 /// <param name="Choices">The words to choose from; empty where it is no choice.</param>
-/// <param name="Default">What holds where nothing is written; null where it may be missing.</param>
+/// <param name="Default">The value where nothing is written; null where it may be missing.</param>
 /// <param name="Range">The allowed range in words; empty where every number is allowed.</param>
 /// <param name="Family">shape, material, texture or environment where it is one, or several; otherwise null.</param>
 /// <param name="Record">The section that it is, or that its elements are; otherwise null.</param>

@@ -20,8 +20,8 @@ public sealed class UndoHistory
     /// <summary>Takes a change that has been made. What had been undone cannot be done again after it.</summary>
     /// <param name="change">The change.</param>
     /// <param name="before">The text before it.</param>
-    /// <param name="label">What is changed.</param>
-    /// <param name="gesture">What it is a part of; null where it stands alone.</param>
+    /// <param name="label">The change, in a word or two.</param>
+    /// <param name="gesture">The gesture that it is a part of; null where it stands alone.</param>
     public void Add(TextChange change, string before, string label, string? gesture)
     {
         _steps.RemoveRange(_done, _steps.Count - _done);
@@ -78,6 +78,6 @@ public sealed class UndoHistory
 
 /// <summary>The step that one press of undo reverts.</summary>
 /// <param name="Change">The change of the text.</param>
-/// <param name="Label">What was changed, in a word or two.</param>
+/// <param name="Label">The change, in a word or two.</param>
 /// <param name="Gesture">The drag or the burst of typing that it came from; null where it stands alone.</param>
 public sealed record UndoStep(TextChange Change, string Label, string? Gesture);

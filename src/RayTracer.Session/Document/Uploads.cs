@@ -24,13 +24,13 @@ public sealed class Uploads(UserFolders folders) : IDisposable
     /// <param name="content">Its content.</param>
     /// <param name="cancellation">Ends the transfer; then there is no file.</param>
     /// <returns>Its whole path.</returns>
-    /// <exception cref="DocumentException">The name is none, the content is too much, or it cannot be written.</exception>
+    /// <exception cref="SessionException">The name is none, the content is too much, or it cannot be written.</exception>
     public async Task<string> Add(string name, Stream content, CancellationToken cancellation = default)
     {
         string bare = Path.GetFileName(name.Replace('\\', '/'));
         if (bare.Length is 0 or > 200 || bare.StartsWith('.') || bare.Any(c => char.IsControl(c) || c is ':' or '*' or '?' or '"' or '<' or '>' or '|'))
         {
-            throw new DocumentException("the file needs a name that is valid on every system");
+            throw new SessionException("the file needs a name that is valid on every system");
         }
 
         string path = Path.Combine(Folder(), bare);
@@ -50,7 +50,7 @@ public sealed class Uploads(UserFolders folders) : IDisposable
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new DocumentException($"{bare} cannot be kept: {e.Message.TrimEnd('.')}", e);
+            throw new SessionException($"{bare} cannot be kept: {e.Message.TrimEnd('.')}", e);
         }
         finally
         {

@@ -4,9 +4,9 @@ namespace RayTracer.Session;
 /// The folders of a user in which a session keeps what is not the user's own work. Each is made when it is first needed, closed to other
 /// users.
 /// </summary>
-/// <param name="state">What is to be kept: recovery, the list of recent files.</param>
-/// <param name="cache">What can be made again, and uploads.</param>
-/// <param name="home">Where dialogs begin.</param>
+/// <param name="state">The folder of what is to be kept: recovery, the list of recent files.</param>
+/// <param name="cache">The folder of what can be made again, and of uploads.</param>
+/// <param name="home">The folder that dialogs show first.</param>
 public sealed class UserFolders(string state, string cache, string home)
 {
     /// <summary>The folder in which dialogs begin.</summary>

@@ -10,9 +10,9 @@ namespace RayTracer.Session;
 internal sealed record FilmScene(string File, string? Text)
 {
     /// <summary>Returns the document's file, or one beside the film where that has another text.</summary>
-    /// <param name="shown">What is shown.</param>
+    /// <param name="shown">The scene that is shown.</param>
     /// <param name="camera">The camera that the film is rendered with.</param>
-    /// <param name="place">Where the document is at home.</param>
+    /// <param name="place">The document's name and folder.</param>
     /// <param name="film">The film's whole path.</param>
     /// <exception cref="SessionException">The text does not have the camera yet.</exception>
     public static FilmScene Of(ViewportScene shown, CameraDescription camera, DocumentPlace place, string film)
@@ -47,7 +47,7 @@ internal sealed record FilmScene(string File, string? Text)
             return System.IO.File.Exists(file) && SceneFormat.Of(file) is null && !ModelFile.IsModel(file)
                 && SceneTextFile.Read(file).Text == text;
         }
-        catch (DocumentException)
+        catch (SessionException)
         {
             return false;
         }

@@ -19,7 +19,7 @@ public sealed class FilmStart(FilmHeader header, Film film)
     public SampleRange Held => header.Samples is [var held] ? held : new(header.Wanted.First, header.Wanted.First);
 
     /// <summary>Reads a film that can be resumed.</summary>
-    /// <exception cref="DocumentException">It cannot.</exception>
+    /// <exception cref="SessionException">It cannot.</exception>
     public static FilmStart Read(string path)
     {
         try
@@ -27,12 +27,12 @@ public sealed class FilmStart(FilmHeader header, Film film)
             (FilmHeader header, Film film) = CarriedFilm.Read(path);
             bool isWhole = header.Samples is [] || (header.Samples is [var held] && held.First == header.Wanted.First);
             return isWhole ? new(header with { Scene = Path.GetFullPath(JobOrigin.ScenePath(header.Scene, path)) }, film)
-                : throw new DocumentException(
+                : throw new SessionException(
                     $"samples are missing within {Path.GetFileName(path)}, which has {header.SamplesText}: render them and merge");
         }
         catch (PictureException e)
         {
-            throw new DocumentException(e.Message.TrimEnd('.'), e);
+            throw new SessionException(e.Message.TrimEnd('.'), e);
         }
     }
 

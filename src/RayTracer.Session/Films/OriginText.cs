@@ -17,7 +17,7 @@ internal static class OriginText
     public static bool IsChanged(RenderJob origin) => NeedsWriting(origin) || Settings(origin).Any();
 
     /// <summary>The text.</summary>
-    /// <exception cref="DocumentException">The scene cannot be read, or has no such values.</exception>
+    /// <exception cref="SessionException">The scene cannot be read, or has no such values.</exception>
     public static string Of(RenderJob origin) => NeedsWriting(origin) ? Written(origin)
         : Settings(origin).Aggregate(JsonText.Of(SceneTextFile.Read(origin.Scene).Text), (text, s) => text.Set($"/render/{s.Path[Render.Length..]}", Value(s.Value))).Text;
 
@@ -31,7 +31,7 @@ internal static class OriginText
     private static string Written(RenderJob origin)
     {
         SceneDescription scene = (origin with { Settings = [.. Settings(origin)] }).Describe()
-            ?? throw new DocumentException($"{origin.Scene} has errors, or cannot have the values that the picture was rendered with");
+            ?? throw new SessionException($"{origin.Scene} has errors, or cannot have the values that the picture was rendered with");
 
         // The values of the frame are in their places.
         return SceneWriter.Write(origin.Frame is null ? scene : scene with { Animation = [] });

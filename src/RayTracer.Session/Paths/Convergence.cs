@@ -15,7 +15,7 @@ public sealed record Convergence(IReadOnlyList<ConvergencePoint> Points, double?
     /// </summary>
     /// <param name="earlier">Earlier pictures, and how many samples they had.</param>
     /// <param name="newest">The newest picture.</param>
-    /// <param name="samples">How many samples it has.</param>
+    /// <param name="samples">The number of samples of each of its pixels.</param>
     public static Convergence Of(IEnumerable<(int Samples, Rgb[] Means)> earlier, Rgb[] newest, int samples)
     {
         List<ConvergencePoint> points = [];
@@ -50,3 +50,8 @@ public sealed record Convergence(IReadOnlyList<ConvergencePoint> Points, double?
 
     private static double Square(double v) => v * v;
 }
+
+/// <summary>The error of a picture.</summary>
+/// <param name="Samples">Samples in each pixel.</param>
+/// <param name="Error">Root of the mean square error over pixels and channels.</param>
+public readonly record struct ConvergencePoint(int Samples, double Error);

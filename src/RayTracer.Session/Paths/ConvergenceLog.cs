@@ -16,7 +16,7 @@ public sealed class ConvergenceLog
     /// <summary>Keeps the picture, if its number of samples is a power of two.</summary>
     /// <param name="film">The picture.</param>
     /// <param name="area">Its pixels that have samples.</param>
-    /// <param name="samples">How many each of them has.</param>
+    /// <param name="samples">The number of samples of each pixel.</param>
     public void Add(Film film, Tile area, int samples)
     {
         if (BitOperations.IsPow2(samples))
@@ -28,7 +28,7 @@ public sealed class ConvergenceLog
     /// <summary>The error after each number of samples.</summary>
     /// <param name="film">The newest picture.</param>
     /// <param name="area">Its pixels that have samples.</param>
-    /// <param name="samples">How many each of them has.</param>
+    /// <param name="samples">The number of samples of each pixel.</param>
     public Convergence Errors(Film film, Tile area, int samples) => Convergence.Of(_kept, Pixels(film, area), samples);
 
     private Rgb[] Pixels(Film film, Tile area)

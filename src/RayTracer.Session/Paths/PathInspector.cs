@@ -19,7 +19,7 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     /// <param name="x">Column.</param>
     /// <param name="y">Row.</param>
     /// <param name="first">The first sample.</param>
-    /// <param name="count">How many; at most 256, and no more than the picture will have.</param>
+    /// <param name="count">The number of paths; at most 256, and no more than the picture will have.</param>
     /// <exception cref="SessionException">There is no such pixel or sample.</exception>
     public async Task<InspectedPixel> Inspect(int x, int y, int first, int count)
     {
@@ -31,9 +31,16 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
                 $"The picture has {render.Width}×{render.Height} pixels of {render.SamplesPerPixel} samples.", SessionFault.Missing);
         }
 
+        if (render.Integrator.Has(IntegratorTraits.TracesLight))
+        {
+            throw new SessionException(
+                $"The {render.Integrator.Name} integrator makes a pixel of many light paths, from the camera and from the lights: to look into them one by one, choose path.",
+                SessionFault.Missing);
+        }
+
         SampleRange samples = new(first, (int)Math.Min(first + (long)Math.Clamp(count, 1, MostPaths), render.SamplesPerPixel));
-        (Rgb? mean, int rendered) = await view.Loop.ReadFilm((film, order, _) =>
-            order.Picture == shown.Picture && film.SampleCount(x, y) is var n and > 0 ? ((Rgb?)film.Mean(x, y), (int)n)
+        (Rgb? mean, int rendered) = await view.Loop.ReadFilm((film, newest, _) =>
+            newest.Picture == shown.Picture && film.SampleCount(x, y) is var n and > 0 ? ((Rgb?)film.Mean(x, y), (int)n)
                 : (null, 0)).ConfigureAwait(false);
         return new(x, y, mean, rendered, [.. new PathTracing(shown.Scene).Trace(x, y, samples).Select(p => Of(shown, p))]);
     }
@@ -81,3 +88,40 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     private static string NameOf(ViewportScene shown, MaterialDescription material) =>
         shown.Description.Materials.FirstOrDefault(m => ReferenceEquals(m.Value, material)).Key ?? TypeOf(material);
 }
+
+/// <summary>The paths whose light came to a pixel.</summary>
+/// <param name="X">Column.</param>
+/// <param name="Y">Row.</param>
+/// <param name="Pixel">The mean of all samples rendered so far; null where there are none.</param>
+/// <param name="Rendered">The number of these samples.</param>
+/// <param name="Samples">Some of its paths.</param>
+public sealed record InspectedPixel(int X, int Y, Rgb? Pixel, int Rendered, IReadOnlyList<InspectedPath> Samples);
+
+/// <summary>A light path, for people.</summary>
+/// <param name="Sample">The sample's number in its pixel.</param>
+/// <param name="Radiance">The radiance that it brings.</param>
+/// <param name="Vertices">From the camera to its end.</param>
+public sealed record InspectedPath(int Sample, Rgb Radiance, IReadOnlyList<InspectedVertex> Vertices);
+
+/// <summary>A vertex of a light path, for people.</summary>
+/// <param name="Event">"camera", "diffuse", "specular", "emission" (it ends on what shines), "absorbed", "end" (it is given up) or
+/// "miss".</param>
+/// <param name="Position">The position; for a miss, a point on the way out.</param>
+/// <param name="Normal">The normal, on the ray's side; null where there is none.</param>
+/// <param name="Pointer">The thing in the text; null where there is none.</param>
+/// <param name="Name">The name of the thing.</param>
+/// <param name="Material">The name of its material.</param>
+/// <param name="Weight">The factor on the throughput: BSDF · cosine / pdf of the chosen direction.</param>
+/// <param name="Throughput">The factor on light from here.</param>
+/// <param name="Pdf">The density with which the direction was chosen, in 1/sr; null for mirror-like lobes, and where there is none.</param>
+/// <param name="Contribution">The light that the path gathers here; these add up to its radiance without rounding.</param>
+/// <param name="Parts">The parts of that light.</param>
+public sealed record InspectedVertex(
+    string Event, Vector3 Position, Vector3? Normal, string? Pointer, string Name, string Material, Rgb Weight, Rgb Throughput, float? Pdf,
+    IReadOnlyList<double> Contribution, ContributionParts Parts);
+
+/// <summary>The light that a path gathers at a vertex; red, green and blue each.</summary>
+/// <param name="Emitted">The surface's own light, or the background's.</param>
+/// <param name="Ambient">Ambient light.</param>
+/// <param name="Direct">Light that comes straight from the sources.</param>
+public sealed record ContributionParts(IReadOnlyList<double> Emitted, IReadOnlyList<double> Ambient, IReadOnlyList<double> Direct);

@@ -43,3 +43,16 @@ public sealed class ReportTimes(string? folder) : ISessionPart<ReportTimes>
             report.Number, $"{report.Figure} {p.Letter}", report.Size, p.SamplesPerPixel, p.Seconds, perPath * report.Paths(p)));
     }
 }
+
+/// <summary>A time of the report beside this machine's.</summary>
+/// <param name="Scene">Number of the scene.</param>
+/// <param name="Figure">The figure that shows it, and the picture's letter in it.</param>
+/// <param name="Width">Width and height in pixels.</param>
+/// <param name="Samples">Samples in each pixel.</param>
+/// <param name="ReportSeconds">The time on the report's machine, in seconds.</param>
+/// <param name="Seconds">The time on this one, in seconds: measured with fewer samples, and multiplied.</param>
+public sealed record ReportTime(int Scene, string Figure, int Width, int Samples, double ReportSeconds, double Seconds)
+{
+    /// <summary>The speed of this machine as a multiple.</summary>
+    public double Factor => ReportSeconds / Seconds;
+}

@@ -5,7 +5,7 @@ using RayTracer.Rendering;
 namespace RayTracer.Session;
 
 /// <summary>Writes the picture as the command would write it, samples so far included.</summary>
-/// <param name="document">What the picture is of.</param>
+/// <param name="document">The document that the picture shows.</param>
 /// <param name="view">The picture.</param>
 /// <param name="jobs">The list of what is being done.</param>
 public sealed class PictureSaver(SceneDocument document, PictureView view, JobList jobs)
@@ -15,29 +15,49 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     /// <summary>The formats of the files that are written: pictures, and the film itself.</summary>
     public static IReadOnlyList<PictureFormat> Formats => [.. ImageFormat.Written().Select(PictureFormat.Of), PictureFormat.Film];
 
-    /// <summary>Writes the picture, or the film itself (.rtfilm), to a file, as a job.</summary>
-    /// <param name="path">The file; relative to the document's folder.</param>
-    /// <param name="request">The depth and the layers.</param>
+    /// <summary>Returns the job whose file holds the picture, or the film itself (.rtfilm).</summary>
+    /// <param name="output">The file; relative to the document's folder.</param>
+    /// <param name="bitDepth">PNG: bits a channel; null for 8.</param>
+    /// <param name="layers">The names of auxiliary images to write too: as layers of an OpenEXR file, else in files beside it.</param>
+    /// <exception cref="SessionException">There are no such images or depths.</exception>
+    public RenderJob Job(string output, int? bitDepth = null, params IEnumerable<string> layers)
+    {
+        if (bitDepth is not (null or 8 or 16))
+        {
+            throw new SessionException("A PNG is written with 8 or 16 bits per channel.");
+        }
+
+        RenderJob job = _jobs.Saved(output);
+        return job with
+        {
+            Outputs = [output],
+            Aovs = [.. layers.Select(name => AuxiliaryImage.Known.Find(name) ?? throw new SessionException($"There is no layer {name}."))],
+            Writing = job.Writing with { BitDepth = bitDepth ?? 8 },
+        };
+    }
+
+    /// <summary>Writes the picture so far to the file of its job, beside the user's work.</summary>
+    /// <param name="job">The job.</param>
     /// <param name="overwrite">True if a file that is there already may be replaced.</param>
     /// <returns>The job's number.</returns>
     /// <exception cref="SessionException">There is no picture, or there is such a file.</exception>
     /// <exception cref="JobException">What is requested does not go together with the file.</exception>
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>
-    public async Task<int> Save(string path, PictureRequest request, bool overwrite)
+    public async Task<int> Save(RenderJob job, bool overwrite)
     {
-        string full = _jobs.Whole(path);
+        string full = _jobs.Whole(job.Outputs[0]);
         bool isFilm = FilmFile.IsNamed(full);
-        RenderJob job = Job(full, request);
+        job = job with { Outputs = [full] };
         ViewJobs.Check(job, overwrite);
         TakenFilm taken = await Take(isFilm).ConfigureAwait(false);
-        FilmScene? scene = isFilm ? SceneOf(taken.Order, full) : null;
-        FilmHeader? header = scene is null ? null : Header(taken.Order, scene);
+        FilmScene? scene = isFilm ? SceneOf(taken.Shown, full) : null;
+        FilmHeader? header = scene is null ? null : Header(taken.Shown, scene);
         ViewJobs.Check(job, overwrite, scene is { Text: not null } ? [scene.File] : []);
         return _jobs.Start($"writing {Path.GetFileName(full)}", watch =>
         {
             JobResult result = Result(taken, job, watch.Cancellation);
             result = header is null ? result
-                : result with { Header = header with { Samples = [taken.Complete(watch.Cancellation)], Planes = taken.Film.Planes } };
+                : result with { Header = header with { Samples = [taken.Complete(watch.Cancellation)], Planes = taken.Film.KeptPlanes } };
             scene?.Write();
             new PictureFiles(job).Write(result, watch);
             watch.RequireWritten();
@@ -45,15 +65,12 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         });
     }
 
-    /// <summary>The picture as the bytes of a file.</summary>
-    /// <param name="extension">The ending, with its dot, of one of the pictures' <see cref="Formats"/>.</param>
-    /// <param name="request">The depth, and the layers of formats that hold them.</param>
-    /// <param name="cancellation">Ends the work.</param>
+    /// <summary>Returns the picture so far as the bytes of its job's file, with layers where that has them.</summary>
     /// <exception cref="SessionException">There is no picture.</exception>
-    public async Task<byte[]> Encode(string extension, PictureRequest request, CancellationToken cancellation)
+    public async Task<byte[]> Encode(RenderJob job, CancellationToken cancellation)
     {
-        IReadOnlyList<AuxiliaryImage> layers = ImageFormat.Has(extension, ImageFeatures.Layers) ? request.Layers : [];
-        RenderJob job = Job(Path.ChangeExtension(document.Place.Name, extension), request with { Layers = layers });
+        string extension = Path.GetExtension(job.Outputs[0]);
+        job = ImageFormat.Has(extension, ImageFeatures.Layers) ? job : job with { Aovs = [] };
         TakenFilm taken = await Take(isFilm: false).ConfigureAwait(false);
         return await Task.Run(() =>
         {
@@ -66,47 +83,63 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     /// <summary>The command that would render the picture.</summary>
     public string Command(string? output = null) => (_jobs.Saved(output) with { Denoise = view.Settings.Map == ViewMap.Denoised }).Command;
 
-    private RenderJob Job(string output, PictureRequest request)
-    {
-        RenderJob job = _jobs.Saved(output);
-        return job with { Aovs = request.Layers, Writing = job.Writing with { BitDepth = request.BitDepth } };
-    }
-
     private Task<TakenFilm> Take(bool isFilm) =>
-        view.Loop.ReadFilm((film, order, samples) => isFilm && samples == order.First && view.Loop.Rest is null
+        view.Loop.ReadFilm((film, shown, samples) => isFilm && samples == shown.First && view.Loop.Rest is null
         ? throw new SessionException("The film holds no samples yet.", SessionFault.Missing)
-        : TakenFilm.Of(film, order, samples, view.Loop.Rest));
+        : TakenFilm.Of(film, shown, samples, view.Loop.Rest));
 
     private static JobResult Result(TakenFilm taken, RenderJob job, CancellationToken cancellation)
     {
-        RenderOrder order = taken.Order;
+        ViewportScene shown = taken.Shown;
+        int threads = shown.Settings.Threads;
         AovFilm images = new(taken.Film, job.Aovs);
-        new FirstHitPass(order.Scene, new() { Threads = order.Threads, Crop = order.Region }).Render(images, cancellation);
-        RenderStatistics statistics = new() { Paths = taken.Film.TotalSamples, Cancelled = taken.Samples < order.Samples };
-        return new(order.Scene, taken.Film, statistics, order.Threads, 0) { Samples = new(order.First, order.Samples), Auxiliary = images };
+        new FirstHitPass(shown.Scene, new() { Threads = threads, Crop = shown.Settings.Region }).Render(images, cancellation);
+        RenderStatistics statistics = new() { Paths = taken.Film.TotalSamples, Cancelled = taken.Samples < shown.Samples };
+        return new(shown.Scene, taken.Film, statistics, threads, 0) { Samples = new(shown.First, shown.Samples), Auxiliary = images };
     }
 
     // What it was rendered from when it was begun, it is rendered from now.
-    private FilmScene SceneOf(RenderOrder order, string path)
+    private FilmScene SceneOf(ViewportScene taken, string path)
     {
         ViewportScene shown = view.RequireShown();
-        return shown.Picture != order.Picture ? throw FilmScene.Changing()
-            : order.Start?.Header is { } begun ? new(begun.Scene, null)
-            : FilmScene.Of(shown, order.Camera, document.Place, path);
+        return shown.Picture != taken.Picture ? throw FilmScene.Changing()
+            : taken.Start?.Header is { } begun ? new(begun.Scene, null)
+            : FilmScene.Of(shown, taken.Camera, document.Place, path);
     }
 
-    private FilmHeader Header(RenderOrder order, FilmScene scene) => new()
+    private FilmHeader Header(ViewportScene taken, FilmScene scene) => new()
     {
-        Width = order.Scene.Render.Width,
-        Height = order.Scene.Render.Height,
-        Content = PictureView.ContentOf(view.RequireShown().Good, order, document.Place.Folder),
+        Width = taken.Scene.Render.Width,
+        Height = taken.Scene.Render.Height,
+        Content = PictureView.ContentOf(taken, document.Place.Folder),
         Samples = [],
-        Wanted = new(order.First, order.Samples),
-        Total = order.Scene.Render.SamplesPerPixel,
-        Crop = order.Region,
+        Wanted = new(taken.First, taken.Samples),
+        Total = taken.Scene.Render.SamplesPerPixel,
+        Crop = taken.Settings.Region,
         Scene = scene.File,
-        Tone = PictureTone.Text(new ImageWriteOptions().For(order.Scene.Render)),
-        Settings = order.Start?.Header is { } begun ? OldFilms.Settings(begun) : [],
+        Tone = PictureTone.Text(new ImageWriteOptions().For(taken.Scene.Render)),
+        Settings = taken.Start?.Header is { } begun ? OldFilms.Settings(begun) : [],
         Software = ProgramName.Text,
     };
+}
+
+/// <summary>A format of files that pictures are written to.</summary>
+/// <param name="Value">The ending of names, without its dot.</param>
+/// <param name="Label">The name that is shown.</param>
+/// <param name="HasDepth">True if bits a channel can be chosen.</param>
+/// <param name="HasLayers">True if it takes auxiliary images.</param>
+/// <param name="IsFilm">True if it is the film itself, which is only written to files.</param>
+public sealed record PictureFormat(string Value, string Label, bool HasDepth, bool HasLayers, bool IsFilm)
+{
+    /// <summary>The film itself.</summary>
+    public static PictureFormat Film { get; } =
+        new(FilmFile.Extension[1..], SessionTexts.Of("formats.rtfilm"), HasDepth: false, HasLayers: false, IsFilm: true);
+
+    /// <summary>Returns a format of pictures as it is offered.</summary>
+    public static PictureFormat Of(ImageFormat format) => new(
+        format.Extensions[0][1..],
+        format.Name,
+        format.Features.HasFlag(ImageFeatures.BitDepth),
+        format.Features.HasFlag(ImageFeatures.Layers),
+        IsFilm: false);
 }

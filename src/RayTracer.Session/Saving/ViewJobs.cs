@@ -70,7 +70,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
 
         if (!overwrite && files.Concat(more).FirstOrDefault(File.Exists) is { } there)
         {
-            throw new SessionException($"The file '{there}' exists already.", SessionFault.Conflict);
+            throw new SessionException($"The file '{there}' exists already.", SessionFault.Exists);
         }
     }
 
@@ -88,7 +88,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
     /// <summary>Starts some work.</summary>
     /// <param name="text">The action, in a few words.</param>
     /// <param name="work">Does it, and returns what is said at the end.</param>
-    /// <param name="pictures">How many pictures are rendered.</param>
+    /// <param name="pictures">The number of pictures that are rendered.</param>
     /// <returns>Its number in the list.</returns>
     public int Start(string text, Func<SessionWatch, string> work, int pictures = 1) =>
         jobs.Start(text, (progress, cancellation) => work(new(progress, pictures, cancellation)));

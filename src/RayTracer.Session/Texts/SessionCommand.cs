@@ -3,9 +3,9 @@ using System.Text.Json.Nodes;
 namespace RayTracer.Session;
 
 /// <summary>Something that a menu, a button or a key can do, whatever shows it.</summary>
-/// <param name="Id">How programs call it.</param>
+/// <param name="Id">Its name in programs.</param>
 /// <param name="Name">The name.</param>
-/// <param name="Tip">What it is for.</param>
+/// <param name="Tip">Its purpose.</param>
 /// <param name="Group">The key of its group's name among the texts.</param>
 /// <param name="Keys">
 /// Its shortcut, as browsers call keys, with "Mod+", "Shift+" and "Alt+" before it; null where it has none. Mod is Ctrl, or Command on a

@@ -9,7 +9,7 @@ public sealed class CameraController(SceneDocument document, PictureView view)
 {
     /// <summary>Moves the camera.</summary>
     /// <exception cref="SessionException">There is nothing to be seen, or it cannot be seen from there.</exception>
-    /// <exception cref="DocumentException">The text is no JSON at the moment.</exception>
+    /// <exception cref="SessionException">The text is no JSON at the moment.</exception>
     public void Move(CameraMove move)
     {
         ViewportScene shown = view.RequireShown();
@@ -30,7 +30,7 @@ public sealed class CameraController(SceneDocument document, PictureView view)
     /// <param name="y">Row.</param>
     /// <returns>The distance of the plane in focus.</returns>
     /// <exception cref="SessionException">Nothing is seen there, or the camera has no lens.</exception>
-    /// <exception cref="DocumentException">The text is no JSON at the moment.</exception>
+    /// <exception cref="SessionException">The text is no JSON at the moment.</exception>
     public float Focus(float x, float y)
     {
         ViewportScene shown = view.RequireShown();

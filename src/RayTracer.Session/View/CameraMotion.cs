@@ -79,7 +79,7 @@ public static class CameraMotion
 
     /// <summary>The height of the part of a plane across the view that the picture shows.</summary>
     /// <param name="camera">The camera.</param>
-    /// <param name="distance">How far away the plane is.</param>
+    /// <param name="distance">The distance of the plane from the camera.</param>
     /// <param name="aspect">Width of the picture over its height.</param>
     public static float HeightAt(CameraDescription camera, float distance, float aspect) =>
         camera.Projection.HeightAt(camera, distance, aspect);

@@ -3,7 +3,7 @@ using System.Numerics;
 namespace RayTracer.Session;
 
 /// <summary>The movement of a camera by the user.</summary>
-/// <param name="Kind">How it moves.</param>
+/// <param name="Kind">The kind of movement.</param>
 /// <param name="Dx">To the right, in heights of the picture.</param>
 /// <param name="Dy">Downwards.</param>
 /// <param name="Dz">Forward.</param>

@@ -1,6 +1,7 @@
 using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
@@ -22,36 +23,36 @@ public sealed class DenoisedPicture
     private long _of = -1;
 
     /// <summary>Returns whether there is something to do before it can be shown as well as the film's samples allow.</summary>
-    /// <param name="order">What is wanted.</param>
+    /// <param name="wanted">The scene to show.</param>
     /// <param name="samples">Samples in each pixel of the film.</param>
-    public bool Needs(RenderOrder order, int samples) => order.Map == ViewMap.Denoised && Next(order, samples) > (_of == order.Picture ? _samples : 0)
-        && Bytes(order.Scene.Render) < GC.GetGCMemoryInfo().TotalAvailableMemoryBytes / Part;
+    public bool Needs(ViewportScene wanted, int samples) => wanted.Settings.Map == ViewMap.Denoised && Next(wanted, samples) > (_of == wanted.Picture ? _samples : 0)
+        && Bytes(wanted.Scene.Render) < GC.GetGCMemoryInfo().TotalAvailableMemoryBytes / Part;
 
     /// <summary>Renders halves with more samples, and denoises them.</summary>
-    /// <param name="order">What is wanted.</param>
+    /// <param name="wanted">The scene to show.</param>
     /// <param name="samples">Samples in each pixel of the film.</param>
     /// <param name="cancellation">Ends the work; the halves start from scratch then.</param>
-    public void Step(RenderOrder order, int samples, CancellationToken cancellation)
+    public void Step(ViewportScene wanted, int samples, CancellationToken cancellation)
     {
-        int next = Next(order, samples);
-        bool isTwice = _of == order.Picture && next == 2 * _samples;
+        int next = Next(wanted, samples);
+        bool isTwice = _of == wanted.Picture && next == 2 * _samples;
         _of = -1;
-        (HalfRender first, HalfRender second) = Halves(order.Scene.Render);
+        (HalfRender first, HalfRender second) = Halves(wanted.Scene.Render);
         try
         {
             if (isTwice)
             {
                 first.Film.Merge(second.Film);
-                new FirstHitPass(order.Scene, Options(order, new(next / 4, next / 2))).Render(first.Features, cancellation);
+                new FirstHitPass(wanted.Scene, Options(wanted, new(next / 4, next / 2))).Render(first.Features, cancellation);
             }
             else
             {
-                Render(order, first, new(0, next / 2), cancellation);
+                Render(wanted, first, new(0, next / 2), cancellation);
             }
 
-            Render(order, second, new(next / 2, next), cancellation);
-            _picture = Denoiser.Denoise(first, second, order.Threads, null, cancellation).Picture;
-            (_samples, _of) = (next, order.Picture);
+            Render(wanted, second, new(next / 2, next), cancellation);
+            _picture = Denoiser.Denoise(first, second, wanted.Settings.Threads, null, cancellation).Picture;
+            (_samples, _of) = (next, wanted.Picture);
         }
         catch (OperationCanceledException)
         {
@@ -59,39 +60,41 @@ public sealed class DenoisedPicture
         }
     }
 
-    /// <summary>The picture; null where there is none of an order yet.</summary>
-    public IImageRows? Of(RenderOrder order) => _of == order.Picture ? _picture : null;
+    /// <summary>The picture; null where there is none of that one yet.</summary>
+    public IImageRows? Of(ViewportScene wanted) => _of == wanted.Picture ? _picture : null;
 
     /// <summary>Memory is given back.</summary>
     public void Clear() => (_halves, _picture, _of) = (null, null, -1);
 
     // Powers of two, and in the end all; 0 where there are no halves.
-    private static int Next(RenderOrder order, int samples)
+    private static int Next(ViewportScene wanted, int samples)
     {
-        int next = samples >= order.Samples ? order.Samples : (int)(BitOperations.RoundUpToPowerOf2((uint)samples + 1) / 2);
+        int next = samples >= wanted.Samples ? wanted.Samples : (int)(BitOperations.RoundUpToPowerOf2((uint)samples + 1) / 2);
         return next < 2 ? 0 : next;
     }
 
     private static long Bytes(RenderDescription render) =>
-        (((2L * Film.BytesPerPixel) + Denoiser.BytesPerPixel) * render.Width * render.Height) + (2 * AovFilm.Bytes(HalfRender.Kinds, render.Width, render.Height));
+        Denoising.Bytes(render.Width, render.Height, PlanesOf(render));
 
-    private static void Render(RenderOrder order, HalfRender half, SampleRange samples, CancellationToken cancellation)
+    private static IReadOnlyList<FilmPlane> PlanesOf(RenderDescription render) => FilmPlane.Needed(render.Integrator, noise: true);
+
+    private static void Render(ViewportScene wanted, HalfRender half, SampleRange samples, CancellationToken cancellation)
     {
         half.Film.Clear();
         half.Features.Clear();
-        new RTracer(order.Scene, Options(order, samples)).Render(half.Film, null, cancellation);
-        new FirstHitPass(order.Scene, Options(order, samples)).Render(half.Features, cancellation);
+        new RTracer(wanted.Scene, Options(wanted, samples)).Render(half.Film, null, cancellation);
+        new FirstHitPass(wanted.Scene, Options(wanted, samples)).Render(half.Features, cancellation);
     }
 
-    private static RenderOptions Options(RenderOrder order, SampleRange samples) =>
-        new() { Threads = order.Threads, Crop = order.Region, Samples = samples };
+    private static RenderOptions Options(ViewportScene wanted, SampleRange samples) =>
+        new() { Threads = wanted.Settings.Threads, Crop = wanted.Settings.Region, Samples = samples };
 
     private (HalfRender First, HalfRender Second) Halves(RenderDescription render)
     {
-        if (_halves is not [{ Film: var film }, _] || (film.Width, film.Height) != (render.Width, render.Height))
+        if (_halves is not [{ Film: var film }, _] || (film.Width, film.Height) != (render.Width, render.Height) || !film.Planes.SequenceEqual(PlanesOf(render)))
         {
             Clear();
-            _halves = [HalfRender.Create(render.Width, render.Height), HalfRender.Create(render.Width, render.Height)];
+            _halves = [HalfRender.Create(render.Width, render.Height, PlanesOf(render)), HalfRender.Create(render.Width, render.Height, PlanesOf(render))];
         }
 
         return (_halves[0], _halves[1]);

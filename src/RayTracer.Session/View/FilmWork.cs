@@ -26,7 +26,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private long _badSamples;
     private double? _noise;
     private long _noiseAt;
-    private ViewMap? _shown;
+    private ViewMap? _map;
     private bool _isStale;
     private int _samplesBefore;
     private bool _isFromFile;
@@ -34,8 +34,8 @@ internal sealed class FilmWork(FrameBoard frames)
     /// <summary>The picture, between steps.</summary>
     public Film? Film { get; private set; }
 
-    /// <summary>The order that it is of; null before the first.</summary>
-    public RenderOrder? Order { get; private set; }
+    /// <summary>The scene that it shows; null before the first.</summary>
+    public ViewportScene? Shown { get; private set; }
 
     /// <summary>The record of its convergence.</summary>
     public ConvergenceLog Log { get; } = new();
@@ -46,90 +46,89 @@ internal sealed class FilmWork(FrameBoard frames)
     /// <summary>The samples that some pixels have and others lack; null where all have the same samples.</summary>
     public Slice? Rest => _plan.Rest;
 
-    /// <summary>Returns whether there is something to do for an order.</summary>
-    public bool HasWork(RenderOrder order) =>
-        order.Picture != Order?.Picture || order.Map != _shown || _previews.Scale > 1 || _maps.Needs(order) || NeedsDenoising(order)
-        || (order.Mode == RenderMode.Running && _plan.Samples < order.Samples) || (_isStale && frames.IsWatched);
+    /// <summary>Returns whether there is something to do for a scene.</summary>
+    public bool HasWork(ViewportScene wanted) =>
+        wanted.Picture != Shown?.Picture || wanted.Settings.Map != _map || _previews.Scale > 1 || _maps.Needs(wanted) || NeedsDenoising(wanted)
+        || (wanted.Settings.Mode == RenderMode.Running && _plan.Samples < wanted.Samples) || (_isStale && frames.IsWatched);
 
     /// <summary>
     /// Returns whether the next step must be completed whatever happens: else somebody who moves fast would never see anything.
     /// </summary>
-    public bool IsUrgent(RenderOrder order) => order.Picture != Order?.Picture || _previews.IsFirst;
+    public bool IsUrgent(ViewportScene wanted) => wanted.Picture != Shown?.Picture || _previews.IsFirst;
 
     /// <summary>Makes a step.</summary>
-    /// <param name="order">What is wanted.</param>
+    /// <param name="wanted">The scene to show.</param>
     /// <param name="cancellation">Ends the step, if it is not urgent; the picture is of no use then.</param>
-    public void Step(RenderOrder order, CancellationToken cancellation)
+    public void Step(ViewportScene wanted, CancellationToken cancellation)
     {
-        if (order.Picture != Order?.Picture)
+        if (wanted.Picture != Shown?.Picture)
         {
-            Begin(order);
+            Begin(wanted);
         }
 
-        if (order.Samples != Order!.Samples)
+        if (wanted.Samples != Shown!.Samples)
         {
-            _plan = _plan.WithSamples(order.Samples);
+            _plan = _plan.WithSamples(wanted.Samples);
         }
 
-        Order = order;
+        Shown = wanted;
         if (_isFromFile)
         {
             _isFromFile = false;
-            Show(order, isMilestone: true, CancellationToken.None);
+            Show(wanted, isMilestone: true, CancellationToken.None);
         }
         else if (_previews.Scale > 1)
         {
-            Preview(order, _previews.IsFirst ? CancellationToken.None : cancellation);
+            Preview(wanted, _previews.IsFirst ? CancellationToken.None : cancellation);
         }
-        else if (_maps.Needs(order))
+        else if (_maps.Needs(wanted))
         {
-            _maps.Step(order, Film!, cancellation);
-            Show(order, isMilestone: true, cancellation);
+            _maps.Step(wanted, Film!, cancellation);
+            Show(wanted, isMilestone: true, cancellation);
         }
-        else if (NeedsDenoising(order))
+        else if (NeedsDenoising(wanted))
         {
-            _denoised.Step(order, _plan.Samples, cancellation);
-            Show(order, isMilestone: true, cancellation);
+            _denoised.Step(wanted, _plan.Samples, cancellation);
+            Show(wanted, isMilestone: true, cancellation);
         }
-        else if (order.Mode == RenderMode.Running && !_plan.IsDone)
+        else if (wanted.Settings.Mode == RenderMode.Running && !_plan.IsDone)
         {
-            Render(order, cancellation);
+            Render(wanted, cancellation);
         }
         else
         {
-            Show(order, isMilestone: true, cancellation);
+            Show(wanted, isMilestone: true, cancellation);
         }
     }
 
     /// <summary>The progress of the picture.</summary>
-    public RenderStatus Status(RenderOrder order)
+    public RenderStatus Status(ViewportScene wanted)
     {
         double perSample = _rendered > 0 ? _seconds / _rendered : 0;
-        bool isDone = order.Picture == Order?.Picture && _plan.Samples >= order.Samples;
+        bool isDone = wanted.Picture == Shown?.Picture && _plan.Samples >= wanted.Samples;
         return new()
         {
-            Status = isDone ? "done" : order.Mode switch { RenderMode.Paused => "paused", RenderMode.Stopped => "stopped", _ => "rendering" },
-            Width = order.Scene.Render.Width,
-            Height = order.Scene.Render.Height,
+            Status = isDone ? "done" : wanted.Settings.Mode switch { RenderMode.Paused => "paused", RenderMode.Stopped => "stopped", _ => "rendering" },
+            Width = wanted.Scene.Render.Width,
+            Height = wanted.Scene.Render.Height,
             Samples = _plan.Samples,
-            SamplesTotal = order.Samples,
+            SamplesTotal = wanted.Samples,
             RaysPerSecond = _seconds > 0 ? _rays / _seconds : 0,
             Seconds = _seconds,
-            SecondsLeft = perSample > 0 ? Math.Max(0, order.Samples - _samplesBefore - _rendered) * perSample : null,
+            SecondsLeft = perSample > 0 ? Math.Max(0, wanted.Samples - _samplesBefore - _rendered) * perSample : null,
             Noise = _noise,
-            Threads = order.Threads,
-            Map = order.Map,
-            Region = order.Region,
             IsPreview = _plan.Samples == 0,
             BadSamples = _badSamples,
         };
     }
 
-    private void Begin(RenderOrder order)
+    private void Begin(ViewportScene wanted)
     {
-        (int width, int height) = (order.Scene.Render.Width, order.Scene.Render.Height);
-        Film? begun = order.Start?.Take();
-        if (Film?.Width == width && Film.Height == height)
+        RenderDescription render = wanted.Scene.Render;
+        (int width, int height) = (render.Width, render.Height);
+        Film? begun = wanted.Start?.Take();
+        IReadOnlyList<FilmPlane> planes = FilmPlane.Needed(render.Integrator, noise: true);
+        if (Film?.Width == width && Film.Height == height && Film.Planes.SequenceEqual(planes))
         {
             Film.Clear();
         }
@@ -139,15 +138,15 @@ internal sealed class FilmWork(FrameBoard frames)
             _maps.Clear();
             _denoised.Clear();
             _previewFilms.Clear();
-            Film = begun ?? FilmBudget.Create(width, height);
+            Film = begun ?? FilmBudget.Create(width, height, planes);
         }
 
         Film = begun ?? Film;
-        Order = order;
-        _samplesBefore = begun is null ? order.First : order.Start!.Held.End;
-        _plan = new SlicePlan(order.Area, order.Samples).From(_samplesBefore);
-        _isFromFile = _samplesBefore > order.First;
-        if (order.Map.IsLight && !_isFromFile)
+        Shown = wanted;
+        _samplesBefore = begun is null ? wanted.First : wanted.Start!.Held.End;
+        _plan = new SlicePlan(wanted.Area, wanted.Samples, render.Integrator.Has(IntegratorTraits.TracesLight)).From(_samplesBefore);
+        _isFromFile = _samplesBefore > wanted.First;
+        if (wanted.Settings.Map.IsLight && !_isFromFile)
         {
             _previews.Begin((long)width * height);
         }
@@ -157,12 +156,12 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         Log.Clear();
-        (_rays, _seconds, _rendered, _badSamples, _noise) = (0, 0, 0, 0, _isFromFile ? NoiseEstimate.Of(Film, order.Area) : null);
+        (_rays, _seconds, _rendered, _badSamples, _noise) = (0, 0, 0, 0, _isFromFile ? NoiseEstimate.Of(Film, wanted.Area) : null);
     }
 
-    private void Preview(RenderOrder order, CancellationToken cancellation)
+    private void Preview(ViewportScene wanted, CancellationToken cancellation)
     {
-        RenderDescription render = order.Scene.Render;
+        RenderDescription render = wanted.Scene.Render;
         int scale = _previews.Scale;
         RenderDescription coarse = render with
         {
@@ -170,11 +169,14 @@ internal sealed class FilmWork(FrameBoard frames)
             Height = Math.Max(1, render.Height / scale),
             SamplesPerPixel = 1,
             MaxDiffuseDepth = Math.Min(render.MaxDiffuseDepth, PreviewDepth),
+
+            // Light from the lamps takes more samples than a preview has.
+            Integrator = render.Integrator.Has(IntegratorTraits.TracesLight) ? Integrator.Path : render.Integrator,
         };
-        Scene scene = order.Scene.WithView(order.Camera, coarse, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("A preview cannot be rendered.");
+        Scene scene = wanted.Scene.WithView(wanted.Camera, coarse, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("A preview cannot be rendered.");
         long start = Stopwatch.GetTimestamp();
         Film film = PreviewFilm(coarse);
-        RenderStatistics statistics = new RTracer(scene, new() { Threads = order.Threads }).Render(film, null, cancellation);
+        RenderStatistics statistics = new RTracer(scene, new() { Threads = wanted.Settings.Threads }).Render(film, null, cancellation);
         if (statistics.Cancelled)
         {
             return;
@@ -184,7 +186,7 @@ internal sealed class FilmWork(FrameBoard frames)
         _preview.CopyFrom(film);
         if (frames.IsWatched)
         {
-            Publish(order, isPreview: true, picture => picture.CopyFrom(_preview));
+            Publish(wanted, isPreview: true, picture => picture.CopyFrom(_preview));
         }
 
         _isStale |= !frames.IsWatched;
@@ -199,46 +201,46 @@ internal sealed class FilmWork(FrameBoard frames)
             return film;
         }
 
-        film = new(coarse.Width, coarse.Height);
+        film = new(coarse.Width, coarse.Height, FilmPlane.Needed(coarse.Integrator));
         _previewFilms.Add((coarse.Width, coarse.Height), film);
         return film;
     }
 
-    private void Render(RenderOrder order, CancellationToken cancellation)
+    private void Render(ViewportScene wanted, CancellationToken cancellation)
     {
         Slice slice = _plan.Next(_seconds, _rendered > 0 ? _seconds / _rendered : 0);
         long start = Stopwatch.GetTimestamp();
-        RenderOptions options = new() { Threads = order.Threads, Crop = slice.Area, Samples = slice.Samples };
-        RenderStatistics statistics = new RTracer(order.Scene, options).Render(Film!, null, cancellation);
+        RenderOptions options = new() { Threads = wanted.Settings.Threads, Crop = slice.Area, Samples = slice.Samples };
+        RenderStatistics statistics = new RTracer(wanted.Scene, options).Render(Film!, null, cancellation);
         if (statistics.Cancelled)
         {
             return;
         }
 
         _seconds += Stopwatch.GetElapsedTime(start).TotalSeconds;
-        _rendered += (double)slice.Samples.Count * slice.Area.Height / order.Area.Height;
+        _rendered += (double)slice.Samples.Count * slice.Area.Height / wanted.Area.Height;
         _rays += statistics.Rays;
         _badSamples += statistics.NonFiniteSamples;
         bool wasFirst = _plan.Samples == 0;
         _plan.Add(slice);
         if (!_plan.IsUneven)
         {
-            Log.Add(Film!, order.Area, _plan.Samples);
+            Log.Add(Film!, wanted.Area, _plan.Samples);
         }
 
         if (!_plan.IsUneven && (Stopwatch.GetElapsedTime(_noiseAt) > NoiseEvery || _plan.IsDone))
         {
-            _noise = NoiseEstimate.Of(Film!, order.Area);
+            _noise = NoiseEstimate.Of(Film!, wanted.Area);
             _noiseAt = Stopwatch.GetTimestamp();
         }
 
-        Show(order, (wasFirst && !_plan.IsUneven) || _plan.IsDone, cancellation);
+        Show(wanted, (wasFirst && !_plan.IsUneven) || _plan.IsDone, cancellation);
     }
 
     // Shows what there is, if anybody looks and it is time to; else it is remembered that there is something to show.
-    private void Show(RenderOrder order, bool isMilestone, CancellationToken cancellation)
+    private void Show(ViewportScene wanted, bool isMilestone, CancellationToken cancellation)
     {
-        _shown = order.Map;
+        _map = wanted.Settings.Map;
         if (!frames.IsWatched || cancellation.IsCancellationRequested || !(isMilestone || _pace.IsTime))
         {
             _isStale = true;
@@ -246,35 +248,35 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         _isStale = false;
-        if (!order.Map.IsLight)
+        if (!wanted.Settings.Map.IsLight)
         {
-            if (_maps.Picture(order, Film!) is { } map)
+            if (_maps.Picture(wanted, Film!) is { } map)
             {
-                Publish(order, isPreview: false, picture => picture.CopyFrom(map));
+                Publish(wanted, isPreview: false, picture => picture.CopyFrom(map));
             }
 
             return;
         }
 
-        IImageRows? denoised = order.Map == ViewMap.Denoised ? _denoised.Of(order) : null;
-        Publish(order, _plan.Samples == 0, picture =>
+        IImageRows? denoised = wanted.Settings.Map == ViewMap.Denoised ? _denoised.Of(wanted) : null;
+        Publish(wanted, _plan.Samples == 0, picture =>
         {
             PicturePainter.Paint(Film!, _preview, picture);
             if (denoised is not null)
             {
-                PicturePainter.Cover(denoised, order.Area, picture);
+                PicturePainter.Cover(denoised, wanted.Area, picture);
             }
         });
     }
 
     // A paused picture is not rendered a second time behind the user's back.
-    private bool NeedsDenoising(RenderOrder order) =>
-        order.Picture == Order?.Picture && order.Mode != RenderMode.Paused && _denoised.Needs(order, _plan.Samples);
+    private bool NeedsDenoising(ViewportScene wanted) =>
+        wanted.Picture == Shown?.Picture && wanted.Settings.Mode != RenderMode.Paused && _denoised.Needs(wanted, _plan.Samples);
 
-    private void Publish(RenderOrder order, bool isPreview, Action<LinearPicture> draw)
+    private void Publish(ViewportScene wanted, bool isPreview, Action<LinearPicture> draw)
     {
-        (int width, int height) = (order.Scene.Render.Width, order.Scene.Render.Height);
-        FrameInfo info = new(width, height, _plan.Samples, isPreview, _plan.IsDone && !NeedsDenoising(order), order.Map.IsLight);
+        (int width, int height) = (wanted.Scene.Render.Width, wanted.Scene.Render.Height);
+        FrameInfo info = new(width, height, _plan.Samples, isPreview, _plan.IsDone && !NeedsDenoising(wanted), wanted.Settings.Map.IsLight);
         _pace.Make(() => frames.Publish(info, draw));
     }
 }
@@ -312,19 +314,23 @@ public static class NoiseEstimate
     /// <param name="area">Its pixels that have samples.</param>
     public static double? Of(Film film, Tile area)
     {
+        if (!film.KnowsNoise)
+        {
+            return null;
+        }
+
         int step = Math.Max(1, (int)Math.Ceiling(Math.Sqrt((double)area.Pixels / MostPixels)));
         (double error, double light) = (0, 0);
         for (int y = area.Y; y < area.Y + area.Height; y += step)
         {
             for (int x = area.X; x < area.X + area.Width; x += step)
             {
-                uint count = film.SampleCount(x, y);
-                if (count < 2)
+                if (film.SampleCount(x, y) < 2)
                 {
                     return null;
                 }
 
-                error += Math.Sqrt(film.SampleVariance(x, y) / count);
+                error += Math.Sqrt(film.MeanVariance(x, y));
                 light += film.Mean(x, y).Luminance;
             }
         }

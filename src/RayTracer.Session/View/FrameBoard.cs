@@ -25,7 +25,7 @@ public sealed class FrameBoard
     public bool IsWatched => Changes.Waiting > 0 || Stopwatch.GetElapsedTime(Volatile.Read(ref _lastWatched)) < Attention;
 
     /// <summary>Puts a frame up.</summary>
-    /// <param name="info">What is known about it.</param>
+    /// <param name="info">The facts about the frame.</param>
     /// <param name="draw">Draws it.</param>
     public void Publish(FrameInfo info, Action<LinearPicture> draw)
     {

@@ -16,8 +16,8 @@ public static class FramePixels
 
     /// <summary>Writes a frame, row by row.</summary>
     /// <param name="picture">The frame.</param>
-    /// <param name="tone">How it is seen.</param>
-    /// <param name="reduction">How many pixels across and down become one.</param>
+    /// <param name="tone">The exposure and tone map.</param>
+    /// <param name="reduction">The number of pixels across and down that become one.</param>
     /// <param name="rgba">Takes four bytes a pixel.</param>
     public static void Write(LinearPicture picture, Tone tone, int reduction, Memory<byte> rgba)
     {

@@ -44,8 +44,8 @@ public sealed record Gizmo(Vector3 Center, float Radius, Vector3 Minimum, Vector
 
     /// <summary>The handles, as they are drawn over the picture.</summary>
     /// <param name="camera">The picture's camera.</param>
-    /// <param name="kind">What they do.</param>
-    /// <param name="length">How long they are, or the radius of rings, in pixels.</param>
+    /// <param name="kind">The kind of the handles.</param>
+    /// <param name="length">Their length, or the radius of rings, in pixels.</param>
     public GizmoHandles Handles(CameraFrame camera, GizmoKind kind, float length)
     {
         float size = camera.LengthOf(length, Center);
@@ -67,7 +67,7 @@ public sealed record Gizmo(Vector3 Center, float Radius, Vector3 Minimum, Vector
 }
 
 /// <summary>The handles around a thing.</summary>
-/// <param name="Kind">What they do.</param>
+/// <param name="Kind">The kind of the handles.</param>
 /// <param name="Middle">The middle of the thing in the world.</param>
 /// <param name="Center">The same in the picture, in pixels; null behind the eye.</param>
 /// <param name="Handles">Those along or about the axes of the world, as far as they are seen.</param>

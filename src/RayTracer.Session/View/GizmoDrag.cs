@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Session;
 
 /// <summary>The change in the world that a drag of a handle makes.</summary>
-/// <param name="camera">How the camera projects.</param>
+/// <param name="camera">The projection of the camera.</param>
 /// <param name="center">The middle of the thing.</param>
 internal sealed class GizmoDrag(CameraFrame camera, Vector3 center)
 {
@@ -12,7 +12,7 @@ internal sealed class GizmoDrag(CameraFrame camera, Vector3 center)
     public static IReadOnlyList<Vector3> Axes { get; } = [Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ];
 
     /// <summary>The change between two points of the picture.</summary>
-    /// <param name="kind">What the handle does.</param>
+    /// <param name="kind">The kind of the handle.</param>
     /// <param name="axis">0 to 2 for a handle along or about an axis of the world; null for the one in the middle.</param>
     /// <param name="from">The first point, in pixels.</param>
     /// <param name="to">The second point.</param>

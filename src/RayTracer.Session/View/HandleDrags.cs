@@ -12,7 +12,7 @@ public sealed class HandleDrags(SceneEdits edits, PictureView view)
 
     /// <summary>Has the thing follow the pointer. What cannot be computed (the axis points at the eye, say) changes nothing.</summary>
     /// <exception cref="SessionException">There is no thing of a size, or nothing can be drawn over the picture.</exception>
-    /// <exception cref="DocumentException">The thing cannot be there.</exception>
+    /// <exception cref="SessionException">The thing cannot be there.</exception>
     public void Drag(HandleDrag way)
     {
         if (way.Axis is < 0 or > 2)
@@ -42,9 +42,9 @@ public sealed class HandleDrags(SceneEdits edits, PictureView view)
 
 /// <summary>The drag of a handle.</summary>
 /// <param name="Pointer">The thing.</param>
-/// <param name="Kind">What the handle does.</param>
+/// <param name="Kind">The kind of the handle.</param>
 /// <param name="Axis">0 to 2 for a handle along or about an axis of the world; null for the one in the middle.</param>
-/// <param name="From">Where in the picture the gesture began, in pixels.</param>
-/// <param name="To">Where the pointer is now.</param>
+/// <param name="From">The point of the picture where the gesture began, in pixels.</param>
+/// <param name="To">The point where the pointer is now, in pixels.</param>
 /// <param name="Gesture">The gesture: all that it changes is one step to undo.</param>
 public sealed record HandleDrag(string Pointer, GizmoKind Kind, int? Axis, Vector2 From, Vector2 To, string Gesture);

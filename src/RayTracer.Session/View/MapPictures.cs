@@ -15,26 +15,26 @@ public sealed class MapPictures
     private (long Picture, ViewMap? Map) _of;
 
     /// <summary>Returns whether rays must be traced before a map can be shown as well as it will be.</summary>
-    public bool Needs(RenderOrder order) =>
-        order.Map.Image is FirstHitImage && (_of != (order.Picture, order.Map) || _samples < Goal(order));
+    public bool Needs(ViewportScene wanted) =>
+        wanted.Settings.Map.Image is FirstHitImage && (_of != (wanted.Picture, wanted.Settings.Map) || _samples < Goal(wanted));
 
     /// <summary>Traces some of these rays.</summary>
-    /// <param name="order">What is wanted.</param>
+    /// <param name="wanted">The scene to show.</param>
     /// <param name="size">A film of the picture's size.</param>
     /// <param name="cancellation">Ends the work, but for the first sample, which shows something; the map starts from scratch then.</param>
-    public void Step(RenderOrder order, Film size, CancellationToken cancellation)
+    public void Step(ViewportScene wanted, Film size, CancellationToken cancellation)
     {
-        if (_of != (order.Picture, order.Map))
+        if (_of != (wanted.Picture, wanted.Settings.Map))
         {
-            (_of, _samples) = ((order.Picture, order.Map), 0);
-            Prepare(size, order.Map.Image!);
+            (_of, _samples) = ((wanted.Picture, wanted.Settings.Map), 0);
+            Prepare(size, wanted.Settings.Map.Image!);
         }
 
-        int next = Math.Min(Goal(order), Math.Max(1, _samples * 4));
+        int next = Math.Min(Goal(wanted), Math.Max(1, _samples * 4));
         try
         {
-            RenderOptions options = new() { Threads = order.Threads, Crop = order.Region, Samples = new(_samples, next) };
-            new FirstHitPass(order.Scene, options).Render(_film!, _samples == 0 ? CancellationToken.None : cancellation);
+            RenderOptions options = new() { Threads = wanted.Settings.Threads, Crop = wanted.Settings.Region, Samples = new(_samples, next) };
+            new FirstHitPass(wanted.Scene, options).Render(_film!, _samples == 0 ? CancellationToken.None : cancellation);
             _samples = next;
         }
         catch (OperationCanceledException)
@@ -61,12 +61,12 @@ public sealed class MapPictures
     public void Clear() => (_film, _size, _of) = (null, null, default);
 
     /// <summary>The picture of a map; null where it cannot be shown yet.</summary>
-    public IImageRows? Picture(RenderOrder order, Film film) => order.Map.Image switch
+    public IImageRows? Picture(ViewportScene wanted, Film film) => wanted.Settings.Map.Image switch
     {
         FilmImage image => new AovPicture(new(film, [image]), image),
-        { } image when _of == (order.Picture, order.Map) && _samples > 0 => new AovPicture(_film!, image),
+        { } image when _of == (wanted.Picture, wanted.Settings.Map) && _samples > 0 => new AovPicture(_film!, image),
         _ => null,
     };
 
-    private static int Goal(RenderOrder order) => Math.Min(order.Samples, MostSamples);
+    private static int Goal(ViewportScene wanted) => Math.Min(wanted.Samples, MostSamples);
 }

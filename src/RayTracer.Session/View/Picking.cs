@@ -93,8 +93,8 @@ public static class Picking
 
 /// <summary>The surface seen at a pixel.</summary>
 /// <param name="Pointer">The thing in the text; null where nothing is seen.</param>
-/// <param name="Distance">How far away; null where nothing is seen.</param>
-/// <param name="Position">Where, in the world.</param>
+/// <param name="Distance">The distance; null where nothing is seen.</param>
+/// <param name="Position">The position in the world.</param>
 /// <param name="Normal">The normal there, towards the camera.</param>
 /// <param name="Material">The thing's material in the text; null where it is not from the text.</param>
 public sealed record PickResult(string? Pointer, float? Distance, Vector3? Position, Vector3? Normal, string? Material);

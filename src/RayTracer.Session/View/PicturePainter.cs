@@ -8,7 +8,7 @@ public static class PicturePainter
 {
     /// <summary>Paints.</summary>
     /// <param name="film">The samples.</param>
-    /// <param name="preview">What is shown where there are none.</param>
+    /// <param name="preview">The picture that is shown where there are none.</param>
     /// <param name="to">Takes the picture.</param>
     public static void Paint(Film film, LinearPicture preview, LinearPicture to)
     {
@@ -36,7 +36,7 @@ public static class PicturePainter
     /// <summary>Paints a part over with another picture of the same size.</summary>
     /// <param name="picture">The other picture.</param>
     /// <param name="area">The part.</param>
-    /// <param name="to">What is painted over.</param>
+    /// <param name="to">The picture that is painted over.</param>
     public static void Cover(IImageRows picture, Tile area, LinearPicture to)
     {
         float[] row = new float[3 * picture.Width];

@@ -140,14 +140,14 @@ public sealed class PictureView : IDisposable
     }
 
     /// <summary>The hash of everything that decides the value of a sample.</summary>
-    internal static string ContentOf(GoodScene good, RenderOrder order, string folder) =>
-        ContentHash.Of(Ordered(good, order), ScenePath(folder), order.Region);
+    internal static string ContentOf(ViewportScene shown, string folder) =>
+        ContentHash.Of(Rendered(shown), ScenePath(folder), shown.Settings.Region);
 
-    private static bool IsOf(FilmHeader header, GoodScene good, RenderOrder order, string folder) =>
-        OldFilms.Current(header, Ordered(good, order), ScenePath(folder), order.Region).Content == ContentOf(good, order, folder);
+    private static bool IsOf(FilmHeader header, ViewportScene shown, string folder) =>
+        OldFilms.Current(header, Rendered(shown), ScenePath(folder), shown.Settings.Region).Content == ContentOf(shown, folder);
 
-    private static SceneDescription Ordered(GoodScene good, RenderOrder order) =>
-        good.Read.Description! with { Camera = order.Camera, Render = order.Scene.Render };
+    private static SceneDescription Rendered(ViewportScene shown) =>
+        shown.Description with { Camera = shown.Camera, Render = shown.Scene.Render };
 
     private static string ScenePath(string folder) => Path.Combine(folder, "scene.json");
 
@@ -265,20 +265,18 @@ public sealed class PictureView : IDisposable
             _pictures++;
         }
 
-        ViewSettings s = _settings;
-        RenderOrder order = WithStart(new(shown.Scene, shown.Camera, _pictures, s.Region, s.Threads, s.Map, s.Mode), good);
-        _shown = shown with { Picture = order.Picture };
-        Loop.Show(order);
+        _shown = WithStart(shown with { Settings = _settings });
+        Loop.Show(_shown);
         return true;
     }
 
-    // The order with the film that the picture goes on with, if it is of this picture.
-    private RenderOrder WithStart(RenderOrder order, GoodScene good)
+    // The scene with the film that the picture goes on with, if it is of this picture.
+    private ViewportScene WithStart(ViewportScene shown)
     {
         if (_start is { } start && _startPicture == 0 && _startPlace is { } place && _place == place)
         {
-            bool isSame = (start.Header.Width, start.Header.Height) == (order.Scene.Render.Width, order.Scene.Render.Height)
-                && IsOf(start.Header, good, order, place.Folder);
+            bool isSame = (start.Header.Width, start.Header.Height) == (shown.Scene.Render.Width, shown.Scene.Render.Height)
+                && IsOf(start.Header, shown, place.Folder);
             _startPicture = ++_pictures;
             _start = isSame ? start : null;
             if (!isSame)
@@ -287,7 +285,7 @@ public sealed class PictureView : IDisposable
             }
         }
 
-        return order with { Picture = _pictures, Start = _startPicture == _pictures ? _start : null };
+        return shown with { Picture = _pictures, Start = _startPicture == _pictures ? _start : null };
     }
 
     private ViewportScene? Seen(GoodScene good)
@@ -303,7 +301,7 @@ public sealed class PictureView : IDisposable
         Scene? scene = ReferenceEquals(camera, description.Camera) && ReferenceEquals(render, description.Render)
             ? good.Scene
             : good.Scene.WithView(camera, render, new((_, _) => new(1, 1)));
-        return scene is null ? null : new(good, scene, camera, 0);
+        return scene is null ? null : new(good, scene, camera, _settings);
     }
 
     private static bool IsSamePicture(ViewportScene a, ViewportScene b)

@@ -34,7 +34,7 @@ public sealed class PreviewPlan
 
     /// <summary>The next one has been made.</summary>
     /// <param name="pixels">Its number of pixels.</param>
-    /// <param name="seconds">How long it took.</param>
+    /// <param name="seconds">The time that it took.</param>
     /// <param name="allPixels">Number of pixels of the whole picture.</param>
     public void Add(long pixels, double seconds, long allPixels)
     {

@@ -4,7 +4,7 @@ using RayTracer.Rendering;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Renders the newest order on separate threads. The caller never waits: what is being rendered for an older picture ends by
+/// Renders the newest scene on separate threads. The caller never waits: what is being rendered for an older picture ends by
 /// itself after a few milliseconds, but its first preview, which is always made and shown.
 /// </summary>
 public sealed class RenderLoop : IDisposable
@@ -16,13 +16,13 @@ public sealed class RenderLoop : IDisposable
     private readonly FilmWork _work;
     private readonly Thread _thread;
     private CancellationTokenSource _interrupt = new();
-    private RenderOrder? _order;
+    private ViewportScene? _wanted;
     private RenderStatus _status = new();
     private long _failed = -1;
     private long _statusAt;
     private bool _isDisposed;
 
-    /// <summary>Starts the loop; it waits for an order.</summary>
+    /// <summary>Starts the loop; it waits for a scene.</summary>
     /// <param name="frames">The place where frames hang.</param>
     public RenderLoop(FrameBoard frames)
     {
@@ -43,13 +43,13 @@ public sealed class RenderLoop : IDisposable
     public RenderStatus Status => Volatile.Read(ref _status);
 
     /// <summary>Renders something from now on, instead of all before.</summary>
-    /// <param name="order">What; null for nothing.</param>
-    public void Show(RenderOrder? order)
+    /// <param name="wanted">The scene; null for nothing.</param>
+    public void Show(ViewportScene? wanted)
     {
         lock (_gate)
         {
-            bool isOther = order?.Picture != _order?.Picture;
-            _order = order;
+            bool isOther = wanted?.Picture != _wanted?.Picture;
+            _wanted = wanted;
             if (isOther)
             {
                 _interrupt.Cancel();
@@ -61,11 +61,11 @@ public sealed class RenderLoop : IDisposable
     }
 
     /// <summary>
-    /// Has the loop's thread look at the picture between two steps, when it is of one order: at once, or after a part of a second.
+    /// Has the loop's thread look at the picture between two steps, when it is of one scene: at once, or after a part of a second.
     /// </summary>
-    /// <param name="read">Reads the film, its order and its number of samples; should not take long.</param>
+    /// <param name="read">Reads the film, its scene and its number of samples; should not take long.</param>
     /// <exception cref="SessionException">There is no picture.</exception>
-    public Task<T> ReadFilm<T>(Func<Film, RenderOrder, int, T> read)
+    public Task<T> ReadFilm<T>(Func<Film, ViewportScene, int, T> read)
     {
         TaskCompletionSource<T> done = new(TaskCreationOptions.RunContinuationsAsynchronously);
         lock (_gate)
@@ -84,7 +84,7 @@ public sealed class RenderLoop : IDisposable
     internal Slice? Rest => _work.Rest;
 
     /// <summary>The error of the picture against its samples.</summary>
-    public Task<Convergence> Convergence() => ReadFilm((film, order, samples) => _work.Log.Errors(film, order.Area, samples));
+    public Task<Convergence> Convergence() => ReadFilm((film, wanted, samples) => _work.Log.Errors(film, wanted.Area, samples));
 
     /// <inheritdoc/>
     public void Dispose()
@@ -114,25 +114,25 @@ public sealed class RenderLoop : IDisposable
 
     private void Run()
     {
-        while (Next(out Action? visit, out RenderOrder? order, out CancellationToken interrupt))
+        while (Next(out Action? visit, out ViewportScene? wanted, out CancellationToken interrupt))
         {
             if (visit is not null)
             {
                 visit();
             }
-            else if (order is null)
+            else if (wanted is null)
             {
                 Report(new(), isNews: true);
             }
             else
             {
-                Step(order, interrupt);
+                Step(wanted, interrupt);
             }
         }
     }
 
     // Waits for something to do; false at the end.
-    private bool Next(out Action? visit, out RenderOrder? order, out CancellationToken interrupt)
+    private bool Next(out Action? visit, out ViewportScene? wanted, out CancellationToken interrupt)
     {
         lock (_gate)
         {
@@ -142,33 +142,33 @@ public sealed class RenderLoop : IDisposable
             }
 
             _visits.TryDequeue(out visit);
-            order = _order;
+            wanted = _wanted;
             interrupt = _interrupt.Token;
             return !_isDisposed;
         }
     }
 
-    private bool HasWork() => _order is null
+    private bool HasWork() => _wanted is null
         ? _status.Status != "idle"
-        : _order.Picture != _failed && (_work.HasWork(_order) || _work.Status(_order).Status != _status.Status);
+        : _wanted.Picture != _failed && (_work.HasWork(_wanted) || _work.Status(_wanted).Status != _status.Status);
 
-    private void Step(RenderOrder order, CancellationToken interrupt)
+    private void Step(ViewportScene wanted, CancellationToken interrupt)
     {
         try
         {
-            bool isUrgent = _work.IsUrgent(order);
-            if (_work.HasWork(order))
+            bool isUrgent = _work.IsUrgent(wanted);
+            if (_work.HasWork(wanted))
             {
-                _work.Step(order, interrupt);
+                _work.Step(wanted, interrupt);
             }
 
-            RenderStatus status = _work.Status(order);
-            Report(status, isUrgent || status.Status != _status.Status || status.Map != _status.Map || Stopwatch.GetElapsedTime(_statusAt) >= StatusEvery);
+            RenderStatus status = _work.Status(wanted);
+            Report(status, isUrgent || status.Status != _status.Status || Stopwatch.GetElapsedTime(_statusAt) >= StatusEvery);
         }
         catch (Exception e) when (e is not StackOverflowException)
         {
-            _failed = order.Picture;
-            Report(_work.Status(order) with { Status = "stopped" }, isNews: true);
+            _failed = wanted.Picture;
+            Report(_work.Status(wanted) with { Status = "stopped" }, isNews: true);
             Failed?.Invoke((e.InnerException ?? e).Message);
         }
     }
@@ -183,16 +183,16 @@ public sealed class RenderLoop : IDisposable
         }
     }
 
-    private void Visit<T>(Func<Film, RenderOrder, int, T> read, TaskCompletionSource<T> done)
+    private void Visit<T>(Func<Film, ViewportScene, int, T> read, TaskCompletionSource<T> done)
     {
         try
         {
-            if (_isDisposed || _work is not { Film: { } film, Order: { } order })
+            if (_isDisposed || _work is not { Film: { } film, Shown: { } wanted })
             {
                 throw new SessionException("There is no picture yet.", SessionFault.Missing);
             }
 
-            done.SetResult(read(film, order, _work.Samples));
+            done.SetResult(read(film, wanted, _work.Samples));
         }
         catch (Exception e)
         {

@@ -1,5 +1,3 @@
-using RayTracer.Rendering;
-
 namespace RayTracer.Session;
 
 /// <summary>The progress of the picture.</summary>
@@ -14,14 +12,8 @@ namespace RayTracer.Session;
 /// <param name="Noise">
 /// The standard error of the pixels' luminance, mean over the pixels, relative to their mean luminance; null below two samples.
 /// </param>
-/// <param name="Threads">The number of threads.</param>
-/// <param name="Region">The part that is rendered; null for all of it.</param>
 /// <param name="IsPreview">True where some pixels have less than a sample.</param>
 /// <param name="BadSamples">The number of samples that were not finite, and left out.</param>
 public sealed record RenderStatus(
     string Status = "idle", int Width = 0, int Height = 0, int Samples = 0, int SamplesTotal = 0, double RaysPerSecond = 0, double Seconds = 0,
-    double? SecondsLeft = null, double? Noise = null, int Threads = 0, Tile? Region = null, bool IsPreview = false, long BadSamples = 0)
-{
-    /// <summary>The map that is shown.</summary>
-    public ViewMap Map { get; init; } = ViewMap.Light;
-}
+    double? SecondsLeft = null, double? Noise = null, bool IsPreview = false, long BadSamples = 0);

@@ -9,7 +9,8 @@ namespace RayTracer.Session;
 /// </summary>
 /// <param name="area">The pixels to render.</param>
 /// <param name="samples">Samples that each pixel gets.</param>
-public sealed class SlicePlan(Tile area, int samples)
+/// <param name="isWhole">True if a slice is always of all pixels: where each would trace the light of the whole picture.</param>
+public sealed class SlicePlan(Tile area, int samples, bool isWhole = false)
 {
     private const double ShortestSeconds = 0.1;
     private const double LongestSeconds = 0.5;
@@ -47,7 +48,7 @@ public sealed class SlicePlan(Tile area, int samples)
         }
 
         double passSeconds = secondsPerSample * _samplesOfRows;
-        int rows = passSeconds > 2 * LongestSeconds ? (int)Math.Ceiling(area.Height * LongestSeconds / passSeconds / StripGrain) * StripGrain : area.Height;
+        int rows = !isWhole && passSeconds > 2 * LongestSeconds ? (int)Math.Ceiling(area.Height * LongestSeconds / passSeconds / StripGrain) * StripGrain : area.Height;
         rows = Math.Min(rows, area.Height - _rows);
         return new(new(area.X, area.Y + _rows, area.Width, rows), new(Samples, Samples + _samplesOfRows));
     }
@@ -64,10 +65,10 @@ public sealed class SlicePlan(Tile area, int samples)
     }
 
     /// <summary>The same work where pixels have samples already.</summary>
-    public SlicePlan From(int done) => new(area, samples) { Samples = done };
+    public SlicePlan From(int done) => new(area, samples, isWhole) { Samples = done };
 
     /// <summary>The same work with another number of samples in the end.</summary>
-    public SlicePlan WithSamples(int total) => new(area, total) { Samples = Samples, _rows = _rows, _samplesOfRows = _samplesOfRows };
+    public SlicePlan WithSamples(int total) => new(area, total, isWhole) { Samples = Samples, _rows = _rows, _samplesOfRows = _samplesOfRows };
 }
 
 /// <summary>A part of the work on a picture, between two looks at what the user wants.</summary>

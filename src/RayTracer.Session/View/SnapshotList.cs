@@ -4,7 +4,7 @@ using RayTracer.Imaging;
 namespace RayTracer.Session;
 
 /// <summary>Earlier pictures, kept for comparison: the newest few.</summary>
-/// <param name="view">Where they come from.</param>
+/// <param name="view">The view that they are taken of.</param>
 /// <param name="time">The clock.</param>
 public sealed class SnapshotList(PictureView view, TimeProvider time)
 {
@@ -49,9 +49,7 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
     public byte[] Png(int id)
     {
         (LinearPicture? picture, Tone tone) = Find(id);
-        using MemoryStream stream = new();
-        PngWriter.Write(stream, tone.Writing.Shown(picture));
-        return stream.ToArray();
+        return ImageFile.Encode(".png", picture, tone.Writing);
     }
 
     private (LinearPicture Picture, Tone Tone) Find(int id)
@@ -67,5 +65,5 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
 
 /// <summary>An earlier picture, kept for comparison.</summary>
 /// <param name="Id">Its number.</param>
-/// <param name="Label">What it is, in a few words.</param>
+/// <param name="Label">A description in a few words.</param>
 public sealed record Snapshot(int Id, string Label);

@@ -7,14 +7,17 @@ using RayTracer.Shapes;
 
 namespace RayTracer.Session;
 
-/// <summary>The scene that the view shows.</summary>
+/// <summary>The scene that the view shows, and how it is rendered.</summary>
 /// <param name="Good">The document's content that it comes from.</param>
 /// <param name="Scene">
 /// The scene as it is rendered: with the camera as it is moved at the moment, and the samples that the user wants.
 /// </param>
 /// <param name="Camera">That camera.</param>
-/// <param name="Picture">The picture's number.</param>
-public sealed record ViewportScene(GoodScene Good, Scene Scene, CameraDescription Camera, long Picture)
+/// <param name="Settings">The user's settings.</param>
+/// <param name="Picture">The picture's number: scenes with the same number continue its samples.</param>
+/// <param name="Start">The film whose samples the picture begins with; null for none.</param>
+public sealed record ViewportScene(
+    GoodScene Good, Scene Scene, CameraDescription Camera, ViewSettings Settings, long Picture = 0, FilmStart? Start = null)
 {
     private readonly Dictionary<object, string?> _pointers = new(ReferenceEqualityComparer.Instance);
     private readonly Lazy<(Vector3, float)> _extent = new(() =>
@@ -26,6 +29,15 @@ public sealed record ViewportScene(GoodScene Good, Scene Scene, CameraDescriptio
 
     /// <summary>The scene's description.</summary>
     public SceneDescription Description => Good.Read.Description!;
+
+    /// <summary>The first sample that pixels get: more than 0 where the picture goes on with a part of one.</summary>
+    public int First => Start?.Held.First ?? 0;
+
+    /// <summary>One more than the last sample that each pixel gets.</summary>
+    public int Samples => First > 0 ? Start!.Header.Wanted.End : Scene.Render.SamplesPerPixel;
+
+    /// <summary>The part to render.</summary>
+    public Tile Area => Settings.Region ?? new(0, 0, Scene.Render.Width, Scene.Render.Height);
 
     /// <summary>Width of the picture over its height.</summary>
     public float Aspect => (float)Scene.Render.Width / Scene.Render.Height;

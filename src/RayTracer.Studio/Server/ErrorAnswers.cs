@@ -37,15 +37,16 @@ internal sealed class ErrorAnswers(TextWriter errors)
     }
 
     // What is in the way, so that the page can ask the user whether to do it all the same.
-    private static ErrorAnswer Answer(Exception e, string message) => e is DocumentException { Conflict: var conflict }
-        ? new(message) { Unsaved = conflict == DocumentConflict.Unsaved, Exists = conflict == DocumentConflict.Exists, ChangedOnDisk = conflict == DocumentConflict.ChangedOnDisk }
-        : new(message) { Exists = e is SessionException { Fault: SessionFault.Conflict } };
+    private static ErrorAnswer Answer(Exception e, string message)
+    {
+        SessionFault? fault = (e as SessionException)?.Fault;
+        return new(message) { Unsaved = fault == SessionFault.Unsaved, Exists = fault == SessionFault.Exists, ChangedOnDisk = fault == SessionFault.ChangedOnDisk };
+    }
 
     private static (int Status, string Message) Describe(Exception e) => e switch
     {
-        SessionException { Fault: SessionFault.Missing } => (StatusCodes.Status404NotFound, e.Message),
-        SessionException { Fault: SessionFault.Conflict } => (StatusCodes.Status409Conflict, e.Message),
-        DocumentException { Conflict: not DocumentConflict.None } => (StatusCodes.Status409Conflict, Complaint.Of(e)!),
+        SessionException { Fault: SessionFault.Missing } => (StatusCodes.Status404NotFound, Complaint.Of(e)!),
+        SessionException { Fault: not SessionFault.Refused } => (StatusCodes.Status409Conflict, Complaint.Of(e)!),
         BadHttpRequestException bad => (bad.StatusCode, bad.InnerException is JsonException json ? $"The request's JSON is wrong: {json.Message}" : bad.Message),
         JsonException => (StatusCodes.Status400BadRequest, $"The request's JSON is wrong: {e.Message}"),
         _ => Complaint.Of(e) is { } complaint ? (StatusCodes.Status400BadRequest, complaint) : (StatusCodes.Status500InternalServerError, $"Internal error: {e.Message}"),

@@ -62,8 +62,8 @@ internal sealed class StudioServer : IAsyncDisposable
     private LocalGuard Guard { get; }
 
     /// <summary>Starts a server.</summary>
-    /// <param name="session">What is served.</param>
-    /// <param name="options">How; null for the defaults.</param>
+    /// <param name="session">The session that is served.</param>
+    /// <param name="options">The options; null for the defaults.</param>
     /// <exception cref="IOException">The port is taken.</exception>
     public static async Task<StudioServer> Start(StudioSession session, ServerOptions? options = null)
     {

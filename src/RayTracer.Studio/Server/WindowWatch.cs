@@ -12,7 +12,7 @@ internal sealed class WindowWatch : IDisposable
     private bool _saidFarewell;
 
     /// <summary>Begins to wait for the first window.</summary>
-    /// <param name="grace">How long to wait.</param>
+    /// <param name="grace">The times to wait.</param>
     /// <param name="time">The clock.</param>
     /// <param name="ended">Called when it has been long enough.</param>
     public WindowWatch(GraceTimes grace, TimeProvider time, Action ended)

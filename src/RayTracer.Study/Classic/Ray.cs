@@ -5,7 +5,7 @@ namespace RayTracer.Study;
 
 /// <summary>One ray, for code that follows one at a time.</summary>
 /// <param name="Origin">The point from which it starts.</param>
-/// <param name="Direction">Where it goes; distances are in units of its length.</param>
+/// <param name="Direction">The direction; distances are in units of its length.</param>
 internal readonly record struct Ray(Vector3 Origin, Vector3 Direction)
 {
     /// <summary>One over each coordinate of the direction; infinite where that is zero.</summary>

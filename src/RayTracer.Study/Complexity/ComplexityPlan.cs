@@ -4,7 +4,7 @@ namespace RayTracer.Study;
 /// <param name="Counts">Numbers of triangles, ascending.</param>
 /// <param name="Rays">Rays that are traced in one go.</param>
 /// <param name="SecondsEach">A method is not tried with more triangles once building or tracing would take longer than this.</param>
-/// <param name="Rounds">How often each is measured; the fastest counts.</param>
+/// <param name="Rounds">The number of measurements of each; the fastest counts.</param>
 internal sealed record ComplexityPlan(IReadOnlyList<int> Counts, int Rays, double SecondsEach, int Rounds)
 {
     /// <summary>From ten to ten million.</summary>
@@ -16,8 +16,8 @@ internal sealed record ComplexityPlan(IReadOnlyList<int> Counts, int Rays, doubl
 }
 
 /// <summary>The measurements of a method with some number of triangles.</summary>
-/// <param name="Triangles">How many.</param>
+/// <param name="Triangles">The number of triangles.</param>
 /// <param name="NanosecondsPerRay">Time a ray, on one thread.</param>
-/// <param name="BuildSeconds">How long building took.</param>
+/// <param name="BuildSeconds">The time that building took, in seconds.</param>
 /// <param name="BytesPerTriangle">Memory beside corners and indices.</param>
 internal sealed record ComplexityPoint(int Triangles, double NanosecondsPerRay, double BuildSeconds, double BytesPerTriangle);

@@ -5,7 +5,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Study;
 
 /// <summary>Measures the time a ray against the number of triangles, method by method.</summary>
-/// <param name="plan">How many triangles.</param>
+/// <param name="plan">The numbers of triangles.</param>
 internal sealed class ComplexityStudy(ComplexityPlan plan)
 {
     private const int WarmUpRays = 64;

@@ -11,7 +11,7 @@ internal static class Terrain
     private const float Height = 0.25f;
 
     /// <summary>Makes a landscape over the unit square.</summary>
-    /// <param name="triangles">How many; an even number.</param>
+    /// <param name="triangles">The number of triangles; an even number.</param>
     public static MeshData Create(int triangles)
     {
         int squares = triangles / 2;

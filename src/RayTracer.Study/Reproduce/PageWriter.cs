@@ -29,7 +29,7 @@ internal abstract class PageWriter
 
     /// <summary>Shows a picture.</summary>
     /// <param name="file">Its name, in the page's folder; plain letters, digits, points and hyphens.</param>
-    /// <param name="caption">What it shows.</param>
+    /// <param name="caption">The caption.</param>
     public abstract void Picture(string file, string caption);
 
     /// <summary>The whole page.</summary>

@@ -46,11 +46,11 @@ internal sealed record ReproducedPicture(ReportScene Scene, ReportPicture Pictur
 }
 
 /// <summary>One timed rendering.</summary>
-/// <param name="Scene">What was rendered.</param>
+/// <param name="Scene">The scene that was rendered.</param>
 /// <param name="Size">Width and height in pixels.</param>
 /// <param name="SamplesPerPixel">Samples a pixel.</param>
 /// <param name="Threads">On how many threads.</param>
-/// <param name="Seconds">How long it took, without loading and writing.</param>
+/// <param name="Seconds">The time that it took, in seconds, without loading and writing.</param>
 /// <param name="Rays">Rays traced, shadow rays among them.</param>
 internal sealed record Measurement(ReportScene Scene, int Size, int SamplesPerPixel, int Threads, double Seconds, long Rays)
 {
@@ -61,7 +61,7 @@ internal sealed record Measurement(ReportScene Scene, int Size, int SamplesPerPi
     public double RaysPerSecond => Rays / Seconds;
 }
 
-/// <summary>How many pictures of one sample are rendered in a second.</summary>
+/// <summary>The numbers of pictures of one sample that are rendered in a second.</summary>
 /// <param name="Scene">The scene.</param>
 /// <param name="Width">Their width in pixels.</param>
 /// <param name="Height">Their height in pixels.</param>

@@ -3,8 +3,8 @@ using RayTracer.Jobs;
 namespace RayTracer.Study;
 
 /// <summary>The page about a reproduction: machine, scenes, pictures, times and their growth.</summary>
-/// <param name="plan">How large the pictures are.</param>
-/// <param name="scenes">What was measured.</param>
+/// <param name="plan">The sizes of the pictures.</param>
+/// <param name="scenes">The measurements.</param>
 /// <param name="machine">The machine that it was measured on.</param>
 internal sealed class ReproductionPage(ReproductionPlan plan, IReadOnlyList<ReproducedScene> scenes, Machine machine)
 {

@@ -4,7 +4,7 @@ namespace RayTracer.Study;
 /// <param name="SizeDivisor">By how much the report's widths and heights are divided.</param>
 /// <param name="SamplesDivisor">By how much numbers of samples above 16 are divided; the quotients must be squares.</param>
 /// <param name="ChartSamples">The samples a pixel that are measured for figure 6.6, at least four.</param>
-/// <param name="Rounds">How often everything is measured, in turn, so that other programs' busy times do not meet one rendering every time;
+/// <param name="Rounds">The number of measurements of everything, in turn, so that other programs' busy times do not meet one rendering every time;
 /// the fastest counts.</param>
 /// <param name="FrameSeconds">For how long pictures of one sample are rendered one after the other.</param>
 internal sealed record ReproductionPlan(int SizeDivisor, int SamplesDivisor, IReadOnlyList<int> ChartSamples, int Rounds, double FrameSeconds)

@@ -13,7 +13,7 @@ internal sealed unsafe partial class NativeMemoryBlock : SafeHandle
     private static long s_inUse;
 
     /// <summary>Takes memory, whose contents are undefined.</summary>
-    /// <param name="bytes">How much; a cache line more may be read behind it.</param>
+    /// <param name="bytes">The size in bytes; a cache line more may be read behind it.</param>
     /// <exception cref="OutOfMemoryException">There is not so much memory.</exception>
     public NativeMemoryBlock(long bytes)
         : base(0, ownsHandle: true)

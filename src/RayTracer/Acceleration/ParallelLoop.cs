@@ -5,7 +5,7 @@ internal static class ParallelLoop
 {
     /// <summary>Does all pieces.</summary>
     /// <param name="threads">At most so many at a time.</param>
-    /// <param name="pieces">How many pieces.</param>
+    /// <param name="pieces">The number of pieces.</param>
     /// <param name="work">Does the piece of this number.</param>
     public static void Run(int threads, int pieces, Action<int> work)
     {

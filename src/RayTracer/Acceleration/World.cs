@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Lights;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
 
@@ -11,6 +12,7 @@ internal sealed unsafe class World
     // Measured: decision 015.
     private const int LargestLoop = 320;
     private const int LargestLoopOfInstances = 40;
+    private readonly (double Open, double Close) _shutter;
 
     /// <summary>Packs what a builder has put together.</summary>
     /// <param name="contents">The world's contents.</param>
@@ -19,6 +21,7 @@ internal sealed unsafe class World
     /// fastest.</param>
     public World(SpaceContents contents, (double Open, double Close) shutter, int? largestLoop)
     {
+        _shutter = shutter;
         SpaceContents[] all = [contents, .. contents.Instances.Select(i => i.Contents).Distinct<SpaceContents>(ReferenceEqualityComparer.Instance)];
         Count = checked(all.Sum(s => s.Shapes.Count + s.Meshes.Sum(m => m.Data.TriangleCount)));
         Spaces = new Space[all.Length];
@@ -58,6 +61,12 @@ internal sealed unsafe class World
     /// <summary>True where anything moves while the shutter is open.</summary>
     public bool Moves => Instances is { Moves: true } || Itself.Contents.Lights.Exists(l => !l.Motion.IsStill);
 
+    /// <summary>True where everything has an end.</summary>
+    public bool IsFinite => Array.TrueForAll(Spaces, s => s.Bounds.IsFinite || s.Count == 0);
+
+    /// <summary>The ball around all that has an end, while the shutter is open.</summary>
+    public SceneBall Ball => field ??= new(FiniteBounds());
+
     /// <summary>True where there is nothing but shapes in the world itself.</summary>
     public bool IsPlain => Itself.Tree is null && Instances is null;
 
@@ -81,5 +90,17 @@ internal sealed unsafe class World
         }
 
         return cost;
+    }
+
+    private Bounds FiniteBounds()
+    {
+        Bounds all = Itself.FiniteBounds;
+        for (int instance = 1; instance <= (Instances?.Count ?? 0); instance++)
+        {
+            Bounds inside = Instances!.SpaceOf(instance).FiniteBounds;
+            all = inside.IsFinite ? all.Union(Instances.BoundsOf(instance, inside, _shutter)) : all;
+        }
+
+        return all;
     }
 }

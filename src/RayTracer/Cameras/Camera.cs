@@ -14,11 +14,14 @@ public sealed class Camera
     private readonly Lens? _lens;
     private readonly Motion _motion;
     private readonly CameraView _view;
+    private readonly InvertibleProjection? _invertible;
+    private readonly float _margin;
 
-    private Camera(CameraProjection projection, Lens? lens, Motion motion, in CameraView view)
+    private Camera(CameraProjection projection, Lens? lens, Motion motion, in CameraView view, float margin)
     {
-        _view = view;
+        (_view, _margin) = (view, margin);
         _projection = projection;
+        _invertible = projection as InvertibleProjection;
         _lens = lens;
         _motion = motion;
     }
@@ -32,12 +35,16 @@ public sealed class Camera
     /// <summary>True where the camera moves, or is elsewhere than its position and target say.</summary>
     internal bool IsPlaced => !ReferenceEquals(_motion, Motion.None);
 
+    /// <summary>True where points of the scene can be connected with the camera: where its projection is invertible.</summary>
+    internal bool CanLink => _invertible is not null;
+
     /// <summary>Makes the camera that a description describes; reports what is wrong with it and returns null.</summary>
     /// <param name="camera">The description.</param>
     /// <param name="width">Width of the picture in pixels.</param>
     /// <param name="height">Height of the picture in pixels.</param>
     /// <param name="builder">Takes the diagnostics.</param>
-    public static Camera? Create(CameraDescription camera, int width, int height, SceneBuilder builder)
+    /// <param name="margin">How far beyond the edges of the picture its pixels reach, by their filter; in pixels.</param>
+    public static Camera? Create(CameraDescription camera, int width, int height, SceneBuilder builder, float margin = 0)
     {
         Vector3 forward = (camera.LookAt - camera.Position).Unit();
         if (float.IsInfinity((camera.LookAt - camera.Position).Norm()))
@@ -73,7 +80,7 @@ public sealed class Camera
 
         CameraView view = new(camera, forward, right, right.Cross(forward), width, height);
         Motion motion = TransformSteps.Motion(camera, camera.Transform, camera.Motion, builder);
-        return new Camera(kind.Create(view), hasLens ? new Lens(camera.Lens, view.Right, view.Up) : null, motion, view);
+        return new Camera(kind.Create(view), hasLens ? new Lens(camera.Lens, view.Right, view.Up) : null, motion, view, margin);
     }
 
     /// <summary>The distance along the viewing direction of the point that the ray through a point of the picture meets.</summary>
@@ -169,5 +176,110 @@ public sealed class Camera
         }
 
         direction = Vec3W.Normalize(toFocus);
+    }
+    /// <summary>
+    /// Connects points of the scene with the camera; only where <see cref="CanLink"/>. A point of the lens is chosen with the same random
+    /// numbers as for the rays of the key and the sample: the ray through what is returned as X and Y passes the point.
+    /// </summary>
+    /// <param name="point">The points.</param>
+    /// <param name="time">Their times in seconds.</param>
+    /// <param name="sampler">Where the lens's random numbers come from.</param>
+    /// <param name="pixelKey">Keys of pixels, not necessarily those that see the points.</param>
+    /// <param name="sample">Numbers of the samples.</param>
+    /// <param name="link">The connections.</param>
+    internal unsafe void Link(in Vec3W point, in FloatW time, Sampler sampler, in UIntW pixelKey, in UIntW sample, out CameraLinkW link)
+    {
+        Vec3W shift = Vector3.Zero;
+        _lens?.Point(sampler, pixelKey, sample, out shift);
+        if (!IsPlaced)
+        {
+            Link(point, shift, out link);
+            return;
+        }
+
+        float* memory = stackalloc float[InstanceMaps.Floats];
+        InstanceMaps maps = new(memory);
+        maps.FillBothWays(_motion, time);
+        Link(maps.PointBack(point), shift, out link);
+        Vec3W towards = maps.Vector(link.Direction);
+        FloatW stretch = FloatW.Sqrt(Vec3W.Dot(towards, towards));
+        link.Direction = towards * (1f / stretch);
+        link.Distance *= stretch;
+        link.Density *= Thinning(maps, stretch);
+    }
+
+    /// <summary>
+    /// The density of the camera's rays along one of them, as of <see cref="CameraLinkW.Density"/>; only where <see cref="CanLink"/>.
+    /// </summary>
+    /// <param name="origin">Where the ray starts, in the world.</param>
+    /// <param name="direction">Its unit direction in the world.</param>
+    /// <param name="distance">How far along the ray the density is asked for.</param>
+    /// <param name="time">The ray's time in seconds.</param>
+    /// <param name="density">Rays per unit of area perpendicular to the ray, one for each pixel.</param>
+    internal unsafe void Density(in Vec3W origin, in Vec3W direction, in FloatW distance, in FloatW time, out FloatW density)
+    {
+        if (!IsPlaced)
+        {
+            _invertible!.Density(origin, direction, distance, out density);
+            return;
+        }
+
+        float* memory = stackalloc float[InstanceMaps.Floats];
+        InstanceMaps maps = new(memory);
+        maps.FillBothWays(_motion, time);
+        Vec3W inside = maps.VectorBack(direction);
+        FloatW stretch = 1f / FloatW.Sqrt(Vec3W.Dot(inside, inside));
+        _invertible!.Density(maps.PointBack(origin), inside * stretch, distance / stretch, out density);
+        density *= Thinning(maps, stretch);
+    }
+
+    /// <summary>
+    /// Chooses the pixels that points of the picture count for, by the pixel filter, with the factor that makes the mean into each pixel the
+    /// filter's value there.
+    /// </summary>
+    /// <param name="filter">The filter; null for the pixel's own square.</param>
+    /// <param name="x">Columns, in pixels from the left edge.</param>
+    /// <param name="y">Rows, in pixels from the top edge.</param>
+    /// <param name="u">A random number.</param>
+    /// <param name="v">Another one.</param>
+    /// <param name="pixelX">Columns of the pixels, from 0.</param>
+    /// <param name="pixelY">Rows of the pixels, from 0.</param>
+    /// <param name="weight">The factors.</param>
+    /// <returns>True where the pixel exists: filters also reach for pixels beyond the picture's edges.</returns>
+    internal MaskW Splat(PixelFilter? filter, in FloatW x, in FloatW y, in FloatW u, in FloatW v, out FloatW pixelX, out FloatW pixelY, out FloatW weight)
+    {
+        const float half = 0.5f;
+        FloatW across = x;
+        PixelFilter.Splat(filter, y, v, out FloatW row, out FloatW weightY);
+
+        // Beyond a pole of a spherical picture the columns are those of the other side, which may lie halfway between these.
+        FloatW middleY = row + half;
+        _invertible!.Fold(ref across, ref middleY);
+        PixelFilter.Splat(filter, across, u, out FloatW column, out FloatW weightX);
+        FloatW middleX = column + half;
+        _invertible.Fold(ref middleX, ref middleY);
+        pixelX = middleX - half;
+        pixelY = middleY - half;
+        weight = weightX * weightY;
+        return (pixelX >= 0f) & (pixelX < _view.Width) & (pixelY >= 0f) & (pixelY < _view.Height);
+    }
+
+    // What becomes of a density of rays per perpendicular area where a map stretches lengths along the rays by a factor: volumes become
+    // larger by the determinant, and so areas by the determinant over the factor.
+    private static FloatW Thinning(in InstanceMaps maps, in FloatW stretch) => stretch / FloatW.Abs(maps.Determinant());
+
+    // In the camera's own space.
+    private void Link(in Vec3W point, in Vec3W shift, out CameraLinkW link)
+    {
+        _invertible!.Find(point, shift, out link.X, out link.Y);
+        _projection.Rays(link.X, link.Y, out Vec3W origin, out Vec3W toFocus);
+        origin += shift;
+        Vec3W towards = origin - point;
+        link.Distance = FloatW.Sqrt(Vec3W.Dot(towards, towards));
+        link.Direction = towards * (1f / link.Distance);
+        _invertible.Density(origin, -link.Direction, link.Distance, out link.Density);
+        MaskW across = (link.X >= -_margin) & (link.X < _view.Width + _margin);
+        MaskW along = (link.Y >= -_margin) & (link.Y < _view.Height + _margin);
+        link.Sees = across & along & (Vec3W.Dot(towards, toFocus - shift) < 0f);
     }
 }

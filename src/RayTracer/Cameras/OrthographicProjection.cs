@@ -21,24 +21,41 @@ internal sealed class OrthographicKind() : Projection("orthographic")
 }
 
 /// <summary>Parallel rays, from a plane through the eye across the viewing direction.</summary>
-internal sealed class OrthographicProjection : CameraProjection
+internal sealed class OrthographicProjection : InvertibleProjection
 {
+    private readonly Vector3 _eye;
+    private readonly Vector3 _forward;
     private readonly Vector3 _toFocus;
-    private readonly Vector3 _corner;
-    private readonly Vector3 _stepX;
-    private readonly Vector3 _stepY;
+    private readonly PictureGrid _grid;
+    private readonly float _perArea;
 
     /// <summary>Makes one.</summary>
     public OrthographicProjection(in CameraView view)
     {
+        (_eye, _forward) = (view.Camera.Position, view.Forward);
         _toFocus = view.Forward * view.Focus;
-        (_corner, _stepX, _stepY) = view.OnPlane(view.Camera.Position, view.Camera.ViewSize);
+        _grid = new(view.OnPlane(_eye, view.Camera.ViewSize));
+        _perArea = (float)(1 / _grid.PixelArea);
     }
 
     /// <inheritdoc/>
     public override void Rays(in FloatW x, in FloatW y, out Vec3W origin, out Vec3W toFocus)
     {
-        origin = Vec3W.MultiplyAdd(_stepX, x, Vec3W.MultiplyAdd(_stepY, y, _corner));
+        origin = _grid.At(x, y);
         toFocus = _toFocus;
     }
+
+    /// <inheritdoc/>
+    public override void Find(in Vec3W point, in Vec3W shift, out FloatW x, out FloatW y)
+    {
+        // All rays through a point of the lens are parallel: back along them to the plane.
+        Vec3W along = _toFocus - shift;
+        Vec3W unshifted = point - shift;
+        FloatW steps = Vec3W.Dot(unshifted - _eye, _forward) / Vec3W.Dot(along, _forward);
+        _grid.Find(Vec3W.NegatedMultiplyAdd(along, steps, unshifted), out x, out y);
+    }
+
+    /// <summary>The same everywhere: pixels are seen at a slant from a point of the lens other than its middle.</summary>
+    public override void Density(in Vec3W origin, in Vec3W direction, in FloatW distance, out FloatW density) =>
+        density = _perArea / FloatW.Abs(Vec3W.Dot(direction, _forward));
 }

@@ -4,7 +4,7 @@ namespace RayTracer.Description;
 
 /// <summary>The contents of a model file, in the terms of scenes.</summary>
 /// <param name="Scene">Shapes (groups, meshes, instances) with their materials, and lights as shapes that shine.</param>
-/// <param name="Notes">What could not be represented exactly, one sentence each without a final stop: shown as warnings, once a
+/// <param name="Notes">The things that could not be represented exactly, one sentence each without a final stop: shown as warnings, once a
 /// file.</param>
 public sealed record ImportedModel(SceneDescription Scene, IReadOnlyList<string> Notes)
 {
@@ -24,7 +24,7 @@ public sealed class ModelException : Exception
     }
 
     /// <summary>Says what is wrong in a line of a text file.</summary>
-    /// <param name="reason">What is wrong and what was expected: one sentence without a final stop.</param>
+    /// <param name="reason">The fault and what was expected: one sentence without a final stop.</param>
     /// <param name="line">The line, from 1.</param>
     public ModelException(string reason, int line) : base($"line {line}: {reason}")
     {

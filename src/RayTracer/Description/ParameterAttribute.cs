@@ -4,7 +4,7 @@ namespace RayTracer.Description;
 /// Documents one parameter of a description record. The scene reader, the JSON Schema, the reference page and every
 /// editor are made from it. The parameter's default is the value that a new record has.
 /// </summary>
-/// <param name="summary">What the parameter means, in one or two sentences.</param>
+/// <param name="summary">The meaning of the parameter, in one or two sentences.</param>
 [AttributeUsage(AttributeTargets.Property)]
 public sealed class ParameterAttribute(string summary) : Attribute
 {
@@ -41,7 +41,7 @@ public sealed class ParameterAttribute(string summary) : Attribute
 /// (<see cref="ShapeDescription"/>, <see cref="MaterialDescription"/>, <see cref="TextureDescription"/>) says where it may stand.
 /// </summary>
 /// <param name="name">The name in scene files, in camelCase.</param>
-/// <param name="summary">What the thing is, in one or two sentences.</param>
+/// <param name="summary">A description of the thing, in one or two sentences.</param>
 [AttributeUsage(AttributeTargets.Class)]
 public sealed class SceneTypeAttribute(string name, string summary) : Attribute
 {

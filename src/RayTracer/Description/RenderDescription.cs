@@ -43,19 +43,24 @@ public sealed record RenderDescription
     public const int LongestPath = 30000;
 
     /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>
-    [Parameter("How the light is computed: by unbiased path tracing, as in the report, direct light only, ambient occlusion, or a view of "
-        + "the surfaces alone.")]
+    [Parameter("How the light is computed: by unbiased path tracing; with paths from the lights too, where light comes through glass or small openings "
+        + "(vcm is the one to try first); as in the report; direct light only; ambient occlusion; or a view of the surfaces alone.")]
     public Integrator Integrator { get; init; } = Integrator.Path;
 
     /// <summary>The maximum number of edges of a path after the camera, with the path integrator; −1 for no limit.</summary>
-    [Parameter("With the path integrator: how many edges a path may have. 1 shows lamps only, 2 adds direct light, and each further edge "
+    [Parameter("With integrators that follow whole paths: how many edges a path may have. 1 shows lamps only, 2 adds direct light, and each further edge "
         + "one more bounce; -1 sets no limit.", Minimum = -1, Maximum = LongestPath)]
     public int MaxDepth { get; init; } = -1;
 
     /// <summary>After how many edges paths may end at random, with the path integrator.</summary>
-    [Parameter("With the path integrator: the number of edges after which paths that carry little light may end at random. It changes the "
+    [Parameter("With integrators that follow whole paths: the number of edges after which paths that carry little light may end at random. It changes the "
         + "noise, not the picture.", Minimum = 1, Maximum = LongestPath)]
     public int RouletteDepth { get; init; } = 5;
+
+    /// <summary>How near to one another paths are merged in the first sample, with the photons and vcm integrators; 0 for a few pixels.</summary>
+    [Parameter("With the photons and vcm integrators: how near light paths must come to be counted, in the first sample; the circle shrinks from "
+        + "sample to sample. 0 takes a pixel where it meets the scene.", Unit = "scene units", Minimum = 0)]
+    public float MergeRadius { get; init; }
 
     /// <summary>Beyond which distance nothing occludes, with the ambient occlusion integrator; 0 for no limit.</summary>
     [Parameter("With the ao integrator: surfaces farther away than this do not darken; 0 sets no limit.",

@@ -27,7 +27,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
 
     // The objects that instances show, by the material that they are shown in, or themselves where they keep theirs.
     private readonly Dictionary<ShapeDescription, Dictionary<object, SpaceContents>> _objects = new(ReferenceEqualityComparer.Instance);
-    private readonly Dictionary<object, MeshData> _mended = new(ReferenceEqualityComparer.Instance);
+    private readonly MeshMender _mender = new(builder);
     private readonly HashSet<ImportedModel> _noted = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<(Material Material, string Group), Material> _grouped = [];
     private LightGroupLabel? _label;
@@ -290,8 +290,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        Material[] materials = mesh.Materials.Count > 0 ? [.. mesh.Materials.Select(builder.SurfaceMaterial)] : [builder.SurfaceMaterial(mesh.Material)];
-        AddTriangles(mesh, mesh, materials, place, target);
+        AddTriangles(mesh, mesh, place, target);
     }
 
     // Only the triangles of a file, made of what the mesh says.
@@ -305,8 +304,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
                 case MeshDescription when parent.Part >= 0 && parent.Part != parts++:
                     break;
                 case MeshDescription mesh:
-                    Material[] materials = parent.Materials.Count > 0 ? [.. parent.Materials.Select(builder.SurfaceMaterial)] : [builder.SurfaceMaterial(parent.Material)];
-                    AddTriangles(parent, mesh, materials, place.At(builder.Shutter.Open), target);
+                    AddTriangles(parent, mesh, place.At(builder.Shutter.Open), target);
                     break;
                 case GroupDescription group:
                     AddMeshesOf(parent, group.Shapes, place, target, ref parts);
@@ -318,9 +316,11 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         }
     }
 
-    private void AddTriangles(MeshDescription wanted, MeshDescription mesh, Material[] materials, in Transform place, SpaceContents target)
+    private void AddTriangles(MeshDescription wanted, MeshDescription mesh, in Transform place, SpaceContents target)
     {
-        MeshData? data = Mended(wanted, mesh);
+        IReadOnlyList<MaterialDescription> described = wanted.Materials.Count > 0 ? wanted.Materials : [wanted.Material];
+        Material[] materials = [.. described.Select(builder.SurfaceMaterial)];
+        MeshData? data = _mender.Mended(wanted, mesh);
         if (data is null || data.TriangleCount == 0)
         {
             return;
@@ -341,7 +341,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         WarnOfDistance(mesh, MeshTable.BoundsOf(data).Transformed(place));
         if (data.Uv is null && materials.Any(m => m.Traits.UsesUv && (m.Inputs & TextureInputs.Uv) != TextureInputs.None))
         {
-            builder.Warn(mesh, null, $"{Name(mesh)} has no uv, so its texture shows the colour at (0, 0) everywhere");
+            builder.Warn(mesh, null, $"{MeshMender.Name(mesh)} has no uv, so its texture shows the colour at (0, 0) everywhere");
         }
 
         materials = [.. materials.Select(InLightGroup)];
@@ -372,46 +372,6 @@ internal sealed class SceneAssembler(SceneBuilder builder)
 
         return own;
     }
-
-    // What one file's mesh becomes in one shape is not kept for others.
-    private MeshData? Mended(MeshDescription wanted, MeshDescription mesh)
-    {
-        object key = (object?)mesh.Data ?? mesh;
-        if (MeshVariant.IsOwn(wanted) && _mended.TryGetValue(key, out MeshData? known))
-        {
-            return known;
-        }
-
-        int[] missing = mesh.Data is not null ? [] : [.. mesh.Triangles.SelectMany(t => new[] { t.A, t.B, t.C }).Where(c => (uint)c >= (uint)mesh.Positions.Count).Take(1)];
-        if (missing is [var corner])
-        {
-            builder.Error(mesh, nameof(MeshDescription.Triangles), $"a triangle has the corner {corner}, but there are {mesh.Positions.Count}, counted from 0");
-            return null;
-        }
-
-        MeshData data = MeshDoctor.Mend(MeshVariant.Of(mesh.Data ?? Inline(mesh), wanted), out string report);
-        if (MeshVariant.IsOwn(wanted))
-        {
-            _mended.Add(key, data);
-        }
-
-        if (report.Length > 0)
-        {
-            builder.Warn(mesh, null, $"{Name(mesh)}: {report}");
-        }
-
-        return data;
-    }
-
-    private static MeshData Inline(MeshDescription mesh) => new([.. mesh.Positions], [.. mesh.Triangles.SelectMany(t => new[] { t.A, t.B, t.C })])
-    {
-        Normals = mesh.Normals.Count > 0 ? [.. mesh.Normals] : null,
-        Uv = mesh.Uv.Count > 0 ? [.. mesh.Uv] : null,
-        Colors = mesh.Colors.Count > 0 ? [.. mesh.Colors.Select(c => new Rgb(c.X, c.Y, c.Z))] : null,
-        MaterialOfTriangle = mesh.MaterialOfTriangle.Count > 0 ? [.. mesh.MaterialOfTriangle] : null,
-    };
-
-    private static string Name(MeshDescription mesh) => mesh.Name.Length > 0 ? $"mesh \"{mesh.Name}\"" : "the mesh";
 
     private void AddModel(ModelDescription model, in Transform place, SpaceContents target)
     {

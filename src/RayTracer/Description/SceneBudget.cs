@@ -37,8 +37,8 @@ public sealed class SceneBudget
 
     /// <summary>Counts memory and work before they are taken.</summary>
     /// <param name="what">The thing, as the complaint calls it.</param>
-    /// <param name="bytes">How much memory is wanted.</param>
-    /// <param name="steps">How much work is.</param>
+    /// <param name="bytes">The memory wanted, in bytes.</param>
+    /// <param name="steps">The work wanted, in steps.</param>
     /// <returns>The complaint; null where it is within the limits, and was counted.</returns>
     public string? Take(string what, long bytes, long steps)
     {

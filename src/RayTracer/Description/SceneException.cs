@@ -3,7 +3,7 @@ namespace RayTracer.Description;
 /// <summary>A complaint about one parameter of one description record.</summary>
 /// <param name="Subject">The record complained about.</param>
 /// <param name="Property">The name of its C# property, or null for the record as a whole.</param>
-/// <param name="Message">What is wrong and what was expected, in one sentence without a final stop.</param>
+/// <param name="Message">The fault and what was expected, in one sentence without a final stop.</param>
 /// <param name="IsError">True where the scene cannot be rendered; otherwise it is a warning.</param>
 public sealed record SceneComplaint(object Subject, string? Property, string Message, bool IsError)
 {

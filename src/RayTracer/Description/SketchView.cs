@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Description;
 
 /// <summary>The place and size that an editor gives a new shape.</summary>
-/// <param name="Target">Where its middle is to be.</param>
+/// <param name="Target">The point at which its middle is put.</param>
 /// <param name="Right">Unit vector to the right in the picture.</param>
 /// <param name="Up">Unit vector upwards in the picture.</param>
 /// <param name="Towards">Unit vector from the target to the camera.</param>

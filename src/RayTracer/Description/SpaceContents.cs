@@ -32,21 +32,21 @@ internal sealed class SpaceContents
 
 /// <summary>A mesh in a space.</summary>
 /// <param name="Data">The triangles, checked and mended.</param>
-/// <param name="Materials">What they are made of; at least one.</param>
-/// <param name="Place">Where the mesh stands.</param>
+/// <param name="Materials">The materials; at least one.</param>
+/// <param name="Place">The place of the mesh.</param>
 /// <param name="Source">The source that it was made from; null where that is not kept.</param>
 /// <param name="Label">The label of its light.</param>
 internal sealed record PlacedMesh(MeshData Data, Material[] Materials, Transform Place, ShapeDescription? Source, LightGroupLabel? Label);
 
 /// <summary>A space in another one.</summary>
-/// <param name="Contents">What it holds.</param>
-/// <param name="Motion">Where it is.</param>
+/// <param name="Contents">The contents of the instance.</param>
+/// <param name="Motion">The instance's place over time.</param>
 /// <param name="Source">The source that it was made from; null where that is not kept.</param>
 /// <param name="Label">The label of its light, where its contents have none.</param>
 internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeDescription? Source, LightGroupLabel? Label);
 
 /// <summary>A light without extent in a space.</summary>
-/// <param name="Light">What it is, found free of faults.</param>
-/// <param name="Motion">Where its own space is.</param>
+/// <param name="Light">The light's description, found free of faults.</param>
+/// <param name="Motion">The place of its own space over time.</param>
 /// <param name="Label">The label of its light.</param>
 internal sealed record PlacedLight(PunctualLightDescription Light, Motion Motion, LightGroupLabel? Label);

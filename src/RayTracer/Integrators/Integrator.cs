@@ -47,6 +47,15 @@ public enum IntegratorTraits
 
     /// <summary>Pictures show light that is too bright for a display by the soft tone map, where scenes name none.</summary>
     SoftTone = 1 << 12,
+
+    /// <summary>Paths start at the lights as well as at the camera: the film has a plane for what those bring.</summary>
+    TracesLight = 1 << 13,
+
+    /// <summary>Paths of a sample are merged: they have one time and one wavelength, and the picture is right in the limit only.</summary>
+    MergesPaths = 1 << 14,
+
+    /// <summary>Paths can learn where light comes from, and be guided there.</summary>
+    Guides = 1 << 15,
 }
 
 /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>
@@ -69,6 +78,18 @@ public abstract class Integrator(string name, IntegratorTraits traits) : NamedVa
     /// <summary>As path, with media that absorb and scatter light inside shapes.</summary>
     public static Integrator VolPath { get; } = new VolPathIntegrator();
 
+    /// <summary>Light tracing: paths from the lights, connected with the camera.</summary>
+    public static Integrator Light { get; } = new LightIntegrator();
+
+    /// <summary>Bidirectional path tracing: paths from the camera and from the lights, connected with each other.</summary>
+    public static Integrator Bidirectional { get; } = new BidirectionalIntegrator();
+
+    /// <summary>Progressive photon mapping.</summary>
+    public static Integrator Photons { get; } = new PhotonsIntegrator();
+
+    /// <summary>Vertex connection and merging: bidirectional path tracing with photons.</summary>
+    public static Integrator Vcm { get; } = new VcmIntegrator();
+
     /// <summary>Ambient occlusion: how much of an even, white sky each surface sees.</summary>
     public static Integrator Ao { get; } = new AoIntegrator();
 
@@ -82,7 +103,7 @@ public abstract class Integrator(string name, IntegratorTraits traits) : NamedVa
     public static Integrator Albedo { get; } = new AlbedoIntegrator();
 
     /// <summary>All integrators.</summary>
-    public static Registry<Integrator> Known { get; } = new("integrator", i => [i.Name], Report, Path, Direct, VolPath, Ao, Normals, Uv, Albedo);
+    public static Registry<Integrator> Known { get; } = new("integrator", i => [i.Name], Report, Path, Direct, VolPath, Light, Bidirectional, Photons, Vcm, Ao, Normals, Uv, Albedo);
 
     /// <summary>Returns whether it has all of some traits.</summary>
     public bool Has(IntegratorTraits wanted) => (traits & wanted) == wanted;

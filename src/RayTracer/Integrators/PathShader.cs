@@ -21,6 +21,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     private readonly ShadowQueue? _queue = context.Queue;
     private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer);
     private readonly EmitterLookup _lights = new(context.Scene);
+    private readonly GuidedMaterials? _guided = context.Scene.Guide is { } guide ? new(guide) : null;
     private readonly uint _maxDepth = (uint)(maxDepth < 0 ? RenderDescription.LongestPath : maxDepth);
 
     internal override long ShadowRays => _directLight.ShadowRays;
@@ -86,7 +87,8 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
         radiance = stream.PickRadiance(index);
-        Material material = group.Material;
+        GuidedMaterial? guided = _guided?.At(group, surface);
+        Material material = guided ?? group.Material;
         if (group.Traits.Emits && _maxDepth > 0)
         {
             AddEmission(group, surface, stream, index, active, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
@@ -111,7 +113,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
                 _queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, group, isShared: true, packet.Media, Vertex, packet.Time, goesOn, throughput, ref radiance);
+            _directLight.Add(surface, group, material, packet.Media, Vertex, packet.Time, goesOn, throughput, ref radiance);
         }
 
         ref ScatterW scatter = ref packet.Scatter;
@@ -123,7 +125,8 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
             alive = alive.Except(Leaks(surface, scatter.Direction));
         }
 
-        alive = Survive(vertex, alive, ref throughput);
+        FloatW brightest = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
+        alive = Survive(vertex, alive, guided is null ? brightest : GuidedMaterial.Survival, ref throughput);
         Observer?.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
@@ -140,7 +143,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         if (going != 0)
         {
             vertex |= WavelengthAfter(group, state);
-            GoOn(group, ref packet, going, next);
+            GoOn(group, guided, ref packet, going, next);
         }
     }
 
@@ -238,7 +241,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         Vertex.Direction(out FloatW u, out FloatW v);
         Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
-        alive = Survive(vertex, alive, ref throughput);
+        alive = Survive(vertex, alive, FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B)), ref throughput);
         Observer?.ScatteredInMedium(stream, index, active, alive, point, pdf);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
@@ -307,7 +310,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         return Scene.TracksInteriors ? Vec3W.MultiplyAdd(direction, -FloatW.Pick(stream.Travelled, index), origin) : origin;
     }
 
-    private void GoOn(ShadingGroup group, ref PacketW packet, uint going, PathStream next)
+    private void GoOn(ShadingGroup group, GuidedMaterial? guided, ref PacketW packet, uint going, PathStream next)
     {
         ref SurfaceW surface = ref packet.Surface;
         ref ScatterW scatter = ref packet.Scatter;
@@ -318,7 +321,15 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
 
         if (group.Traits.HasDensity && _lights.Count > 0)
         {
-            group.Material.Pdf(surface, scatter.Direction, out packet.Pdf);
+            if (guided is not null)
+            {
+                packet.Pdf = guided.ChosenPdf;
+            }
+            else
+            {
+                group.Material.Pdf(surface, scatter.Direction, out packet.Pdf);
+            }
+
             next.SetPdf(going, packet.Pdf);
             if (Scene.LightSelection is not null)
             {
@@ -342,15 +353,13 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     }
 
     // Ends paths at random, and makes those that survive brighter, so that the mean stays.
-    private MaskW Survive(UIntW vertex, MaskW alive, ref RgbW throughput)
+    private MaskW Survive(UIntW vertex, MaskW alive, FloatW most, ref RgbW throughput)
     {
         MaskW asked = alive & (vertex + 1u > (uint)Scene.Render.RouletteDepth);
         if (!asked.Any)
         {
             return alive;
         }
-
-        FloatW most = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
 
         // Written so that a path whose throughput is not a number survives, and is counted at its end.
         FloatW survival = (most < LargestSurvival).Select(most, LargestSurvival);
@@ -388,7 +397,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
 }
 
 /// <summary>Path tracing.</summary>
-internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.PathLimit) : Integrator(
+internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.PathLimit | IntegratorTraits.Guides) : Integrator(
     name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment
         | IntegratorTraits.LitGloss | IntegratorTraits.SoftTone | more)
 {

@@ -65,7 +65,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
                 _queue.Flush(Finished, next);
             }
 
-            _directLight.Add(surface, group, isShared: false, 0u, Vertex, packet.Time, active, throughput * brdf, ref radiance);
+            _directLight.Add(surface, group, shared: null, 0u, Vertex, packet.Time, active, throughput * brdf, ref radiance);
         }
 
         // The next ray.

@@ -11,8 +11,8 @@ namespace RayTracer.Rendering;
 /// <summary>The surroundings of a shader: the scene, and where its light goes.</summary>
 public sealed class ShaderContext
 {
-    internal ShaderContext(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer) =>
-        (Scene, Finished, Queue, Observer) = (scene, finished, queue, observer);
+    internal ShaderContext(Scene scene, FinishedPaths finished, ShadowQueue? queue, PathObserver? observer, LightPass? light = null) =>
+        (Scene, Finished, Queue, Observer, Light) = (scene, finished, queue, observer, light);
 
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
@@ -24,6 +24,12 @@ public sealed class ShaderContext
 
     // Sees what happens to the paths; null where nobody asks.
     internal PathObserver? Observer { get; }
+
+    // The light paths of the pass; null where the integrator traces none.
+    internal LightPass? Light { get; }
+
+    // What camera paths see of what is behind everything, for integrators that tell no observer; null where nobody asks.
+    internal Backdrop? Backdrop { get; init; }
 }
 
 /// <summary>
@@ -35,7 +41,6 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
 {
     // Registers that lie across two cache lines are slow to store and load: the runtime does not align its stack for them.
     private readonly PinnedBuffer<PacketW> _packet = new(1);
-    private SampleRange _samples;
 
     /// <summary>The number of shadow rays that were traced.</summary>
     internal virtual long ShadowRays => 0;
@@ -49,22 +54,24 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     private protected PathObserver? Observer { get; } = context.Observer;
 
     /// <summary>The random numbers of the vertex that is shaded.</summary>
-    protected VertexSamples Vertex { get; } = new(context.Scene.Sampler);
+    protected VertexSamples Vertex { get; } = new(context.Scene.Sampler) { SharedKey = context.Scene.SharedKey };
 
-    private protected RayGenerator Generator { get; private set; } = null!;
+    private protected SampleRange Samples { get; private set; }
+
+    private protected PathSource Source { get; private set; } = null!;
 
     /// <summary>Room for what is known of the packet that is shaded.</summary>
     private protected ref PacketW Packet => ref *_packet.Pointer;
 
     /// <summary>Prepares for a tile.</summary>
-    internal void Begin(RayGenerator generator, SampleRange samples)
+    internal virtual void Begin(PathSource source, SampleRange samples)
     {
-        Generator = generator;
-        _samples = samples;
+        Source = source;
+        Samples = samples;
     }
 
     /// <summary>Ends the paths that left the scene.</summary>
-    internal void Miss(PathStream stream, uint* members, int count)
+    internal virtual void Miss(PathStream stream, uint* members, int count)
     {
         for (int i = 0; i < count; i += FloatW.Count)
         {
@@ -120,6 +127,11 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     {
     }
 
+    /// <summary>Called when all paths have ended.</summary>
+    internal virtual void End()
+    {
+    }
+
     /// <summary>Describes where paths met the surfaces of a group: all that a material needs.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="group">The group.</param>
@@ -139,23 +151,9 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
             DescribePlain(group, stream, index, needsUv, out surface);
         }
 
-        if (group.HasShadingNormals)
-        {
-            if (scene.IsLiteral && group.MayBeLiteral)
-            {
-                TakeLiterally(ref surface);
-            }
-            else
-            {
-                Smooth(ref surface);
-            }
-        }
-
-        if (group.Traits.UsesTangent)
-        {
-            surface.SetTangent();
-        }
-
+        surface.CarriesLight = false;
+        surface.Rules = scene.IsLiteral ? group.LiteralRules : group.MendedRules;
+        Face(ref surface);
         if (group.LacksTint)
         {
             surface.Tint = Rgb.White;
@@ -210,7 +208,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void TurnToRay(ref SurfaceW surface)
+    internal static void TurnToRay(ref SurfaceW surface)
     {
         FloatW along = Vec3W.Dot(surface.Incoming, surface.Normal);
         surface.Inside = along > 0f;
@@ -238,14 +236,14 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     /// <summary>Turns to the random numbers of the vertex.</summary>
     protected void BeginVertex(in UIntW path, in UIntW vertex)
     {
-        PathNumber.Split(path, _samples, out UIntW pixel, out UIntW sample);
-        Vertex.Begin(UIntW.Gather(Generator.PixelKeys, pixel), sample, vertex);
+        PathNumber.Split(path, Samples, out UIntW pixel, out UIntW sample);
+        Vertex.Begin(UIntW.Gather(Source.PixelKeys, pixel), sample, vertex);
     }
 
     /// <summary>
     /// Gives paths their wavelengths at a surface that disperses light: from the first one on, they have the colour of a single wavelength.
     /// </summary>
-    private protected void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
+    private protected virtual void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
     {
         Scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
         throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
@@ -271,6 +269,25 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         DescribeTable(group, stream, index, needsUv, ref surface);
         maps.Describe(group.HasShadingNormals, group.Traits.UsesTangent, ref surface);
         TurnToRay(ref surface);
+    }
+
+    /// <summary>Turns surfaces that face their rays to the normals with which they are shaded, but for those of maps.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void Face(ref SurfaceW surface)
+    {
+        if ((surface.Rules & NormalRules.Literal) != NormalRules.None)
+        {
+            TakeLiterally(ref surface);
+        }
+        else if ((surface.Rules & NormalRules.Smooth) != NormalRules.None)
+        {
+            Smooth(ref surface);
+        }
+
+        if ((surface.Rules & NormalRules.HasTangent) != NormalRules.None)
+        {
+            surface.SetTangent();
+        }
     }
 
     // Turns to the shading normal, on the ray's side of the surface: which of its two directions that is, is only asked here, in the

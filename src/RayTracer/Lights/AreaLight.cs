@@ -1,3 +1,4 @@
+using RayTracer.Acceleration;
 using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
@@ -18,6 +19,12 @@ internal sealed class AreaLight(Shape shape, int primitive) : LightSource(0, pri
 
     /// <summary>The shape.</summary>
     public Shape Shape => shape;
+
+    /// <summary>The batch that the shape is in; null for a light that only takes samples.</summary>
+    internal SurfaceTable? Table { get; init; }
+
+    /// <inheritdoc/>
+    internal override bool CanEmit => Table is not null && shape.SampleSurface(0.5f, 0.5f, out _);
 
     /// <inheritdoc/>
     public override void Pdf(in LightHitW hit, out FloatW pdf) => shape.SamplePdf(hit.From, hit.Distance, hit.Cosine, out pdf);
@@ -48,4 +55,21 @@ internal sealed class AreaLight(Shape shape, int primitive) : LightSource(0, pri
     /// <param name="radiance">Radiance from the chosen point over the pdf per solid angle.</param>
     public void Sample(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample, out RgbW radiance) =>
         Sample(from, u, v, 0f, out sample, out radiance);
+
+    /// <inheritdoc/>
+    internal override void Emit(in FloatW u1, in FloatW v1, in FloatW u2, in FloatW v2, in FloatW time, out EmittedW ray)
+    {
+        SurfaceW surface = default;
+        shape.SampleSurface(u1, v1, out surface.Point);
+        Table!.Describe(new PrimitiveIndex(Primitive - Table.FirstPrimitive, Table.Stride), _luminaire.ConstantColor is null, ref surface);
+        LuminaireEmission.Emit(_luminaire, surface, 1 / shape.Area, u2, v2, out ray);
+        ray.Primitive = (uint)Primitive;
+    }
+
+    /// <inheritdoc/>
+    internal override void EmissionPdf(in LightHitW hit, out FloatW point, out FloatW direction)
+    {
+        point = (hit.Cosine > 0f).Select(1 / shape.Area, 0f);
+        direction = _luminaire.EmissionPdf(hit.Cosine);
+    }
 }

@@ -55,4 +55,24 @@ internal sealed class DirectionalLight(Vector3 direction, Rgb irradiance, Motion
         sample.U = sample.V = default;
         radiance = irradiance;
     }
+
+    /// <inheritdoc/>
+    internal override bool CanEmit => true;
+
+    /// <inheritdoc/>
+    internal override float EmittedPower((double Open, double Close) shutter) => irradiance.Luminance * World!.Ball.Area;
+
+    /// <inheritdoc/>
+    internal override void Emit(in FloatW u1, in FloatW v1, in FloatW u2, in FloatW v2, in FloatW time, out EmittedW ray)
+    {
+        Place(time, out _, out Vec3W along);
+        World!.Ball.Emit(along, 1f, irradiance, u1, v1, out ray);
+    }
+
+    /// <inheritdoc/>
+    internal override void EmissionPdf(in LightHitW hit, out FloatW point, out FloatW direction)
+    {
+        point = World!.Ball.PointPdf(hit.From, -hit.Direction);
+        direction = 1f;
+    }
 }

@@ -66,11 +66,44 @@ internal sealed unsafe class InstancedLight(Shape shape, SurfaceTable table, int
         radiance = emitted * sample.InversePdf;
     }
 
+    /// <inheritdoc/>
+    internal override bool CanEmit => shape.SampleSurface(0.5f, 0.5f, out _);
+
+    /// <inheritdoc/>
+    internal override void Emit(in FloatW u1, in FloatW v1, in FloatW u2, in FloatW v2, in FloatW time, out EmittedW ray)
+    {
+        float* memory = stackalloc float[InstanceMaps.Floats];
+        InstanceMaps maps = new(memory);
+        maps.Fill(instances, Instance, time);
+        SurfaceW surface = default;
+        shape.SampleSurface(u1, v1, out surface.Point);
+        Describe(_luminaire.ConstantColor is null, ref surface);
+        FloatW area = maps.AreaFactor(surface.Normal) * shape.Area;
+        maps.Describe(hasShading: false, hasTangents: false, ref surface);
+        LuminaireEmission.Emit(_luminaire, surface, 1f / area, u2, v2, out ray);
+        ray.Primitive = (uint)Primitive;
+        ray.Instance = (uint)Instance;
+    }
+
+    /// <inheritdoc/>
+    internal override void EmissionPdf(in LightHitW hit, out FloatW point, out FloatW direction)
+    {
+        float* memory = stackalloc float[InstanceMaps.Floats];
+        InstanceMaps maps = new(memory);
+        maps.Fill(instances, Instance, hit.Time);
+        Vec3W normal = NormalAt(maps.PointBack(Vec3W.MultiplyAdd(hit.Direction, hit.Distance, hit.From)));
+        point = (hit.Cosine > 0f).Select(1f / (maps.AreaFactor(normal) * shape.Area), 0f);
+        direction = _luminaire.EmissionPdf(hit.Cosine);
+    }
+
     private Vec3W NormalAt(Vec3W point)
     {
         SurfaceW surface = default;
         surface.Point = point;
-        table.Describe(new PrimitiveIndex(Primitive - table.FirstPrimitive, table.Stride), needsUv: false, ref surface);
+        Describe(needsUv: false, ref surface);
         return surface.Normal;
     }
+
+    private void Describe(bool needsUv, ref SurfaceW surface) =>
+        table.Describe(new PrimitiveIndex(Primitive - table.FirstPrimitive, table.Stride), needsUv, ref surface);
 }

@@ -13,15 +13,32 @@ internal static class LightList
     /// <summary>All sources: shapes of the world, its meshes, those that instances show, and then those without extent.</summary>
     public static LightSource[] Create(World world)
     {
-        List<LightSource> lights =
-            [.. world.Itself.Shapes.Select((shape, i) => (shape, i)).Where(s => s.shape.Material.Traits.Emits).Select(s => new AreaLight(s.shape, s.i) { Label = s.shape.Label })];
+        List<LightSource> lights = [];
+        AddShapes(lights, world.Itself, (shape, batch, i) => new AreaLight(shape, i) { Table = batch, Label = shape.Label });
         AddMeshes(lights, world.Itself, world.Itself.Contents, null, 0, Transform.Identity);
         for (int instance = 1; instance <= (world.Instances?.Count ?? 0); instance++)
         {
             AddInstance(lights, world.Instances!, instance);
         }
 
-        return [.. lights, .. world.Itself.Contents.Lights.Select(Punctual)];
+        lights.AddRange(world.Itself.Contents.Lights.Select(Punctual));
+        lights.ForEach(l => l.World = world);
+        return [.. lights];
+    }
+
+    private static void AddShapes(List<LightSource> lights, Space space, Func<Shape, ShapeBatch, int, LightSource> make)
+    {
+        foreach (ShapeBatch batch in space.Batches)
+        {
+            for (int primitive = batch.FirstPrimitive; primitive < batch.FirstPrimitive + batch.Count; primitive++)
+            {
+                Shape shape = space.Shapes[primitive - space.FirstPrimitive];
+                if (shape.Material.Traits.Emits)
+                {
+                    lights.Add(make(shape, batch, primitive));
+                }
+            }
+        }
     }
 
     private static unsafe void AddInstance(List<LightSource> lights, InstanceTable instances, int instance)
@@ -32,18 +49,8 @@ internal static class LightList
             return;
         }
 
-        foreach (ShapeBatch batch in space.Batches)
-        {
-            for (int primitive = batch.FirstPrimitive; primitive < batch.FirstPrimitive + batch.Count; primitive++)
-            {
-                Shape shape = space.Shapes[primitive - space.FirstPrimitive];
-                if (shape.Material.Traits.Emits)
-                {
-                    lights.Add(new InstancedLight(shape, batch, primitive, instances, instance) { Label = LightGroupLabel.Within(shape.Label, instances.LabelOf(instance)) });
-                }
-            }
-        }
-
+        AddShapes(lights, space, (shape, batch, i) =>
+            new InstancedLight(shape, batch, i, instances, instance) { Label = LightGroupLabel.Within(shape.Label, instances.LabelOf(instance)) });
         AddMeshes(lights, space, space.Contents, instances, instance, instances.PlaceOf(instance));
     }
 

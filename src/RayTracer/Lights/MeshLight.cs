@@ -35,16 +35,8 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
     /// <inheritdoc/>
     public override void Pdf(in LightHitW hit, out FloatW pdf)
     {
-        float* met = stackalloc float[Numbers * 16];
-        for (int lane = 0; lane < FloatW.Count; lane++)
-        {
-            int triangle = (int)hit.Primitive[lane] - mesh.FirstPrimitive;
-            Write(triangle, choice.Probability(triangle), 0, met + lane);
-        }
-
-        Place(met, hit.Time, out Vec3W a, out Vec3W b, out Vec3W c, out _);
-        Vec3W normal = Vec3W.Cross(b - a, c - a);
-        pdf = AreaSample.Pdf(hit.Distance, hit.Cosine, FloatW.Sqrt(Vec3W.Dot(normal, normal)) * 0.5f) * Load(met, Probability);
+        Meet(hit, out FloatW area, out FloatW probability);
+        pdf = AreaSample.Pdf(hit.Distance, hit.Cosine, area) * probability;
     }
 
     /// <inheritdoc/>
@@ -90,6 +82,78 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
         radiance = emitted * sample.InversePdf;
     }
 
+    /// <inheritdoc/>
+    internal override bool CanEmit => true;
+
+    /// <inheritdoc/>
+    internal override void Emit(in FloatW u1, in FloatW v1, in FloatW u2, in FloatW v2, in FloatW time, out EmittedW ray)
+    {
+        float* chosen = stackalloc float[Numbers * 16];
+        uint* triangles = stackalloc uint[16];
+        for (int lane = 0; lane < FloatW.Count; lane++)
+        {
+            triangles[lane] = (uint)Choose(u1[lane], chosen + lane);
+        }
+
+        UIntW triangle = UIntW.Load(triangles);
+        Vec3W toB = Corner(chosen, 3) - Corner(chosen, 0);
+        Vec3W toC = Corner(chosen, 6) - Corner(chosen, 0);
+        Warp.UniformTriangle(Load(chosen, Rest), v1, out FloatW atB, out FloatW atC);
+        SurfaceW surface = default;
+        surface.Point = Vec3W.MultiplyAdd(toC, atC, Vec3W.MultiplyAdd(toB, atB, Corner(chosen, 0)));
+        mesh.Describe(new PrimitiveIndex(triangle, mesh.Stride), luminaire.ConstantColor is null, ref surface);
+        FloatW area = Area(toB, toC);
+        if (instances is not null)
+        {
+            float* memory = stackalloc float[InstanceMaps.Floats];
+            InstanceMaps maps = new(memory);
+            maps.Fill(instances, Instance, time);
+            area *= maps.AreaFactor(surface.Normal);
+            maps.Describe(hasShading: false, hasTangents: false, ref surface);
+        }
+
+        LuminaireEmission.Emit(luminaire, surface, Load(chosen, Probability) / area, u2, v2, out ray);
+        ray.Primitive = triangle + (uint)mesh.FirstPrimitive;
+        ray.Instance = (uint)Instance;
+    }
+
+    /// <inheritdoc/>
+    internal override void EmissionPdf(in LightHitW hit, out FloatW point, out FloatW direction)
+    {
+        Meet(hit, out FloatW area, out FloatW probability);
+        point = (hit.Cosine > 0f).Select(probability / area, 0f);
+        direction = luminaire.EmissionPdf(hit.Cosine);
+    }
+
+    /// <summary>As samples are chosen by area too, they know the density: their triangles, which are not reported, are not needed.</summary>
+    internal override void EmissionPdf(in Vec3W from, in ShapeSampleW sample, in FloatW time, out FloatW point, out FloatW direction)
+    {
+        FloatW inverse = sample.Distance * sample.Distance * sample.InversePdf;
+        point = (inverse > 0f).Select(sample.Cosine / inverse, 0f);
+        direction = luminaire.EmissionPdf(sample.Cosine);
+    }
+
+    private static FloatW Area(in Vec3W toB, in Vec3W toC)
+    {
+        Vec3W normal = Vec3W.Cross(toB, toC);
+        return FloatW.Sqrt(Vec3W.Dot(normal, normal)) * 0.5f;
+    }
+
+    // The triangles that were met: their areas in the world, and the probabilities with which they are chosen.
+    private void Meet(in LightHitW hit, out FloatW area, out FloatW probability)
+    {
+        float* met = stackalloc float[Numbers * 16];
+        for (int lane = 0; lane < FloatW.Count; lane++)
+        {
+            int triangle = (int)hit.Primitive[lane] - mesh.FirstPrimitive;
+            Write(triangle, choice.Probability(triangle), 0, met + lane);
+        }
+
+        Place(met, hit.Time, out Vec3W a, out Vec3W b, out Vec3W c, out _);
+        area = Area(b - a, c - a);
+        probability = Load(met, Probability);
+    }
+
     private static FloatW Load(float* chosen, int number) => FloatW.Load(chosen + (number * FloatW.Count));
 
     private static Vec3W Corner(float* chosen, int number) => new(Load(chosen, number), Load(chosen, number + 1), Load(chosen, number + 2));
@@ -116,10 +180,11 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
         }
     }
 
-    private void Choose(float u, float* to)
+    private int Choose(float u, float* to)
     {
         int triangle = choice.Choose(ref u, out float probability);
         Write(triangle, probability, u, to);
+        return triangle;
     }
 
     private void Write(int triangle, float probability, float rest, float* to)

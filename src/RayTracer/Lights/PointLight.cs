@@ -1,6 +1,7 @@
 using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
+using RayTracer.Sampling;
 using RayTracer.Shapes;
 
 namespace RayTracer.Lights;
@@ -54,5 +55,22 @@ internal sealed class PointLight(Vector3 position, Rgb intensity, Motion motion)
         Place(time, out Vec3W place, out _);
         Towards(place - from, out sample, out FloatW inverseSquare);
         radiance = (RgbW)intensity * inverseSquare;
+    }
+
+    /// <inheritdoc/>
+    internal override bool CanEmit => true;
+
+    /// <inheritdoc/>
+    internal override void Emit(in FloatW u1, in FloatW v1, in FloatW u2, in FloatW v2, in FloatW time, out EmittedW ray)
+    {
+        EmittedW.OfDirection(Warp.UniformSphere(u2, v2), 1 / (4 * float.Pi), intensity * (4 * float.Pi), out ray);
+        Place(time, out ray.Origin, out _);
+    }
+
+    /// <inheritdoc/>
+    internal override void EmissionPdf(in LightHitW hit, out FloatW point, out FloatW direction)
+    {
+        point = 1f;
+        direction = 1 / (4 * float.Pi);
     }
 }

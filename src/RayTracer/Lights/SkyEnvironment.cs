@@ -134,6 +134,10 @@ internal sealed class SkyEnvironment : EnvironmentLight
         radiance *= sample.InversePdf;
     }
 
+    /// <inheritdoc/>
+    internal override float EmittedPower((double Open, double Close) shutter) =>
+        ((float)_sky.Power + (_sun.Luminance * 2 * float.Pi * _height)) * World!.Ball.Area;
+
     // Half the squared distance of unit vectors is 1 − cosine, without cancellation.
     private MaskW IsSun(in Vec3W direction)
     {

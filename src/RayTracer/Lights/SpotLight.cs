@@ -1,6 +1,7 @@
 using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
+using RayTracer.Sampling;
 using RayTracer.Shapes;
 
 namespace RayTracer.Lights;
@@ -83,6 +84,12 @@ internal sealed class SpotLight : PunctualLight
     private readonly float _end;
     private readonly float _slope;
 
+    // 1 − cosine of either angle, the exponent of the density between them, and the integral of this density by 1 − cosine, were it 1 in the beam.
+    private readonly float _beamHeight;
+    private readonly float _edgeHeight;
+    private readonly int _exponent;
+    private readonly float _spread;
+
     /// <summary>Makes one.</summary>
     /// <param name="position">The position in its space.</param>
     /// <param name="direction">Where it shines in its own space, of any length above zero.</param>
@@ -106,6 +113,9 @@ internal sealed class SpotLight : PunctualLight
             LaneMath.SinCos(beam, out _, out beam);
         }
 
+        (_beamHeight, _edgeHeight) = (Height(beamWidth), Height(cutoffAngle));
+        _exponent = _isSmooth ? 2 : 1;
+        _spread = _beamHeight + ((_edgeHeight - _beamHeight) / (_exponent + 1));
         _slope = beam == _end ? (_isSmooth ? Steepest : -Steepest) : 1 / (beam - _end);
     }
 
@@ -120,6 +130,54 @@ internal sealed class SpotLight : PunctualLight
         FloatW falloff = Strength(axis, sample.Direction);
         sample.InversePdf = (falloff > 0f).Select(sample.InversePdf, 0f);
         radiance = (RgbW)_intensity * (falloff * inverseSquare);
+    }
+
+    /// <inheritdoc/>
+    internal override bool CanEmit => true;
+
+    /// <summary>
+    /// Directions are uniform in the beam; from there to the edge, their density falls as the smooth falloff does, or, where that is linear in the angle,
+    /// in proportion to the cosine.
+    /// </summary>
+    internal override void Emit(in FloatW u1, in FloatW v1, in FloatW u2, in FloatW v2, in FloatW time, out EmittedW ray)
+    {
+        Place(time, out Vec3W place, out Vec3W axis);
+        float ring = _spread - _beamHeight;
+        FloatW below = u2 * _spread;
+        FloatW rest = ring > 0 ? FloatW.Min(FloatW.Max((_spread - below) * (1 / ring), 0f), 1f) : 1f;
+        FloatW part = _isSmooth ? LaneMath.Pow(rest, 1f / 3) : FloatW.Sqrt(rest);
+        FloatW height = (below < _beamHeight).Select(below, FloatW.MultiplyAdd(part, _beamHeight - _edgeHeight, _edgeHeight));
+        Onb.FromNormal(axis, out Onb frame);
+        Vec3W direction = frame.ToWorld(Warp.UniformCone(1f, v2, height));
+        FloatW pdf = Density(axis, direction);
+        FloatW weight = (pdf > 0f).Select(Strength(axis, -direction) / pdf, 0f);
+        EmittedW.OfDirection(direction, pdf, (RgbW)_intensity * weight, out ray);
+        ray.Origin = place;
+    }
+
+    /// <inheritdoc/>
+    internal override void EmissionPdf(in LightHitW hit, out FloatW point, out FloatW direction)
+    {
+        Place(hit.Time, out _, out Vec3W axis);
+        point = 1f;
+        direction = Density(axis, -hit.Direction);
+    }
+
+    // 1 − cos of an angle, as 2 sin² of its half.
+    private static float Height(float degrees)
+    {
+        LaneMath.SinCos(0.5f * degrees * Radians, out float sin, out _);
+        return 2 * sin * sin;
+    }
+
+    // The density, per steradian, of a direction in which light is emitted. Half the squared distance of unit vectors is 1 − cosine, without cancellation.
+    private FloatW Density(in Vec3W axis, in Vec3W direction)
+    {
+        Vec3W apart = direction - axis;
+        float ring = _edgeHeight - _beamHeight;
+        FloatW below = _edgeHeight - (Vec3W.Dot(apart, apart) * 0.5f);
+        FloatW part = FloatW.Max(FloatW.Min(below * (ring > 0 ? 1 / ring : Steepest), 1f), 0f);
+        return (_isSmooth ? part * part : part) * (1 / (2 * float.Pi * _spread));
     }
 
     // The share of the full intensity that goes against a direction.

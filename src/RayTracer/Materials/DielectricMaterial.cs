@@ -62,7 +62,8 @@ public sealed record DielectricMaterialDescription : GlassDescription
 
 /// <summary>
 /// A smooth boundary between the outside and a clear inside: reflects with the probability of the Fresnel reflectance,
-/// else refracts by Snell's law (report, section 4.2.3); light that arrives from inside has been absorbed by Beer's law.
+/// else refracts by Snell's law (report, section 4.2.3); what arrives from inside, along a path of the camera or of light, has been absorbed
+/// by Beer's law.
 /// Radiance grows by the square of the index on entering the denser medium (Veach 1997, section 5.2).
 /// </summary>
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 0.</param>
@@ -125,7 +126,7 @@ internal sealed class DielectricMaterial(
         Vec3W refraction = Vec3W.MultiplyAdd(surface.Facing, FloatW.MultiplyAdd(eta, cosIncident, -cosTransmitted), surface.Incoming * eta);
         Vec3W reflection = Vec3W.MultiplyAdd(surface.Facing, cosIncident * 2f, surface.Incoming);
         scatter.Direction = Vec3W.Normalize(reflected.Select(reflection, refraction));
-        FloatW weight = reflected.Select(1f, eta * eta);
+        FloatW weight = surface.CarriesLight ? 1f : reflected.Select(1f, eta * eta);
         scatter.Weight = new(weight, weight, weight);
         if (_weakensInside && surface.Inside.Any)
         {

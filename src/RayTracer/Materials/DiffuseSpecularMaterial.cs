@@ -65,6 +65,18 @@ internal sealed class DiffuseSpecularMaterial(Material diffuse, Material specula
     public override void Albedo(in SurfaceW surface, out RgbW albedo) => AmbientResponse(surface, out albedo);
 
     /// <inheritdoc/>
+    public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
+    {
+        base.Scatter(surface, samples, out scatter);
+        if (surface.CarriesLight && scatter.Delta.Any)
+        {
+            // The coat's share is by the angle on the camera's side, which after a refraction is another one.
+            FloatW share = Fresnel.Schlick(FloatW.Abs(Vec3W.Dot(scatter.Direction, surface.Facing)), r0);
+            scatter.Weight *= scatter.Delta.Select(share / Fresnel.Schlick(surface.Cosine, r0), 1f);
+        }
+    }
+
+    /// <inheritdoc/>
     protected override MaskW Choose(in SurfaceW surface, VertexSamples samples, out FloatW rest)
     {
         rest = samples.Choice();

@@ -112,6 +112,28 @@ internal sealed class LuminaireMaterial(Texture texture, float multiplier, float
         }
     }
 
+    /// <summary>Power per area.</summary>
+    /// <param name="u">First surface coordinate.</param>
+    /// <param name="v">Second surface coordinate.</param>
+    /// <param name="exitance">The radiant exitance: the integral of radiance times cosine over all directions.</param>
+    internal void Exitance(in FloatW u, in FloatW v, out RgbW exitance)
+    {
+        Emission(1f, u, v, out exitance);
+        exitance *= 2 * float.Pi / (exponent + 2);
+    }
+
+    /// <summary>A direction of emission around +z, chosen in proportion to radiance times cosine.</summary>
+    internal Vec3W EmittedDirection(FloatW u, FloatW v) => exponent == 0 ? Warp.CosineHemisphere(u, v) : Warp.CosinePowerLobe(u, v, exponent + 1);
+
+    /// <summary>The density of <see cref="EmittedDirection"/>, per steradian; zero inside.</summary>
+    /// <param name="cosine">Cosine between the outward normal and the direction of emission.</param>
+    internal FloatW EmissionPdf(FloatW cosine)
+    {
+        FloatW outside = FloatW.Max(cosine, 0f);
+        FloatW lobe = exponent == 0 ? outside : LaneMath.Pow(outside, exponent + 1);
+        return lobe * ((exponent + 2) / (2 * float.Pi));
+    }
+
     /// <summary>The factor on the colour in a direction of emission: multiplier · cos^exponent on the outside, zero inside.</summary>
     /// <param name="cosine">Cosine between the outward normal and the direction of emission.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

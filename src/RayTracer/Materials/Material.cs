@@ -27,6 +27,12 @@ public abstract class Material
     internal virtual int Parts => 1;
 
     /// <summary>
+    /// Whether <see cref="Prepare"/> may depend on the ray: that of the core's own materials does so for maps only
+    /// (<see cref="MaterialTraits.TurnsNormal"/>), and what others' do is not known.
+    /// </summary>
+    internal virtual bool PreparesByRay => GetType().Assembly != typeof(Material).Assembly;
+
+    /// <summary>
     /// Evaluates what several of the other methods need, once, before any of them is called: <see cref="SurfaceW.DiffuseColor"/>.
     /// </summary>
     public virtual void Prepare(ref SurfaceW surface)
@@ -112,7 +118,8 @@ public abstract class Material
     /// <param name="samples">The random numbers of this vertex.</param>
     /// <param name="scatter">
     /// The new direction and its weight, BSDF · |cosine| / pdf of the chosen lobe: where several lobes may choose one direction, the
-    /// mean of their weights is <see cref="Bsdf"/> · |cosine| / <see cref="Pdf"/>.
+    /// mean of their weights is <see cref="Bsdf"/> · |cosine| / <see cref="Pdf"/>. Where the surface <see cref="SurfaceW.CarriesLight"/>,
+    /// only the weights of delta lobes count.
     /// </param>
     public abstract void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter);
 }
@@ -135,8 +142,13 @@ public struct SurfaceW
     /// </summary>
     public Vec3W Facing;
 
-    /// <summary>The outward unit normal with which the surface is shaded; set only where it may differ from <see cref="Normal"/>.</summary>
+    /// <summary>
+    /// The outward unit normal with which the surface is shaded, before maps turn it; set only where it may differ from <see cref="Normal"/>.
+    /// </summary>
     public Vec3W Shading;
+
+    // What Facing would be without the innermost map, on the side that is seen. Set only by maps.
+    internal Vec3W Unmapped;
 
     /// <summary>
     /// Unit vector along which u grows, perpendicular to <see cref="Facing"/>; set only where <see cref="MaterialTraits.UsesTangent"/>.
@@ -189,8 +201,17 @@ public struct SurfaceW
     internal Vec3W InnerPoint, InnerNormal;
     internal FloatW InnerOffset;
 
-    /// <summary>The shapes of their batch that are met. Last, for it is no whole number of registers.</summary>
+    /// <summary>The shapes of their batch that are met. Behind the registers, for it is no whole number of them.</summary>
     public Acceleration.PrimitiveIndex Primitives;
+
+    // How Facing follows from the ray.
+    internal NormalRules Rules;
+
+    /// <summary>
+    /// Particles of light come along the ray, not the view: a delta lobe's weight is the part of their power that goes on, without the squared
+    /// index by which refraction changes radiance, and what a material does by the side of the camera, it does by the side to which they go.
+    /// </summary>
+    public bool CarriesLight;
 
     /// <summary>
     /// Sets <see cref="Tangent"/> to what <see cref="AlongU"/> is beside <see cref="Facing"/>; where that is nothing, or no number, to any

@@ -27,7 +27,7 @@ internal sealed class OneSidedMaterial(Material inner) : WrapperMaterial(inner)
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         base.Scatter(surface, samples, out scatter);
-        scatter.Absorbed |= surface.Inside;
+        scatter.Absorbed |= IsBehind(surface, scatter.Direction);
     }
 
     /// <inheritdoc/>
@@ -36,7 +36,20 @@ internal sealed class OneSidedMaterial(Material inner) : WrapperMaterial(inner)
     /// <inheritdoc/>
     protected override void Dim(in SurfaceW surface, in Vec3W direction, ref RgbW bsdf, ref FloatW pdf)
     {
-        bsdf = surface.Inside.Select(default, bsdf);
-        pdf = surface.Inside.Select(0f, pdf);
+        MaskW isBehind = IsBehind(surface, direction);
+        bsdf = isBehind.Select(default, bsdf);
+        pdf = isBehind.Select(0f, pdf);
+    }
+
+    // The camera is: where particles of light come along the ray, it is where they go.
+    private static MaskW IsBehind(in SurfaceW surface, in Vec3W direction)
+    {
+        if (!surface.CarriesLight)
+        {
+            return surface.Inside;
+        }
+
+        MaskW crosses = Vec3W.Dot(direction, surface.Facing) < 0f;
+        return (surface.Inside | crosses).Except(surface.Inside & crosses);
     }
 }

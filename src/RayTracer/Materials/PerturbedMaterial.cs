@@ -87,8 +87,9 @@ internal abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inne
         base.Scatter(surface, samples, out scatter);
         if (!IsPlain)
         {
-            scatter.Weight *= Passing(surface, scatter.Direction);
-            scatter.Absorbed |= Leaks(surface, scatter.Direction);
+            Vec3W light = Light(surface, scatter.Direction);
+            scatter.Weight *= Passing(surface, light);
+            scatter.Absorbed |= Leaks(surface, light);
             scatter.Specular = MaskW.All;
         }
     }
@@ -103,7 +104,7 @@ internal abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inne
 
         // From behind, where the map has turned the surface that far.
         room = surface;
-        MaskW isTurned = Vec3W.Dot(surface.Incoming, surface.Shading) > 0f;
+        MaskW isTurned = Vec3W.Dot(surface.Incoming, surface.Unmapped) > 0f;
         room.Inside = (surface.Inside | isTurned).Except(surface.Inside & isTurned);
         return ref room;
     }
@@ -113,8 +114,9 @@ internal abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inne
     {
         if (!IsPlain)
         {
-            bsdf *= Passing(surface, direction);
-            pdf = Leaks(surface, direction).Select(0f, pdf);
+            Vec3W light = Light(surface, direction);
+            bsdf *= Passing(surface, light);
+            pdf = Leaks(surface, light).Select(0f, pdf);
         }
     }
 
@@ -150,13 +152,16 @@ internal abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inne
                 break;
         }
 
-        surface.Shading = own;
+        surface.Unmapped = own;
     }
+
+    // Where the light comes from.
+    private static Vec3W Light(in SurfaceW surface, in Vec3W direction) => surface.CarriesLight ? -surface.Incoming : direction;
 
     // Directions on different sides of the surface and of what it looks like, where integrators may take the normals literally.
     private MaskW Leaks(in SurfaceW surface, in Vec3W direction) => Turned == TurnedNormal.Mirror
         ? MaskW.None
-        : Vec3W.Dot(direction, surface.Shading) * Vec3W.Dot(direction, surface.Facing) <= 0f;
+        : Vec3W.Dot(direction, surface.Unmapped) * Vec3W.Dot(direction, surface.Facing) <= 0f;
 
     // What is left of light from a direction: as microfacets would shade each other whose normals are spread as far as the map turns this
     // one (Conty Estevez, Lecocq & Stein 2019).
@@ -168,9 +173,9 @@ internal abstract class PerturbedMaterial(Material inner) : WrapperMaterial(inne
             return passing;
         }
 
-        FloatW turned = SquaredTangent(Vec3W.Dot(surface.Shading, surface.Facing));
+        FloatW turned = SquaredTangent(Vec3W.Dot(surface.Unmapped, surface.Facing));
         FloatW alpha2 = FloatW.Min(turned * 0.125f, 1f);
-        FloatW tangent2 = SquaredTangent(Vec3W.Dot(surface.Shading, direction));
+        FloatW tangent2 = SquaredTangent(Vec3W.Dot(surface.Unmapped, direction));
         return passing * 2f / (1f + FloatW.Sqrt(FloatW.MultiplyAdd(alpha2, tangent2, 1f)));
     }
 

@@ -23,6 +23,9 @@ public abstract class TwoPartMaterial(Material first, Material second) : Materia
     /// <inheritdoc/>
     internal override int Parts { get; } = Math.Min(MostParts + 1, first.Parts + second.Parts);
 
+    /// <inheritdoc/>
+    internal override bool PreparesByRay => base.PreparesByRay || first.PreparesByRay || second.PreparesByRay;
+
     /// <summary>The one part.</summary>
     protected Material First => first;
 

@@ -70,7 +70,7 @@ internal sealed class TwoSidedMaterial(Material front, Material back) : TwoPartM
             surface.Facing = surface.Inside.Select(behind.Facing, surface.Facing);
             surface.Cosine = surface.Inside.Select(behind.Cosine, surface.Cosine);
             surface.Tangent = surface.Inside.Select(behind.Tangent, surface.Tangent);
-            surface.Shading = surface.Inside.Select(behind.Shading, surface.Shading);
+            surface.Unmapped = surface.Inside.Select(behind.Unmapped, surface.Unmapped);
         }
     }
 

@@ -22,6 +22,9 @@ public abstract class WrapperMaterial(Material inner) : Material
     /// <inheritdoc/>
     internal override int Parts => inner.Parts;
 
+    /// <inheritdoc/>
+    internal override bool PreparesByRay => base.PreparesByRay || inner.PreparesByRay;
+
     /// <summary>The material that a part of a record describes: of any type but a luminaire, which is an error.</summary>
     /// <param name="builder">Builds it.</param>
     /// <param name="whole">The record.</param>

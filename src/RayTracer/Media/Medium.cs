@@ -5,20 +5,20 @@ namespace RayTracer.Media;
 
 /// <summary>An even medium that absorbs and scatters light.</summary>
 /// <param name="Extinction">Extinction coefficient, per scene unit.</param>
-/// <param name="Albedo">What part of that is scattered.</param>
+/// <param name="Albedo">The part of the extinction that is scattered.</param>
 /// <param name="Anisotropy">Mean cosine of the angle of scattering, between −1 and 1.</param>
 public sealed record Medium(Rgb Extinction, Rgb Albedo, float Anisotropy);
 
 /// <summary>The inside of a shape.</summary>
-/// <param name="Medium">What fills it; null for nothing.</param>
-/// <param name="Nesting">How it goes with others that overlap it; null for a boundary whose index is relative to what is around.</param>
+/// <param name="Medium">The medium inside; null for nothing.</param>
+/// <param name="Nesting">Its priority among others that overlap it; null for a boundary whose index is relative to what is around.</param>
 public sealed record Interior(Medium? Medium, Nesting? Nesting);
 
 /// <summary>
 /// The priority of a dielectric's inside among others that overlap it (Schmidt &amp; Budge, Simple nested dielectrics in ray traced images,
 /// 2002).
 /// </summary>
-/// <param name="Priority">Where several overlap, the one with the highest priority is there; above 0.</param>
+/// <param name="Priority">The priority, above 0: where several overlap, the one with the highest is there.</param>
 /// <param name="Index">Refractive index, relative to empty space.</param>
 /// <param name="Extinction">Extinction coefficient of what only absorbs, per scene unit.</param>
 public sealed record Nesting(int Priority, Dispersion Index, Rgb Extinction);

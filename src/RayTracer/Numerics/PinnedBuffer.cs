@@ -14,7 +14,7 @@ internal sealed unsafe class PinnedBuffer<T>
     private readonly T[] _memory;
 
     /// <summary>Takes the memory.</summary>
-    /// <param name="length">How many elements; a register's worth of further ones may be written behind them.</param>
+    /// <param name="length">The number of elements; a register's worth of further ones may be written behind them.</param>
     /// <exception cref="ArgumentOutOfRangeException">There cannot be that many elements (about 2³¹).</exception>
     public PinnedBuffer(long length)
     {

@@ -6,9 +6,9 @@ namespace RayTracer.Numerics;
 /// An affine map, p ↦ A·p + b: three rows of four numbers. Made and multiplied in double precision with a fixed order of operations,
 /// so that a chain of steps costs no accuracy that single precision would show.
 /// </summary>
-/// <param name="X">What gives the first coordinate: its factors on x, y and z, and what is added.</param>
-/// <param name="Y">What gives the second coordinate.</param>
-/// <param name="Z">What gives the third coordinate.</param>
+/// <param name="X">The row of the first coordinate: its factors on x, y and z, and the number added.</param>
+/// <param name="Y">The row of the second coordinate.</param>
+/// <param name="Z">The row of the third coordinate.</param>
 public readonly record struct Transform(TransformRow X, TransformRow Y, TransformRow Z)
 {
     // How far from an exact similarity a map may be: what angles in single precision leave.
@@ -113,7 +113,7 @@ public readonly record struct Transform(TransformRow X, TransformRow Y, Transfor
 /// <param name="A">Factor on x.</param>
 /// <param name="B">Factor on y.</param>
 /// <param name="C">Factor on z.</param>
-/// <param name="D">What is added.</param>
+/// <param name="D">The number added.</param>
 public readonly record struct TransformRow(double A, double B, double C, double D)
 {
     internal double Largest => double.Abs(A) + double.Abs(B) + double.Abs(C) + double.Abs(D);

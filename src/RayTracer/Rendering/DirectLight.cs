@@ -44,9 +44,9 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     /// <summary>Adds the light of all sources to the radiance of a packet, or has its shadow rays wait in the queue.</summary>
     /// <param name="surface">The lit points.</param>
     /// <param name="group">The group of their surfaces.</param>
-    /// <param name="isShared">
-    /// Light is scattered by the whole BSDF, and scattered rays find the rest of it; otherwise what is scattered is the same for all
-    /// directions on the ray's side and <paramref name="weight"/> has it, and no scattered ray looks for lights.
+    /// <param name="shared">
+    /// The material by whose whole BSDF light is scattered, and whose scattered rays find the rest of it; null where what is scattered is the
+    /// same for all directions on the ray's side and <paramref name="weight"/> has it, and no scattered ray looks for lights.
     /// </param>
     /// <param name="media">The media on the ray's side; used only where paths track what they are in.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
@@ -55,10 +55,9 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     /// <param name="weight">Throughput, times BRDF where light is not shared.</param>
     /// <param name="radiance">Added to.</param>
     public void Add(
-        in SurfaceW surface, ShadingGroup group, bool isShared, in UIntW media, VertexSamples samples, in FloatW time, in MaskW active,
+        in SurfaceW surface, ShadingGroup group, Material? shared, in UIntW media, VertexSamples samples, in FloatW time, in MaskW active,
         in RgbW weight, ref RgbW radiance)
     {
-        Material? material = isShared ? group.Material : null;
         bool isLiteral = group.MayBeLiteral && scene.IsLiteral;
         Vec3W side = group.MayLeak ? surface.Inside.Select(-surface.Normal, surface.Normal) : surface.Facing;
         ref LitW lit = ref *_lit.Pointer;
@@ -72,9 +71,9 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         }
 
         lit.Media = media;
-        lit.Interior = isShared ? group.Interior : 0;
+        lit.Interior = shared is not null ? group.Interior : 0;
         lit.Time = time;
-        lit.Transmits = isShared && group.Traits.Transmits;
+        lit.Transmits = shared is not null && group.Traits.Transmits;
         lit.IsSmoothed = group.MayLeak && !isLiteral;
         lit.IsLiteral = isLiteral;
         lit.LeavesByDirection = lit.Transmits || isLiteral;
@@ -85,7 +84,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         observer?.BeginLights(weight);
         if (_selection is not null)
         {
-            AddChosen(surface, material, ref lit, lit.From, samples, active, ref arriving);
+            AddChosen(surface, shared, ref lit, lit.From, samples, active, ref arriving);
         }
 
         for (int first = 0; first < _lights.Length && _selection is null; first += Batch)
@@ -99,7 +98,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
 
             for (int i = 0; i < count; i++)
             {
-                Connect(surface, material, ref lit, first + i, _samples.Pointer[i], active, _radiance.Pointer[i], ref arriving);
+                Connect(surface, shared, ref lit, first + i, _samples.Pointer[i], active, _radiance.Pointer[i], ref arriving);
             }
         }
 

@@ -45,9 +45,22 @@ internal sealed unsafe class EmitterLookup
     /// <param name="hit">Where rays meet it.</param>
     /// <param name="lanes">The lanes asked for.</param>
     /// <param name="pdf">The densities; zero where nothing is sampled.</param>
-    public void Pdf(ShadingGroup group, UIntW instance, in LightHitW hit, MaskW lanes, out FloatW pdf)
+    public void Pdf(ShadingGroup group, UIntW instance, in LightHitW hit, MaskW lanes, out FloatW pdf) =>
+        Densities(group, instance, hit, lanes, null, out pdf, out _);
+
+    /// <summary>
+    /// As <see cref="Pdf"/>, and the density with which paths of light start in the opposite direction.
+    /// </summary>
+    /// <param name="group">The group of hits.</param>
+    /// <param name="instance">The instances that show it.</param>
+    /// <param name="hit">Where rays meet it.</param>
+    /// <param name="lanes">The lanes asked for.</param>
+    /// <param name="emission">Starts those paths; null where nobody asks.</param>
+    /// <param name="pdf">The densities; zero where nothing is sampled.</param>
+    /// <param name="emitted">Their density, of light, point and direction; zero where none starts.</param>
+    public void Densities(ShadingGroup group, UIntW instance, in LightHitW hit, MaskW lanes, LightEmission? emission, out FloatW pdf, out FloatW emitted)
     {
-        pdf = 0f;
+        (pdf, emitted) = (0f, 0f);
         uint rest = lanes.Bits;
         uint* numbers = stackalloc uint[16];
         for (int lane = 0; lane < FloatW.Count; lane++)
@@ -71,6 +84,12 @@ internal sealed unsafe class EmitterLookup
                 }
 
                 pdf = same.Select(one, pdf);
+                if (emission is not null)
+                {
+                    _lights[light].EmissionPdf(hit, out FloatW point, out FloatW direction);
+                    emitted = same.Select(point * direction * emission.Probability(light), emitted);
+                }
+
                 rest &= ~same.Bits | (rest & (uint)-(int)rest);
             }
         }

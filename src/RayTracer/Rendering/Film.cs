@@ -12,7 +12,7 @@ namespace RayTracer.Rendering;
 /// so addition is associative, and any split of the samples over threads, tiles, ranges, processes or machines, merged in any
 /// order, gives the same bits. Channels are in units of 2⁻³², squares in units of 2⁻⁴⁸.
 /// </summary>
-public sealed class Film : IImageRows
+public sealed partial class Film : IImageRows
 {
     /// <summary>Samples beyond ± this are clamped (a bias, so they are counted): fewer than 2³¹ of them fit into the sums.</summary>
     public const float SampleLimit = 1 << 24;
@@ -43,6 +43,8 @@ public sealed class Film : IImageRows
         _counts = new uint[(long)width * height];
         Planes = planes;
         _planes = [.. planes.Select(p => new Int128[checked((long)width * height * p.Sums.Count)])];
+        _light = Own(FilmPlane.Light);
+        _lightSquares = Own(FilmPlane.LightSquare);
     }
 
     /// <summary>What it holds beside its picture.</summary>
@@ -94,7 +96,10 @@ public sealed class Film : IImageRows
         return picture;
     }
 
-    /// <summary>Mean radiance of a pixel; black where there are no samples.</summary>
+    /// <summary>
+    /// Mean radiance of a pixel; black where there are no samples. What light paths bring (<see cref="FilmPlane.Light"/>) has a mean of its
+    /// own, which is added.
+    /// </summary>
     /// <param name="x">Column, from the left.</param>
     /// <param name="y">Row, from the top.</param>
     public Rgb Mean(int x, int y)
@@ -102,11 +107,17 @@ public sealed class Film : IImageRows
         long pixel = Index(x, y);
         double scale = _counts[pixel] == 0 ? 0 : 1 / (ChannelUnits * _counts[pixel]);
         ReadOnlySpan<Int128> sums = Sums(pixel);
-        return new((float)(ToDouble(sums[0]) * scale), (float)(ToDouble(sums[1]) * scale), (float)(ToDouble(sums[2]) * scale));
+        (double red, double green, double blue) = (ToDouble(sums[0]) * scale, ToDouble(sums[1]) * scale, ToDouble(sums[2]) * scale);
+        if (_light is not null)
+        {
+            AddLightMean(pixel, ref red, ref green, ref blue);
+        }
+
+        return new((float)red, (float)green, (float)blue);
     }
 
     /// <summary>
-    /// Variance of the luminance of a pixel's samples (unbiased; of one sample, not of the mean); zero below two samples. For
+    /// Variance of the luminance of a pixel's camera samples (unbiased; of one sample, not of the mean); zero below two samples. For
     /// stratified samplers, the variance of the mean is smaller than this over the number of samples, and far smaller with a pixel filter that is
     /// negative in parts: of even light, each sample is one of two opposite numbers, but their shares are stratified.
     /// </summary>
@@ -115,15 +126,19 @@ public sealed class Film : IImageRows
     public float SampleVariance(int x, int y)
     {
         long pixel = Index(x, y);
-        double n = _counts[pixel];
+        ReadOnlySpan<Int128> sums = Sums(pixel);
+        return Variance(sums, sums[SquareSum], _counts[pixel]);
+    }
+
+    private static float Variance(ReadOnlySpan<Int128> sums, Int128 square, double n)
+    {
         if (n < 2)
         {
             return 0;
         }
 
-        ReadOnlySpan<Int128> sums = Sums(pixel);
         double luminance = ((0.2126 * ToDouble(sums[0])) + (0.7152 * ToDouble(sums[1])) + (0.0722 * ToDouble(sums[2]))) / ChannelUnits;
-        double squares = ToDouble(sums[SquareSum]) / SquareUnits;
+        double squares = ToDouble(square) / SquareUnits;
         return (float)Math.Max(0, (squares - (luminance * luminance / n)) / (n - 1));
     }
 
@@ -168,11 +183,14 @@ public sealed class Film : IImageRows
     }
 
     /// <summary>Returns the two halves of the samples, each as a film; together they are this one.</summary>
-    /// <exception cref="ArgumentException">It has no <see cref="FilmPlane.Half"/>.</exception>
+    /// <exception cref="ArgumentException">
+    /// It has no <see cref="FilmPlane.Half"/>, or has <see cref="FilmPlane.Light"/>, but no halves of that.
+    /// </exception>
     public (Film First, Film Second) Halves()
     {
+        FilmPlane[] light = _light is null ? [] : [FilmPlane.Light, FilmPlane.LightSquare];
+        (Film first, Film second) = (new(Width, Height, light), new(Width, Height, light));
         ReadOnlySpan<Int128> half = _planes[PlaneIndex(FilmPlane.Half)];
-        (Film first, Film second) = (new(Width, Height), new(Width, Height));
         for (int pixel = 0; pixel < _counts.Length; pixel++)
         {
             for (int i = 0; i < SumsPerPixel; i++)
@@ -184,6 +202,11 @@ public sealed class Film : IImageRows
 
             first._counts[pixel] = (uint)half[(pixel * FilmPlane.Half.Sums.Count) + SumsPerPixel];
             second._counts[pixel] = _counts[pixel] - first._counts[pixel];
+        }
+
+        if (_light is not null)
+        {
+            PutLightHalves(first, second);
         }
 
         return (first, second);
@@ -260,6 +283,8 @@ public sealed class Film : IImageRows
     private Span<Int128> PlaneRow(FilmPlane plane, long firstPixel, int length) =>
         _planes[PlaneIndex(plane)].AsSpan(checked((int)firstPixel * plane.Sums.Count), length);
 
+    private Int128[]? Own(FilmPlane plane) => Planes.Contains(plane) ? _planes[PlaneIndex(plane)] : null;
+
     private int PlaneIndex(FilmPlane plane)
     {
         for (int i = 0; i < Planes.Count; i++)
@@ -287,7 +312,7 @@ public sealed class Film : IImageRows
     /// sums (16 bytes each, lowest first), then the counts (4 bytes each) of its pixels, and then of each plane its name and the sums of
     /// its pixels.
     /// </summary>
-    /// <param name="planes">The planes that it covers; null for all that the film has.</param>
+    /// <param name="planes">The planes that it covers; null for all that files keep.</param>
     /// <exception cref="ArgumentException">The film does not have a plane.</exception>
     public string ComputeHash(IReadOnlyList<FilmPlane>? planes = null)
     {
@@ -300,7 +325,7 @@ public sealed class Film : IImageRows
             using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
             hash.AppendData(Bytes(_sums.AsSpan(checked(y * Width * SumsPerPixel), Width * SumsPerPixel)));
             hash.AppendData(Bytes(_counts.AsSpan(y * Width, Width)));
-            foreach (FilmPlane plane in planes ?? Planes)
+            foreach (FilmPlane plane in planes ?? KeptPlanes)
             {
                 hash.AppendData(Encoding.UTF8.GetBytes(plane.Name));
                 hash.AppendData(Bytes(PlaneRow(plane, y * Width, Width * plane.Sums.Count)));

@@ -1,4 +1,5 @@
 using System.Numerics;
+using RayTracer.Description;
 
 namespace RayTracer.Rendering;
 
@@ -24,8 +25,44 @@ public sealed class FilmPlane
     /// </summary>
     public static FilmPlane Half { get; } = new("half", ["red", "green", "blue", "square", "count"]);
 
+    /// <summary>
+    /// What the paths from the lights bring to a pixel (<see cref="SplatSums"/>), in the film's units, and the number of light samples, each of
+    /// which is all light paths of one sample number.
+    /// </summary>
+    internal static FilmPlane Light { get; } = new("light", ["red", "green", "blue", "count"]);
+
+    /// <summary>
+    /// The squared luminance of each light sample of the pixel, in units of 2⁻⁴⁸: from it follows how noisy the light is. Files keep it only
+    /// beside <see cref="LightHalf"/>.
+    /// </summary>
+    internal static FilmPlane LightSquare { get; } = new("lightSquare", ["square"]);
+
+    /// <summary>The light samples of the half that <see cref="Half"/> has, for films with that and <see cref="LightSquare"/>.</summary>
+    internal static FilmPlane LightHalf { get; } = new("lightHalf", Half.Sums);
+
+    /// <summary>
+    /// What is behind everything (<see cref="Backdrop"/>): the share of the samples that see it, and its red, green and blue, in the film's
+    /// units, times the pixel filter's weights.
+    /// </summary>
+    internal static FilmPlane Alpha { get; } = new("alpha", ["through", "red", "green", "blue"]);
+
     /// <summary>All that this version of the program knows.</summary>
-    public static IReadOnlyList<FilmPlane> Known { get; } = [Half];
+    public static IReadOnlyList<FilmPlane> Known { get; } = [Half, Light, LightSquare, LightHalf, Alpha];
+
+    /// <summary>Returns the planes that a film needs.</summary>
+    /// <param name="integrator">What computes its light.</param>
+    /// <param name="halves">True if it keeps two halves of its samples.</param>
+    /// <param name="noise">True if the noise of its pixels is wanted (<see cref="Film.MeanVariance"/>).</param>
+    /// <param name="alpha">True if it shall know what is behind everything.</param>
+    internal static IReadOnlyList<FilmPlane> Needed(Integrator integrator, bool halves = false, bool noise = false, bool alpha = false)
+    {
+        bool hasLight = integrator.Has(IntegratorTraits.TracesLight);
+        (FilmPlane Plane, bool IsNeeded)[] all =
+        [
+            (Half, halves), (Light, hasLight), (LightSquare, hasLight && (noise || halves)), (LightHalf, hasLight && halves), (Alpha, alpha),
+        ];
+        return [.. all.Where(p => p.IsNeeded).Select(p => p.Plane)];
+    }
 
     /// <summary>The name.</summary>
     public string Name { get; }

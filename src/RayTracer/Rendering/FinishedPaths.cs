@@ -13,14 +13,16 @@ public sealed unsafe class FinishedPaths
     private readonly Scene _scene;
     private readonly RayGenerator _generator;
     private readonly PathObserver? _observer;
+    private readonly Backdrop? _backdrop;
     private readonly bool _hasWeights;
     private readonly int _stride;
     private SampleRange _samples;
     private int _count;
 
-    internal FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, PathObserver? observer)
+    internal FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, PathObserver? observer, Backdrop? backdrop)
     {
         _observer = observer;
+        _backdrop = backdrop;
         _scene = scene;
         _generator = generator;
         _hasWeights = scene.Filter is { HasWeights: true };
@@ -76,10 +78,12 @@ public sealed unsafe class FinishedPaths
             PathNumber.Split(UIntW.Load(_path.Pointer + i), _samples, out UIntW pixel, out UIntW sample);
             RgbW radiance = new(FloatW.Load(r + i), FloatW.Load(g + i), FloatW.Load(b + i));
             RgbW gathered = radiance;
+            FloatW weight = 1f;
             if (_hasWeights)
             {
                 UIntW key = UIntW.Gather(_generator.PixelKeys, MaskW.First(_count - i).Select(pixel, 0u));
-                radiance *= RayGenerator.Weight(_scene, key, sample);
+                weight = RayGenerator.Weight(_scene, key, sample);
+                radiance *= weight;
             }
 
             for (int lane = 0; _observer is not null && lane < Math.Min(FloatW.Count, _count - i); lane++)
@@ -88,6 +92,11 @@ public sealed unsafe class FinishedPaths
             }
 
             _accumulator.Add(Math.Min(FloatW.Count, _count - i), pixel, sample, radiance);
+            if (_backdrop is not null)
+            {
+                _backdrop.Pick(MaskW.First(_count - i).Select(UIntW.Load(_path.Pointer + i), 0u), out FloatW through, out RgbW light);
+                _accumulator.AddBackdrop(Math.Min(FloatW.Count, _count - i), pixel, radiance, through * weight, light * weight);
+            }
         }
 
         _count = 0;

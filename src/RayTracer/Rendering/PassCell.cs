@@ -4,7 +4,8 @@ namespace RayTracer.Rendering;
 
 /// <summary>
 /// Some pixels of a film that is rendered in passes, and what the latest pass gave them: so that it can be taken back where the pass is not
-/// completed. That is 32 bytes a pixel, and 8 more where samples are so bright that 64 bits do not hold their squares.
+/// completed. That is 32 bytes a pixel, 8 more where samples are so bright that 64 bits do not hold their squares, and 32 more for
+/// <see cref="FilmPlane.Alpha"/>.
 /// </summary>
 /// <param name="area">The pixels.</param>
 internal sealed class PassCell(Tile area)
@@ -12,9 +13,13 @@ internal sealed class PassCell(Tile area)
     /// <summary>Memory of a pixel in bytes, where samples are not that bright.</summary>
     public const int BytesPerPixel = Film.SumsPerPixel * sizeof(long);
 
+    /// <summary>Memory of a pixel in bytes for <see cref="FilmPlane.Alpha"/>.</summary>
+    public const int BackdropBytesPerPixel = 4 * sizeof(long);
+
     private const int MostPooled = RTracer.LargestTile * RTracer.LargestTile * Film.SumsPerPixel;
     private readonly long[] _sums = Rent(area.Pixels * Film.SumsPerPixel);
     private long[]? _rest;
+    private long[]? _backdrop;
     private long _handed;
 
     /// <summary>The pixels.</summary>
@@ -36,13 +41,16 @@ internal sealed class PassCell(Tile area)
         sums.CopyTo(_sums.AsSpan(first * Film.SumsPerPixel));
         if (!rest.IsEmpty)
         {
-            rest.CopyTo(Rest().AsSpan(first));
+            rest.CopyTo(Own(ref _rest, 1).AsSpan(first));
         }
         else if (_rest is { } kept)
         {
             Array.Clear(kept, first, sums.Length / Film.SumsPerPixel);
         }
     }
+
+    /// <summary>Keeps what a pass gives to <see cref="FilmPlane.Alpha"/> of pixels in a row.</summary>
+    public void KeepBackdrop(int x, int y, ReadOnlySpan<long> sums) => sums.CopyTo(Own(ref _backdrop, FilmPlane.Alpha.Sums.Count).AsSpan(First(x, y) * FilmPlane.Alpha.Sums.Count));
 
     /// <summary>Takes from a film what the latest pass gave to pixels in a row.</summary>
     /// <param name="film">The film.</param>
@@ -55,6 +63,11 @@ internal sealed class PassCell(Tile area)
         ReadOnlySpan<long> rest = _rest is { } kept ? kept.AsSpan(first, run.Length) : default;
         ReadOnlySpan<long> sums = _sums.AsSpan(first * Film.SumsPerPixel, run.Length * Film.SumsPerPixel);
         film.AddRow(run.X, run.Y, sums, rest, samples, isOfHalf, sign: -1);
+        if (_backdrop is { } backdrop)
+        {
+            int perPixel = FilmPlane.Alpha.Sums.Count;
+            film.AddBackdrop(run.X, run.Y, backdrop.AsSpan(first * perPixel, run.Length * perPixel), sign: -1);
+        }
     }
 
     /// <summary>Gives the memory back.</summary>
@@ -64,6 +77,11 @@ internal sealed class PassCell(Tile area)
         if (_rest is { } rest)
         {
             Return(rest);
+        }
+
+        if (_backdrop is { } backdrop)
+        {
+            Return(backdrop);
         }
     }
 
@@ -83,18 +101,18 @@ internal sealed class PassCell(Tile area)
     private int First(int x, int y) => ((y - area.Y) * area.Width) + x - area.X;
 
     // Several threads may be the first.
-    private long[] Rest()
+    private long[] Own(ref long[]? kept, int perPixel)
     {
-        if (_rest is null)
+        if (kept is null)
         {
-            long[] rest = Rent(area.Pixels);
-            Array.Clear(rest);
-            if (Interlocked.CompareExchange(ref _rest, rest, null) is not null)
+            long[] made = Rent(area.Pixels * perPixel);
+            Array.Clear(made);
+            if (Interlocked.CompareExchange(ref kept, made, null) is not null)
             {
-                Return(rest);
+                Return(made);
             }
         }
 
-        return _rest;
+        return kept;
     }
 }

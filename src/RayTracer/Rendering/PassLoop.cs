@@ -27,6 +27,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
     private IProgress<RenderProgress>? _progress;
     private long _pathsDone;
     private long _raysDone;
+    private LightPass? _light;
 
     /// <summary>The number of threads.</summary>
     public required int Threads { get; init; }
@@ -52,15 +53,21 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         long dropped = 0;
         try
         {
+            _light = scene.Render.Integrator.Has(Description.IntegratorTraits.TracesLight) ? new(scene, options, Threads, (uint)scene.Render.Seed) : null;
             while (_longest > TimeSpan.Zero && Begin())
             {
-                Run(workers);
+                if (_light?.Trace(_pass!.Samples.First, cancellation) != false)
+                {
+                    Run(workers);
+                }
+
                 if (!_pass!.IsTaken)
                 {
                     dropped = Drop();
                     break;
                 }
 
+                _light?.Splats.Commit(film, _pass.Samples.First, options.Crop);
                 _longest = options.AfterPass?.Invoke(_pass.Samples) ?? _longest;
             }
         }
@@ -76,10 +83,10 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
     {
         SamplesPerPixel = (_pass!.IsTaken ? _pass.Samples.End : _pass.Samples.First) - _samples.First,
         Paths = workers.Sum(w => w.Paths) - dropped,
-        ClosestHitRays = workers.Sum(w => w.ClosestHitRays),
+        ClosestHitRays = workers.Sum(w => w.ClosestHitRays) + (_light?.Rays ?? 0),
         ShadowRays = workers.Sum(w => w.ShadowRays),
-        NonFiniteSamples = workers.Sum(w => w.Accumulator.NonFinite),
-        ClampedSamples = workers.Sum(w => w.Accumulator.Clamped),
+        NonFiniteSamples = workers.Sum(w => w.Accumulator.NonFinite) + (_light?.Splats.NonFinite ?? 0),
+        ClampedSamples = workers.Sum(w => w.Accumulator.Clamped) + (_light?.Splats.Clamped ?? 0),
         BadSamples = [.. workers.SelectMany(w => w.Accumulator.Bad).Order().Take(RenderStatistics.MaxBadSamples)],
         Cancelled = !_pass.IsTaken,
     };
@@ -94,7 +101,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         }
 
         bool hasHalf = film.Planes.Contains(FilmPlane.Half);
-        int end = hasHalf ? FilmPlane.EndOfTurn(first) : _samples.End;
+        int end = _light is not null ? first + 1 : hasHalf ? FilmPlane.EndOfTurn(first) : _samples.End;
         SampleRange range = new(first, Math.Min(Math.Min(end, _samples.End), first + NextCount(first - _samples.First)));
         PassItem[] items = [.. cut(range)];
         Array.ForEach(items, item => item.Plan());
@@ -127,7 +134,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
             try
             {
                 LightContributions? Observer() => options.Layers is { } layers ? new(scene, layers) : null;
-                Render(workers[i] ??= new(scene, options.StreamSize, LargestItem, Observer()));
+                Render(workers[i] ??= new(scene, options.StreamSize, LargestItem, Observer(), _light, film.Planes.Contains(FilmPlane.Alpha)));
             }
             catch (Exception e)
             {
@@ -184,7 +191,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
 
             lock (_beginning)
             {
-                if (options.AfterPass is not null || (_pass == pass && (_cancellation.IsCancellationRequested || !Begin())))
+                if (options.AfterPass is not null || _light is not null || (_pass == pass && (_cancellation.IsCancellationRequested || !Begin())))
                 {
                     return null;
                 }

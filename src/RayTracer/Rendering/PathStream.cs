@@ -10,7 +10,7 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed unsafe class PathStream
 {
-    private const int Columns = 28;
+    private const int Columns = 31;
     private readonly PinnedBuffer<float> _memory;
     private readonly PinnedBuffer<RayW> _packet = new(1);
 
@@ -58,6 +58,9 @@ public sealed unsafe class PathStream
         InnerX = Next();
         InnerY = Next();
         InnerZ = Next();
+        Vcm = Next();
+        Vc = Next();
+        Vm = Next();
     }
 
     internal int Capacity { get; }
@@ -116,6 +119,11 @@ public sealed unsafe class PathStream
     internal float* InnerX { get; }
     internal float* InnerY { get; }
     internal float* InnerZ { get; }
+
+    // The partial sums of the other ways to make the path (SubpathSumsW); set only where subpaths are connected.
+    internal float* Vcm { get; }
+    internal float* Vc { get; }
+    internal float* Vm { get; }
 
     /// <summary>Number of the path in the tile: pixel · samples + sample.</summary>
     public uint* Path { get; }
@@ -189,6 +197,14 @@ public sealed unsafe class PathStream
         normal.Z.Compress(NormalZ + Count, lanes);
     }
 
+    /// <summary>Sets the partial sums of the chosen lanes of a packet that is appended next.</summary>
+    internal void SetSums(uint lanes, in SubpathSumsW sums)
+    {
+        sums.Vcm.Compress(Vcm + Count, lanes);
+        sums.Vc.Compress(Vc + Count, lanes);
+        sums.Vm.Compress(Vm + Count, lanes);
+    }
+
     /// <summary>Says in which instances' spaces the chosen lanes of the packet start that was appended last, and where there.</summary>
     internal void SetStart(uint lanes, in UIntW instance, in Vec3W start)
     {
@@ -258,4 +274,7 @@ public static class PathState
     /// wavelength's colour.
     /// </summary>
     public const uint HasWavelength = 1 << 17;
+
+    /// <summary>The path has been scattered into one direction of many; set only where subpaths are connected.</summary>
+    internal const uint HasScattered = 1 << 19;
 }

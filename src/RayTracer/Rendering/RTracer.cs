@@ -21,7 +21,7 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
     /// <param name="cancellation">Ends the rendering after the tiles under way, with the passes that are complete.</param>
     public (Film Film, RenderStatistics Statistics) Render(IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
     {
-        Film film = new(scene.Render.Width, scene.Render.Height);
+        Film film = new(scene.Render.Width, scene.Render.Height, FilmPlane.Needed(scene.Render.Integrator));
         return (film, Render(film, progress, cancellation));
     }
 

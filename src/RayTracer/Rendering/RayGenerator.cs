@@ -4,19 +4,42 @@ using RayTracer.Sampling;
 
 namespace RayTracer.Rendering;
 
+/// <summary>Starts paths.</summary>
+internal abstract unsafe class PathSource
+{
+    /// <summary>Keys of the random numbers of the paths' pixels, by their number in the tile.</summary>
+    public abstract uint* PixelKeys { get; }
+
+    /// <summary>The pixels' numbers in the picture, row by row, by their number in the tile.</summary>
+    public abstract uint* PixelNumbers { get; }
+
+    /// <summary>The number of paths.</summary>
+    public abstract int Total { get; }
+
+    /// <summary>Fills a stream up with new paths, as long as there are any.</summary>
+    public abstract void Fill(PathStream stream);
+}
+
 /// <summary>Starts the paths of a tile: pixel by pixel, all samples of a pixel in a row.</summary>
-internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
+internal sealed unsafe class RayGenerator(Scene scene, int maxPixels) : PathSource
 {
     private readonly PinnedBuffer<float> _x = new(maxPixels);
     private readonly PinnedBuffer<float> _y = new(maxPixels);
     private readonly PinnedBuffer<uint> _key = new(maxPixels);
+    private readonly PinnedBuffer<uint> _number = new(maxPixels);
     private readonly PinnedBuffer<StartW> _start = new(1);
     private SampleRange _samples;
     private int _issued;
     private int _total;
 
-    /// <summary>Keys of the tile's pixels, by their number in the tile.</summary>
-    public uint* PixelKeys => _key.Pointer;
+    /// <inheritdoc/>
+    public override uint* PixelKeys => _key.Pointer;
+
+    /// <inheritdoc/>
+    public override uint* PixelNumbers => _number.Pointer;
+
+    /// <inheritdoc/>
+    public override int Total => _total;
 
     /// <summary>Prepares for a tile.</summary>
     public void Begin(in Tile tile, SampleRange samples)
@@ -32,7 +55,8 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
             {
                 _x.Pointer[i] = x;
                 _y.Pointer[i] = y;
-                _key.Pointer[i] = Hash.PixelKey(seed, (uint)((y * scene.Render.Width) + x));
+                _number.Pointer[i] = (uint)((y * scene.Render.Width) + x);
+                _key.Pointer[i] = Hash.PixelKey(seed, _number.Pointer[i]);
             }
         }
     }
@@ -51,12 +75,13 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
             (int y, int x) = int.DivRem(pixels[i], scene.Render.Width);
             _x.Pointer[i] = x;
             _y.Pointer[i] = y;
+            _number.Pointer[i] = (uint)pixels[i];
             _key.Pointer[i] = Hash.PixelKey(seed, (uint)pixels[i]);
         }
     }
 
-    /// <summary>Fills a stream up with new paths, as long as there are any.</summary>
-    public void Fill(PathStream stream)
+    /// <inheritdoc/>
+    public override void Fill(PathStream stream)
     {
         ref StartW start = ref *_start.Pointer;
         start.Throughput = Rgb.White;
@@ -108,9 +133,7 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels)
         FloatW time = scene.Render.Shutter.X;
         if (scene.IsTimed)
         {
-            scene.Sampler.Begin(key, sample, Dimensions.Time, out SamplePoints points);
-            scene.Sampler.Pair(points, 0, out FloatW u, out _);
-            time = FloatW.MultiplyAdd(u, scene.Render.Shutter.Y - scene.Render.Shutter.X, time);
+            time = scene.Time(key, sample);
             stream.SetTime(lanes, time);
         }
 

@@ -18,6 +18,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private const float OrdinaryLimit = 16;
     private readonly PinnedBuffer<long> _sums = new((long)maxPixels * Film.SumsPerPixel);
     private readonly PinnedBuffer<long> _rest = new(maxPixels);
+    private PinnedBuffer<long>? _backdrop;
     private readonly PinnedBuffer<long> _units = new((long)Film.SumsPerPixel * FloatW.Count);
     private readonly PinnedBuffer<uint> _pixels = new(FloatW.Count);
     private readonly List<BadSample> _bad = [];
@@ -26,6 +27,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private ReadOnlyMemory<int> _targets;
     private int _samples;
     private bool _hasRest;
+    private bool _hasBackdrop;
 
     /// <summary>Samples that were not finite, and so were left out.</summary>
     public long NonFinite { get; private set; }
@@ -93,12 +95,34 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
         }
     }
 
+    /// <summary>Rounds numbers to the nearest units of the film's channels, ties to even.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void ToChannelUnits(FloatW value, long* units)
+    internal static void ToChannelUnits(FloatW value, long* units)
     {
         Vector.Widen(value.V, out Vector<double> low, out Vector<double> high);
         ToNearest(low * Film.ChannelUnits).Store(units);
         ToNearest(high * Film.ChannelUnits).Store(units + Vector<double>.Count);
+    }
+
+    /// <summary>Adds what a packet of samples saw of what is behind everything, for films with <see cref="FilmPlane.Alpha"/>.</summary>
+    /// <param name="count">Number of lanes in use.</param>
+    /// <param name="pixels">The pixels' numbers in the tile.</param>
+    /// <param name="radiance">The samples: those that are not finite are left out.</param>
+    /// <param name="through">The share that they saw of it.</param>
+    /// <param name="light">Its light.</param>
+    public void AddBackdrop(int count, in UIntW pixels, in RgbW radiance, in FloatW through, in RgbW light)
+    {
+        ReadOnlySpan<FloatW> values = [through, light.R, light.G, light.B];
+        MaskW finite = (FloatW.Abs(radiance.R) < float.PositiveInfinity) & (FloatW.Abs(radiance.G) < float.PositiveInfinity) & (FloatW.Abs(radiance.B) < float.PositiveInfinity);
+        for (uint rest = finite.Bits & MaskW.First(count).Bits; rest != 0; rest &= rest - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(rest);
+            long* sums = _backdrop!.Pointer + ((nint)pixels[lane] * values.Length);
+            for (int i = 0; i < values.Length; i++)
+            {
+                sums[i] += (long)double.Round(Clamp(values[i][lane]) * Film.ChannelUnits);
+            }
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -124,7 +148,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             return;
         }
 
-        Rgb clamped = new(Clamp(value.R), Clamp(value.G), Clamp(value.B));
+        Rgb clamped = Clamp(value);
         Clamped += clamped == value ? 0 : 1;
         long* sums = _sums.Pointer + ((nint)pixel * Film.SumsPerPixel);
         sums[0] += (long)double.Round(clamped.R * Film.ChannelUnits);
@@ -147,6 +171,9 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
         _rest.Pointer[pixel] += SumRest.Of(highSquare, missing);
     }
 
+    /// <summary>What the film takes of a sample.</summary>
+    internal static Rgb Clamp(Rgb value) => new(Clamp(value.R), Clamp(value.G), Clamp(value.B));
+
     private static float Clamp(float channel) => float.Clamp(channel, -Film.SampleLimit, Film.SampleLimit);
 
     /// <summary>Hands everything to the film.</summary>
@@ -162,6 +189,13 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             ReadOnlySpan<long> rest = _hasRest ? new(_rest.Pointer + pixel, length) : default;
             _film.AddRow(x, y, sums, rest, _samples, isOfHalf);
             cell?.Keep(x, y, sums, rest);
+            if (_hasBackdrop)
+            {
+                int perPixel = FilmPlane.Alpha.Sums.Count;
+                ReadOnlySpan<long> backdrop = new(_backdrop!.Pointer + ((nint)pixel * perPixel), length * perPixel);
+                _film.AddBackdrop(x, y, backdrop);
+                cell?.KeepBackdrop(x, y, backdrop);
+            }
         }
     }
 
@@ -171,6 +205,12 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     {
         NativeMemory.Clear(_sums.Pointer, (nuint)Pixels * Film.SumsPerPixel * sizeof(long));
         _hasRest = false;
+        _hasBackdrop = _film.Planes.Contains(FilmPlane.Alpha);
+        if (_hasBackdrop)
+        {
+            _backdrop ??= new((long)maxPixels * FilmPlane.Alpha.Sums.Count);
+            NativeMemory.Clear(_backdrop.Pointer, (nuint)(Pixels * FilmPlane.Alpha.Sums.Count) * sizeof(long));
+        }
     }
 
     private void NoteBad(int pixel, int sample, Rgb value)

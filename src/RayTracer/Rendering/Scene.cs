@@ -43,6 +43,7 @@ public sealed class Scene
         (HasMedia, HasNesting, WeakensShadows, IsLiteral) = Shown();
         CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = LightList.Create(World);
+        environment?.World = World;
         LightSelection = SelectLights();
     }
 
@@ -71,6 +72,9 @@ public sealed class Scene
         Lights = other.Lights;
         LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
     }
+
+    private Scene(Scene other, RenderDescription render, PathGuide? guide)
+        : this(render, other.Camera, other) => Guide = guide;
 
     /// <summary>Size, samples, depths and sampler.</summary>
     public RenderDescription Render { get; }
@@ -114,8 +118,27 @@ public sealed class Scene
     /// <summary>Everything that rays can meet.</summary>
     internal World World { get; }
 
+    /// <summary>Helps to choose the directions of paths; null for none.</summary>
+    internal PathGuide? Guide { get; }
+
     /// <summary>True where anything moves while the shutter is open, so that paths have times.</summary>
     internal bool IsTimed { get; }
+
+    /// <summary>Times of samples while the shutter is open, in seconds; the same for all paths of a sample where paths are merged.</summary>
+    internal FloatW Time(in UIntW key, in UIntW sample)
+    {
+        Sampler.Begin(SharedKey ?? key, sample, Dimensions.Time, out SamplePoints points);
+        Sampler.Pair(points, 0, out FloatW u, out _);
+        return FloatW.MultiplyAdd(u, Render.Shutter.Y - Render.Shutter.X, Render.Shutter.X);
+    }
+
+    /// <summary>
+    /// The key of the random numbers that all paths of a sample share, their time and their wavelength, so that they can be merged, or connected
+    /// with light paths of other pixels; null where each path has its own.
+    /// </summary>
+    internal UIntW? SharedKey =>
+        Render.Integrator.Has(IntegratorTraits.MergesPaths) || (Render.Integrator.Has(IntegratorTraits.TracesLight) && (long)Render.Width * Render.Height > LightPass.MostPaths)
+            ? (UIntW)Hash.PixelKey((uint)Render.Seed, uint.MaxValue) : null;
 
     /// <summary>
     /// Chooses one light for each point; null where all of them are sampled at each: in the report, and where they are few.
@@ -202,6 +225,9 @@ public sealed class Scene
             ? new Scene(checkedRender, made, this)
             : null;
 
+    /// <summary>The same scene with another guide, or rendered in another way, by the same camera.</summary>
+    internal Scene Guided(PathGuide? guide, RenderDescription? render = null) => new(this, render ?? Render, guide);
+
     /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
     internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder)
     {
@@ -263,7 +289,7 @@ public sealed class Scene
             builder.Warn(camera.Lens, nameof(LensDescription.FocusDistance), "without an \"apertureRadius\" the lens is a pinhole, and \"focusDistance\" has no effect");
         }
 
-        Camera? made = Camera.Create(camera, render.Width, render.Height, builder);
+        Camera? made = Camera.Create(camera, render.Width, render.Height, builder, PixelFilter.Margin(render.Filter));
         return made is null || builder.HasErrors ? null : (render, made);
     }
 }

@@ -34,6 +34,12 @@ public sealed class ShadingGroup(Material material, SurfaceTable batch, int only
     /// <summary>Shading normals may be all that counts (<see cref="Scene.IsLiteral"/>).</summary>
     internal bool MayBeLiteral { get; } = (batch.HasShadingNormals || material.Traits.TurnsNormal) && !material.Traits.MirrorsNormal;
 
+    /// <summary>How surfaces face rays where normals are mended.</summary>
+    internal NormalRules MendedRules { get; } = RulesOf(material, batch.HasShadingNormals, isLiteral: false);
+
+    /// <summary>How surfaces face rays where normals are taken literally.</summary>
+    internal NormalRules LiteralRules { get; } = RulesOf(material, batch.HasShadingNormals, isLiteral: true);
+
     /// <summary>The diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>
     internal bool HasTint { get; } = batch.HasTint && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
 
@@ -81,6 +87,17 @@ public sealed class ShadingGroup(Material material, SurfaceTable batch, int only
         }
 
         return interiors;
+    }
+
+    internal static NormalRules RulesOf(Material material, bool isSmooth, bool isLiteral)
+    {
+        MaterialTraits traits = material.Traits;
+        bool takesLiterally = isLiteral && !traits.MirrorsNormal;
+        NormalRules shading = !isSmooth ? NormalRules.None : takesLiterally ? NormalRules.Literal : NormalRules.Smooth;
+        NormalRules map = traits.TurnsNormal ? NormalRules.Mapped : NormalRules.None;
+        NormalRules leaks = (isSmooth || traits.TurnsNormal) && !takesLiterally ? NormalRules.DropsLeaks : NormalRules.None;
+        NormalRules tangent = traits.UsesTangent ? NormalRules.HasTangent : NormalRules.None;
+        return shading | map | leaks | tangent | (material.PreparesByRay ? NormalRules.ByRay : NormalRules.None);
     }
 
     private static Interior? InteriorOf(ShadingGroup group) =>

@@ -1,6 +1,3 @@
-using System.Numerics;
-using RayTracer.Acceleration;
-using RayTracer.Lights;
 using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
@@ -12,49 +9,31 @@ namespace RayTracer.Rendering;
 internal sealed unsafe class ShadowQueue
 {
     private const int MaxPackets = 1024;
-    private const int Columns = 16;
+    private const int LeastRays = 8192;
     private const uint IsFinished = 0x80000000;
     private const uint IsNowhere = uint.MaxValue;
-    private readonly Scene _scene;
     private readonly PathObserver? _observer;
-    private readonly LightSource[] _lights;
     private readonly int _lightsOfPoint;
-    private readonly int _capacity;
-    private readonly int _stride;
-
-    // Of rays: origin, direction, distance, time, radiance, cosine, and where there are instances, that of the start, and where in its space; then the lane that each is for, the light it comes from, and what it
-    // hits.
-    private readonly PinnedBuffer<float> _rays;
-    private readonly PinnedBuffer<uint> _lanes;
-    private readonly PinnedBuffer<uint> _lightOf;
-    private readonly PinnedBuffer<int> _hits;
+    private readonly ShadowRays _rays;
 
     // Of packets, six numbers a lane: what arriving light is multiplied by, and what has arrived; and where the lane's path went.
     private readonly PinnedBuffer<float> _weights;
     private readonly PinnedBuffer<float> _arrived;
     private readonly PinnedBuffer<uint> _slots;
-    private int _count;
     private int _packets;
 
     public ShadowQueue(Scene scene, PathObserver? observer)
     {
-        _scene = scene;
         _observer = observer;
-        _lights = [.. scene.SampledLights];
-        _lightsOfPoint = scene.LightSelection is null ? _lights.Length : 1;
-        _capacity = Math.Max(8192, _lightsOfPoint * FloatW.Count);
-        _stride = _capacity + 48;
-        _rays = new((long)Columns * _stride);
-        _lanes = new(_stride);
-        _lightOf = new(_stride);
-        _hits = new(_stride);
+        _lightsOfPoint = scene.LightSelection is null ? scene.SampledLights.Count : 1;
+        _rays = new(scene, Math.Max(LeastRays, _lightsOfPoint * FloatW.Count));
         _weights = new(3L * MaxPackets * FloatW.Count);
         _arrived = new(3L * MaxPackets * FloatW.Count);
         _slots = new((long)MaxPackets * FloatW.Count);
     }
 
     /// <summary>There is no room for another packet.</summary>
-    public bool IsFull => _packets == MaxPackets || _count + (_lightsOfPoint * FloatW.Count) > _capacity;
+    public bool IsFull => _packets == MaxPackets || !_rays.HasRoomFor(_lightsOfPoint * FloatW.Count);
 
     /// <summary>Starts a packet.</summary>
     /// <param name="weight">Throughput times BRDF.</param>
@@ -78,33 +57,8 @@ internal sealed unsafe class ShadowQueue
     /// <param name="cosine">What that is multiplied by.</param>
     public void Add(
         uint lanes, in Vec3W origin, in UIntW instance, in Vec3W inner, in Vec3W direction, in FloatW distance, in FloatW time, int light,
-        in RgbW radiance, in FloatW cosine)
-    {
-        float* to = _rays.Pointer + _count;
-        origin.X.Compress(to, lanes);
-        origin.Y.Compress(to + _stride, lanes);
-        origin.Z.Compress(to + (2 * _stride), lanes);
-        direction.X.Compress(to + (3 * _stride), lanes);
-        direction.Y.Compress(to + (4 * _stride), lanes);
-        direction.Z.Compress(to + (5 * _stride), lanes);
-        distance.Compress(to + (6 * _stride), lanes);
-        time.Compress(to + (7 * _stride), lanes);
-        radiance.R.Compress(to + (8 * _stride), lanes);
-        radiance.G.Compress(to + (9 * _stride), lanes);
-        radiance.B.Compress(to + (10 * _stride), lanes);
-        cosine.Compress(to + (11 * _stride), lanes);
-        if (_scene.World.Instances is not null)
-        {
-            instance.Compress((uint*)to + (12 * _stride), lanes);
-            inner.X.Compress(to + (13 * _stride), lanes);
-            inner.Y.Compress(to + (14 * _stride), lanes);
-            inner.Z.Compress(to + (15 * _stride), lanes);
-        }
-
-        (UIntW.Iota + (uint)((_packets - 1) * FloatW.Count)).Compress(_lanes.Pointer + _count, lanes);
-        ((UIntW)(uint)light).Store(_lightOf.Pointer + _count);
-        _count += BitOperations.PopCount(lanes);
-    }
+        in RgbW radiance, in FloatW cosine) =>
+        _rays.Add(lanes, origin, instance, inner, direction, distance, time, light, radiance, cosine, UIntW.Iota + (uint)((_packets - 1) * FloatW.Count));
 
     /// <summary>Says where the paths of the packet went.</summary>
     /// <param name="ended">The lanes that ended.</param>
@@ -123,19 +77,18 @@ internal sealed unsafe class ShadowQueue
     /// <summary>Traces all rays, and adds what they bring.</summary>
     public void Flush(FinishedPaths finished, PathStream next)
     {
-        Trace();
-        _observer?.Settle(_hits.Pointer);
-        float* rays = _rays.Pointer;
-        for (int i = 0; i < _count; i++)
+        _rays.Trace();
+        _observer?.Settle(_rays.Hits);
+        for (int i = 0; i < _rays.Count; i++)
         {
-            if (_hits.Pointer[i] < 0)
+            if (_rays.Hits[i] < 0)
             {
-                float cosine = rays[(11 * _stride) + i];
-                uint lane = _lanes.Pointer[i];
+                float cosine = _rays.Load(3, i);
+                uint lane = _rays.Owners[i];
                 float* arrived = _arrived.Pointer + (lane / (uint)FloatW.Count * 3 * (uint)FloatW.Count) + (lane % (uint)FloatW.Count);
                 for (int channel = 0; channel < 3; channel++, arrived += FloatW.Count)
                 {
-                    *arrived = float.FusedMultiplyAdd(rays[((8 + channel) * _stride) + i], cosine, *arrived);
+                    *arrived = float.FusedMultiplyAdd(_rays.Load(channel, i), cosine, *arrived);
                 }
             }
         }
@@ -149,7 +102,8 @@ internal sealed unsafe class ShadowQueue
             }
         }
 
-        (_count, _packets) = (0, 0);
+        _rays.Clear();
+        _packets = 0;
     }
 
     private void AddTo(FinishedPaths finished, PathStream next, uint slot, int lane)
@@ -171,35 +125,5 @@ internal sealed unsafe class ShadowQueue
         color.R.Store(to);
         color.G.Store(to + FloatW.Count);
         color.B.Store(to + (2 * FloatW.Count));
-    }
-
-    private Vector3 Column(int column, int ray)
-    {
-        float* first = _rays.Pointer + ((long)column * _stride) + ray;
-        return new(first[0], first[_stride], first[2 * _stride]);
-    }
-
-    private void Trace()
-    {
-        float* rays = _rays.Pointer;
-        World world = _scene.World;
-        if (world.Itself.Tree is null)
-        {
-            new Span<int>(_hits.Pointer, _count).Fill(-1);
-        }
-        else
-        {
-            world.Itself.Tree.AnyHit(RayStream.OfColumns(rays, _stride, _hits.Pointer, _count));
-        }
-
-        for (int i = 0; world.Instances is not null && i < _count; i++)
-        {
-            if (_hits.Pointer[i] < 0)
-            {
-                SpaceRay ray = new(Column(0, i), Column(3, i)) { StartInstance = ((int*)rays)[(12 * _stride) + i], InnerStart = Column(13, i) };
-                LightSource light = _lights[_lightOf.Pointer[i]];
-                _hits.Pointer[i] = world.Instances.AnyHit(ray, rays[(7 * _stride) + i], rays[(6 * _stride) + i], light.Instance, light.Primitive) ? 0 : -1;
-            }
-        }
     }
 }

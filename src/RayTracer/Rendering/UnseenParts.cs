@@ -5,7 +5,10 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
 
-/// <summary>Warns of what a scene has and its picture cannot show.</summary>
+/// <summary>
+/// Warns of what a scene has and its picture cannot show. Integrators that trace light refuse light and insides of things that they do not know: with them
+/// a scene is chosen for being right where others are only slow.
+/// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="description">The description that it was built from.</param>
 /// <param name="builder">Takes the warnings.</param>
@@ -15,6 +18,7 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
     private const float SmallLamp = 0.02f;
     private static readonly RenderDescription Standard = new();
     private readonly Integrator _integrator = scene.Render.Integrator;
+    private readonly bool _refuses = scene.Render.Integrator.Has(IntegratorTraits.TracesLight);
 
     /// <summary>Returns true where a scene uses what only the report's integrator has.</summary>
     public static bool AreForReport(SceneDescription scene) => !scene.Ambient.IsBlack || scene.Render is not
@@ -32,6 +36,11 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
         }
 
         WarnOfInsides();
+        if (_integrator is LightTracingIntegrator traced)
+        {
+            RefuseUntraceable(traced.Strategies);
+        }
+
         if (!_integrator.Has(IntegratorTraits.LitGloss))
         {
             WarnOfGloss();
@@ -60,22 +69,24 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
     private void WarnOfOtherIntegrators()
     {
         WarnOf(
+            _refuses,
             (IntegratorTraits.AmbientLight, description, nameof(description.Ambient), !scene.Ambient.IsBlack),
             (IntegratorTraits.WeakenedShadows, scene.Render, nameof(Standard.WeakenedShadows), scene.Render.WeakenedShadows),
             OfRender(IntegratorTraits.BounceLimits, nameof(Standard.MaxDiffuseDepth), r => r.MaxDiffuseDepth),
             OfRender(IntegratorTraits.BounceLimits, nameof(Standard.MaxSpecularDepth), r => r.MaxSpecularDepth));
         WarnOf(
+            false,
             OfRender(IntegratorTraits.PathLimit, nameof(Standard.MaxDepth), r => r.MaxDepth),
             OfRender(IntegratorTraits.PathLimit, nameof(Standard.RouletteDepth), r => r.RouletteDepth));
-        WarnOf(OfRender(IntegratorTraits.OcclusionDistance, nameof(Standard.OcclusionDistance), r => r.OcclusionDistance));
+        WarnOf(false, OfRender(IntegratorTraits.OcclusionDistance, nameof(Standard.OcclusionDistance), r => r.OcclusionDistance));
     }
 
     private (IntegratorTraits Trait, object Subject, string Property, bool IsGiven) OfRender(
         IntegratorTraits trait, string property, Func<RenderDescription, float> value) =>
         (trait, scene.Render, property, value(scene.Render) != value(Standard));
 
-    // One warning for all, with the integrator that has them.
-    private void WarnOf(params (IntegratorTraits Trait, object Subject, string Property, bool IsGiven)[] parts)
+    // One message for all, with the integrator that has them.
+    private void WarnOf(bool isRefused, params (IntegratorTraits Trait, object Subject, string Property, bool IsGiven)[] parts)
     {
         (IntegratorTraits Trait, object Subject, string Property, bool)[] ignored = [.. parts.Where(p => p.IsGiven && !_integrator.Has(p.Trait))];
         if (ignored is not [var first, ..])
@@ -88,7 +99,8 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
         string advice = keys.Length == 1 ? "leave it out" : "leave them out";
         IntegratorTraits all = ignored.Aggregate(IntegratorTraits.None, (traits, p) => traits | p.Trait);
         string other = Integrator.Known.All.First(i => i.Has(all)).Name;
-        builder.Warn(
+        Action<object, string?, string> say = isRefused ? builder.Error : builder.Warn;
+        say(
             first.Subject,
             first.Property,
             $"{names} no effect with the integrator {_integrator.Name}: {advice}, or write \"integrator\": {Quotation.Of(other)} under \"render\"");
@@ -107,7 +119,30 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
         }
     }
 
-    private void AtIntegrator(string message) => builder.Warn(description.Render, nameof(Standard.Integrator), message);
+    private void AtIntegrator(string message)
+    {
+        Action<object, string?, string> say = _refuses ? builder.Error : builder.Warn;
+        say(description.Render, nameof(Standard.Integrator), message);
+    }
+
+    private void RefuseUntraceable(Strategies strategies)
+    {
+        string other = $"write \"integrator\": {Quotation.Of(Integrator.Path.Name)} under \"render\"";
+        if (!scene.Camera.CanLink)
+        {
+            builder.Error(
+                description.Camera,
+                nameof(CameraDescription.Projection),
+                $"the integrator {_integrator.Name} asks where points are seen, which the projection {Quotation.Of(description.Camera.Projection.Name)} does not say: {other}");
+        }
+
+        // Where camera paths are followed to their ends, they find all light, if with more noise.
+        if ((strategies & Strategies.Connections) == Strategies.None && scene.SampledLights.FirstOrDefault(l => !l.CanEmit) is { } light)
+        {
+            string name = light.Label?.Name is { } known ? $"the light source {Quotation.Of(known)}" : "a light source without a name";
+            AtIntegrator($"no light paths can start at {name}, as the integrator {_integrator.Name} needs: {other}");
+        }
+    }
 
     private bool Shines() => !scene.Background.IsBlack || scene.Environment is not null || scene.Lights.Count > 0
         || Array.Exists(scene.Groups, g => g.Traits.Emits) || (!scene.Ambient.IsBlack && _integrator.Has(IntegratorTraits.AmbientLight));

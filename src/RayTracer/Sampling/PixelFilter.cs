@@ -19,6 +19,11 @@ internal sealed unsafe class PixelFilter
     private readonly float* _share;
     private readonly float _signChange;
     private readonly float _norm;
+    private readonly float _radius;
+    private readonly float _cellsPerPixel;
+    private readonly float _outerCellsPerPixel;
+    private readonly float _cellsBefore;
+    private readonly int _reached;
 
     private PixelFilter(FilterCurve curve)
     {
@@ -51,6 +56,11 @@ internal sealed unsafe class PixelFilter
 
         _signChange = _place[before];
         _norm = (float)(share[Cells] / signedSum);
+        _radius = _place[Cells];
+        _cellsBefore = before;
+        _cellsPerPixel = (float)(before / curve.SignChange);
+        _outerCellsPerPixel = HasWeights ? (float)((Cells - before) / (curve.Radius - curve.SignChange)) : 0;
+        _reached = (int)(2 * curve.Radius) + 1;
     }
 
     /// <summary>True where <see cref="Weight"/> may differ from 1: where the curve has negative lobes.</summary>
@@ -74,7 +84,91 @@ internal sealed unsafe class PixelFilter
     /// <param name="v">The second.</param>
     public FloatW Weight(in FloatW u, in FloatW v) => AxisWeight(u) * AxisWeight(v);
 
-    private FloatW AxisWeight(FloatW u) => (FloatW.Abs(Offset(u)) > _signChange).Select(-_norm, _norm);
+    /// <summary>How far beyond its own square a pixel reaches, in pixels.</summary>
+    public static float Margin(FilterDescription filter) => float.Max(0, (float)new FilterCurve(filter).Radius - 0.5f);
+
+    /// <summary>
+    /// Chooses, along one axis, one of the pixels whose filter reaches a place, with probabilities in proportion to the magnitudes of
+    /// their filters there. The factor makes the mean into each pixel its filter's value at the place, where the filter's integral is 1:
+    /// for light that is not sampled for a pixel but comes to a place of the picture.
+    /// </summary>
+    /// <param name="filter">The filter; null for the mean over the pixel's own square.</param>
+    /// <param name="place">The places, in pixels from the edge of the picture.</param>
+    /// <param name="u">Random numbers.</param>
+    /// <param name="pixel">Numbers of the pixels from that edge; also such as lie beyond the edges.</param>
+    /// <param name="weight">The factors, below 0 in negative lobes; 0 where no filter reaches.</param>
+    public static void Splat(PixelFilter? filter, in FloatW place, in FloatW u, out FloatW pixel, out FloatW weight)
+    {
+        pixel = FloatW.Floor(place);
+        weight = 1f;
+        filter?.Choose(place, u, ref pixel, out weight);
+    }
+
+    /// <summary>
+    /// The number of samples per pixel's area at points of the picture, where <see cref="Place"/> places one for each pixel. It multiplies
+    /// the density of the camera's rays where the ways to sample a path are weighed against each other.
+    /// Pixels beyond the edges are counted as if they existed: within a radius of an edge the result is too large. The picture stays right:
+    /// a pixel's value is the integral, over paths, of its filter times their light. Of that integral each way of sampling gives the part
+    /// that its weight says, by <see cref="Place"/> and <see cref="Weight"/> as by <see cref="Splat"/>; and the parts make up the whole
+    /// if the weights of each path sum to 1 (Veach 1997, section 9.2.1). They do whatever this function of the path is, if all ways
+    /// use the same.
+    /// </summary>
+    /// <param name="x">Columns, in pixels from the left edge.</param>
+    /// <param name="y">Rows, in pixels from the top edge.</param>
+    public FloatW RayDensity(in FloatW x, in FloatW y) => AxisDensity(x) * AxisDensity(y);
+
+    private void Choose(in FloatW place, in FloatW u, ref FloatW pixel, out FloatW weight)
+    {
+        FloatW density = AxisDensity(place);
+        FloatW first = First(place);
+        FloatW left = u * density;
+        for (int i = 0; i < _reached; i++)
+        {
+            FloatW candidate = first + i;
+            FloatW magnitude = Magnitude(place, candidate);
+
+            // After the chosen one nothing is left; what rounding leaves falls to the last.
+            pixel = ((magnitude > 0f) & (left >= 0f)).Select(candidate, pixel);
+            left -= magnitude;
+        }
+
+        weight = density * WeightAt(Distance(place, pixel));
+    }
+
+    private FloatW AxisDensity(in FloatW place)
+    {
+        FloatW first = First(place);
+        FloatW sum = 0f;
+        for (int i = 0; i < _reached; i++)
+        {
+            sum += Magnitude(place, first + i);
+        }
+
+        return sum;
+    }
+
+    // The first pixel whose filter reaches a place.
+    private FloatW First(in FloatW place) => -FloatW.Floor(_radius + 0.5f - place);
+
+    private static FloatW Distance(in FloatW place, in FloatW pixel) => FloatW.Abs(place - pixel - 0.5f);
+
+    // The density with which Place puts a pixel's samples there, along one axis.
+    private FloatW Magnitude(in FloatW place, in FloatW pixel)
+    {
+        FloatW distance = Distance(place, pixel);
+        FloatW outer = FloatW.MultiplyAdd(distance - _signChange, _outerCellsPerPixel, _cellsBefore);
+        FloatW cells = (distance < _signChange).Select(distance * _cellsPerPixel, outer);
+        UIntW cell = FloatW.Min(cells, Cells - 1).ToIntInRange();
+        FloatW start = FloatW.Gather(_place, cell);
+        FloatW part = (distance - start) / (FloatW.Gather(_place + 1, cell) - start);
+        FloatW near = FloatW.Gather(_density, cell);
+        FloatW density = FloatW.MultiplyAdd(FloatW.Gather(_density + 1, cell) - near, part, near);
+        return (distance < _radius).Select(FloatW.Max(0.5f * density, 0f), 0f);
+    }
+
+    private FloatW AxisWeight(FloatW u) => WeightAt(FloatW.Abs(Offset(u)));
+
+    private FloatW WeightAt(FloatW distance) => (distance > _signChange).Select(-_norm, _norm);
 
     // The inverse of the distribution function: outwards from the middle, on the side that u says.
     private FloatW Offset(FloatW u)

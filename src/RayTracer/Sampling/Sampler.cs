@@ -73,6 +73,15 @@ public static class Dimensions
     /// <summary>Group of one pair, of which the first number counts: the path's wavelength, where it comes to depend on one.</summary>
     public const uint Wavelength = Time + 1;
 
+    /// <summary>Group of one pair: the point of a light from which a light path starts. Beyond the groups of any vertex.</summary>
+    internal const uint LightStart = 1 << 17;
+
+    /// <summary>Group of one pair, of which the first number counts: the light that a light path starts from.</summary>
+    internal const uint LightChoice = LightStart + 1;
+
+    /// <summary>Group of one pair: the direction in which a light path starts; with the point, four dimensions.</summary>
+    internal const uint LightDirection = LightStart + SecondOfFour;
+
     /// <summary>Groups of one pair each, 256 to a vertex and more: flights through media. Beyond all others.</summary>
     public const uint FirstFlight = 1 << 24;
 

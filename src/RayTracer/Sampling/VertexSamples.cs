@@ -16,6 +16,9 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     private readonly PinnedBuffer<VertexW> _vertex = new(1);
     private bool _hasRest;
 
+    /// <summary>The key of the wavelengths of all paths of a sample; null where each path has its own.</summary>
+    internal UIntW? SharedKey { get; init; }
+
     /// <summary>Turns to a vertex.</summary>
     /// <param name="pixelKey">Keys of the pixels.</param>
     /// <param name="sample">Numbers of the samples.</param>
@@ -101,10 +104,10 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         sampler.Pair(points, 0, out u, out v);
     }
 
-    /// <summary>The number that chooses the path's wavelength: the same at all of its vertices.</summary>
+    /// <summary>The number that chooses the path's wavelength: the same at all of its vertices, and of all paths of a sample where those are merged.</summary>
     public FloatW Wavelength()
     {
-        sampler.Begin(_vertex.Pointer->PixelKey, _vertex.Pointer->Sample, Dimensions.Wavelength, out SamplePoints points);
+        sampler.Begin(SharedKey ?? _vertex.Pointer->PixelKey, _vertex.Pointer->Sample, Dimensions.Wavelength, out SamplePoints points);
         sampler.Pair(points, 0, out FloatW u, out _);
         return u;
     }

@@ -110,6 +110,15 @@ internal sealed class Box(Material material, string name, Vector3 a, Vector3 b) 
         static FloatW Across(FloatW sign) => FloatW.MultiplyAdd(sign, 0.5f, 0.5f);
     }
 
+    /// <summary>Either of two opposite places sees three faces: half of the area.</summary>
+    internal override bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point)
+    {
+        FloatW doubled = v * 2f;
+        MaskW isUpper = doubled >= 1f;
+        Vec3W from = isUpper.Select((Vec3W)(Bounds.Maximum + _size), Bounds.Minimum - _size);
+        return SampleSeen(from, u, isUpper.Select(doubled - 1f, doubled), out point);
+    }
+
     // Rounding may leave nothing of a thin box far away.
     private Box? Moved(Vector3 low, Vector3 high) => high.X > low.X && high.Y > low.Y && high.Z > low.Z ? new(Material, Name, low, high) : null;
 

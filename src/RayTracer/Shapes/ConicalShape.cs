@@ -118,6 +118,18 @@ internal abstract class ConicalShape : Shape
         sample.V = isSide.Select(along, capV);
     }
 
+    /// <summary>From below for points of the bottom, and from above for all others.</summary>
+    internal override bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point)
+    {
+        float bottom = HasCaps ? float.Pi * Radius * Radius : 0;
+        float top = HasCaps ? float.Pi * TopRadius * TopRadius : 0;
+        FloatW rest = v * Area;
+        MaskW isBottom = rest >= Area - bottom;
+        FloatW part = isBottom.Select((rest - top) * (1 / (Area - top)), rest * (1 / (Area - bottom)));
+        Vec3W from = Vec3W.MultiplyAdd(Frame.Axis, isBottom.Select(-Height, Height), Frame.Origin);
+        return SampleSeen(from, u, FloatW.Min(part, FloatBits.OneMinusEpsilon), out point);
+    }
+
     // The cap that is seen from a point, if there is one: whether it is the upper one, its radius, and its area.
     private void SeenCap(in Vec3W toOrigin, out MaskW above, out FloatW radius, out FloatW area)
     {

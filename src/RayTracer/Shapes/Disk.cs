@@ -104,9 +104,18 @@ internal sealed unsafe class Disk(Material material, string name, Vector3 center
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
         Warp.ConcentricDisk(u, v, out FloatW x, out FloatW y);
-        Vec3W to = Vec3W.MultiplyAdd(Tangent * radius, x, Vec3W.MultiplyAdd(Bitangent * radius, y, (Vec3W)center - from));
-        AreaSample.Sample(to, normal, Area, out sample);
+        AreaSample.Sample(At(x, y, (Vec3W)center - from), normal, Area, out sample);
         sample.U = FloatW.MultiplyAdd(x, 0.5f, 0.5f);
         sample.V = FloatW.MultiplyAdd(y, 0.5f, 0.5f);
     }
+
+    /// <inheritdoc/>
+    internal override bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point)
+    {
+        Warp.ConcentricDisk(u, v, out FloatW x, out FloatW y);
+        point = At(x, y, center);
+        return true;
+    }
+
+    private Vec3W At(FloatW x, FloatW y, Vec3W middle) => Vec3W.MultiplyAdd(Tangent * radius, x, Vec3W.MultiplyAdd(Bitangent * radius, y, middle));
 }

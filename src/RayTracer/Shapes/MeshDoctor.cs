@@ -25,7 +25,7 @@ internal sealed class MeshDoctor
 
     /// <summary>Checks and mends a mesh.</summary>
     /// <param name="mesh">The mesh; not changed.</param>
-    /// <param name="report">What was wrong, as the rest of a sentence that begins with the mesh's name; empty where nothing was.</param>
+    /// <param name="report">The faults found, as the rest of a sentence that begins with the mesh's name; empty where there were none.</param>
     /// <returns>A sound mesh; the same one where nothing was wrong.</returns>
     public static MeshData Mend(MeshData mesh, out string report)
     {

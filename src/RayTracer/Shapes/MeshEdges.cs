@@ -64,7 +64,7 @@ internal sealed class MeshEdges
     }
 
     /// <summary>Finds which triangles to turn, so that neighbours agree.</summary>
-    /// <param name="count">How many are turned.</param>
+    /// <param name="count">The number of turned triangles.</param>
     /// <param name="unsolved">Edges at which they still do not agree.</param>
     /// <returns>For each triangle, 1 where it is to be turned.</returns>
     public int[] Orient(out int count, out int unsolved)

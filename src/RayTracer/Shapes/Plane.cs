@@ -170,11 +170,21 @@ internal sealed unsafe class Plane : FlatShape
     /// <inheritdoc/>
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
-        Vector2 size = Size!.Value;
-        Vec3W to = Vec3W.MultiplyAdd(
-            Tangent * size.X, u - 0.5f, Vec3W.MultiplyAdd(Bitangent * size.Y, v - 0.5f, (Vec3W)Point - from));
-        AreaSample.Sample(to, Normal, Area, out sample);
+        AreaSample.Sample(At(u, v, (Vec3W)Point - from), Normal, Area, out sample);
         sample.U = u;
         sample.V = v;
+    }
+
+    /// <inheritdoc/>
+    internal override bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point)
+    {
+        point = At(u, v, Point);
+        return true;
+    }
+
+    private Vec3W At(FloatW u, FloatW v, Vec3W middle)
+    {
+        Vector2 size = Size!.Value;
+        return Vec3W.MultiplyAdd(Tangent * size.X, u - 0.5f, Vec3W.MultiplyAdd(Bitangent * size.Y, v - 0.5f, middle));
     }
 }

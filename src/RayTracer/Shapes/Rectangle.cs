@@ -108,11 +108,19 @@ internal sealed unsafe class Rectangle(Material material, string name, Vector3 c
     /// <inheritdoc/>
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
-        Vec3W to = Vec3W.MultiplyAdd(edgeU, u, Vec3W.MultiplyAdd(edgeV, v, (Vec3W)corner - from));
-        AreaSample.Sample(to, Normal, Area, out sample);
+        AreaSample.Sample(At(u, v, (Vec3W)corner - from), Normal, Area, out sample);
         sample.U = u;
         sample.V = v;
     }
+
+    /// <inheritdoc/>
+    internal override bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point)
+    {
+        point = At(u, v, corner);
+        return true;
+    }
+
+    private Vec3W At(FloatW u, FloatW v, Vec3W origin) => Vec3W.MultiplyAdd(edgeU, u, Vec3W.MultiplyAdd(edgeV, v, origin));
 
     private void WriteOutline(float* map, Vector3 gradient, float slack)
     {

@@ -45,6 +45,27 @@ public abstract class Shape(Material material, string name)
     /// <param name="sample">The chosen points.</param>
     public abstract void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample);
 
+    /// <summary>
+    /// A random point of the whole surface, uniformly by area, from which light leaves it. It is as near to the surface as a hit is that was computed
+    /// along a ray. False where the shape knows no such points.
+    /// </summary>
+    /// <param name="u">First random number.</param>
+    /// <param name="v">Second random number.</param>
+    /// <param name="point">The chosen points.</param>
+    internal virtual bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point)
+    {
+        point = default;
+        return false;
+    }
+
+    /// <summary>The point itself that <see cref="SamplePoint"/> chooses for a lit point.</summary>
+    private protected bool SampleSeen(in Vec3W from, in FloatW u, in FloatW v, out Vec3W point)
+    {
+        SamplePoint(from, u, v, out ShapeSampleW sample);
+        point = Vec3W.MultiplyAdd(sample.Direction, sample.Distance, from);
+        return true;
+    }
+
     /// <summary>The density, per steradian, with which <see cref="SamplePoint"/> chooses a point of the shape.</summary>
     /// <param name="from">The lit points.</param>
     /// <param name="distance">Distance to the point.</param>
@@ -61,7 +82,7 @@ public abstract class Shape(Material material, string name)
 
     /// <summary>The lines that show the shape in views from elsewhere; without a drawing of its own, the box around it.</summary>
     /// <param name="middle">The middle of all that has an end.</param>
-    /// <param name="reach">How far what has no end is drawn from there.</param>
+    /// <param name="reach">The distance from there to which shapes without an end are drawn.</param>
     public virtual IEnumerable<Vector3[]> Wires(Vector3 middle, float reach) => WireLines.Box(Bounds);
 
     /// <summary>Says how a shape is called in messages.</summary>

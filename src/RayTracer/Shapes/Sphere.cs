@@ -102,6 +102,13 @@ internal sealed class Sphere(Material material, string name, Vector3 center, flo
         pdf = ((sin2Rim < 1f) & (cosine > 0f)).Select((1f / (2 * float.Pi)) / RimHeight(sin2Rim), 0f);
     }
 
+    /// <inheritdoc/>
+    internal override bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point)
+    {
+        point = Vec3W.MultiplyAdd(Warp.UniformSphere(u, v), radius, center);
+        return true;
+    }
+
     /// <summary>As <see cref="SamplePoint"/>, without uv.</summary>
     internal void SampleDirection(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {

@@ -126,6 +126,9 @@ internal sealed class Torus(Material material, string name, Vector3 center, Vect
         sample.V = turn;
     }
 
+    /// <inheritdoc/>
+    internal override bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point) => SampleSeen(center, u, v, out point);
+
     /// <summary>
     /// The turn around the tube, from its inner side, below which a part <paramref name="v"/> of the area lies: circles around the axis are
     /// longer outside. Of the angle φ, the area is φ − e·sin φ with e the ratio of the radii: this is Kepler's equation (Kepler 1609).

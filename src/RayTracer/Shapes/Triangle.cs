@@ -129,9 +129,18 @@ internal sealed unsafe class Triangle(Material material, string name, Vector3 a,
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
         Warp.UniformTriangle(u, v, out FloatW toB, out FloatW toC);
-        Vec3W to = Vec3W.MultiplyAdd(b - a, toB, Vec3W.MultiplyAdd(c - a, toC, (Vec3W)a - from));
-        AreaSample.Sample(to, Normal, Area, out sample);
+        AreaSample.Sample(At(toB, toC, (Vec3W)a - from), Normal, Area, out sample);
         sample.U = FloatW.MultiplyAdd(toB, uvB.X - uvA.X, FloatW.MultiplyAdd(toC, uvC.X - uvA.X, uvA.X));
         sample.V = FloatW.MultiplyAdd(toB, uvB.Y - uvA.Y, FloatW.MultiplyAdd(toC, uvC.Y - uvA.Y, uvA.Y));
     }
+
+    /// <inheritdoc/>
+    internal override bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point)
+    {
+        Warp.UniformTriangle(u, v, out FloatW toB, out FloatW toC);
+        point = At(toB, toC, a);
+        return true;
+    }
+
+    private Vec3W At(FloatW toB, FloatW toC, Vec3W corner) => Vec3W.MultiplyAdd(b - a, toB, Vec3W.MultiplyAdd(c - a, toC, corner));
 }

@@ -66,8 +66,15 @@ internal sealed class TurnedBox(Material material, string name, Vector3 center, 
     public override void SamplePoint(in Vec3W from, in FloatW u, in FloatW v, out ShapeSampleW sample)
     {
         _upright.SamplePoint(Within(from), u, v, out sample);
-        Vec3W along = sample.Direction;
-        sample.Direction = Vec3W.MultiplyAdd(axes.X, along.X, Vec3W.MultiplyAdd(axes.Y, along.Y, (Vec3W)axes.Z * along.Z));
+        sample.Direction = Turned(sample.Direction);
+    }
+
+    /// <inheritdoc/>
+    internal override bool SampleSurface(in FloatW u, in FloatW v, out Vec3W point)
+    {
+        _upright.SampleSurface(u, v, out Vec3W upright);
+        point = Turned(upright) + center;
+        return true;
     }
 
     /// <inheritdoc/>
@@ -75,6 +82,8 @@ internal sealed class TurnedBox(Material material, string name, Vector3 center, 
 
     // Angles of maps that were given in single precision.
     private static bool IsRightAngle(float product, float lengths) => float.Abs(product) <= 1e-6f * lengths;
+
+    private Vec3W Turned(Vec3W p) => Vec3W.MultiplyAdd(axes.X, p.X, Vec3W.MultiplyAdd(axes.Y, p.Y, (Vec3W)axes.Z * p.Z));
 
     private Vec3W Within(in Vec3W point)
     {

@@ -55,7 +55,7 @@ internal sealed unsafe class Wavelengths
     /// <summary>Chooses a wavelength.</summary>
     /// <param name="u">A number from 0 up to 1.</param>
     /// <param name="wavelength">The wavelength in µm.</param>
-    /// <param name="weight">What the channels are multiplied by.</param>
+    /// <param name="weight">The factors on the channels.</param>
     public void Sample(FloatW u, out FloatW wavelength, out RgbW weight)
     {
         FloatW scaled = u * Steps;

@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Textures;
 
 /// <summary>Two textures, and how much of the second there is at each point.</summary>
-/// <param name="inputs">What the amount depends on.</param>
+/// <param name="inputs">The inputs on which the amount depends.</param>
 /// <param name="first">The texture where the amount is 0.</param>
 /// <param name="second">The texture where it is 1.</param>
 internal abstract class BlendTexture(TextureInputs inputs, Texture first, Texture second) : Texture(inputs | first.Inputs | second.Inputs)

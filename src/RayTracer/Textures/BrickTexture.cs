@@ -38,7 +38,7 @@ public sealed record BrickTextureDescription : TextureDescription
 /// <param name="mortar">Texture of the mortar.</param>
 /// <param name="scale">Bricks along u and courses along v.</param>
 /// <param name="mortarSize">Thickness of the mortar in courses; as thick in uv between bricks of a course.</param>
-/// <param name="shift">How far each course is shifted against the one below, in bricks.</param>
+/// <param name="shift">The shift of each course against the one below, in bricks.</param>
 internal sealed class BrickTexture(Texture brick, Texture mortar, Vector2 scale, float mortarSize, float shift) : BlendTexture(TextureInputs.Uv, brick, mortar)
 {
     private readonly float _halfAcross = 0.5f * mortarSize * scale.X / scale.Y;

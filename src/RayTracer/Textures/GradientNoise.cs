@@ -14,7 +14,7 @@ internal static class GradientNoise
     private const float OctaveShift = 17.375f;
 
     /// <summary>One octave of noise.</summary>
-    /// <param name="p">Where.</param>
+    /// <param name="p">The points.</param>
     /// <param name="seed">Selects the function.</param>
     public static FloatW Perlin(in Vec3W p, uint seed)
     {
@@ -38,9 +38,9 @@ internal static class GradientNoise
     /// Octaves of noise, each of twice the frequency of the one before and of <paramref name="gain"/> times its height (fractional Brownian motion), over
     /// the sum of all heights.
     /// </summary>
-    /// <param name="p">Where.</param>
+    /// <param name="p">The points.</param>
     /// <param name="seed">Selects the function.</param>
-    /// <param name="octaves">How many, at least 1.</param>
+    /// <param name="octaves">The number of octaves, at least 1.</param>
     /// <param name="gain">Height of each over that of the one before.</param>
     /// <param name="isTurbulent">True if the magnitude of each is summed: creases, as of billows (Perlin, An image synthesizer,
     /// 1985).</param>

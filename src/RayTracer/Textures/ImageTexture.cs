@@ -93,11 +93,11 @@ internal sealed unsafe class ImageTexture : Texture
 
     /// <summary>Copies the picture's texels.</summary>
     /// <param name="picture">The picture, at most 2³¹/12 texels.</param>
-    /// <param name="interpolation">How the colour between texels is found.</param>
-    /// <param name="wrapping">What is shown beside the picture.</param>
+    /// <param name="interpolation">The way in which colours between texels are found.</param>
+    /// <param name="wrapping">The continuation of the picture beyond its edges.</param>
     /// <param name="scale">Factors on u and v.</param>
     /// <param name="offset">Added after scaling.</param>
-    /// <param name="verticalWrapping">What is shown above and below the picture; null for the same.</param>
+    /// <param name="verticalWrapping">The continuation above and below the picture; null for the same.</param>
     public ImageTexture(Picture picture, Interpolation interpolation, Wrapping wrapping, Vector2 scale, Vector2 offset, Wrapping? verticalWrapping = null)
     {
         _width = picture.Width;

@@ -40,11 +40,11 @@ public sealed record MarbleTextureDescription : SpaceTextureDescription
 }
 
 /// <summary>A sine of x plus turbulence (Perlin, An image synthesizer, 1985); the veins are its crests.</summary>
-/// <param name="place">Where the block stands.</param>
+/// <param name="place">The place of the block.</param>
 /// <param name="first">The stone.</param>
 /// <param name="second">The veins.</param>
 /// <param name="scale">Layers in a unit.</param>
-/// <param name="turbulence">How much they are bent, in layers.</param>
+/// <param name="turbulence">The bending of the layers, in layers.</param>
 internal sealed class MarbleTexture(TexturePlace place, Texture first, Texture second, float scale, float turbulence) : SpaceTexture(place, first, second)
 {
     /// <summary>Number of octaves of the noise.</summary>

@@ -41,7 +41,7 @@ public sealed record NoiseTextureDescription : SpaceTextureDescription
 }
 
 /// <summary>Two textures mixed by noise: by half of it and one half, or by its magnitude where it is turbulent.</summary>
-/// <param name="place">Where the noise stands.</param>
+/// <param name="place">The place of the noise.</param>
 /// <param name="first">The texture where it is low.</param>
 /// <param name="second">The texture where it is high.</param>
 internal sealed class NoiseTexture(TexturePlace place, Texture first, Texture second) : SpaceTexture(place, first, second)

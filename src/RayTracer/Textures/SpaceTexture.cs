@@ -31,11 +31,11 @@ public abstract record SpaceTextureDescription : TextureDescription
 
 /// <summary>The coordinates that a texture in space uses.</summary>
 /// <param name="Space">Whose coordinates are used.</param>
-/// <param name="Transform">How it is moved in them.</param>
+/// <param name="Transform">The transform of the texture within them.</param>
 internal readonly record struct TexturePlace(TextureSpace Space, Transform Transform);
 
 /// <summary>A texture that fills space: what a surface cuts out of a block.</summary>
-/// <param name="place">Where it stands.</param>
+/// <param name="place">The place of the texture.</param>
 /// <param name="first">The texture where its amount is 0.</param>
 /// <param name="second">The texture where its amount is 1.</param>
 internal abstract class SpaceTexture(TexturePlace place, Texture first, Texture second)
@@ -57,7 +57,7 @@ internal abstract class SpaceTexture(TexturePlace place, Texture first, Texture 
     }
 
     /// <summary>The weight of the second texture, from 0 to 1.</summary>
-    /// <param name="point">Where, in the texture's own coordinates.</param>
+    /// <param name="point">The points, in the texture's own coordinates.</param>
     /// <param name="amount">The amount.</param>
     protected abstract void Amount(in Vec3W point, out FloatW amount);
 

@@ -8,7 +8,7 @@ public static class StandIn
     // Of what runs side by side each has its own.
     private static readonly AsyncLocal<bool> s_isError = new();
 
-    /// <summary>What messages call them.</summary>
+    /// <summary>Their name in messages.</summary>
     internal const string Words = "magenta checks are shown instead";
 
     /// <summary>True where what is missing is an error.</summary>

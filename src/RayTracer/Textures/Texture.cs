@@ -7,7 +7,7 @@ namespace RayTracer.Textures;
 /// <summary>
 /// A colour that may vary over a surface. (0, 0) in uv is the lower left corner of a picture, u grows to the right, v upwards.
 /// </summary>
-/// <param name="inputs">What the colour depends on.</param>
+/// <param name="inputs">The inputs on which the colour depends.</param>
 public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
 {
     /// <summary>The inputs that the colour depends on.</summary>
@@ -34,7 +34,7 @@ public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
     public virtual void Slope(in TexturePointW at, out FloatW alongU, out FloatW alongV) => alongU = alongV = 0f;
 
     /// <summary>The colour where a path meets a surface.</summary>
-    /// <param name="surface">Where: <see cref="SurfaceW.U"/>, <see cref="SurfaceW.V"/>, and what else the texture's <see cref="Inputs"/>
+    /// <param name="surface">The place: <see cref="SurfaceW.U"/>, <see cref="SurfaceW.V"/>, and what else the texture's <see cref="Inputs"/>
     /// name.</param>
     /// <param name="color">The colour there, linear.</param>
     public void Evaluate(in SurfaceW surface, out RgbW color)
@@ -44,7 +44,7 @@ public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
     }
 
     /// <summary>As <see cref="Slope(in TexturePointW, out FloatW, out FloatW)"/>, where a path meets a surface.</summary>
-    /// <param name="surface">Where.</param>
+    /// <param name="surface">The place.</param>
     /// <param name="alongU">Derivative by u.</param>
     /// <param name="alongV">Derivative by v.</param>
     public void Slope(in SurfaceW surface, out FloatW alongU, out FloatW alongV)

@@ -37,11 +37,11 @@ public sealed record WoodTextureDescription : SpaceTextureDescription
 }
 
 /// <summary>Rings around the y axis.</summary>
-/// <param name="place">Where the trunk stands.</param>
+/// <param name="place">The place of the trunk.</param>
 /// <param name="first">The early wood.</param>
 /// <param name="second">The late wood.</param>
 /// <param name="rings">Rings in a unit.</param>
-/// <param name="turbulence">How much they are distorted, in rings.</param>
+/// <param name="turbulence">The distortion of the rings, in rings.</param>
 /// <param name="scale">Cells of the noise in a unit.</param>
 internal sealed class WoodTexture(TexturePlace place, Texture first, Texture second, float rings, float turbulence, float scale) : SpaceTexture(place, first, second)
 {

@@ -15,12 +15,12 @@ internal static class DenoiserBenchmark
     private const int ReferenceSamples = 2304;
 
     /// <summary>Measures scenes.</summary>
-    /// <param name="names">Their names; none for all.</param>
+    /// <param name="names">Their names; none for all, <c>checks</c> for those that settings were not chosen on.</param>
     public static int Run(string[] names)
     {
         Console.WriteLine("| scene | samples | relative MSE | denoised | ratio | FLIP | denoised | light cut | processor time a megapixel |");
         Console.WriteLine("|---|---|---|---|---|---|---|---|---|");
-        foreach ((string Name, string Content) scene in DenoiserScenes.All.Where(s => names.Length == 0 || names.Contains(s.Name)))
+        foreach ((string Name, string Content) scene in Chosen(names))
         {
             Picture reference = new RTracer(DenoiserScenes.Build(scene, Width, Height, ReferenceSamples, 77)).Render().Film.ToPicture();
             foreach (int samples in new[] { 4, 16, 64 })
@@ -31,6 +31,13 @@ internal static class DenoiserBenchmark
 
         return 0;
     }
+
+    private static IEnumerable<(string Name, string Content)> Chosen(string[] names) => names switch
+    {
+        [] => DenoiserScenes.All,
+        ["checks"] => DenoiserScenes.Checks,
+        _ => DenoiserScenes.All.Concat(DenoiserScenes.Checks).Where(s => names.Contains(s.Name)),
+    };
 
     private static string Row(Scene scene, Picture reference)
     {

@@ -55,6 +55,41 @@ internal static class DenoiserScenes
             """),
     ];
 
+    /// <summary>Scenes on which nothing was tuned: they show whether the settings suit others.</summary>
+    public static readonly (string Name, string Content)[] Checks =
+    [
+        ("vanity", $$"""
+            { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "marble", "first": [0.7, 0.66, 0.6], "second": [0.3, 0.25, 0.22], "scale": 3, "turbulence": 4 } } },
+            { "type": "rectangle", "corner": [-5, 0, -3], "edgeU": [10, 0, 0], "edgeV": [0, 6, 0], "material": { "type": "diffuse", "color": { "type": "checker", "even": [0.55, 0.6, 0.5], "odd": [0.75, 0.72, 0.6], "scale": [24, 14] } } },
+            { "type": "rectangle", "corner": [-2.6, 0.1, -0.8], "edgeU": [1.9, 0, -1.3], "edgeV": [0, 2.2, 0], "material": {{Mirror}} },
+            { "type": "rectangle", "corner": [0.3, 0, 1.4], "edgeU": [1.7, 0, 0.3], "edgeV": [0, 1.5, 0], "material": { "type": "thinDielectric" } },
+            { "type": "sphere", "center": [1.2, 0.6, 0.2], "radius": 0.6, "material": { "type": "diffuse", "color": { "type": "checker", "even": [0.7, 0.2, 0.1], "odd": [0.9, 0.8, 0.5], "scale": [12, 6] } } },
+            { "type": "sphere", "center": [-0.6, 0.5, 0.9], "radius": 0.5, "material": { "type": "dielectric" } },
+            { "type": "cylinder", "bottom": [-1.7, 0, 1], "top": [-1.7, 0.8, 1], "radius": 0.3, "material": { "type": "roughConductor", "metal": "gold", "alpha": 0.15 } },
+            { "type": "sphere", "center": [1.5, 4, 3], "radius": 0.4, "material": { "type": "luminaire", "multiplier": 40 } }
+            """),
+        ("attic", $$"""
+            { "type": "box", "a": [-3, -0.1, -3], "b": [3, 0, 8], "material": { "type": "diffuse", "color": { "type": "wood", "first": [0.5, 0.33, 0.18], "second": [0.34, 0.19, 0.09], "rings": 14, "turbulence": 2 } } },
+            { "type": "box", "a": [-3, 0, -3.1], "b": [3, 4, -3], "material": { "type": "diffuse", "color": [0.7, 0.68, 0.62] } },
+            { "type": "box", "a": [-3, 4, -3], "b": [3, 4.1, 8], "material": { "type": "diffuse", "color": [0.75, 0.75, 0.72] } },
+            { "type": "box", "a": [-3, 0, 8], "b": [3, 4, 8.1], "material": { "type": "diffuse", "color": [0.6, 0.6, 0.6] } },
+            { "type": "box", "a": [3, 0, -3], "b": [3.1, 4, 8], "material": { "type": "diffuse", "color": [0.3, 0.45, 0.5] } },
+            { "type": "box", "a": [-3.1, 0, -3], "b": [-3, 1.4, 8], "material": { "type": "diffuse", "color": [0.65, 0.5, 0.4] } },
+            { "type": "box", "a": [-3.1, 2.6, -3], "b": [-3, 4, 8], "material": { "type": "diffuse", "color": [0.65, 0.5, 0.4] } },
+            { "type": "box", "a": [-3.1, 1.4, 1], "b": [-3, 2.6, 8], "material": { "type": "diffuse", "color": [0.65, 0.5, 0.4] } },
+            { "type": "box", "a": [-1.6, 0, -1.5], "b": [-0.5, 1.1, -0.6], "material": { "type": "principled", "baseColor": [0.3, 0.12, 0.06], "roughness": 0.4 } },
+            { "type": "box", "a": [0.3, 0, -2], "b": [1.9, 0.7, -0.2], "material": { "type": "principled", "baseColor": [0.1, 0.25, 0.2], "roughness": 0.8 } },
+            { "type": "sphere", "center": [1, 1.05, -1], "radius": 0.35, "material": { "type": "principled", "baseColor": [0.8, 0.8, 0.75], "roughness": 0.15, "clearcoat": 1 } },
+            { "type": "rectangle", "corner": [-5, 0, 1], "edgeU": [0, 0, -5], "edgeV": [0, 4, 0], "material": { "type": "luminaire", "color": [1, 0.9, 0.75], "multiplier": 9 } }
+            """),
+        ("stall", $$"""
+            { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": { "type": "noise", "first": [0.3, 0.26, 0.2], "second": [0.6, 0.55, 0.45], "scale": 5, "octaves": 4 } } },
+            {{Fruit()}},
+            { "type": "sphere", "center": [-2, 3, 2], "radius": 0.2, "material": { "type": "luminaire", "color": [1, 0.8, 0.6], "multiplier": 90 } },
+            { "type": "sphere", "center": [3, 5, 1], "radius": 0.8, "material": { "type": "luminaire", "color": [0.7, 0.85, 1], "multiplier": 8 } }
+            """),
+    ];
+
     /// <summary>Builds a scene.</summary>
     public static Scene Build((string Name, string Content) scene, int width, int height, int samples, long seed)
     {
@@ -83,4 +118,8 @@ internal static class DenoiserScenes
                 $$"""{ "type": "triangle", "a": {{Corner()}}, "b": {{Corner()}}, "c": {{Corner()}}, "material": { "type": "diffuse", "color": [{{0.1f + (0.3f * Next()):F2}}, {{0.3f + (0.3f * Next()):F2}}, 0.1] } }""");
         }));
     }
+
+    // Rows of glossy balls, each of its own colour.
+    private static string Fruit() => string.Join(",\n", Enumerable.Range(0, 70).Select(i => string.Create(CultureInfo.InvariantCulture,
+        $$"""{ "type": "sphere", "center": [{{(0.44 * (i % 10)) - 2 + (0.2 * (i / 10 % 2)):F2}}, {{0.2 + (0.18 * (i / 10)):F2}}, {{1 - (0.4 * (i / 10)):F2}}], "radius": 0.2, "material": { "type": "principled", "baseColor": [{{0.1 + (0.8 * (i * 7 % 11) / 11.0):F2}}, {{0.1 + (0.7 * (i * 5 % 13) / 13.0):F2}}, {{0.05 + (0.4 * (i * 3 % 7) / 7.0):F2}}], "roughness": {{0.15 + (0.1 * (i % 7)):F2}}, "clearcoat": {{i % 2}} } }""")));
 }

@@ -110,6 +110,27 @@ public sealed class FilmFileTests : IDisposable
     }
 
     [Fact]
+    public void Light_comes_back_as_it_was_but_its_noise_only_beside_halves()
+    {
+        FilmPlane[] all = [FilmPlane.Half, FilmPlane.Light, FilmPlane.LightSquare, FilmPlane.LightHalf];
+        foreach (FilmPlane[] planes in (FilmPlane[][])[all, [FilmPlane.Light, FilmPlane.LightSquare], [FilmPlane.Light]])
+        {
+            Film film = new(Width, Height, planes);
+            film.AddLight(1, 2, [3, 4L << 32, (Int128)5 << 70], 2);
+            FilmFile.Write(_folder["a.rtfilm"], film, Header(Width, Height));
+            FilmExr.Write(_folder["a.exr"], film, Header(Width, Height), new());
+            foreach (string file in (string[])["a.rtfilm", "a.exr"])
+            {
+                Film read = CarriedFilm.Read(_folder[file]).Film;
+                Assert.Equal(planes.Length == all.Length ? all : [FilmPlane.Light], read.Planes);
+                Assert.Equal(film.ComputeHash(), read.ComputeHash());
+                Assert.Equal(film.Mean(1, 2), read.Mean(1, 2));
+                Assert.Equal(planes.Length == all.Length, read.KnowsNoise);
+            }
+        }
+    }
+
+    [Fact]
     public void A_damaged_plane_is_reported_with_its_row()
     {
         FilmFile.Write(_folder["a.rtfilm"], WithHalf(1), Header(Width, Height));

@@ -228,7 +228,9 @@ public class ExrTests
             };
             ImageFile.Write(folder["a.exr"], TestPictures.Noise(61, 37), options);
             Assert.Contains("somebody", AssertRuns("exrheader", folder["a.exr"]));
-            AssertRuns("exrinfo", "-s", folder["a.exr"]);
+
+            // Its exit status is any number in OpenEXR 3.1.
+            Assert.Contains("displayWindow", ProgramFactAttribute.Run("exrinfo", "-s", folder["a.exr"]).Output, StringComparison.Ordinal);
         }
     }
 

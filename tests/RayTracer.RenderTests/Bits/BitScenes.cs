@@ -22,6 +22,29 @@ internal static class BitScenes
     public const string LampBehindPane = "lamp-behind-pane";
 
     private const string Everything = "everything-";
+    private const string LightPath = "light-paths-";
+
+    // A ring and a mesh, placed and moving, glass and its caustic, a lamp that shines on them and one behind them.
+    private const string Caustic = """
+        {
+          "camera": { "position": [0.2, 1.4, 4], "lookAt": [0, 0.5, 0], "fieldOfView": 34, "lens": { "apertureRadius": 0.05 } },
+          "render": { SIZE, "integrator": "INTEGRATOR", "shutter": [0, 1], "filter": { "shape": "gaussian" } },
+          "shapes": [
+            { "type": "rectangle", "corner": [-2, 0, 2], "edgeU": [4, 0, 0], "edgeV": [0, 0, -4], "material": { "type": "diffuse", "color": [0.5, 0.6, 0.7] } },
+            { "type": "sphere", "center": [-0.5, 0.5, 0.3], "radius": 0.45, "material": { "type": "dielectric", "glass": "sf11" } },
+            {
+              "type": "instance", "transform": [{ "scale": [0.8, -0.6, 0.7], "rotate": 40, "axis": [0, 0, 1], "translate": [0.7, 0.6, 0.1] }],
+              "motion": [{ "time": 0 }, { "time": 1, "transform": [{ "translate": [0.2, 0.1, -0.3] }] }],
+              "of": {
+                "type": "mesh", "shading": "smooth", "positions": [[-0.6, -0.5, 0.4], [0.6, -0.5, 0.4], [0, -0.5, -0.7], [0, 0.7, 0]],
+                "triangles": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]], "material": { "type": "roughPlastic", "alpha": 0.3, "color": [0.7, 0.3, 0.2] }
+              }
+            },
+            { "type": "sphere", "center": [-1, 2, 0.8], "radius": 0.25, "material": { "type": "luminaire", "multiplier": 20 } },
+            { "type": "point", "position": [0.9, 1.4, -0.8], "intensity": [0.5, 0.8, 1.2] }
+          ]
+        }
+        """;
 
     // Rays to the lamp meet glass from both sides, before and after paths have a wavelength.
     private const string Prisms = """
@@ -97,8 +120,17 @@ internal static class BitScenes
     public static IReadOnlyList<string> All { get; } =
         [.. Report, .. Samplers, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, LampBehindPane, .. Folders.SelectMany(In)];
 
+    /// <summary>Names of scenes that are guided.</summary>
+    public static string[] Guided => ["guided/screen"];
+
     /// <summary>Names of scenes whose auxiliary images are looked at.</summary>
     public static string[] Auxiliary => ["aov/everything-sobol", "aov/meshes/01-cube", "aov/meshes/02-smooth", "aov/meshes/04-motion-blur"];
+
+    /// <summary>All that is compared between settings of the runtime.</summary>
+    public static IEnumerable<string> Pictures => [.. All, .. LightPaths, .. Guided, .. Auxiliary, .. Denoised];
+
+    /// <summary>Names of scenes whose denoised pictures are looked at.</summary>
+    public static string[] Denoised => ["denoised/everything-sobol"];
 
     /// <summary>Names of the report's scenes.</summary>
     public static string[] Report => ["report/scene1", "report/scene2", "report/scene3"];
@@ -116,6 +148,9 @@ internal static class BitScenes
     private static IEnumerable<string> Folders =>
         Directory.GetDirectories(ProjectFolder.PathOf("scenes")).Select(f => Path.GetFileName(f)).Where(f => f is not ("broken" or "gallery" or "report")).Order(StringComparer.Ordinal);
 
+    /// <summary>One scene, by each of the integrators whose paths start at the lights, too.</summary>
+    public static string[] LightPaths => [.. new[] { "light", "bidirectional", "photons", "vcm" }.Select(i => LightPath + i)];
+
     /// <summary>Names of the scenes in a folder.</summary>
     public static string[] In(string folder) =>
         [.. Directory.GetFiles(ProjectFolder.PathOf("scenes", folder), "*.json").Select(f => $"{folder}/{Path.GetFileNameWithoutExtension(f)}").Order(StringComparer.Ordinal)];
@@ -123,12 +158,20 @@ internal static class BitScenes
     /// <summary>Loads a scene, at 64×64 pixels and 4 samples (the primer's at 32×24).</summary>
     public static Scene Load(string name) => name.StartsWith(Everything, StringComparison.Ordinal)
         ? TestScenes.BuildEverything(name[Everything.Length..])
+        : name.StartsWith(LightPath, StringComparison.Ordinal) ? LoadCaustic(name)
+        : Guided.Contains(name) ? GuidedScenes.Learned(TestScenes.Build(GuidedScenes.Screen), new() { Threads = 2 })
         : name == Hills ? HillScene.Build()
         : name == DispersingShadows ? TestScenes.Build(Prisms)
         : name == WrappedBoundaries ? TestScenes.Build(Clouds)
         : name == MeshLamps ? TestScenes.Build(Walls)
         : name == LampBehindPane ? TestScenes.Build(Pane)
         : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));
+
+    /// <summary>Loads a scene of <see cref="LightPaths"/>.</summary>
+    /// <param name="name">Its name.</param>
+    /// <param name="size">Its size and samples, as a scene file has them.</param>
+    public static Scene LoadCaustic(string name, string size = """ "width": 22, "height": 18, "samplesPerPixel": 4 """) =>
+        TestScenes.Build(Caustic.Replace("INTEGRATOR", name[LightPath.Length..], StringComparison.Ordinal).Replace("SIZE", size, StringComparison.Ordinal));
 
     private static SceneDescription Small(SceneDescription d, int width, int height) =>
         d with { Render = d.Render with { Width = width, Height = height, SamplesPerPixel = 4 } };

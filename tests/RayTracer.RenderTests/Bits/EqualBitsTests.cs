@@ -4,12 +4,16 @@ namespace RayTracer.RenderTests.Bits;
 
 /// <summary>
 /// The same film, to the bit, and the same counts, however the work is divided and on whatever machine.
-/// Covers `RTracer`, `Film` and `Wavefront`.
+/// Covers `RTracer`, `Film`, `Wavefront` and `LightPass`.
 /// </summary>
 [Trait("Category", "Thorough")]
 public class EqualBitsTests
 {
-    public static TheoryData<string> Scenes() => new([.. BitScenes.Report, .. BitScenes.Samplers, BitScenes.Hills, BitScenes.DispersingShadows, .. BitScenes.Meshes, .. BitScenes.Lights]);
+    private static readonly string[] s_scenes = [.. BitScenes.Report, .. BitScenes.Samplers, BitScenes.Hills, BitScenes.DispersingShadows, .. BitScenes.Meshes, .. BitScenes.Lights];
+
+    public static TheoryData<string> Scenes() => new(s_scenes);
+
+    public static TheoryData<string> ScenesAndLightPaths() => new([.. s_scenes, .. BitScenes.LightPaths]);
 
     [Theory]
     [MemberData(nameof(Scenes))]
@@ -28,7 +32,7 @@ public class EqualBitsTests
     }
 
     [Theory]
-    [MemberData(nameof(Scenes))]
+    [MemberData(nameof(ScenesAndLightPaths))]
     public void Tiles_and_streams_of_any_size_give_the_same_bits_and_counts(string name)
     {
         Scene scene = BitScenes.Load(name);
@@ -42,7 +46,7 @@ public class EqualBitsTests
     }
 
     [Theory]
-    [MemberData(nameof(Scenes))]
+    [MemberData(nameof(ScenesAndLightPaths))]
     public void Parts_of_samples_and_pixels_merged_in_random_order_are_the_whole(string name)
     {
         Scene scene = BitScenes.Load(name);
@@ -52,7 +56,7 @@ public class EqualBitsTests
         {
             RenderOptions[] parts = [.. Parts(random, scene)];
             random.Shuffle(parts);
-            Film merged = new(whole.Width, whole.Height);
+            Film merged = new(whole.Width, whole.Height, whole.Planes);
             foreach (RenderOptions part in parts)
             {
                 // Some go to films of their own, some add to what there is.

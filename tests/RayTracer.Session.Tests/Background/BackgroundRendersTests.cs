@@ -41,7 +41,7 @@ public sealed class BackgroundRendersTests
         Assert.Contains("samples 0..1 are missing of 7", Assert.Throws<SessionException>(() => background.Merge(parts[..2], "some.png", false)).Message, StringComparison.Ordinal);
         Assert.Contains("are in both", Assert.Throws<JobException>(() => background.Merge([.. parts, parts[0]], "some.rtfilm", false)).Message, StringComparison.Ordinal);
         Assert.Throws<SessionException>(() => background.Merge([], "some.rtfilm", false));
-        Assert.Equal(SessionFault.Conflict, Assert.Throws<SessionException>(() => background.Part(1, 3, "part1.rtfilm", overwrite: false)).Fault);
+        Assert.Equal(SessionFault.Exists, Assert.Throws<SessionException>(() => background.Part(1, 3, "part1.rtfilm", overwrite: false)).Fault);
         Assert.Throws<SessionException>(() => background.Part(4, 3, "some.rtfilm", false));
         Assert.Throws<SessionException>(() => background.Part(1, 8, "some.rtfilm", false));
         Assert.Throws<SessionException>(() => background.Part(1, 3, "some.png", false));
@@ -62,7 +62,7 @@ public sealed class BackgroundRendersTests
         Assert.Equal("""["frames=5"]""", texts["Settings"]);
 
         File.Delete(Path.Combine(test.Folder, "frame-06.png"));
-        Assert.Equal(SessionFault.Conflict, Assert.Throws<SessionException>(() => background.Frames(4, 6, "frame-##.png", overwrite: false)).Fault);
+        Assert.Equal(SessionFault.Exists, Assert.Throws<SessionException>(() => background.Frames(4, 6, "frame-##.png", overwrite: false)).Fault);
         Assert.EndsWith("wrote 1 frames, " + Path.Combine(test.Folder, "frame-04.png") + " to frame-06.png; 2 were there already", await Job(test, () => background.Frames(4, 6, "frame-##.png", overwrite: true)), StringComparison.Ordinal);
         Assert.Throws<SessionException>(() => background.Frames(3, 2, "frame-##.png", false));
         Assert.Equal(

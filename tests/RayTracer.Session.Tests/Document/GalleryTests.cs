@@ -42,7 +42,7 @@ public sealed class GalleryTests
     {
         using SessionFolder folder = new();
         using Gallery gallery = new(folder.User);
-        await Assert.ThrowsAsync<DocumentException>(() => gallery.Thumbnail(id));
+        await Assert.ThrowsAsync<SessionException>(() => gallery.Thumbnail(id));
     }
 
     [Fact]
@@ -54,6 +54,6 @@ public sealed class GalleryTests
         folder.Write("scenes/mine/bad.json", "// Bad.\n{ \"shapes\": 5 }");
         using Gallery broken = new(folder.User, folder["scenes"]);
         Assert.Equal("Mine", broken.Groups.Single().Title);
-        await Assert.ThrowsAsync<DocumentException>(() => broken.Thumbnail("mine/bad.json"));
+        await Assert.ThrowsAsync<SessionException>(() => broken.Thumbnail("mine/bad.json"));
     }
 }

@@ -26,7 +26,7 @@ public sealed class RecoveryTests
         Assert.Empty(second.Recovery.Entries);
 
         // The file may have changed since: saving over it must be asked for, and keeps its line ends.
-        Assert.Equal(DocumentConflict.ChangedOnDisk, Assert.Throws<DocumentException>(() => second.Files.Save()).Conflict);
+        Assert.Equal(SessionFault.ChangedOnDisk, Assert.Throws<SessionException>(() => second.Files.Save()).Fault);
         second.Files.Save(overwrite: true);
         Assert.Equal("{// æ\r\n\r\n}\r\n", await File.ReadAllTextAsync(path));
     }
@@ -63,8 +63,8 @@ public sealed class RecoveryTests
         string[] kept = Directory.GetFiles(folder.User.Recovery, "*.json");
         Assert.Equal(2, kept.Length);
         string foreign = Path.GetFileNameWithoutExtension(kept.Single(k => File.ReadAllText(k).Contains("// first", StringComparison.Ordinal)));
-        Assert.Throws<DocumentException>(() => second.Files.OpenRecovered(foreign, discard: true));
-        Assert.Throws<DocumentException>(() => second.Recovery.Discard(foreign));
+        Assert.Throws<SessionException>(() => second.Files.OpenRecovered(foreign, discard: true));
+        Assert.Throws<SessionException>(() => second.Recovery.Discard(foreign));
         Assert.Equal(2, Directory.GetFiles(folder.User.Recovery, "*.json").Length);
         second.Recovery.Refresh();
         Assert.Empty(second.Recovery.Entries);
@@ -106,7 +106,7 @@ public sealed class RecoveryTests
         string id = Assert.Single(next.Recovery.Entries).Id;
         next.Recovery.Discard(id);
         Assert.Empty(next.Recovery.Entries);
-        Assert.Throws<DocumentException>(() => next.Recovery.Discard(id));
+        Assert.Throws<SessionException>(() => next.Recovery.Discard(id));
     }
 
     [Theory]
@@ -117,8 +117,8 @@ public sealed class RecoveryTests
     {
         using SessionFolder folder = new();
         using DocumentSession session = new(folder.User, ShippedScenes.Folder, new FakeTime());
-        Assert.Throws<DocumentException>(() => session.Recovery.Discard(id));
-        Assert.Throws<DocumentException>(() => session.Files.OpenRecovered(id));
+        Assert.Throws<SessionException>(() => session.Recovery.Discard(id));
+        Assert.Throws<SessionException>(() => session.Files.OpenRecovered(id));
     }
 
     [Fact]

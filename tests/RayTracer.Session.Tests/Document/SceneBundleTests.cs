@@ -62,7 +62,7 @@ public sealed class SceneBundleTests : IDisposable
     {
         Directory.CreateDirectory(_folder["out"]);
         Zip(("scene.json", "{}"), (name, "evil"));
-        Assert.Throws<DocumentException>(() => SceneBundle.Extract(_folder["z.zip"], _folder["out"]));
+        Assert.Throws<SessionException>(() => SceneBundle.Extract(_folder["z.zip"], _folder["out"]));
         Assert.Equal([_folder["z.zip"]], Directory.GetFileSystemEntries(_folder.FullName));
     }
 
@@ -70,9 +70,9 @@ public sealed class SceneBundleTests : IDisposable
     public void Archives_without_a_scene_damaged_or_doubled_ones_are_refused()
     {
         Zip(("readme.txt", "nothing"));
-        Assert.Throws<DocumentException>(() => SceneBundle.Extract(_folder["z.zip"], _folder["out"]));
+        Assert.Throws<SessionException>(() => SceneBundle.Extract(_folder["z.zip"], _folder["out"]));
         Zip(("scene.json", "{}"), ("scene.json", "{}"));
-        Assert.Throws<DocumentException>(() => SceneBundle.Extract(_folder["z.zip"], _folder["out"]));
+        Assert.Throws<SessionException>(() => SceneBundle.Extract(_folder["z.zip"], _folder["out"]));
         Zip(("scene.json", "{}"));
         byte[] bytes = File.ReadAllBytes(_folder["z.zip"]);
         Random random = new(TestSettings.Seed);
@@ -86,7 +86,7 @@ public sealed class SceneBundleTests : IDisposable
                 Assert.True(File.Exists(SceneBundle.Extract(_folder["z.zip"], _folder["out"])));
                 Directory.Delete(_folder["out"], recursive: true);
             }
-            catch (DocumentException)
+            catch (SessionException)
             {
                 Assert.False(Directory.Exists(_folder["out"]));
             }

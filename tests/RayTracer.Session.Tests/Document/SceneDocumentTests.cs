@@ -63,8 +63,8 @@ public sealed class SceneDocumentTests
         Assert.True(document.TryReplace(1, 0, 0, " ", null));
         Assert.False(document.TryReplace(1, 0, 0, "x", null));
         Assert.Equal(" " + Ball, document.Text);
-        Assert.Throws<DocumentException>(() => document.TryReplace(2, 5, 3, "", null));
-        Assert.Throws<DocumentException>(() => document.TryReplace(2, 0, 10_000, "", null));
+        Assert.Throws<SessionException>(() => document.TryReplace(2, 5, 3, "", null));
+        Assert.Throws<SessionException>(() => document.TryReplace(2, 0, 10_000, "", null));
         await document.WhenBuilt();
     }
 

@@ -55,7 +55,7 @@ public sealed class SceneFilesTests : IDisposable
         Document.TryReplace(1, 0, 0, "// mine\n", null);
         string text = Document.Text;
         Action[] openings = [() => Files.New(), () => Files.Open(path), () => Files.OpenGallery("minimal.json")];
-        Assert.All(openings, open => Assert.Equal(DocumentConflict.Unsaved, Assert.Throws<DocumentException>(open).Conflict));
+        Assert.All(openings, open => Assert.Equal(SessionFault.Unsaved, Assert.Throws<SessionException>(open).Fault));
         Assert.Equal(text, Document.Text);
         Files.Open(path, discard: true);
         Assert.Equal("{}", Document.Text);
@@ -65,14 +65,14 @@ public sealed class SceneFilesTests : IDisposable
     public void Other_files_are_not_overwritten_unless_asked_for()
     {
         string other = _folder.Write("other.json", "theirs");
-        Assert.Equal(DocumentConflict.Exists, Assert.Throws<DocumentException>(() => Files.Save(other)).Conflict);
+        Assert.Equal(SessionFault.Exists, Assert.Throws<SessionException>(() => Files.Save(other)).Fault);
         Assert.Equal("theirs", File.ReadAllText(other));
         Files.Save(other, overwrite: true);
         Assert.Equal(Document.Text, File.ReadAllText(other));
         Document.TryReplace(Document.Revision, 0, 0, " ", null);
         Files.Save();
         File.WriteAllText(other, "theirs again");
-        Assert.Equal(DocumentConflict.ChangedOnDisk, Assert.Throws<DocumentException>(() => Files.Save()).Conflict);
+        Assert.Equal(SessionFault.ChangedOnDisk, Assert.Throws<SessionException>(() => Files.Save()).Fault);
         Assert.Equal("theirs again", File.ReadAllText(other));
     }
 
@@ -81,7 +81,7 @@ public sealed class SceneFilesTests : IDisposable
     [InlineData("/nowhere/at/all/a.json")]
     [InlineData("/tmp/a.obj")]
     [InlineData("/tmp/\0.json")]
-    public void Places_where_nothing_can_be_saved_are_refused(string path) => Assert.Throws<DocumentException>(() => Files.Save(path));
+    public void Places_where_nothing_can_be_saved_are_refused(string path) => Assert.Throws<SessionException>(() => Files.Save(path));
 
     [SkippableFact]
     public void A_folder_that_cannot_be_written_to_is_a_sentence_and_leaves_nothing()
@@ -93,7 +93,7 @@ public sealed class SceneFilesTests : IDisposable
             File.SetUnixFileMode(_folder["closed"], UnixFileMode.UserRead | UnixFileMode.UserExecute);
         }
 
-        Assert.Contains("denied", Assert.Throws<DocumentException>(() => Files.Save(_folder["closed/a.json"])).Message, StringComparison.Ordinal);
+        Assert.Contains("denied", Assert.Throws<SessionException>(() => Files.Save(_folder["closed/a.json"])).Message, StringComparison.Ordinal);
         Assert.Empty(Directory.GetFileSystemEntries(_folder["closed"]));
         Assert.Null(Document.Place.Path);
     }
@@ -136,7 +136,7 @@ public sealed class SceneFilesTests : IDisposable
         string zip = _folder.Write("broken.zip", "PK no");
         foreach (string path in new[] { _folder["utf16.json"], _folder["missing.json"], broken, zip, _folder.FullName, "", "a.json" })
         {
-            Assert.Throws<DocumentException>(() => Files.Open(path));
+            Assert.Throws<SessionException>(() => Files.Open(path));
         }
 
         Assert.Equal(text, Document.Text);
@@ -162,10 +162,10 @@ public sealed class SceneFilesTests : IDisposable
         Assert.StartsWith(_folder.User.Uploads, scene, StringComparison.Ordinal);
         foreach (string name in new[] { "", "..", "a/..", ".hidden.json", "a\nb.json", new string('x', 300) })
         {
-            await Assert.ThrowsAsync<DocumentException>(() => Files.Upload(name, new MemoryStream([1])));
+            await Assert.ThrowsAsync<SessionException>(() => Files.Upload(name, new MemoryStream([1])));
         }
 
-        await Assert.ThrowsAsync<DocumentException>(() => Files.Upload("large.png", new EndlessStream()));
+        await Assert.ThrowsAsync<SessionException>(() => Files.Upload("large.png", new EndlessStream()));
         Assert.Equal(2, Directory.GetFiles(Path.GetDirectoryName(scene)!).Length);
     }
 
@@ -194,8 +194,8 @@ public sealed class SceneFilesTests : IDisposable
         Assert.Equal(["sub"], listing.Folders);
         Assert.Equal(_folder.FullName, listing.Parent);
         Assert.Equal(_folder.FullName, Files.List().Path);
-        Assert.Throws<DocumentException>(() => Files.List(_folder["nowhere"]));
-        Assert.Throws<DocumentException>(() => Files.List("list"));
+        Assert.Throws<SessionException>(() => Files.List(_folder["nowhere"]));
+        Assert.Throws<SessionException>(() => Files.List("list"));
     }
 
     private sealed class EndlessStream : MemoryStream

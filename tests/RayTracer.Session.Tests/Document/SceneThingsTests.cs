@@ -104,11 +104,11 @@ public sealed class SceneThingsTests
     public void What_lacks_a_file_or_an_object_is_refused()
     {
         JsonText text = JsonText.Of("{}");
-        Assert.Throws<DocumentException>(() => SceneThings.Add(text, "shape", "model"));
-        Assert.Throws<DocumentException>(() => SceneThings.Add(text, "texture", "image"));
-        Assert.Throws<DocumentException>(() => SceneThings.Add(text, "shape", "instance"));
-        Assert.Throws<DocumentException>(() => SceneThings.Add(text, "shape", "teapot"));
-        Assert.Throws<DocumentException>(() => SceneThings.Add(text, "smell", "rose"));
+        Assert.Throws<SessionException>(() => SceneThings.Add(text, "shape", "model"));
+        Assert.Throws<SessionException>(() => SceneThings.Add(text, "texture", "image"));
+        Assert.Throws<SessionException>(() => SceneThings.Add(text, "shape", "instance"));
+        Assert.Throws<SessionException>(() => SceneThings.Add(text, "shape", "teapot"));
+        Assert.Throws<SessionException>(() => SceneThings.Add(text, "smell", "rose"));
         Assert.Contains("\"file\": \"a.png\"", SceneThings.Add(text, "texture", "image", file: "a.png").Text.Text, StringComparison.Ordinal);
     }
 
@@ -156,8 +156,8 @@ public sealed class SceneThingsTests
         (JsonText left, IReadOnlyList<string> notes) = SceneThings.Delete(text, ["/objects/o", "/shapes/0", "/shapes/2"]);
         Assert.Equal("keep", left.At("/shapes").Items.Single().Find("name")!.Text);
         Assert.Empty(notes);
-        Assert.Throws<DocumentException>(() => SceneThings.Delete(text, ["/shapes/1/center"]));
-        Assert.Throws<DocumentException>(() => SceneThings.Delete(text, ["/shapes/7"]));
+        Assert.Throws<SessionException>(() => SceneThings.Delete(text, ["/shapes/1/center"]));
+        Assert.Throws<SessionException>(() => SceneThings.Delete(text, ["/shapes/7"]));
     }
 
     [Fact]
@@ -212,11 +212,11 @@ public sealed class SceneThingsTests
     public void Names_that_cannot_be_are_refused()
     {
         JsonText text = JsonText.Of("""{ "materials": { "a": { "type": "diffuse" }, "b": "a" }, "textures": { "t": [1, 1, 1] }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": "a" }] }""");
-        Assert.Throws<DocumentException>(() => SceneThings.Rename(text, "/materials/a", "b"));
-        Assert.Throws<DocumentException>(() => SceneThings.Rename(text, "/materials/a", ""));
-        Assert.Throws<DocumentException>(() => SceneThings.Rename(text, "/textures/t", "red"));
-        Assert.Throws<DocumentException>(() => SceneThings.Rename(text, "/textures/t", "#123"));
-        Assert.Throws<DocumentException>(() => SceneThings.Rename(text, "/camera", "x"));
+        Assert.Throws<SessionException>(() => SceneThings.Rename(text, "/materials/a", "b"));
+        Assert.Throws<SessionException>(() => SceneThings.Rename(text, "/materials/a", ""));
+        Assert.Throws<SessionException>(() => SceneThings.Rename(text, "/textures/t", "red"));
+        Assert.Throws<SessionException>(() => SceneThings.Rename(text, "/textures/t", "#123"));
+        Assert.Throws<SessionException>(() => SceneThings.Rename(text, "/camera", "x"));
         Assert.Equal("c", SceneThings.Rename(text, "/materials/a", "c").Text.At("/shapes/0/material").Text);
         (JsonText named, _) = SceneThings.Rename(text, "/shapes/0", "ball");
         Assert.Equal("ball", named.At("/shapes/0/name").Text);

@@ -126,7 +126,7 @@ public sealed class ShapePlacementTests
     [InlineData("translate 1e38 1e38 1e38")]
     [InlineData("scale 1e-30 1e-30 1e-30")]
     public void Movements_that_cannot_be_computed_with_are_refused(string movement) =>
-        Assert.Throws<DocumentException>(() => Apply(JsonText.Of(Scene(Shape("sphere"))), "/shapes/0", movement));
+        Assert.Throws<SessionException>(() => Apply(JsonText.Of(Scene(Shape("sphere"))), "/shapes/0", movement));
 
     private static string Shape(string kind) => $"{{ \"type\": \"{kind}\", {s_shapes[kind]} }}";
 

@@ -100,7 +100,7 @@ public sealed class FilmTests
         File.Delete(path);
         FilmFile.Write(path, few, header with { Samples = [new(0, 3)] });
         await OpenFile(test, path);
-        await test.Done();
+        await test.FilmHash();
         string saved = Path.Combine(test.Folder, "b.rtfilm");
         await Save(test, saved);
         Film whole = new(24, 16, FilmPlane.Half);
@@ -119,7 +119,7 @@ public sealed class FilmTests
         await OpenFile(test, image);
         await test.Done();
         RenderStatus status = test.Session.View.Loop.Status;
-        Assert.Equal((12, 8, 4, new Tile(1, 2, 3, 4)), (status.Width, status.Height, status.SamplesTotal, status.Region!.Value));
+        Assert.Equal((12, 8, 4, new Tile(1, 2, 3, 4)), (status.Width, status.Height, status.SamplesTotal, test.Session.View.Settings.Region!.Value));
         Assert.Null(test.Session.Document.Place.Path);
         Assert.Contains("// from the front", test.Session.Document.Text, StringComparison.Ordinal);
         Assert.Contains("\"integrator\": \"path\"", test.Session.Document.Text, StringComparison.Ordinal);
@@ -131,7 +131,7 @@ public sealed class FilmTests
         Assert.Equal(test.Session.Document.Text, await File.ReadAllTextAsync(Path.Combine(test.Folder, "cropped.json")));
         await OpenFile(test, scene);
         await test.Done();
-        Assert.Equal((8, (Tile?)null), (test.Session.View.Loop.Status.SamplesTotal, test.Session.View.Loop.Status.Region));
+        Assert.Equal((8, (Tile?)null), (test.Session.View.Loop.Status.SamplesTotal, test.Session.View.Settings.Region));
     }
 
     [Fact]
@@ -148,12 +148,12 @@ public sealed class FilmTests
         string fresh = Rendered(scene, 8);
         Assert.Equal(fresh, await test.FilmHash());
         File.Delete(scene);
-        Assert.Contains("neither at", Assert.Throws<DocumentException>(() => test.Session.Files.Open(film, discard: true)).Message, StringComparison.Ordinal);
+        Assert.Contains("neither at", Assert.Throws<SessionException>(() => test.Session.Files.Open(film, discard: true)).Message, StringComparison.Ordinal);
         string image = Path.Combine(test.Folder, "other.png");
         ImageFile.Write(image, new Film(2, 2));
         Assert.Contains("does not say how it was made", Assert.Throws<JobException>(() => test.Session.Files.Open(image)).Message, StringComparison.Ordinal);
         await File.WriteAllTextAsync(film, "no film");
-        Assert.Throws<DocumentException>(() => test.Session.Files.Open(film));
+        Assert.Throws<SessionException>(() => test.Session.Files.Open(film));
     }
 
     private static async Task<string> Written(TestSession test)
@@ -192,7 +192,7 @@ public sealed class FilmTests
     private static async Task Save(TestSession test, string path)
     {
         int before = test.Session.Notices.Newest?.Id ?? 0;
-        await test.Session.Pictures.Save(path, PictureRequest.Of(null, []), overwrite: false);
+        await test.Session.Pictures.Save(test.Session.Pictures.Job(path), overwrite: false);
         Notice notice = await test.Until(() => test.Session.Jobs.Running.Count == 0 && test.Session.Notices.Newest is { } newest && newest.Id > before ? newest : null);
         Assert.Equal("info", notice.Kind);
     }

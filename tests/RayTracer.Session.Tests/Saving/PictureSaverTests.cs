@@ -20,7 +20,7 @@ public sealed class PictureSaverTests
         await test.Done();
         test.Session.View.Tone = new(0.5f, ToneMap.Reinhard);
         string path = Path.Combine(test.Folder, name);
-        await Save(test, path, new(bitDepth, []));
+        await Save(test, path, bitDepth);
         Film film = new RTracer(shown.Scene).Render().Film;
         string expected = Path.Combine(test.Folder, "expected" + Path.GetExtension(name));
         ImageFile.Write(expected, film, new() { BitDepth = bitDepth, Exposure = 0.5f, ToneMap = ToneMap.Reinhard, Metadata = [.. ImageFile.ReadText(path)] });
@@ -40,11 +40,10 @@ public sealed class PictureSaverTests
         using TestSession test = new();
         await test.OpenShipped("report/scene1.json", 40, 4);
         await test.Done();
-        PictureRequest request = PictureRequest.Of(null, ["depth", "samples"]);
-        await Save(test, Path.Combine(test.Folder, "a.png"), request);
+        await Save(test, Path.Combine(test.Folder, "a.png"), null, "depth", "samples");
         Assert.True(File.Exists(Path.Combine(test.Folder, "a.depth.png")));
-        byte[] plain = await test.Session.Pictures.Encode(".exr", PictureRequest.Of(null, []), default);
-        byte[] layered = await test.Session.Pictures.Encode(".exr", request, default);
+        byte[] plain = await test.Session.Pictures.Encode(test.Session.Pictures.Job("a.exr"), default);
+        byte[] layered = await test.Session.Pictures.Encode(test.Session.Pictures.Job("a.exr", null, "depth", "samples"), default);
         Assert.DoesNotContain("depth.Z", System.Text.Encoding.Latin1.GetString(plain), StringComparison.Ordinal);
         Assert.Contains("depth.Z", System.Text.Encoding.Latin1.GetString(layered), StringComparison.Ordinal);
     }
@@ -57,15 +56,14 @@ public sealed class PictureSaverTests
         await test.Done();
         string path = Path.Combine(test.Folder, "a.png");
         await File.WriteAllTextAsync(path, "mine");
-        PictureRequest plain = PictureRequest.Of(null, []);
-        Assert.Equal(SessionFault.Conflict, (await Assert.ThrowsAsync<SessionException>(() => test.Session.Pictures.Save(path, plain, overwrite: false))).Fault);
+        Assert.Equal(SessionFault.Exists, (await Assert.ThrowsAsync<SessionException>(() => test.Session.Pictures.Save(test.Session.Pictures.Job(path), overwrite: false))).Fault);
         Assert.Equal("mine", await File.ReadAllTextAsync(path));
-        await Assert.ThrowsAsync<JobException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "a.gif"), plain, false));
-        await Assert.ThrowsAsync<ImageWriteException>(() => test.Session.Pictures.Save(Path.Combine(test.Folder, "no", "a.png"), plain, false));
-        JobException films = await Assert.ThrowsAsync<JobException>(() => test.Session.Pictures.Save("a.rtfilm", PictureRequest.Of(null, ["depth"]), false));
+        await Assert.ThrowsAsync<JobException>(() => test.Session.Pictures.Save(test.Session.Pictures.Job(Path.Combine(test.Folder, "a.gif")), false));
+        await Assert.ThrowsAsync<ImageWriteException>(() => test.Session.Pictures.Save(test.Session.Pictures.Job(Path.Combine(test.Folder, "no", "a.png")), false));
+        JobException films = await Assert.ThrowsAsync<JobException>(() => test.Session.Pictures.Save(test.Session.Pictures.Job("a.rtfilm", null, "depth"), false));
         Assert.Equal("--aov and --denoise write images, but only films are written: give -o FILE.png or another image too", films.Message);
-        Assert.Throws<SessionException>(() => PictureRequest.Of(12, []));
-        Assert.Throws<SessionException>(() => PictureRequest.Of(8, ["beauty"]));
+        Assert.Throws<SessionException>(() => test.Session.Pictures.Job("a.png", 12));
+        Assert.Throws<SessionException>(() => test.Session.Pictures.Job("a.png", 8, "beauty"));
     }
 
     [Fact]
@@ -94,9 +92,9 @@ public sealed class PictureSaverTests
         Assert.Throws<SessionException>(() => test.Session.Snapshots.Png(99));
     }
 
-    private static async Task Save(TestSession test, string path, PictureRequest request)
+    private static async Task Save(TestSession test, string path, int? bitDepth, params string[] layers)
     {
-        await test.Session.Pictures.Save(path, request, overwrite: false);
+        await test.Session.Pictures.Save(test.Session.Pictures.Job(path, bitDepth, layers), overwrite: false);
         Notice notice = await test.Until(() => test.Session.Jobs.Running.Count == 0 ? test.Session.Notices.Newest : null);
         Assert.Equal(("info", $"wrote {path}"), (notice.Kind, notice.Text));
     }

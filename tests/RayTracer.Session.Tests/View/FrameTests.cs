@@ -22,7 +22,7 @@ public sealed class FrameTests
         using FrameLease frame = await test.Frame(wanted: f => f.IsLast);
         byte[] rgba = new byte[4 * 50 * 50];
         FramePixels.Write(frame.Picture, test.Session.View.Tone, 1, rgba);
-        byte[] png = await test.Session.Pictures.Encode(".png", PictureRequest.Of(null, []), default);
+        byte[] png = await test.Session.Pictures.Encode(test.Session.Pictures.Job("a.png"), default);
         var decoded = ImageFile.Decode(png);
         float[] row = new float[150];
         for (int y = 0; y < 50; y++)

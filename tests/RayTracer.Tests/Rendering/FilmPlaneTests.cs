@@ -112,6 +112,28 @@ public class FilmPlaneTests
         Assert.False(FilmPlane.Of("whole", FilmPlane.Half.Sums).IsKnown);
     }
 
+    [Fact]
+    public void An_integrator_that_traces_light_has_planes_for_it()
+    {
+        Assert.Equal([], FilmPlane.Needed(Integrator.Path, noise: true));
+        Assert.Equal([FilmPlane.Half], FilmPlane.Needed(Integrator.Path, halves: true));
+        Integrator light = new LightIntegrator();
+        Assert.Equal([FilmPlane.Light], FilmPlane.Needed(light));
+        Assert.Equal([FilmPlane.Light, FilmPlane.LightSquare], FilmPlane.Needed(light, noise: true));
+        Assert.Equal([FilmPlane.Half, FilmPlane.Light, FilmPlane.LightSquare, FilmPlane.LightHalf], FilmPlane.Needed(light, halves: true));
+
+        // What a pixel takes beside the camera's samples: 96 bytes for its light, and as many again with its noise and halves.
+        Assert.InRange(Bytes(light) + SplatSums.BytesPerPixel, 1, 96);
+        Assert.InRange(Bytes(light, hasHalves: true) - Bytes(Integrator.Path, hasHalves: true) + SplatSums.BytesPerPixel, 1, 192);
+    }
+
+    private static int Bytes(Integrator integrator, bool hasHalves = false) => 16 * FilmPlane.Needed(integrator, hasHalves).Sum(p => p.Sums.Count);
+
+    private sealed class LightIntegrator() : Integrator("lit", IntegratorTraits.TracesLight)
+    {
+        protected internal override SurfaceShader CreateShader(ShaderContext context) => Path.CreateShader(context);
+    }
+
     private static int Width(Scene scene) => scene.Render.Width;
 
     private static int Height(Scene scene) => scene.Render.Height;

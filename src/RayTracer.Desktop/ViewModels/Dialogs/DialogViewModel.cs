@@ -51,7 +51,7 @@ internal sealed class ShortcutsViewModel : DialogViewModel
 internal sealed record ShortcutGroup(string Title, IReadOnlyList<ShortcutRow> Rows);
 
 /// <summary>A line of the sheet of keys.</summary>
-/// <param name="What">What happens.</param>
+/// <param name="What">The action.</param>
 /// <param name="Keys">By which keys or gesture.</param>
 internal sealed record ShortcutRow(string What, string Keys);
 

@@ -5,8 +5,8 @@ using RayTracer.Session;
 namespace RayTracer.Desktop.ViewModels;
 
 /// <summary>Asks how to write the picture.</summary>
-/// <param name="write">Takes the format's extension, without its dot, and what to write; asks where to.</param>
-internal sealed class ExportViewModel(Action<string, PictureRequest> write) : DialogViewModel
+/// <param name="write">Takes the format's extension, without its dot, the bits a channel and the layers; asks where to.</param>
+internal sealed class ExportViewModel(Action<string, int, IEnumerable<string>> write) : DialogViewModel
 {
     private static readonly Choice[] AllFormats = [.. PictureSaver.Formats.Select(f => new Choice(f.Value, f.Label))];
     private static readonly Choice[] AllBits = [new("8", "8"), new("16", "16")];
@@ -52,16 +52,17 @@ internal sealed class ExportViewModel(Action<string, PictureRequest> write) : Di
     public bool HasLayers => Chosen.HasLayers;
 
     /// <summary>Writes it.</summary>
-    public ICommand Write => field ??= Button(() => write(_format.Value, PictureRequest.Of(
+    public ICommand Write => field ??= Button(() => write(
+        _format.Value,
         int.Parse(_bits.Value, System.Globalization.CultureInfo.InvariantCulture),
-        HasLayers ? Layers.Where(l => l.IsOn).Select(l => l.Name) : [])));
+        HasLayers ? Layers.Where(l => l.IsOn).Select(l => l.Name) : []));
 
     private PictureFormat Chosen => PictureSaver.Formats.First(f => f.Value == _format.Value);
 }
 
 /// <summary>A layer that an OpenEXR file may have.</summary>
-/// <param name="Name">How files call it.</param>
-/// <param name="Label">What it is called.</param>
+/// <param name="Name">Its name in files.</param>
+/// <param name="Label">Its name in the dialog.</param>
 internal sealed record LayerChoice(string Name, string Label)
 {
     public bool IsOn { get; set; }

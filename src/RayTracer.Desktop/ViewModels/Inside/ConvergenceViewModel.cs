@@ -104,6 +104,6 @@ internal sealed class ConvergenceViewModel(SessionDispatcher dispatcher, Func<bo
 
 /// <summary>A number at an axis of a plot.</summary>
 /// <param name="Text">The number.</param>
-/// <param name="X">Where, from the left.</param>
-/// <param name="Y">Where, from the top.</param>
+/// <param name="X">The distance from the left.</param>
+/// <param name="Y">The distance from the top.</param>
 internal sealed record PlotTick(string Text, double X, double Y);

@@ -83,7 +83,7 @@ internal sealed class StepsFieldViewModel(PanelContext context, CatalogueParamet
 
 /// <summary>A record of a list, such as a step of a transform.</summary>
 /// <param name="Title">The title.</param>
-/// <param name="RemoveText">What the button says that takes it away.</param>
+/// <param name="RemoveText">The label of the button that takes it away.</param>
 /// <param name="Record">Its parameters.</param>
 /// <param name="Remove">Takes it away.</param>
 internal sealed record StepViewModel(string Title, string RemoveText, RecordViewModel Record, ICommand Remove);

@@ -76,7 +76,7 @@ internal sealed class ColorFieldViewModel(PanelContext context, CatalogueParamet
 }
 
 /// <summary>One number of several.</summary>
-/// <param name="name">What it is called.</param>
+/// <param name="name">Its name.</param>
 /// <param name="change">Takes the number that was typed.</param>
 internal sealed class ComponentViewModel(string name, Action<double> change) : Observable
 {

@@ -19,8 +19,8 @@ internal sealed class GizmoViewModel(SessionDispatcher dispatcher) : Observable
 
     /// <summary>Finds the selected shape, and shows its handles.</summary>
     /// <param name="pointer">The shape; null for none.</param>
-    /// <param name="kind">What the handles do; null for none.</param>
-    /// <param name="stage">Where the picture lies.</param>
+    /// <param name="kind">The kind of the handles; null for none.</param>
+    /// <param name="stage">The place of the picture.</param>
     public async Task Follow(string? pointer, GizmoKind? kind, Stage stage)
     {
         _target = kind is { } k && pointer is not null && SceneThings.IsSeen(pointer) ? await dispatcher.Ask(s => Find(s, pointer, k)) : null;
@@ -94,7 +94,7 @@ internal sealed class GizmoViewModel(SessionDispatcher dispatcher) : Observable
 /// <param name="Axis">0 to 2; null for the one in the middle.</param>
 /// <param name="Points">Its line on the screen.</param>
 /// <param name="Color">Its colour as #rrggbb.</param>
-/// <param name="Name">What a screen reader calls it.</param>
+/// <param name="Name">Its name for screen readers.</param>
 internal sealed record HandleViewModel(int? Axis, IReadOnlyList<Spot> Points, string Color, string Name)
 {
     /// <summary>The distance of a point of the screen from it.</summary>

@@ -8,7 +8,7 @@ namespace RayTracer.Desktop.ViewModels;
 /// <param name="Width">The part's width, in the window's pixels.</param>
 /// <param name="Height">The part's height.</param>
 /// <param name="Zoom">The window's pixels for each pixel of the picture; null for as large as fits.</param>
-/// <param name="Shift">How far the picture's middle is from the part's.</param>
+/// <param name="Shift">The distance of the picture's middle from the part's.</param>
 internal sealed record Stage(int PictureWidth, int PictureHeight, double Width, double Height, double? Zoom, Spot Shift)
 {
     private const double Margin = 12;

@@ -23,7 +23,7 @@ internal sealed partial class ViewportViewModel
     public Action Selected { get; set; } = () => { };
 
     /// <summary>A button is pressed.</summary>
-    /// <param name="at">Where, on the stage.</param>
+    /// <param name="at">The point on the stage.</param>
     /// <param name="button">Which.</param>
     /// <param name="keys">The keys that are held.</param>
     public void Press(Spot at, PointerButton button, HeldKeys keys)
@@ -75,7 +75,7 @@ internal sealed partial class ViewportViewModel
     }
 
     /// <summary>The wheel is turned.</summary>
-    /// <param name="at">Where, on the stage.</param>
+    /// <param name="at">The point on the stage.</param>
     /// <param name="steps">Steps away from the user.</param>
     /// <param name="keys">The keys that are held.</param>
     public void Turn(Spot at, double steps, HeldKeys keys)

@@ -62,7 +62,7 @@ internal sealed class GltfAccessor
 
     /// <summary>Reads the first numbers of every element, one element after the other.</summary>
     /// <param name="into">Takes the numbers: <see cref="Count"/> times <paramref name="taken"/>.</param>
-    /// <param name="taken">How many numbers of each element are read, at most <see cref="Components"/>.</param>
+    /// <param name="taken">The number of numbers read of each element, at most <see cref="Components"/>.</param>
     public void Read(Span<float> into, int taken)
     {
         int size = GltfComponent.Size(Type);

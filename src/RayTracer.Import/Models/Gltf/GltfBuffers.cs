@@ -50,6 +50,6 @@ internal sealed class GltfBuffers(GltfDocument document, GltfFiles files)
 /// <param name="Object">The view in the file.</param>
 /// <param name="Bytes">The view's bytes.</param>
 /// <param name="Buffer">Which buffer they are of.</param>
-/// <param name="Offset">Where in the buffer they begin.</param>
+/// <param name="Offset">The offset in the buffer at which they begin.</param>
 /// <param name="Stride">Bytes from one element to the next; null where elements are packed.</param>
 internal sealed record GltfBufferView(GltfObject Object, ReadOnlyMemory<byte> Bytes, int Buffer, int Offset, int? Stride);

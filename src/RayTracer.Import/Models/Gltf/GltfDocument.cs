@@ -28,10 +28,7 @@ internal sealed class GltfDocument(GltfSource source, JsonNode root, string fold
     public ModelNotes Notes { get; } = new();
 
     /// <summary>One of the root's lists.</summary>
-    public IReadOnlyList<GltfObject> List(string name)
-    {
-        return _lists.Remember(name, () => Root.Children(name));
-    }
+    public IReadOnlyList<GltfObject> List(string name) => _lists.Remember(name, () => Root.Children(name));
 
     /// <summary>The object that an index refers to; null where there is no such property.</summary>
     /// <param name="from">The object that holds the index.</param>
@@ -75,7 +72,7 @@ internal sealed class GltfDocument(GltfSource source, JsonNode root, string fold
 
 /// <summary>The JSON text of a glTF file, and how messages name places in it.</summary>
 /// <param name="text">The text.</param>
-/// <param name="glbOffset">Where the text begins in a .glb file, in bytes; null where the text is a separate file.</param>
+/// <param name="glbOffset">The offset of the text in a .glb file, in bytes; null where the text is a separate file.</param>
 internal sealed class GltfSource(SourceText text, int? glbOffset)
 {
     /// <summary>The text.</summary>

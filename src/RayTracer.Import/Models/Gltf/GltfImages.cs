@@ -13,7 +13,7 @@ internal sealed class GltfImages(GltfDocument document, GltfBuffers buffers, Glt
 
     /// <summary>A picture, or what one of its channels says.</summary>
     /// <param name="index">Which of the file's images: an index that has been checked.</param>
-    /// <param name="channel">What of it: the colours are decoded from sRGB, all else is taken as it is.</param>
+    /// <param name="channel">The channel wanted: colours are decoded from sRGB, all else is taken as it is.</param>
     /// <returns>The picture; null for the opacity of one that has none.</returns>
     public Picture? Picture(int index, GltfChannel channel = GltfChannel.Color)
     {

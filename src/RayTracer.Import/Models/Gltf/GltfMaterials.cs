@@ -16,15 +16,8 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
 
     /// <summary>The material of a primitive.</summary>
     /// <param name="index">Which of the file's materials: an index that has been checked; null for none, which is light grey and matt here.</param>
-    public GltfMaterial Describe(int? index)
-    {
-        if (index is not { } known)
-        {
-            return _default;
-        }
-
-        return _described.Remember(known, () => Describe(document.List("materials")[known]));
-    }
+    public GltfMaterial Describe(int? index) =>
+        index is { } known ? _described.Remember(known, () => Describe(document.List("materials")[known])) : _default;
 
     private GltfMaterial Describe(GltfObject material)
     {

@@ -159,10 +159,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
         return list;
     }
 
-    private GltfAccessor Accessor(int index)
-    {
-        return _accessors.Remember(index, () => new(document, buffers, index));
-    }
+    private GltfAccessor Accessor(int index) => _accessors.Remember(index, () => new(document, buffers, index));
 
     private int Ask(GltfAccessor accessor, long bytes)
     {

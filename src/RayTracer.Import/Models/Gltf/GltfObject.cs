@@ -64,7 +64,7 @@ internal sealed class GltfObject(GltfSource source, JsonNode node, string path)
     /// <summary>A colour, linear, whose channels are cut off at 0 and a largest value.</summary>
     /// <param name="key">The property.</param>
     /// <param name="fallback">The colour where there is none.</param>
-    /// <param name="count">How many numbers the property has; a fourth one is left out.</param>
+    /// <param name="count">The number of numbers of the property; a fourth one is left out.</param>
     /// <param name="largest">The largest value of a channel.</param>
     public Rgb Color(string key, Rgb fallback, int count = 3, float largest = 1) => Numbers(key, count) is { } c
         ? new(float.Clamp(c[0], 0, largest), float.Clamp(c[1], 0, largest), float.Clamp(c[2], 0, largest))

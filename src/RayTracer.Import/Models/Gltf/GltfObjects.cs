@@ -18,11 +18,7 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
     /// <param name="isShared">True where other nodes show it too.</param>
     public ShapeDescription? Place(int mesh, bool isShared)
     {
-        if (!_described.TryGetValue(mesh, out ShapeDescription? shape))
-        {
-            shape = Describe(mesh);
-            _described.Add(mesh, shape);
-        }
+        ShapeDescription? shape = _described.Remember(mesh, () => Describe(mesh));
 
         // Every lamp is sampled for itself.
         if (shape is null || !isShared || Shines(shape))

@@ -12,7 +12,7 @@ internal sealed class GltfSparse
     /// <param name="document">The file.</param>
     /// <param name="buffers">Its buffers.</param>
     /// <param name="sparse">The accessor's property "sparse".</param>
-    /// <param name="elements">How many elements the accessor has.</param>
+    /// <param name="elements">The number of elements of the accessor.</param>
     /// <param name="size">Bytes of an element.</param>
     public GltfSparse(GltfDocument document, GltfBuffers buffers, GltfObject sparse, int elements, int size)
     {

@@ -91,10 +91,8 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
         return factor == Rgb.White ? texture : new ProductTextureDescription { First = texture, Second = solid };
     }
 
-    private TextureDescription Described(GltfTextureUse use, int image, GltfChannel channel)
-    {
-        return _described.Remember((use, channel), () => Placed(Image(use.Texture, images.Picture(image, channel)!), use));
-    }
+    private TextureDescription Described(GltfTextureUse use, int image, GltfChannel channel) =>
+        _described.Remember((use, channel), () => Placed(Image(use.Texture, images.Picture(image, channel)!), use));
 
     private int? Source(int texture)
     {

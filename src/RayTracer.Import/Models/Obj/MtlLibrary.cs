@@ -106,7 +106,7 @@ internal sealed class MtlLibrary(string folder)
 
     /// <summary>Reads the content of a material file.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="name">What notes call it.</param>
+    /// <param name="name">Its name in notes.</param>
     /// <exception cref="ModelException">Too much is wrong with it, or what is missing is an error.</exception>
     internal void Parse(ReadOnlySpan<byte> file, string name = "the material file")
     {

@@ -49,8 +49,8 @@ internal sealed class ObjReader
 
     /// <summary>Reads the content of a file.</summary>
     /// <param name="file">The whole file.</param>
-    /// <param name="folder">Where the files that it names are looked for.</param>
-    /// <param name="name">What the mesh is called where the file does not say.</param>
+    /// <param name="folder">The folder in which the files that it names are looked for.</param>
+    /// <param name="name">The name of a mesh that the file gives none.</param>
     /// <exception cref="ModelException">Something is wrong with it, or with a material file.</exception>
     public static ImportedModel Parse(ReadOnlySpan<byte> file, string folder, string name)
     {

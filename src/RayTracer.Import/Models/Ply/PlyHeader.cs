@@ -15,7 +15,7 @@ internal sealed record PlyProperty(string Name, PlyType Type, PlyType? CountType
 
 /// <summary>Things of one kind (vertices, faces …).</summary>
 /// <param name="Name">Its name.</param>
-/// <param name="Count">How many there are said to be.</param>
+/// <param name="Count">The number of elements, according to the header.</param>
 /// <param name="Line">The line of the header that says so.</param>
 internal sealed record PlyElement(string Name, long Count, int Line)
 {

@@ -21,7 +21,7 @@ internal ref struct PlyValues
     }
 
     /// <summary>Checks that the file is large enough for all things of a kind, before memory is taken for them.</summary>
-    /// <returns>How many there are.</returns>
+    /// <returns>The number of values.</returns>
     /// <exception cref="ModelException">It is not.</exception>
     public readonly int CheckCount(PlyElement element)
     {

@@ -32,13 +32,24 @@ internal readonly unsafe ref struct InstanceMaps(float* memory)
         }
     }
 
-    /// <summary>Each lane's own map, and its inverse: for a camera that moves.</summary>
+    /// <summary>Each lane's own map, without its inverse: for a camera that moves.</summary>
     public void Fill(Motion motion, in FloatW time)
     {
         float* scratch = stackalloc float[InstanceTable.Stride];
         for (int lane = 0; lane < FloatW.Count; lane++)
         {
             motion.At(time[lane]).Write(scratch);
+            Write(lane, scratch);
+        }
+    }
+
+    /// <summary>As <see cref="Fill(Motion, in FloatW)"/>, with the inverse.</summary>
+    public void FillBothWays(Motion motion, in FloatW time)
+    {
+        float* scratch = stackalloc float[InstanceTable.Stride];
+        for (int lane = 0; lane < FloatW.Count; lane++)
+        {
+            InstanceTable.WriteMaps(motion.At(time[lane]), scratch);
             Write(lane, scratch);
         }
     }
@@ -60,6 +71,13 @@ internal readonly unsafe ref struct InstanceMaps(float* memory)
 
     /// <summary>The factor on volumes into the world.</summary>
     public FloatW Determinant() => Vec3W.Dot(new(Number(0), Number(1), Number(2)), Vec3W.Cross(new(Number(4), Number(5), Number(6)), new(Number(8), Number(9), Number(10))));
+
+    /// <summary>The factor on areas into the world, of a surface with the given unit normal in the space.</summary>
+    public FloatW AreaFactor(in Vec3W normal)
+    {
+        Vec3W outside = NormalOut(normal);
+        return FloatW.Abs(Determinant()) * FloatW.Sqrt(Vec3W.Dot(outside, outside));
+    }
 
     /// <summary>Moves a surface from the space into the world.</summary>
     /// <param name="hasShading">True if it is shaded with another normal.</param>

@@ -133,7 +133,7 @@ internal sealed unsafe class InstanceTable
     /// <summary>Returns whether any instance stands in the way of a ray.</summary>
     /// <param name="ray">The ray, in the world.</param>
     /// <param name="time">Its time in seconds.</param>
-    /// <param name="distance">How far it must be free.</param>
+    /// <param name="distance">The distance over which the ray must be free.</param>
     /// <param name="skipped">An instance of which one primitive does not count; 0 for none.</param>
     /// <param name="skip">That primitive.</param>
     public bool AnyHit(in SpaceRay ray, float time, float distance, int skipped, int skip) => _tree.AnyHit(ray, time, distance, skipped, skip);
@@ -177,7 +177,8 @@ internal sealed unsafe class InstanceTable
         (box.Maximum + slack).CopyTo(to[3..]);
     }
 
-    private static void WriteMaps(in Transform place, float* to)
+    /// <summary>Writes a map and its inverse.</summary>
+    internal static void WriteMaps(in Transform place, float* to)
     {
         place.Write(to);
         place.Inverse().Write(to + Back);
@@ -196,7 +197,7 @@ internal sealed unsafe class InstanceTable
 }
 
 /// <summary>The hit of a ray.</summary>
-/// <param name="Distance">How far away.</param>
+/// <param name="Distance">The distance along the ray.</param>
 /// <param name="Primitive">The primitive, by its number among the scene's.</param>
 /// <param name="Instance">The instance that showed it; 0 for the world itself.</param>
 internal readonly record struct InstanceHit(float Distance, int Primitive, int Instance);

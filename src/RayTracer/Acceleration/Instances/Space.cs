@@ -10,9 +10,9 @@ namespace RayTracer.Acceleration;
 internal sealed class Space
 {
     /// <summary>Packs the contents of a space.</summary>
-    /// <param name="contents">What it holds.</param>
+    /// <param name="contents">The contents of the space.</param>
     /// <param name="first">Number of its first primitive among the scene's.</param>
-    /// <param name="nothing">What stands for no primitive.</param>
+    /// <param name="nothing">The number that stands for no primitive.</param>
     /// <param name="largestLoop">The most shapes that rays are tested against one after the other.</param>
     public Space(SpaceContents contents, int first, int nothing, int largestLoop)
     {
@@ -27,13 +27,20 @@ internal sealed class Space
         }
 
         Primitives = new(Shapes, Batches, nothing, largestLoop);
-        Bounds = Shapes.Aggregate(Bounds.Empty, (all, shape) => all.Union(shape.Bounds));
+        (Bounds, FiniteBounds) = (Bounds.Empty, Bounds.Empty);
+        foreach (Bounds box in Shapes.Select(s => s.Bounds))
+        {
+            Bounds = Bounds.Union(box);
+            FiniteBounds = box.IsFinite ? FiniteBounds.Union(box) : FiniteBounds;
+        }
+
         if (contents.Meshes.Count > 0)
         {
             Mesh = MeshTable.Create(contents.Meshes);
             Mesh.FirstPrimitive = first;
             Tree = TriangleBvh.Build(Mesh.Positions, Mesh.Indices, Environment.ProcessorCount);
-            Bounds = contents.Meshes.Aggregate(Bounds, (all, mesh) => all.Union(MeshTable.BoundsOf(mesh.Data).Transformed(mesh.Place)));
+            Bounds meshes = contents.Meshes.Aggregate(Bounds.Empty, (all, mesh) => all.Union(MeshTable.BoundsOf(mesh.Data).Transformed(mesh.Place)));
+            (Bounds, FiniteBounds) = (Bounds.Union(meshes), FiniteBounds.Union(meshes));
         }
     }
 
@@ -63,6 +70,9 @@ internal sealed class Space
 
     /// <summary>The box around everything; infinite where something is.</summary>
     public Bounds Bounds { get; }
+
+    /// <summary>The box around all that has an end.</summary>
+    public Bounds FiniteBounds { get; }
 
     /// <summary>True where anything in it shines.</summary>
     public bool Shines => Array.Exists(Shapes, s => s.Material.Traits.Emits) || Contents.Meshes.Exists(m => m.Materials.Any(material => material.Traits.Emits));
@@ -104,7 +114,7 @@ internal sealed class Space
 
     /// <summary>Returns the cost of finding the nearest hit of one ray: nodes visited plus triangles tested.</summary>
     /// <param name="ray">The ray, in coordinates of the space.</param>
-    /// <param name="distance">How far hits count, in multiples of the direction.</param>
+    /// <param name="distance">The largest distance at which hits count, in multiples of the direction.</param>
     public long Cost(in SpaceRay ray, float distance)
     {
         MeetShapes(ray, ref distance);
@@ -113,7 +123,7 @@ internal sealed class Space
 
     /// <summary>Returns whether anything stands in the way of one ray.</summary>
     /// <param name="ray">The ray, in coordinates of the space.</param>
-    /// <param name="distance">How far it must be free, in multiples of the direction.</param>
+    /// <param name="distance">The distance over which it must be free, in multiples of the direction.</param>
     /// <param name="skip">A primitive that does not count; −1 for none.</param>
     public bool AnyHit(in SpaceRay ray, float distance, int skip)
     {
@@ -196,12 +206,19 @@ internal readonly unsafe record struct SpaceRay(Vector3 Origin, Vector3 Directio
     /// <summary>In the world: the instance from whose surface it starts; 0 for none.</summary>
     public int StartInstance { get; init; }
 
-    /// <summary>Where it starts in that instance's space.</summary>
+    /// <summary>The point from which it starts, in that instance's space.</summary>
     public Vector3 InnerStart { get; init; }
+
+    /// <summary>One ray of a packet.</summary>
+    /// <param name="origin">The points from which the rays start.</param>
+    /// <param name="direction">Their directions.</param>
+    /// <param name="lane">Which of them.</param>
+    public static SpaceRay Of(in Vec3W origin, in Vec3W direction, int lane) => new(
+        new(origin.X[lane], origin.Y[lane], origin.Z[lane]), new(direction.X[lane], direction.Y[lane], direction.Z[lane]));
 
     /// <summary>The ray as a stream of one.</summary>
     /// <param name="self">This ray, where it stays.</param>
-    /// <param name="distance">How far hits count.</param>
+    /// <param name="distance">The largest distance at which hits count.</param>
     /// <param name="primitive">Takes the hit.</param>
     public RayStream AsStream(SpaceRay* self, float* distance, int* primitive)
     {

@@ -18,7 +18,7 @@ internal sealed unsafe class PrimitiveList
     /// <summary>Takes the shapes of a space.</summary>
     /// <param name="shapes">The shapes in the order of their primitive numbers.</param>
     /// <param name="batches">The same, packed by kind.</param>
-    /// <param name="nothing">What stands for no primitive: a number that none has.</param>
+    /// <param name="nothing">The number that stands for no primitive.</param>
     /// <param name="largestLoop">The most shapes without a tree.</param>
     internal PrimitiveList(Shape[] shapes, ShapeBatch[] batches, int nothing, int largestLoop)
     {
@@ -46,7 +46,7 @@ internal sealed unsafe class PrimitiveList
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">Distance to the nearest hit; infinite where there is none.</param>
     /// <param name="primitive">The primitive hit; the number that stands for nothing where there is none.</param>
-    /// <param name="lanes">How many of the lanes count; what the others come to is undefined.</param>
+    /// <param name="lanes">The number of lanes that count; the results in the others are undefined.</param>
     public void ClosestHit(in Vec3W origin, in Vec3W direction, out FloatW distance, out UIntW primitive, int lanes = int.MaxValue)
     {
         distance = float.PositiveInfinity;
@@ -59,7 +59,7 @@ internal sealed unsafe class PrimitiveList
     /// <param name="direction">Unit directions.</param>
     /// <param name="distance">Distance to the nearest hit so far.</param>
     /// <param name="primitive">The primitive hit so far.</param>
-    /// <param name="lanes">How many of the lanes count; what the others come to is undefined.</param>
+    /// <param name="lanes">The number of lanes that count; the results in the others are undefined.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Shorten(in Vec3W origin, in Vec3W direction, ref FloatW distance, ref UIntW primitive, int lanes = int.MaxValue)
     {
@@ -78,7 +78,7 @@ internal sealed unsafe class PrimitiveList
     /// <summary>Clears those rays that something stands in the way of.</summary>
     /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
-    /// <param name="distance">How far they must be free.</param>
+    /// <param name="distance">The distance over which the rays must be free.</param>
     /// <param name="skip">A primitive that does not count; −1 for none.</param>
     /// <param name="free">The rays to look at; cleared where they are not free.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -138,7 +138,7 @@ internal sealed unsafe class PrimitiveList
         primitive.Store(primitives);
         for (int lane = 0; lane < lanes; lane++)
         {
-            _tree!.ClosestHit(RayOf(origin, direction, lane), limit[lane], ref distances[lane], ref primitives[lane]);
+            _tree!.ClosestHit(SpaceRay.Of(origin, direction, lane), limit[lane], ref distances[lane], ref primitives[lane]);
         }
 
         distance = FloatW.Load(distances);
@@ -153,14 +153,11 @@ internal sealed unsafe class PrimitiveList
         for (uint left = free.Bits; left != 0; left &= left - 1)
         {
             int lane = BitOperations.TrailingZeroCount(left);
-            blocked[lane] = _tree!.AnyHit(RayOf(origin, direction, lane), distance[lane], skip) ? -1 : 0;
+            blocked[lane] = _tree!.AnyHit(SpaceRay.Of(origin, direction, lane), distance[lane], skip) ? -1 : 0;
         }
 
         free = free.Except(new(Vector.Load(blocked)));
     }
-
-    private static SpaceRay RayOf(in Vec3W origin, in Vec3W direction, int lane) => new(
-        new(origin.X[lane], origin.Y[lane], origin.Z[lane]), new(direction.X[lane], direction.Y[lane], direction.Z[lane]));
 
     // Consecutive shapes of a batch.
     private readonly record struct Loop(ShapeBatch Batch, int First, int End);

@@ -41,7 +41,7 @@ public abstract unsafe class ShapeBatch(int count, int constants) : SurfaceTable
     /// <summary>Finds out which rays are free (report: ShadowHit, which ends at the first hit here).</summary>
     /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
-    /// <param name="distance">How far the rays must be free.</param>
+    /// <param name="distance">The distance over which the rays must be free.</param>
     /// <param name="skip">A primitive that does not count: the light source that the rays end on, of which only what lies before that end
     /// may be in the way; −1 for none.</param>
     /// <param name="free">The rays that are free so far; cleared where a shape stands in the way.</param>
@@ -53,7 +53,7 @@ public abstract unsafe class ShapeBatch(int count, int constants) : SurfaceTable
     /// <param name="to">Index behind the last shape.</param>
     /// <param name="origin">The points from which the rays start.</param>
     /// <param name="direction">Unit directions.</param>
-    /// <param name="distance">How far the rays must be free.</param>
+    /// <param name="distance">The distance over which the rays must be free.</param>
     /// <param name="skip">A primitive that does not count, as above.</param>
     /// <param name="free">The rays that are free so far; cleared where a shape stands in the way.</param>
     public abstract void Occlude(int from, int to, in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free);

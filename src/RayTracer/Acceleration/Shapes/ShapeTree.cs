@@ -41,7 +41,7 @@ internal sealed class ShapeTree
 
     /// <summary>Shortens a ray to the nearest hit. Of equal distances the lowest primitive number wins.</summary>
     /// <param name="ray">The ray; its direction has unit length.</param>
-    /// <param name="limit">How far hits counted in the beginning.</param>
+    /// <param name="limit">The distance at which hits counted at first.</param>
     /// <param name="distance">Distance of the nearest hit so far.</param>
     /// <param name="primitive">The primitive hit so far.</param>
     public void ClosestHit(in SpaceRay ray, float limit, ref float distance, ref uint primitive)
@@ -53,7 +53,7 @@ internal sealed class ShapeTree
 
     /// <summary>Returns whether a shape stands in the way of a ray.</summary>
     /// <param name="ray">The ray; its direction has unit length.</param>
-    /// <param name="distance">How far it must be free.</param>
+    /// <param name="distance">The distance over which the ray must be free.</param>
     /// <param name="skip">A primitive that does not count; −1 for none.</param>
     public bool AnyHit(in SpaceRay ray, float distance, int skip)
     {

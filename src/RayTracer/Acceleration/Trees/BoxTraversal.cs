@@ -9,7 +9,7 @@ internal interface IBoxSearch
 {
     /// <summary>Looks at a thing whose box the ray meets.</summary>
     /// <param name="thing">Its number in the tree.</param>
-    /// <param name="distance">How far hits still count.</param>
+    /// <param name="distance">The largest distance at which hits count.</param>
     /// <returns>True if the search is over.</returns>
     bool Visit(int thing, ref float distance);
 
@@ -23,8 +23,8 @@ internal static unsafe class BoxTraversal
     /// <summary>Visits all things whose boxes a ray meets within a distance.</summary>
     /// <param name="tree">The tree, with one thing a leaf.</param>
     /// <param name="ray">The ray.</param>
-    /// <param name="distance">How far hits count.</param>
-    /// <param name="search">What is done with the things.</param>
+    /// <param name="distance">The largest distance at which hits count.</param>
+    /// <param name="search">The treatment of the things found.</param>
     /// <returns>True if the search ended before all were visited.</returns>
     [SkipLocalsInit]
     public static bool Follow<TSearch>(WideBvh tree, in SpaceRay ray, float distance, ref TSearch search)

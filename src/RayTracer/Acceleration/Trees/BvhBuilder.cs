@@ -37,7 +37,7 @@ internal sealed unsafe class BvhBuilder : IDisposable
     }
 
     /// <summary>Builds a tree.</summary>
-    /// <param name="primitives">What it is built over.</param>
+    /// <param name="primitives">The primitives that the tree is built over.</param>
     /// <param name="leafSize">Most primitives a leaf, 1 to 8.</param>
     /// <param name="threads">Number of threads.</param>
     public static WideBvh Build<TPrimitives>(TPrimitives primitives, int leafSize, int threads)
@@ -204,7 +204,7 @@ internal sealed unsafe class BvhBuilder : IDisposable
     }
 
     /// <summary>Cuts a range into children.</summary>
-    /// <returns>How many.</returns>
+    /// <returns>The number of children.</returns>
     private int Open(in BvhRange range, ref Children children, SahBins bins, int depth)
     {
         children[0] = range;

@@ -59,7 +59,7 @@ internal unsafe struct BvhNode
 
     /// <summary>Refers to a leaf.</summary>
     /// <param name="first">Its first primitive in the tree's order.</param>
-    /// <param name="count">How many, 1 to 8.</param>
+    /// <param name="count">The number of children, 1 to 8.</param>
     public static uint LeafReference(int first, int count) => LeafBit | ((uint)(count - 1) << 28) | (uint)first;
 
     /// <summary>Number of primitives of a leaf.</summary>

@@ -31,7 +31,7 @@ internal sealed unsafe class BvhNodeList(int capacity) : IDisposable
     }
 
     /// <summary>Copies all nodes to their place in the whole tree.</summary>
-    /// <param name="target">Where the first one goes.</param>
+    /// <param name="target">The index of the first one.</param>
     /// <param name="first">Its index there.</param>
     public void MoveTo(BvhNode* target, int first)
     {

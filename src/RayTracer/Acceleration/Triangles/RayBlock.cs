@@ -71,10 +71,10 @@ internal unsafe struct RayBlock
     public fixed float Spare[8];
 
     /// <summary>Takes rays of a stream.</summary>
-    /// <param name="block">Where to.</param>
+    /// <param name="block">The block to fill.</param>
     /// <param name="rays">The stream.</param>
     /// <param name="first">Index of the first ray, or place of the first index.</param>
-    /// <param name="count">How many, 1 to 64.</param>
+    /// <param name="count">The number of rays, 1 to 64.</param>
     /// <param name="order">Which rays to take; null for consecutive ones. Only the lower half of each number counts.</param>
     /// <param name="bounds">The tree's bounds.</param>
     /// <returns>The rays that can hit something.</returns>

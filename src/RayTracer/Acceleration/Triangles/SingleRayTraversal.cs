@@ -11,7 +11,7 @@ internal static unsafe class SingleRayTraversal
     /// <summary>Follows a ray.</summary>
     /// <param name="nodes">The tree's nodes.</param>
     /// <param name="triangles">The tree's leaves.</param>
-    /// <param name="rays">Where the ray is, and its hit comes.</param>
+    /// <param name="rays">The rays: one of them is traced, and its hit is stored there.</param>
     /// <param name="ray">Which one.</param>
     /// <param name="start">Node or leaf to begin with.</param>
     /// <param name="stack">Memory to work with.</param>

@@ -63,12 +63,12 @@ internal sealed unsafe class TriangleBvh
 
     /// <summary>Finds the nearest hit of each ray.</summary>
     /// <param name="rays">The rays; distances and primitives are written.</param>
-    /// <param name="mode">How to go about it; the result is the same.</param>
+    /// <param name="mode">The strategy of the traversal; the result is the same.</param>
     public void ClosestHit(in RayStream rays, TraversalMode mode = TraversalMode.Automatic) => Trace<ClosestSearch>(rays, mode);
 
     /// <summary>Finds out which rays hit anything.</summary>
     /// <param name="rays">The rays; primitives are written: 0 for a hit, −1 for none.</param>
-    /// <param name="mode">How to go about it; the result is the same.</param>
+    /// <param name="mode">The strategy of the traversal; the result is the same.</param>
     public void AnyHit(in RayStream rays, TraversalMode mode = TraversalMode.Automatic) => Trace<AnySearch>(rays, mode);
 
     /// <summary>Finds the nearest hit of a ray.</summary>

@@ -186,15 +186,8 @@ public sealed class RecordParameter
         Vector2 v => [v.X, v.Y],
         Vector3 v => [v.X, v.Y, v.Z],
         Rgb c => [c.R, c.G, c.B],
-        TextureDescription t => WithParts(t, new(ReferenceEqualityComparer.Instance)).OfType<SolidTextureDescription>().SelectMany(s => Numbers(s.Color)),
+        TextureDescription t => Description.RecordType.WithParts(t).Select(p => p.Record).OfType<SolidTextureDescription>().SelectMany(s => Numbers(s.Color)),
         not null when value.GetType() is { IsValueType: true, IsPrimitive: false, IsEnum: false } type => type.GetFields(AllFields).SelectMany(f => Numbers(f.GetValue(value))),
         _ => [],
     };
-
-    // Each texture once, however many paths lead to it: there may be exponentially many.
-    private static IEnumerable<object> WithParts(object texture, HashSet<object> seen) => !seen.Add(texture) ? []
-        : Description.RecordType.Of(texture.GetType()).Parameters
-            .Where(p => p.ValueType == typeof(TextureDescription))
-            .SelectMany(p => WithParts(p.Get(texture)!, seen))
-            .Prepend(texture);
 }

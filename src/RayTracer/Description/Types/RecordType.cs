@@ -46,6 +46,22 @@ public sealed class RecordType
     /// no defaults.</param>
     public static RecordType Of(Type record) => Known.GetOrAdd(record, r => new RecordType(r));
 
+    /// <summary>A record and all that it consists of, each once, with the first record that holds it: null for the record itself.</summary>
+    internal static IEnumerable<(object Record, object? Owner)> WithParts(object record)
+    {
+        HashSet<object> seen = new(ReferenceEqualityComparer.Instance);
+        Queue<(object Record, object? Owner)> next = new([(record, null)]);
+        while (next.TryDequeue(out (object Record, object? Owner) found))
+        {
+            if (seen.Add(found.Record))
+            {
+                yield return found;
+                IEnumerable<object> parts = Of(found.Record.GetType()).Parameters.SelectMany(p => p.RecordsIn(p.Get(found.Record)));
+                parts.OfType<object>().ToList().ForEach(part => next.Enqueue((part, found.Record)));
+            }
+        }
+    }
+
     /// <summary>The parameter of a key; null where there is none.</summary>
     public RecordParameter? Find(string key) => _byKey.GetValueOrDefault(key);
 

@@ -15,7 +15,11 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
     private const int SmallestList = 64;
     private const int PathsPerList = 16384;
     private readonly ConcurrentBag<Wavefront> _idle = [];
+    private LightPass? _light;
     private readonly int _threads = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
+
+    /// <summary>Makes what sees the paths of a thread; null where nobody asks.</summary>
+    public Func<PathObserver>? Observe { get; init; }
 
     /// <summary>The work that was done so far.</summary>
     public RenderStatistics Statistics => new()
@@ -46,12 +50,31 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
     /// <exception cref="OperationCanceledException">It was cancelled: some pixels have all the samples, others have none.</exception>
     public void Render(Film film, int[] pixels, int[] targets, SampleRange samples, uint seed, Action<long, long> report, CancellationToken cancellation)
     {
+        if (!scene.Render.Integrator.Has(Description.IntegratorTraits.TracesLight))
+        {
+            RenderLists(film, pixels, targets, samples, seed, report, cancellation);
+            return;
+        }
+
+        // Light comes sample by sample; its splats are the same for all pixels, however many camera samples they get.
+        _light ??= new(scene, options, _threads, seed);
+        for (int sample = samples.First; sample < samples.End && _light.Trace(sample, cancellation); sample++)
+        {
+            _light.Splats.Drop();
+            RenderLists(film, pixels, targets, new(sample, sample + 1), seed, report, cancellation);
+        }
+
+        cancellation.ThrowIfCancellationRequested();
+    }
+
+    private void RenderLists(Film film, int[] pixels, int[] targets, SampleRange samples, uint seed, Action<long, long> report, CancellationToken cancellation)
+    {
         int length = ListLength(pixels.Length, samples.Count, _threads);
         int lists = ((pixels.Length - 1) / length) + 1;
         ParallelOptions parallel = new() { MaxDegreeOfParallelism = _threads, CancellationToken = cancellation };
         Parallel.For(0, lists, parallel, list =>
         {
-            Wavefront worker = _idle.TryTake(out Wavefront? idle) ? idle : new(scene, options.StreamSize, LargestList);
+            Wavefront worker = _idle.TryTake(out Wavefront? idle) ? idle : new(scene, options.StreamSize, LargestList, Observe?.Invoke(), _light);
             long paths = worker.Paths;
             long rays = worker.ClosestHitRays + worker.ShadowRays;
             int start = list * length;

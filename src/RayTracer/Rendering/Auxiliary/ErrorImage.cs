@@ -24,7 +24,7 @@ public sealed record ErrorImage : FilmImage
 
     /// <inheritdoc/>
     public override void Read(Film film, int x, int y, Span<double> values) =>
-        values[0] = film.SampleCount(x, y) is var n and > 0 ? float.Sqrt(Math.Max(0, film.SampleVariance(x, y)) / n) : 0;
+        values[0] = float.Sqrt(film.MeanVariance(x, y));
 
     /// <inheritdoc/>
     public override string Legend(NumberRange range) =>

@@ -18,12 +18,19 @@ public sealed class PathTracing(Scene scene)
     /// <param name="samples">The samples.</param>
     /// <returns>Their paths, in the order of the samples.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such pixel or sample.</exception>
+    /// <exception cref="NotSupportedException">The integrator's light is not that of single camera paths.</exception>
     public IReadOnlyList<TracedPath> Trace(int x, int y, SampleRange samples)
     {
         ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)x, (uint)scene.Render.Width, nameof(x));
         ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)y, (uint)scene.Render.Height, nameof(y));
         ArgumentOutOfRangeException.ThrowIfNegative(samples.First, nameof(samples));
         ArgumentOutOfRangeException.ThrowIfGreaterThan(samples.End, scene.Render.SamplesPerPixel, nameof(samples));
+        if (scene.Render.Integrator.Has(Description.IntegratorTraits.TracesLight))
+        {
+            throw new NotSupportedException(
+                $"The {scene.Render.Integrator.Name} integrator makes a pixel of many light paths, from the camera and from the lights: to look into them one by one, choose path.");
+        }
+
         PathRecorder recorder = new(scene);
         Wavefront wavefront = new(scene, StreamSize, 1, recorder);
         List<TracedPath> paths = [];

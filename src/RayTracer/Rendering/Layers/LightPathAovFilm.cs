@@ -76,7 +76,8 @@ public sealed class LightPathAovFilm
     {
         if (!scene.Render.Integrator.Has(IntegratorTraits.Layers))
         {
-            throw new ArgumentException($"The integrator {scene.Render.Integrator} has no light that can be split.", nameof(scene));
+            throw new ArgumentException(
+                $"Layers of light: {Integrator.Only(IntegratorTraits.Layers, "write")} them, and the scene's is {scene.Render.Integrator}.", nameof(scene));
         }
 
         HashSet<LightPathAov> wanted = [.. kinds];

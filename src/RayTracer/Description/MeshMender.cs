@@ -1,0 +1,55 @@
+using RayTracer.Numerics;
+using RayTracer.Shapes;
+
+namespace RayTracer.Description;
+
+/// <summary>Makes the data of described meshes fit to be rendered, each once.</summary>
+/// <param name="builder">Takes what is reported.</param>
+internal sealed class MeshMender(SceneBuilder builder)
+{
+    private readonly Dictionary<object, MeshData> _mended = new(ReferenceEqualityComparer.Instance);
+
+    /// <summary>The triangles of a mesh, with what a shape wants of it; null where they have a fault, which is reported.</summary>
+    /// <param name="wanted">The shape that shows the mesh.</param>
+    /// <param name="mesh">The mesh, which may come from a file that the shape names.</param>
+    public MeshData? Mended(MeshDescription wanted, MeshDescription mesh)
+    {
+        // What one file's mesh becomes in one shape is not kept for others.
+        object key = (object?)mesh.Data ?? mesh;
+        if (MeshVariant.IsOwn(wanted) && _mended.TryGetValue(key, out MeshData? known))
+        {
+            return known;
+        }
+
+        int[] missing = mesh.Data is not null ? [] : [.. mesh.Triangles.SelectMany(t => new[] { t.A, t.B, t.C }).Where(c => (uint)c >= (uint)mesh.Positions.Count).Take(1)];
+        if (missing is [var corner])
+        {
+            builder.Error(mesh, nameof(MeshDescription.Triangles), $"a triangle has the corner {corner}, but there are {mesh.Positions.Count}, counted from 0");
+            return null;
+        }
+
+        MeshData data = MeshDoctor.Mend(MeshVariant.Of(mesh.Data ?? Inline(mesh), wanted), out string report);
+        if (MeshVariant.IsOwn(wanted))
+        {
+            _mended.Add(key, data);
+        }
+
+        if (report.Length > 0)
+        {
+            builder.Warn(mesh, null, $"{Name(mesh)}: {report}");
+        }
+
+        return data;
+    }
+
+    private static MeshData Inline(MeshDescription mesh) => new([.. mesh.Positions], [.. mesh.Triangles.SelectMany(t => new[] { t.A, t.B, t.C })])
+    {
+        Normals = mesh.Normals.Count > 0 ? [.. mesh.Normals] : null,
+        Uv = mesh.Uv.Count > 0 ? [.. mesh.Uv] : null,
+        Colors = mesh.Colors.Count > 0 ? [.. mesh.Colors.Select(c => new Rgb(c.X, c.Y, c.Z))] : null,
+        MaterialOfTriangle = mesh.MaterialOfTriangle.Count > 0 ? [.. mesh.MaterialOfTriangle] : null,
+    };
+
+    /// <summary>The name of a mesh in messages.</summary>
+    public static string Name(MeshDescription mesh) => mesh.Name.Length > 0 ? $"mesh \"{mesh.Name}\"" : "the mesh";
+}

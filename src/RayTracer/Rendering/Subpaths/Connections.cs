@@ -1,0 +1,254 @@
+using System.Numerics;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Connects vertices of camera paths with the vertices of a light path. The camera's end is computed where the camera path is; then connections wait,
+/// are sorted by what the light's end is on, and that end is described again and computed, so that both are shaded in packets.
+/// </summary>
+/// <param name="scene">The scene.</param>
+/// <param name="pass">Has the light paths.</param>
+internal sealed unsafe class Connections(Scene scene, LightPass pass)
+{
+    private const uint DepthBits = 0xffff;
+    private const int Full = 16384;
+    private Connection[] _waiting = new Connection[Full];
+    private int[] _order = new int[Full];
+    private readonly int[] _starts = new int[scene.Groups.Length + 1];
+    private readonly PathStream _room = new(16);
+    private readonly PinnedBuffer<uint> _iota = Iota();
+    private readonly PinnedBuffer<EndW> _end = new(1);
+    private int _count;
+
+    /// <summary>So many wait that they should be traced.</summary>
+    public bool IsFull => _count >= Full;
+
+    /// <summary>The number of rays that were asked for.</summary>
+    public long Traced { get; private set; }
+
+    /// <summary>Connects vertices with all vertices of a light path each.</summary>
+    /// <param name="group">The group of surfaces.</param>
+    /// <param name="surface">The vertices of camera paths.</param>
+    /// <param name="camera">More of them.</param>
+    /// <param name="lightPath">Numbers of the light paths.</param>
+    /// <param name="maxDepth">The number of edges that a whole path may have.</param>
+    /// <param name="active">The lanes in use.</param>
+    public void Add(ShadingGroup group, ref SurfaceW surface, in CameraEndW camera, UIntW lightPath, uint maxDepth, MaskW active)
+    {
+        lightPath = active.Select(lightPath, 0u);
+        UIntW next = UIntW.Gather(pass.Vertices.First, lightPath);
+        UIntW end = active.Select(UIntW.Gather(pass.Vertices.First + 1, lightPath), 0u);
+        for (MaskW has = active & next < end; has.Any; has = active & next < end)
+        {
+            // The vertices of a path come by their numbers: those after one too many are, too.
+            UIntW vertex = has.Select(next, 0u);
+            UIntW at = vertex * LightVertex.Numbers;
+            float* numbers = (float*)pass.Vertices.Vertices;
+            UIntW number = UIntW.Gather((uint*)numbers + 12, at) & DepthBits;
+            has &= camera.Number + number + 2u < maxDepth;
+            Vec3W to = new Vec3W(FloatW.Gather(numbers, at), FloatW.Gather(numbers + 1, at), FloatW.Gather(numbers + 2, at)) - surface.Point;
+            FloatW distance2 = Vec3W.Dot(to, to);
+            Vec3W direction = to * (1f / FloatW.Sqrt(distance2));
+            Wait(group, ref surface, camera, vertex, direction, has & distance2 > 0f);
+            next += 1u;
+        }
+    }
+
+    /// <summary>Computes all that wait.</summary>
+    /// <param name="rays">Takes the rays between the ends, with what they bring, for the camera's paths.</param>
+    /// <param name="trace">Makes room for rays.</param>
+    public void Flush(ShadowRays rays, Action trace)
+    {
+        Sort();
+        for (int i = 0; i < _count;)
+        {
+            int group = GroupOf(_order[i]);
+            int count = 1;
+            while (count < FloatW.Count && i + count < _count && GroupOf(_order[i + count]) == group)
+            {
+                count++;
+            }
+
+            if (!rays.HasRoomFor(FloatW.Count))
+            {
+                trace();
+            }
+
+            Connect(scene.Groups[group], _order.AsSpan(i, count), rays);
+            i += count;
+        }
+
+        _count = 0;
+    }
+
+    private static PinnedBuffer<uint> Iota()
+    {
+        PinnedBuffer<uint> numbers = new(16);
+        for (uint i = 0; i < 16; i++)
+        {
+            numbers.Pointer[i] = i;
+        }
+
+        return numbers;
+    }
+
+    private int GroupOf(int connection) => scene.GroupOfPrimitive[pass.Vertices.Vertices[_waiting[connection].Vertex].Primitive];
+
+    // By the group of the light's end; those of one group as they came.
+    private void Sort()
+    {
+        if (_order.Length < _count)
+        {
+            _order = new int[_waiting.Length];
+        }
+
+        Array.Clear(_starts);
+        for (int i = 0; i < _count; i++)
+        {
+            _starts[GroupOf(i) + 1]++;
+        }
+
+        for (int group = 1; group < _starts.Length; group++)
+        {
+            _starts[group] += _starts[group - 1];
+        }
+
+        for (int i = 0; i < _count; i++)
+        {
+            _order[_starts[GroupOf(i)]++] = i;
+        }
+    }
+
+    // The camera's end.
+    private void Wait(ShadingGroup group, ref SurfaceW surface, in CameraEndW camera, UIntW vertex, in Vec3W direction, MaskW active)
+    {
+        if (!active.Any)
+        {
+            return;
+        }
+
+        group.Material.Evaluate(surface, direction, out RgbW bsdf, out FloatW pdf);
+        active = active.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f));
+        if (group.MayLeak && !(scene.IsLiteral && group.MayBeLiteral))
+        {
+            active = active.Except(SurfaceShader.Leaks(surface, direction));
+        }
+
+        if (!active.Any)
+        {
+            return;
+        }
+
+        Adjoint.ReversePdf(group.Material, ref surface, direction, out FloatW reversePdf);
+        RgbW value = camera.Throughput * bsdf * FloatW.Abs(Vec3W.Dot(direction, surface.Facing));
+        FloatW sum = camera.Sums.Connected(reversePdf, pass.Weights);
+        FloatW cosine = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
+        Vec3W start = SurfaceShader.Leave(surface, direction);
+        Vec3W inner = group.IsInstanced ? SurfaceShader.LeaveInside(surface, direction) : default;
+        for (uint lanes = active.Bits; lanes != 0; lanes &= lanes - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(lanes);
+            if (_count == _waiting.Length)
+            {
+                Array.Resize(ref _waiting, 2 * _count);
+            }
+
+            _waiting[_count++] = new()
+            {
+                Start = new(start.X[lane], start.Y[lane], start.Z[lane]),
+                Direction = new(direction.X[lane], direction.Y[lane], direction.Z[lane]),
+                Value = new(value.R[lane], value.G[lane], value.B[lane]),
+                Color = new(camera.Color.R[lane], camera.Color.G[lane], camera.Color.B[lane]),
+                Sum = sum[lane],
+                Pdf = pdf[lane],
+                Cosine = cosine[lane],
+                Time = camera.Time[lane],
+                Instance = group.IsInstanced ? surface.Instance[lane] : 0,
+                Inner = new(inner.X[lane], inner.Y[lane], inner.Z[lane]),
+                Path = camera.Path[lane],
+                Vertex = vertex[lane],
+            };
+        }
+    }
+
+    // The light's end.
+    private void Connect(ShadingGroup group, ReadOnlySpan<int> chosen, ShadowRays rays)
+    {
+        ref EndW end = ref *_end.Pointer;
+        Load(chosen, ref end);
+        SurfaceShader.Describe(scene, group, _room, _iota.Pointer, group.Traits.UsesUv, out end.Surface);
+        ref SurfaceW surface = ref end.Surface;
+        surface.Wavelength = group.Traits.Disperses ? end.Wavelength : surface.Wavelength;
+        MaskW active = MaskW.First(chosen.Length);
+        Vec3W direction = -end.Direction;
+        surface.CarriesLight = true;
+        group.Material.Pdf(surface, direction, out FloatW pdf);
+        Adjoint.Evaluate(group.Material, ref surface, direction, out RgbW bsdf, out FloatW reversePdf);
+        Vec3W goal = SurfaceShader.Leave(surface, direction);
+        Vec3W to = goal - end.Start;
+        FloatW distance2 = Vec3W.Dot(to, to);
+        FloatW distance = FloatW.Sqrt(distance2);
+        FloatW cosine = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
+        FloatW lit = PathWeights.Power(end.Pdf * cosine / distance2) * end.Sums.Connected(reversePdf, pass.Weights);
+        FloatW seen = PathWeights.Power(pdf * end.Cosine / distance2) * end.Sum;
+        FloatW scale = 1f / (distance2 * (lit + seen + 1f));
+        RgbW light = end.Value * end.Power * bsdf * scale;
+        active = active.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f)) & distance2 > 0f;
+        Vec3W towards = to * (1f / distance);
+        Traced += BitOperations.PopCount(active.Bits);
+        scene.Primitives.Occlude(end.Start, towards, distance, -1, ref active);
+        if (active.Any)
+        {
+            rays.Add(active.Bits, end.Start, end.Instance, end.Inner, towards, distance, end.Time, -1, light, 0f, end.Path);
+        }
+    }
+
+    // Brings the connections of a packet, and the rays that met the light's vertices, into lanes.
+    private void Load(ReadOnlySpan<int> chosen, ref EndW end)
+    {
+        float* numbers = (float*)_end.Pointer;
+        _room.Count = FloatW.Count;
+        for (int lane = 0; lane < FloatW.Count; lane++)
+        {
+            ref Connection connection = ref _waiting[chosen[Math.Min(lane, chosen.Length - 1)]];
+            ref LightVertex vertex = ref pass.Vertices.Vertices[connection.Vertex];
+            vertex.Put(_room, lane, connection.Time);
+            Rgb color = (vertex.State & PathState.HasWavelength) != 0 ? connection.Color : Rgb.White;
+            ReadOnlySpan<float> values =
+            [
+                connection.Start.X, connection.Start.Y, connection.Start.Z, connection.Direction.X, connection.Direction.Y, connection.Direction.Z,
+                connection.Value.R * color.R, connection.Value.G * color.G, connection.Value.B * color.B, connection.Sum, connection.Pdf, connection.Cosine,
+                connection.Time, connection.Inner.X, connection.Inner.Y, connection.Inner.Z, vertex.Power.R, vertex.Power.G, vertex.Power.B,
+                vertex.Vcm, vertex.Vc, vertex.Vm, vertex.Wavelength, BitConverter.UInt32BitsToSingle(connection.Instance), BitConverter.UInt32BitsToSingle(connection.Path),
+            ];
+            for (int i = 0; i < values.Length; i++)
+            {
+                numbers[(i * FloatW.Count) + lane] = values[i];
+            }
+        }
+    }
+
+    private struct Connection
+    {
+        public Vector3 Start, Direction, Inner;
+        public Rgb Value, Color;
+        public float Sum, Pdf, Cosine, Time;
+        public uint Instance, Path, Vertex;
+    }
+
+    // In the order of Load.
+    private struct EndW
+    {
+        public Vec3W Start, Direction;
+        public RgbW Value;
+        public FloatW Sum, Pdf, Cosine, Time;
+        public Vec3W Inner;
+        public RgbW Power;
+        public SubpathSumsW Sums;
+        public FloatW Wavelength;
+        public UIntW Instance, Path;
+        public SurfaceW Surface;
+    }
+}

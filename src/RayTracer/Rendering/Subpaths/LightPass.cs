@@ -1,0 +1,140 @@
+using System.Collections.Concurrent;
+using RayTracer.Description;
+using RayTracer.Lights;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// The light paths of a pass, which are those of one sample of the whole picture: as many as it has pixels, up to <see cref="MostPaths"/>. Their light in
+/// the picture and their vertices are the same whatever part of the picture is rendered, and on any number of threads.
+/// </summary>
+internal sealed class LightPass
+{
+    /// <summary>The most light paths of a pass, which bounds the memory for their vertices.</summary>
+    public const int MostPaths = 1 << 20;
+
+    // Knaus & Zwicker 2011, equation 12: how fast the circles shrink.
+    private const double Alpha = 0.75;
+    private const float FirstRadius = 1;
+    private readonly Scene _scene;
+    private readonly RenderOptions _options;
+    private readonly int _threads;
+    private readonly uint _seed;
+    private readonly Strategies _strategies;
+    private readonly Tile _area;
+    private readonly float _firstRadius;
+    private readonly ConcurrentBag<Worker> _idle = [];
+
+    /// <summary>Prepares.</summary>
+    /// <param name="scene">A scene whose integrator traces light.</param>
+    /// <param name="options">How to compute it.</param>
+    /// <param name="threads">The number of threads.</param>
+    /// <param name="seed">Selects the random numbers.</param>
+    public LightPass(Scene scene, RenderOptions options, int threads, uint seed)
+    {
+        _strategies = ((LightTracingIntegrator)scene.Render.Integrator).Strategies;
+        (_scene, _options, _threads, _seed) = (scene, options, threads, seed);
+        _area = options.Crop ?? new(0, 0, scene.Render.Width, scene.Render.Height);
+        Vertices = new((int)Math.Min((long)scene.Render.Width * scene.Render.Height, MostPaths));
+        Splats = new(scene.Render.Width, scene.Render.Height) { Threads = threads };
+        Emission = new(scene);
+        if (Has(Strategies.Merges))
+        {
+            Photons = new();
+            _firstRadius = scene.Render.MergeRadius > 0 ? scene.Render.MergeRadius : FirstRadius * PixelFootprint.Median(scene);
+        }
+    }
+
+    /// <summary>The constants of the weights.</summary>
+    public PathWeights Weights { get; private set; } = new(1, 0);
+
+    /// <summary>How many light paths' vertices a merge takes in, for each unit of their density: N·πr².</summary>
+    public float MergedPaths { get; private set; }
+
+    /// <summary>The vertices of the paths.</summary>
+    public LightVertices Vertices { get; }
+
+    /// <summary>Finds those near a point; null where none are merged.</summary>
+    public PhotonGrid? Photons { get; }
+
+    /// <summary>The light that the paths bring to the picture.</summary>
+    public SplatSums Splats { get; }
+
+    /// <summary>Knows how likely a path starts from a light.</summary>
+    public LightEmission Emission { get; }
+
+    /// <summary>The rays of all passes, those to the camera included.</summary>
+    public long Rays => _idle.Sum(w => w.Rays);
+
+    /// <summary>Traces the light of a sample.</summary>
+    /// <param name="sample">The sample.</param>
+    /// <param name="cancellation">Ends the work.</param>
+    /// <returns>True if all of it was traced; else nothing may be used.</returns>
+    public bool Trace(int sample, CancellationToken cancellation)
+    {
+        float radius = _firstRadius * (float)double.Sqrt(Shrunk(sample));
+        MergedPaths = Vertices.Paths * float.Pi * radius * radius;
+        Weights = new(Vertices.Paths, Has(Strategies.Merges | Strategies.Camera) ? radius : 0);
+        ParallelLoopResult done = Parallel.For(0, Vertices.Blocks, new ParallelOptions { MaxDegreeOfParallelism = _threads }, (block, state) =>
+        {
+            if (cancellation.IsCancellationRequested)
+            {
+                state.Stop();
+                return;
+            }
+
+            Worker worker = _idle.TryTake(out Worker? idle) ? idle : new(this);
+            worker.Follow(block, sample);
+            _idle.Add(worker);
+        });
+        if (done.IsCompleted && (Has(Strategies.Connections) || Has(Strategies.Merges)))
+        {
+            Vertices.Join(_threads);
+            Photons?.Build(Vertices, radius);
+        }
+
+        return done.IsCompleted;
+    }
+
+    private bool Has(Strategies strategies) => (_strategies & strategies) == strategies;
+
+    // The squared radius of a sample's circles over that of the first: of a sample's number alone, so that samples may come in any order.
+    private static double Shrunk(int sample)
+    {
+        double factor = 1;
+        for (int i = 1; i <= sample; i++)
+        {
+            factor *= (i + Alpha) / (i + 1);
+        }
+
+        return factor;
+    }
+
+    private sealed class Worker
+    {
+        private readonly LightPass _pass;
+        private readonly LightStarts _starts;
+        private readonly LightSubpaths _shader;
+        private readonly Stages _stages;
+
+        public Worker(LightPass pass)
+        {
+            _pass = pass;
+            _starts = new(pass._scene);
+            _shader = new(new(pass._scene, null!, null, null), pass._strategies, pass.Splats, pass._area);
+            _stages = new(pass._scene, pass._options.StreamSize, _shader);
+        }
+
+        public long Rays => _stages.Rays + _shader.ShadowRays;
+
+        public void Follow(int block, int sample)
+        {
+            int first = block * LightVertices.BlockSize;
+            _starts.Begin(first, Math.Min(LightVertices.BlockSize, _pass.Vertices.Paths - first), sample, _pass._seed);
+            _shader.Begin(_starts, first, _pass.Weights);
+            _stages.Follow(_starts, new(sample, sample + 1));
+            _pass.Vertices.SetBlock(block, _shader.Vertices);
+        }
+    }
+}

@@ -1,0 +1,286 @@
+using System.Numerics;
+using RayTracer.Cameras;
+using RayTracer.Lights;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Light paths: at each vertex they are connected with the camera, whose picture gets the light as splats, and kept for camera paths to be connected or
+/// merged with. Throughput is power here (Veach 1997, chapter 10; adjoint scattering, section 5.3).
+/// </summary>
+internal sealed unsafe class LightSubpaths : SubpathShader
+{
+    // Light paths' vertices have random numbers beyond those of all camera paths.
+    private const uint FirstGroup = 16384;
+    private const int MostRays = 8192;
+    private readonly LightSource[] _lights;
+    private readonly bool[] _isFar;
+    private readonly Strategies _strategies;
+    private readonly SplatSums _splats;
+    private readonly Tile _area;
+    private readonly ShadowRays _rays;
+    private readonly PinnedBuffer<CameraLinkW> _link = new(1);
+    private LightStarts _starts = null!;
+    private int _firstPath;
+    private LightVertex[] _vertices = new LightVertex[LightVertices.BlockSize];
+    private int _count;
+    private long _traced;
+
+    /// <summary>Makes one.</summary>
+    /// <param name="context">The context that it works in.</param>
+    /// <param name="strategies">What is done at the vertices.</param>
+    /// <param name="splats">Takes the light of the picture.</param>
+    /// <param name="area">The part of the picture that is wanted.</param>
+    public LightSubpaths(ShaderContext context, Strategies strategies, SplatSums splats, Tile area)
+        : base(context, FirstGroup)
+    {
+        _lights = [.. Scene.SampledLights];
+        (double Open, double Close) shutter = (Scene.Render.Shutter.X, Scene.Render.Shutter.Y);
+        _isFar = Array.ConvertAll(_lights, l => !l.Extent(shutter).Box.IsFinite);
+        (_strategies, _splats, _area) = (strategies, splats, area);
+        _rays = new(Scene, MostRays);
+    }
+
+    /// <inheritdoc/>
+    internal override long ShadowRays => _traced;
+
+    /// <summary>The vertices of the paths since <see cref="Begin(LightStarts, int, PathWeights)"/>.</summary>
+    public ReadOnlySpan<LightVertex> Vertices => _vertices.AsSpan(0, _count);
+
+    /// <summary>Prepares for a block of paths.</summary>
+    /// <param name="starts">Starts them.</param>
+    /// <param name="firstPath">Number of the first in the pass.</param>
+    /// <param name="weights">The constants of the pass.</param>
+    public void Begin(LightStarts starts, int firstPath, PathWeights weights) =>
+        (_starts, _firstPath, Weights, _count) = (starts, firstPath, weights, 0);
+
+    /// <inheritdoc/>
+    internal override void Flush(PathStream next) => TraceSplats();
+
+    /// <inheritdoc/>
+    internal override void Miss(PathStream stream, uint* members, int count)
+    {
+    }
+
+    /// <inheritdoc/>
+    protected override void Arrive(ShadingGroup group, PathStream stream, uint* index, MaskW first)
+    {
+        ref VertexW at = ref At;
+        at.Surface.CarriesLight = true;
+        if (first.Any)
+        {
+            Start(group, first, ref at);
+        }
+
+        SubpathSumsW sums = at.Sums;
+        sums.Arrive(at.Distance * at.Distance, at.Cosine);
+        at.Sums.Vcm = first.Select(at.Sums.Vcm, sums.Vcm);
+        at.Sums.Vc = sums.Vc;
+        at.Sums.Vm = sums.Vm;
+    }
+
+    /// <inheritdoc/>
+    protected override MaskW Visit(ShadingGroup group, PathStream stream, uint* index, MaskW active)
+    {
+        ref VertexW at = ref At;
+        MaskW mayConnect = active & (at.Number + 1u < MaxDepth);
+        if (group.Traits.HasDensity && mayConnect.Any)
+        {
+            if ((_strategies & Strategies.Camera) != Strategies.None)
+            {
+                Splat(group, mayConnect);
+            }
+
+            if ((_strategies & (Strategies.Connections | Strategies.Merges)) != Strategies.None)
+            {
+                Keep(stream, index, active.Bits);
+            }
+        }
+
+        return mayConnect;
+    }
+
+    /// <summary>None: what a camera's path would drop, adjoint scattering leaves out (<see cref="Adjoint"/>).</summary>
+    protected override MaskW Leaking(ShadingGroup group, in Vec3W direction) => MaskW.None;
+
+    /// <inheritdoc/>
+    protected override void Choose(Material material, ref SurfaceW surface, out ScatterW scatter, out FloatW pdf, out FloatW reversePdf) =>
+        Adjoint.Scatter(material, ref surface, Vertex, out scatter, out pdf, out reversePdf);
+
+    // The colour of the wavelength is left to the whole path, for both of its ends may have it.
+    private protected override void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput) =>
+        Scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out _);
+
+    // The first vertex: the other ways are a camera path that asks the light, and one that meets it.
+    private void Start(ShadingGroup group, MaskW first, ref VertexW at)
+    {
+        FloatW cosine = FloatW.Gather(_starts.Cosines, first.Select(at.Path, 0u));
+        FloatW emission = FloatW.Gather(_starts.Densities, first.Select(at.Path, 0u));
+        UIntW light = UIntW.Gather(_starts.Lights, first.Select(at.Path, 0u));
+        FloatW asked = 0f;
+        FloatW met = 0f;
+        LightHitW hit = new()
+        {
+            From = at.Surface.Point,
+            Direction = -at.Surface.Incoming,
+            Distance = at.Distance,
+            Cosine = cosine,
+            Time = at.Time,
+            Primitive = UIntW.Gather(_starts.Primitives, first.Select(at.Path, 0u)),
+        };
+        for (uint rest = first.Bits; rest != 0;)
+        {
+            int number = (int)light[BitOperations.TrailingZeroCount(rest)];
+            MaskW same = first & UIntW.Equal(light, (uint)number);
+            rest &= ~same.Bits;
+            FloatW one = _isFar[number] ? 1f : at.Distance * at.Distance;
+            if (!_lights[number].IsDelta)
+            {
+                _lights[number].Pdf(hit, out FloatW pdf);
+                one = pdf * cosine;
+                met = same.Select(_isFar[number] ? 1f : cosine, met);
+            }
+
+            asked = same.Select(one, asked);
+        }
+
+        if (Scene.LightSelection is not null)
+        {
+            Scene.LightSelection.Probability(at.Surface.Point, group.Traits.Transmits ? default : at.Surface.Facing, light, out FloatW probability);
+            asked *= probability;
+        }
+
+        at.Sums.Vcm = first.Select(SubpathSumsW.Limited(PathWeights.Power(asked / (emission * at.Cosine))), at.Sums.Vcm);
+        at.Sums.Vc = first.Select(SubpathSumsW.Limited(PathWeights.Power(met / emission)), at.Sums.Vc);
+        at.Sums.Vm = first.Select(at.Sums.Vc * Weights.Connecting, at.Sums.Vm);
+    }
+
+    private void Splat(ShadingGroup group, MaskW active)
+    {
+        ref VertexW at = ref At;
+        ref CameraLinkW link = ref *_link.Pointer;
+        PathNumber.Split(at.Path, Samples, out UIntW path, out UIntW sample);
+        Scene.Camera.Link(at.Surface.Point, at.Time, Scene.Sampler, UIntW.Gather(_starts.PixelKeys, path), sample, out link);
+        active &= link.Sees;
+        if (!active.Any)
+        {
+            return;
+        }
+
+        Vertex.Light(0, out FloatW u, out FloatW v);
+        active &= Scene.Camera.Splat(Scene.Filter, link.X, link.Y, u, v, out FloatW x, out FloatW y, out FloatW filtered);
+        active &= (x >= _area.X) & (x < (float)(_area.X + _area.Width)) & (y >= _area.Y) & (y < (float)(_area.Y + _area.Height));
+        if (!active.Any)
+        {
+            return;
+        }
+
+        Adjoint.Evaluate(group.Material, ref at.Surface, link.Direction, out at.Bsdf, out at.ReversePdf);
+        FloatW scale = link.Density * filtered * (1f / Weights.LightPaths);
+        if ((_strategies & ~(Strategies.Camera | Strategies.Seen)) != Strategies.None)
+        {
+            FloatW seen = link.Density * FloatW.Abs(Vec3W.Dot(link.Direction, at.Surface.Normal)) * (1f / Weights.LightPaths);
+            scale /= FloatW.MultiplyAdd(PathWeights.Power(seen), at.Sums.Connected(at.ReversePdf, Weights), 1f);
+        }
+
+        RgbW light = at.Throughput * at.Bsdf * scale;
+        if (Scene.Wavelengths is not null)
+        {
+            light *= UIntW.Equal(at.State & PathState.HasWavelength, 0u).Select(Rgb.White, WavelengthColor());
+        }
+
+        active = active.Except((at.Bsdf.R <= 0f) & (at.Bsdf.G <= 0f) & (at.Bsdf.B <= 0f));
+        Ask(group, active, link, (y.ToInt() * (uint)Scene.Render.Width) + x.ToInt(), light);
+    }
+
+    // The colour of the path's wavelength.
+    private RgbW WavelengthColor()
+    {
+        Scene.Wavelengths!.Sample(Vertex.Wavelength(), out _, out RgbW color);
+        return color;
+    }
+
+    private void Ask(ShadingGroup group, MaskW active, in CameraLinkW link, in UIntW pixel, in RgbW light)
+    {
+        ref VertexW at = ref At;
+        at.Start = Leave(at.Surface, link.Direction);
+        at.Inner = LeaveInside(at.Surface, link.Direction);
+        _traced += BitOperations.PopCount(active.Bits);
+        Scene.Primitives.Occlude(at.Start, link.Direction, link.Distance, -1, ref active);
+        if (active.Any)
+        {
+            _rays.Add(active.Bits, at.Start, group.IsInstanced ? at.Surface.Instance : 0u, at.Inner, link.Direction, link.Distance, at.Time, -1, light, 0f, pixel);
+        }
+
+        if (!_rays.HasRoomFor(FloatW.Count))
+        {
+            TraceSplats();
+        }
+    }
+
+    private void TraceSplats()
+    {
+        _rays.Trace();
+        int count = 0;
+        UIntW pixels = 0u;
+        float* numbers = stackalloc float[3 * 16];
+        uint* owners = stackalloc uint[16];
+        for (int i = 0; i < _rays.Count; i++)
+        {
+            if (_rays.Hits[i] >= 0)
+            {
+                continue;
+            }
+
+            (numbers[count], numbers[16 + count], numbers[32 + count]) = (_rays.Load(0, i), _rays.Load(1, i), _rays.Load(2, i));
+            owners[count++] = _rays.Owners[i];
+            if (count == FloatW.Count)
+            {
+                _splats.Add(count, UIntW.Load(owners), new(FloatW.Load(numbers), FloatW.Load(numbers + 16), FloatW.Load(numbers + 32)));
+                count = 0;
+            }
+        }
+
+        if (count > 0)
+        {
+            _splats.Add(count, UIntW.Load(owners), new(FloatW.Load(numbers), FloatW.Load(numbers + 16), FloatW.Load(numbers + 32)));
+        }
+
+        _rays.Clear();
+    }
+
+    private void Keep(PathStream stream, uint* index, uint lanes)
+    {
+        ref VertexW at = ref At;
+        for (; lanes != 0; lanes &= lanes - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(lanes);
+            if (_count == _vertices.Length)
+            {
+                Array.Resize(ref _vertices, 2 * _count);
+            }
+
+            uint i = index[lane];
+            _vertices[_count++] = new()
+            {
+                Point = new(at.Surface.Point.X[lane], at.Surface.Point.Y[lane], at.Surface.Point.Z[lane]),
+                Direction = new(at.Surface.Incoming.X[lane], at.Surface.Incoming.Y[lane], at.Surface.Incoming.Z[lane]),
+                Power = new(at.Throughput.R[lane], at.Throughput.G[lane], at.Throughput.B[lane]),
+                Vcm = at.Sums.Vcm[lane],
+                Vc = at.Sums.Vc[lane],
+                Vm = at.Sums.Vm[lane],
+                State = at.State[lane],
+                Path = (uint)_firstPath + at.Path[lane],
+                Origin = new(stream.OriginX[i], stream.OriginY[i], stream.OriginZ[i]),
+                Distance = at.Distance[lane],
+                Primitive = stream.Primitive[i],
+                Instance = Scene.World.Instances is null ? 0 : stream.Instance[i],
+                StartInstance = stream.StartInstance[i],
+                InnerStart = new(stream.InnerX[i], stream.InnerY[i], stream.InnerZ[i]),
+                Wavelength = at.Surface.Wavelength[lane],
+            };
+        }
+    }
+}

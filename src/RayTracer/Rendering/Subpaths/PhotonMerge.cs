@@ -1,0 +1,105 @@
+using System.Numerics;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Merges vertices of camera paths with all vertices of light paths that are near, as if they were the same (Georgiev et al. 2012; photon mapping,
+/// Jensen 1996): a bias that goes with the radius.
+/// </summary>
+/// <param name="scene">The scene.</param>
+/// <param name="pass">Has the light paths.</param>
+/// <param name="isIndirect">True if light that comes straight from the lights is left out, and all else counts in full.</param>
+internal sealed unsafe class PhotonMerge(Scene scene, LightPass pass, bool isIndirect)
+{
+    private const uint DepthBits = 0xffff;
+    private readonly List<uint>[] _found = [.. Enumerable.Range(0, FloatW.Count).Select(_ => new List<uint>())];
+    private readonly PinnedBuffer<PhotonW> _photon = new(1);
+
+    /// <summary>Adds up what the photons near bring to the camera.</summary>
+    /// <param name="group">The group of surfaces.</param>
+    /// <param name="surface">The vertices of camera paths.</param>
+    /// <param name="end">More of them.</param>
+    /// <param name="maxDepth">The number of edges that a whole path may have.</param>
+    /// <param name="active">The lanes in use.</param>
+    /// <param name="light">The light.</param>
+    public void Add(ShadingGroup group, ref SurfaceW surface, in CameraEndW end, uint maxDepth, MaskW active, out RgbW light)
+    {
+        light = default;
+        int most = pass.Photons!.Find(surface.Point, active.Bits, _found);
+        uint* chosen = stackalloc uint[16];
+
+        // What is one over, of first vertices, no other way has made before.
+        bool hasBefore = (active & end.Sums.Vm > 0f).Any;
+        for (int i = 0; i < most; i++)
+        {
+            for (int lane = 0; lane < FloatW.Count; lane++)
+            {
+                chosen[lane] = i < _found[lane].Count ? _found[lane][i] : uint.MaxValue;
+            }
+
+            UIntW vertex = UIntW.Load(chosen);
+            MaskW has = ~UIntW.Equal(vertex, uint.MaxValue);
+            ref PhotonW photon = ref *_photon.Pointer;
+            photon.Load(pass.Photons!.Photons, has.Select(vertex, 0u));
+            UIntW number = photon.State & DepthBits;
+            has &= end.Number + number + 1u < maxDepth;
+            if (isIndirect)
+            {
+                has &= number > 0u;
+            }
+
+            AddOne(group, ref surface, end, photon, hasBefore, has, ref light);
+        }
+
+        light *= end.Throughput * (1f / pass.MergedPaths);
+    }
+
+    private void AddOne(ShadingGroup group, ref SurfaceW surface, in CameraEndW end, in PhotonW photon, bool hasBefore, MaskW has, ref RgbW light)
+    {
+        Vec3W direction = -photon.Direction;
+        group.Material.Evaluate(surface, direction, out RgbW bsdf, out FloatW pdf);
+        FloatW along = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
+        FloatW share = FloatW.Abs(Vec3W.Dot(direction, surface.Facing)) / along;
+        if (!isIndirect)
+        {
+            FloatW reversePdf = 0f;
+            if (hasBefore)
+            {
+                Adjoint.ReversePdf(group.Material, ref surface, direction, out reversePdf);
+            }
+
+            FloatW others = photon.Sums.Merged(pdf, pass.Weights) + end.Sums.Merged(reversePdf, pass.Weights);
+            share /= others + 1f;
+        }
+
+        if (group.MayLeak && !(scene.IsLiteral && group.MayBeLiteral))
+        {
+            has = has.Except(SurfaceShader.Leaks(surface, direction));
+        }
+
+        has &= along > 0f;
+        RgbW color = UIntW.Equal(photon.State & PathState.HasWavelength, 0u).Select(Rgb.White, end.Color);
+        light += has.Select(bsdf * photon.Power * color * share, default);
+    }
+
+    private struct PhotonW
+    {
+        public Vec3W Direction;
+        public RgbW Power;
+        public SubpathSumsW Sums;
+        public UIntW State;
+
+        public void Load(Photon* photons, UIntW photon)
+        {
+            UIntW at = photon * Photon.Numbers;
+            float* numbers = (float*)photons;
+            State = UIntW.Gather((uint*)numbers + 3, at);
+            Direction = new(FloatW.Gather(numbers + 4, at), FloatW.Gather(numbers + 5, at), FloatW.Gather(numbers + 6, at));
+            Power = new(FloatW.Gather(numbers + 7, at), FloatW.Gather(numbers + 8, at), FloatW.Gather(numbers + 9, at));
+            Sums.Vcm = FloatW.Gather(numbers + 10, at);
+            Sums.Vm = FloatW.Gather(numbers + 11, at);
+        }
+    }
+}

@@ -1,0 +1,65 @@
+using RayTracer.Numerics;
+using RayTracer.Rendering;
+
+namespace RayTracer.RenderTests.Transport.LightPaths;
+
+/// <summary>
+/// What the samples of a picture decide by their numbers alone.
+/// Covers `LightPass` and `PathWeights`.
+/// </summary>
+public class LightPassTests
+{
+    [Fact]
+    public void Circles_shrink_so_that_bias_and_variance_both_vanish()
+    {
+        // Areas as the number of the sample to the power of -1/4 in the long run (Knaus & Zwicker 2011): a circle that shrinks as fast as the
+        // inverse number would hold ever fewer photons of all samples.
+        LightPass pass = Pass("vcm", radius: 0.2f);
+        float Area(int sample)
+        {
+            Assert.True(pass.Trace(sample, default));
+            return pass.MergedPaths;
+        }
+
+        Assert.Equal(24 * 24 * float.Pi * 0.04f, Area(0), 1e-3f);
+        Assert.Equal(0.875, Area(1) / Area(0), 1e-5);
+        Assert.InRange(Area(400) / Area(100), 0.705, 0.709);
+        Assert.Equal(pass.MergedPaths, pass.Weights.Merge, 1e-3f);
+    }
+
+    [Theory]
+    [InlineData("light")]
+    [InlineData("bidirectional")]
+    public void Paths_that_are_not_merged_are_not_weighed_against_merges(string integrator)
+    {
+        LightPass pass = Pass(integrator, radius: 0.2f);
+        Assert.True(pass.Trace(0, default));
+        Assert.Null(pass.Photons);
+        Assert.Equal(0, pass.Weights.Merging);
+    }
+
+    [Theory]
+    [InlineData("photons", 24, true)]
+    [InlineData("vcm", 24, true)]
+    [InlineData("bidirectional", 24, false)]
+    [InlineData("path", 2000, false)]
+    [InlineData("bidirectional", 2000, true)]
+    public void Paths_of_different_pixels_have_one_time_where_they_are_joined(string integrator, int edge, bool isOne)
+    {
+        // More pixels than light paths: those of other pixels are connected, too.
+        Scene scene = TestScenes.Build(LightPathScene.All.Single(s => s.Name.StartsWith("a mesh that", StringComparison.Ordinal)).Text.Replace(
+            "\"width\": 24, \"height\": 24,", $"\"width\": {edge}, \"height\": {edge}, \"integrator\": \"{integrator}\",", StringComparison.Ordinal));
+        FloatW times = scene.Time(UIntW.Iota * 12345u, 3u);
+        Assert.Equal(isOne, times[0] == times[1] && times[1] == times[2]);
+    }
+
+    private static LightPass Pass(string integrator, float radius)
+    {
+        Scene scene = TestScenes.Build(LightPathScene.All[0].Text.Replace(
+            "\"samplesPerPixel\": 1,",
+            FormattableString.Invariant($"\"samplesPerPixel\": 1, \"integrator\": \"{integrator}\", \"mergeRadius\": {radius},"),
+            StringComparison.Ordinal));
+        Assert.Equal(integrator, scene.Render.Integrator.Name);
+        return new(scene, new(), threads: 1, seed: 0);
+    }
+}
