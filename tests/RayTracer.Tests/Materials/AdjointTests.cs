@@ -105,7 +105,7 @@ public class AdjointTests
         int count = TestSettings.Scale(1 << 14, 1 << 18);
         double mass = expected.Sum();
         expected[^1] = 1 - mass;
-        expected = [.. expected.Select(p => Math.Max(p, 1e-6) * count)];
+        expected = [.. expected.Select(p => Math.Max(p * count, 1e-3))];
         double[] observed = new double[expected.Length];
         double[] weights = new double[count];
         VertexSamples samples = new(new IndependentSampler(count));
@@ -131,6 +131,7 @@ public class AdjointTests
     public void Particles_bring_the_camera_as_much_light_as_its_paths_find(string name)
     {
         // ∫∫ h(o) f(o, l) g(l) over directions o to the camera and l to the light, with the cosines: by paths from o, and by particles from l.
+        // Not by what the inside absorbed on the way here, which differs.
         Material material = Of(name).Material;
         foreach (ShadedSurface at in ShadedSurface.All)
         {
@@ -141,6 +142,7 @@ public class AdjointTests
             double[] found = Sample(count, 2, random, (o, samples) =>
             {
                 SurfaceW surface = at.Meet(material, -o);
+                surface.Distance = 0f;
                 material.Scatter(surface, samples, out ScatterW scatter);
                 SurfaceW back = at.Meet(material, -scatter.Direction);
                 back.CarriesLight = true;
@@ -150,6 +152,7 @@ public class AdjointTests
             double[] brought = Sample(count, 3, random, (l, samples) =>
             {
                 SurfaceW surface = at.Meet(material, -l);
+                surface.Distance = 0f;
                 Adjoint.Scatter(material, ref surface, samples, out ScatterW scatter, out _, out _);
                 return lane => Has(scatter.Absorbed, lane) ? 0 : g.At(l, lane) * scatter.Weight.G[lane] * h.At(scatter.Direction, lane) * Cosine(at, l, lane);
             });

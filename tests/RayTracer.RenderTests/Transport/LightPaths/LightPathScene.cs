@@ -6,7 +6,7 @@ namespace RayTracer.RenderTests.Transport.LightPaths;
 /// </summary>
 /// <param name="Name">What is in it.</param>
 /// <param name="Samples">Samples for each pixel, every day: more where light is found by chance.</param>
-/// <param name="IsMatt">True where the camera sees nothing that is specular, so that light tracing finds all light.</param>
+/// <param name="IsMatt">True where the camera sees nothing that is specular, nor anything through a mask, so that light tracing finds all light.</param>
 /// <param name="Text">The scene, as its file has it, without an integrator.</param>
 internal sealed record LightPathScene(string Name, int Samples, bool IsMatt, string Text)
 {
@@ -113,7 +113,7 @@ internal sealed record LightPathScene(string Name, int Samples, bool IsMatt, str
             """,
             """{ "type": "rectangle", "corner": [-1.9, 0.4, 1], "edgeU": [0.5, 0, -1.5], "edgeV": [0, 1.2, 0], "material": { "type": "luminaire", "color": { "type": "checker", "even": [6, 2, 1], "odd": [1, 2, 6], "scale": [2, 2] } } }""")),
 
-        new("light by detours", 6, IsMatt: true, Write(Pinhole, """ "rouletteDepth": 2 """, "",
+        new("light by detours", 6, IsMatt: false, Write(Pinhole, """ "rouletteDepth": 2 """, "",
             Floor, Wall, Side(-2), Side(2),
             """{ "type": "rectangle", "corner": [-2, 3, -2], "edgeU": [4, 0, 0], "edgeV": [0, 0, 4], "material": { "type": "diffuse", "color": [0.8, 0.8, 0.8] } }""",
             """{ "type": "rectangle", "corner": [-1.2, 2, -1.2], "edgeU": [0, 0, 1.8], "edgeV": [2.4, 0, 0], "material": { "type": "luminaire", "multiplier": 6 } }""",
