@@ -16,7 +16,6 @@ namespace RayTracer.Rendering;
 /// <param name="maxDepth">How many edges a path may have after the camera; below 0 for no limit.</param>
 internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : SurfaceShader(context)
 {
-    private const uint DepthBits = 0xffff;
     private const float LargestSurvival = 0.95f;
     private readonly ShadowQueue? _queue = context.Queue;
     private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer);
@@ -70,7 +69,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         ref UIntW vertex = ref packet.Vertex;
         path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
-        vertex = state & DepthBits;
+        vertex = state & PathState.VertexMask;
         packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
         Observer?.BeginPacket(stream, index, active);
@@ -120,11 +119,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
         material.Scatter(surface, Vertex, out scatter);
         throughput *= scatter.Weight;
         MaskW alive = goesOn.Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
-        if (group.MayLeak && !(Scene.IsLiteral && group.MayBeLiteral))
-        {
-            alive = alive.Except(Leaks(surface, scatter.Direction));
-        }
-
+        alive = alive.Except(Dropped(surface, scatter.Direction));
         FloatW brightest = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
         alive = Survive(vertex, alive, guided is null ? brightest : GuidedMaterial.Survival, ref throughput);
         Observer?.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe: false);
@@ -193,7 +188,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     private void SampleMedium(PathStream stream, int i, UIntW media, MaskW inside)
     {
         MaskW used = MaskW.First(stream.Count - i);
-        BeginVertex(used.Select(UIntW.Load(stream.Path + i), 0u), UIntW.Load(stream.State + i) & DepthBits);
+        BeginVertex(used.Select(UIntW.Load(stream.Path + i), 0u), UIntW.Load(stream.State + i) & PathState.VertexMask);
         Vertex.Flight(MediumStack.Crossings(media), out FloatW u, out FloatW v);
         RgbW extinction = Scene.Media.Extinction(media);
         RgbW albedo = Scene.Media.Albedo(media);
@@ -224,7 +219,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : S
     {
         UIntW path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
-        UIntW vertex = state & DepthBits;
+        UIntW vertex = state & PathState.VertexMask;
         UIntW media = UIntW.Pick(stream.Media, index);
         BeginVertex(path, vertex);
         Observer?.BeginPacket(stream, index, active);

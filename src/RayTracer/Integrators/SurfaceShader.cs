@@ -319,6 +319,10 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         return side * Vec3W.Dot(direction, surface.Facing) <= 0f;
     }
 
+    // Those of them that the surface's rules drop.
+    internal static MaskW Dropped(in SurfaceW surface, in Vec3W direction) =>
+        (surface.Rules & NormalRules.DropsLeaks) == NormalRules.None ? MaskW.None : Leaks(surface, direction);
+
     /// <summary>The cosine between the shape's own normal and the way back along the ray; negative from behind.</summary>
     private protected static FloatW CosineOfEmission(in SurfaceW surface)
     {

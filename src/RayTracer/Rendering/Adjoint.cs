@@ -126,10 +126,7 @@ internal static class Adjoint
     {
         material.Evaluate(turned, -incoming, out RgbW bsdf, out pdf);
         scattered = bsdf * CosinesFrom(turned, incoming, -turned.Incoming);
-        if ((turned.Rules & NormalRules.DropsLeaks) != NormalRules.None)
-        {
-            scattered = SurfaceShader.Leaks(turned, -incoming).Select(default, scattered);
-        }
+        scattered = SurfaceShader.Dropped(turned, -incoming).Select(default, scattered);
     }
 
     private static FloatW CosinesFrom(in SurfaceW surface, in Vec3W incoming, in Vec3W direction)
@@ -158,12 +155,7 @@ internal static class Adjoint
         FloatW kept = (along > 0f).Select(CosinesFrom(turned, before.Incoming, direction) / along, 0f);
         Vec3W off = before.Facing * FloatW.CopySign(1f, Vec3W.Dot(before.Facing, turned.Facing)) - turned.Facing;
         kept = (Vec3W.Dot(off, off) < SameNormal).Select(kept, 0f);
-        if ((turned.Rules & NormalRules.DropsLeaks) != NormalRules.None)
-        {
-            kept = SurfaceShader.Leaks(turned, -before.Incoming).Select(0f, kept);
-        }
-
-        weight *= kept;
+        weight *= SurfaceShader.Dropped(turned, -before.Incoming).Select(0f, kept);
     }
 
     // What depends on the ray.

@@ -269,6 +269,9 @@ public static class PathState
     /// <summary>Emission at the next hit counts: the last scattering was specular, or there was none (report: countEmittedLight).</summary>
     public const uint CountsEmission = 1 << 16;
 
+    /// <summary>Where subpaths are connected, the lowest bits are the number of the vertex instead, from 0.</summary>
+    internal const uint VertexMask = 0xffff;
+
     /// <summary>
     /// The path has met a dispersing surface: it stands for light of a single wavelength from there on, and its throughput has that
     /// wavelength's colour.

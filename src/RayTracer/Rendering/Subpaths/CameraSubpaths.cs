@@ -45,7 +45,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         _rays = new(Scene, Math.Max(LeastRays, _raysOfPacket));
         _traceRays = TraceRays;
         _connections = (strategies & Strategies.Connections) != Strategies.None ? new(Scene, _pass) : null;
-        _merge = (strategies & Strategies.Merges) != Strategies.None ? new(Scene, _pass, IsPhotons) : null;
+        _merge = (strategies & Strategies.Merges) != Strategies.None ? new(_pass, IsPhotons) : null;
     }
 
     /// <inheritdoc/>
@@ -96,7 +96,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
             at.State = UIntW.Pick(stream.State, index);
             at.Surface.Incoming = stream.PickDirection(index);
             Arrive(stream, index, at.Surface.Incoming, out RgbW arriving);
-            MaskW shared = ~UIntW.Equal(at.State & DepthBits, 0u);
+            MaskW shared = ~UIntW.Equal(at.State & PathState.VertexMask, 0u);
             if (Scene.Environment is not null && shared.Any)
             {
                 arriving *= shared.Select(EnvironmentWeight(stream, index), 1f);
@@ -168,14 +168,15 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     }
 
     /// <inheritdoc/>
-    protected override void Choose(Material material, ref SurfaceW surface, out ScatterW scatter, out FloatW pdf, out FloatW reversePdf)
+    protected override void Choose(ShadingGroup group, ref SurfaceW surface, out ScatterW scatter, out FloatW pdf, out FloatW reversePdf)
     {
-        material.Scatter(surface, Vertex, out scatter);
+        group.Material.Scatter(surface, Vertex, out scatter);
+        scatter.Absorbed |= Dropped(surface, scatter.Direction);
         (pdf, reversePdf) = (1f, 1f);
-        if (material.Traits.HasDensity)
+        if (group.Traits.HasDensity)
         {
-            material.Pdf(surface, scatter.Direction, out pdf);
-            Adjoint.ReversePdf(material, ref surface, scatter.Direction, out reversePdf);
+            group.Material.Pdf(surface, scatter.Direction, out pdf);
+            Adjoint.ReversePdf(group.Material, ref surface, scatter.Direction, out reversePdf);
         }
     }
 
@@ -303,7 +304,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         ref RgbW brought = ref *_brought.Pointer;
         light.Sample(at.Surface.Point, u, v, at.Time, out sample, out brought);
         // Along a light that is just touched, the weights would be 0 / 0; no light comes from there.
-        active = (active & sample.InversePdf > 0f & sample.Cosine > 0f).Except(Leaking(group, sample.Direction));
+        active = (active & sample.InversePdf > 0f & sample.Cosine > 0f).Except(Dropped(at.Surface, sample.Direction));
         group.Material.Evaluate(at.Surface, sample.Direction, out at.Bsdf, out at.Pdf);
         active = active.Except((at.Bsdf.R <= 0f) & (at.Bsdf.G <= 0f) & (at.Bsdf.B <= 0f));
         if (!active.Any)

@@ -12,7 +12,6 @@ namespace RayTracer.Rendering;
 /// <param name="pass">Has the light paths.</param>
 internal sealed unsafe class Connections(Scene scene, LightPass pass)
 {
-    private const uint DepthBits = 0xffff;
     private const int Full = 16384;
     private Connection[] _waiting = new Connection[Full];
     private int[] _order = new int[Full];
@@ -46,7 +45,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
             UIntW vertex = has.Select(next, 0u);
             UIntW at = vertex * LightVertex.Numbers;
             float* numbers = (float*)pass.Vertices.Vertices;
-            UIntW number = UIntW.Gather((uint*)numbers + 12, at) & DepthBits;
+            UIntW number = UIntW.Gather((uint*)numbers + 12, at) & PathState.VertexMask;
             has &= camera.Number + number + 2u < maxDepth;
             Vec3W to = new Vec3W(FloatW.Gather(numbers, at), FloatW.Gather(numbers + 1, at), FloatW.Gather(numbers + 2, at)) - surface.Point;
             FloatW distance2 = Vec3W.Dot(to, to);
@@ -130,12 +129,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         }
 
         group.Material.Evaluate(surface, direction, out RgbW bsdf, out FloatW pdf);
-        active = active.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f));
-        if (group.MayLeak && !(scene.IsLiteral && group.MayBeLiteral))
-        {
-            active = active.Except(SurfaceShader.Leaks(surface, direction));
-        }
-
+        active = active.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f)).Except(SurfaceShader.Dropped(surface, direction));
         if (!active.Any)
         {
             return;
@@ -185,7 +179,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         Vec3W direction = -end.Direction;
         surface.CarriesLight = true;
         group.Material.Pdf(surface, direction, out FloatW pdf);
-        Adjoint.Evaluate(group.Material, ref surface, direction, out RgbW bsdf, out FloatW reversePdf);
+        Adjoint.Evaluate(group.Material, ref surface, direction, out RgbW scattered, out FloatW reversePdf);
         Vec3W goal = SurfaceShader.Leave(surface, direction);
         Vec3W to = goal - end.Start;
         FloatW distance2 = Vec3W.Dot(to, to);
@@ -194,8 +188,8 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         FloatW lit = PathWeights.Power(end.Pdf * cosine / distance2) * end.Sums.Connected(reversePdf, pass.Weights);
         FloatW seen = PathWeights.Power(pdf * end.Cosine / distance2) * end.Sum;
         FloatW scale = 1f / (distance2 * (lit + seen + 1f));
-        RgbW light = end.Value * end.Power * bsdf * scale;
-        active = active.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f)) & distance2 > 0f;
+        RgbW light = end.Value * end.Power * scattered * scale;
+        active = active.Except((scattered.R <= 0f) & (scattered.G <= 0f) & (scattered.B <= 0f)) & distance2 > 0f;
         Vec3W towards = to * (1f / distance);
         Traced += BitOperations.PopCount(active.Bits);
         scene.Primitives.Occlude(end.Start, towards, distance, -1, ref active);

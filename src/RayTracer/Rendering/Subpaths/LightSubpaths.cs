@@ -102,12 +102,9 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         return mayConnect;
     }
 
-    /// <summary>None: what a camera's path would drop, adjoint scattering leaves out (<see cref="Adjoint"/>).</summary>
-    protected override MaskW Leaking(ShadingGroup group, in Vec3W direction) => MaskW.None;
-
     /// <inheritdoc/>
-    protected override void Choose(Material material, ref SurfaceW surface, out ScatterW scatter, out FloatW pdf, out FloatW reversePdf) =>
-        Adjoint.Scatter(material, ref surface, Vertex, out scatter, out pdf, out reversePdf);
+    protected override void Choose(ShadingGroup group, ref SurfaceW surface, out ScatterW scatter, out FloatW pdf, out FloatW reversePdf) =>
+        Adjoint.Scatter(group.Material, ref surface, Vertex, out scatter, out pdf, out reversePdf);
 
     // The colour of the wavelength is left to the whole path, for both of its ends may have it.
     private protected override void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput) =>

@@ -8,12 +8,10 @@ namespace RayTracer.Rendering;
 /// Merges vertices of camera paths with all vertices of light paths that are near, as if they were the same (Georgiev et al. 2012; photon mapping,
 /// Jensen 1996): a bias that goes with the radius.
 /// </summary>
-/// <param name="scene">The scene.</param>
 /// <param name="pass">Has the light paths.</param>
 /// <param name="isIndirect">True if light that comes straight from the lights is left out, and all else counts in full.</param>
-internal sealed unsafe class PhotonMerge(Scene scene, LightPass pass, bool isIndirect)
+internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect)
 {
-    private const uint DepthBits = 0xffff;
     private readonly List<uint>[] _found = [.. Enumerable.Range(0, FloatW.Count).Select(_ => new List<uint>())];
     private readonly PinnedBuffer<PhotonW> _photon = new(1);
 
@@ -43,7 +41,7 @@ internal sealed unsafe class PhotonMerge(Scene scene, LightPass pass, bool isInd
             MaskW has = ~UIntW.Equal(vertex, uint.MaxValue);
             ref PhotonW photon = ref *_photon.Pointer;
             photon.Load(pass.Photons!.Photons, has.Select(vertex, 0u));
-            UIntW number = photon.State & DepthBits;
+            UIntW number = photon.State & PathState.VertexMask;
             has &= end.Number + number + 1u < maxDepth;
             if (isIndirect)
             {
@@ -74,12 +72,7 @@ internal sealed unsafe class PhotonMerge(Scene scene, LightPass pass, bool isInd
             share /= others + 1f;
         }
 
-        if (group.MayLeak && !(scene.IsLiteral && group.MayBeLiteral))
-        {
-            has = has.Except(SurfaceShader.Leaks(surface, direction));
-        }
-
-        has &= along > 0f;
+        has = has.Except(SurfaceShader.Dropped(surface, direction)) & along > 0f;
         RgbW color = UIntW.Equal(photon.State & PathState.HasWavelength, 0u).Select(Rgb.White, end.Color);
         light += has.Select(bsdf * photon.Power * color * share, default);
     }

@@ -12,9 +12,6 @@ namespace RayTracer.Rendering;
 /// <param name="firstGroup">What is added to a vertex's number for its random numbers, so that camera and light have their own.</param>
 internal abstract unsafe class SubpathShader(ShaderContext context, uint firstGroup) : SurfaceShader(context)
 {
-    /// <summary>The bits of a state that are the number of the vertex.</summary>
-    protected const uint DepthBits = 0xffff;
-
     private const float LargestSurvival = 0.95f;
     private readonly PinnedBuffer<VertexW> _at = new(1);
 
@@ -36,7 +33,7 @@ internal abstract unsafe class SubpathShader(ShaderContext context, uint firstGr
         ref VertexW at = ref At;
         at.Path = UIntW.Pick(stream.Path, index);
         at.State = UIntW.Pick(stream.State, index);
-        at.Number = at.State & DepthBits;
+        at.Number = at.State & PathState.VertexMask;
         BeginVertex(at.Path, at.Number + firstGroup);
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out at.Surface);
         at.Throughput = stream.PickThroughput(index);
@@ -75,26 +72,22 @@ internal abstract unsafe class SubpathShader(ShaderContext context, uint firstGr
     protected abstract MaskW Visit(ShadingGroup group, PathStream stream, uint* index, MaskW active);
 
     /// <summary>Chooses how paths go on.</summary>
-    /// <param name="material">The material.</param>
+    /// <param name="group">The group of surfaces.</param>
     /// <param name="surface">The vertices.</param>
     /// <param name="scatter">The next rays.</param>
     /// <param name="pdf">The density of their directions; of no meaning for delta lobes.</param>
     /// <param name="reversePdf">The density of the way back.</param>
-    protected abstract void Choose(Material material, ref SurfaceW surface, out ScatterW scatter, out FloatW pdf, out FloatW reversePdf);
+    protected abstract void Choose(ShadingGroup group, ref SurfaceW surface, out ScatterW scatter, out FloatW pdf, out FloatW reversePdf);
 
     /// <summary>The lanes that shall not go on, by whether their next ray was chosen by a delta lobe.</summary>
     protected virtual MaskW Ending(MaskW delta) => MaskW.None;
-
-    /// <summary>Directions that would come through a surface which is shaded as if it were smoother than it is.</summary>
-    protected virtual MaskW Leaking(ShadingGroup group, in Vec3W direction) =>
-        group.MayLeak && !(Scene.IsLiteral && group.MayBeLiteral) ? Leaks(At.Surface, direction) : MaskW.None;
 
     private void GoOn(ShadingGroup group, MaskW alive, PathStream next)
     {
         ref VertexW at = ref At;
         ref ScatterW scatter = ref at.Scatter;
-        Choose(group.Material, ref at.Surface, out scatter, out at.Pdf, out at.ReversePdf);
-        alive = alive.Except(scatter.Absorbed).Except(Leaking(group, scatter.Direction)).Except(Ending(scatter.Delta));
+        Choose(group, ref at.Surface, out scatter, out at.Pdf, out at.ReversePdf);
+        alive = alive.Except(scatter.Absorbed).Except(Ending(scatter.Delta));
         alive = Survive(alive, scatter.Weight, ref at.Throughput);
         uint going = alive.Bits;
         if (going == 0)
