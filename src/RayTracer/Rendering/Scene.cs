@@ -133,12 +133,10 @@ public sealed class Scene
     }
 
     /// <summary>
-    /// The key of the random numbers that all paths of a sample share, their time and their wavelength, so that they can be merged, or connected
-    /// with light paths of other pixels; null where each path has its own.
+    /// The key of the random numbers that all paths of a sample share, their time and their wavelength, so that they can be merged; null where each
+    /// path has its own.
     /// </summary>
-    internal UIntW? SharedKey =>
-        Render.Integrator.Has(IntegratorTraits.MergesPaths) || (Render.Integrator.Has(IntegratorTraits.TracesLight) && (long)Render.Width * Render.Height > LightPass.MostPaths)
-            ? (UIntW)Hash.PixelKey((uint)Render.Seed, uint.MaxValue) : null;
+    internal UIntW? SharedKey => Render.Integrator.Has(IntegratorTraits.MergesPaths) ? (UIntW)Hash.PixelKey((uint)Render.Seed, uint.MaxValue) : null;
 
     /// <summary>
     /// Chooses one light for each point; null where all of them are sampled at each: in the report, and where they are few.

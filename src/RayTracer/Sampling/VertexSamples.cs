@@ -105,9 +105,14 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     }
 
     /// <summary>The number that chooses the path's wavelength: the same at all of its vertices, and of all paths of a sample where those are merged.</summary>
-    public FloatW Wavelength()
+    public FloatW Wavelength() => Wavelength(_vertex.Pointer->PixelKey, _vertex.Pointer->Sample);
+
+    /// <summary>The number that chooses a path's wavelength.</summary>
+    /// <param name="pixelKey">Keys of the pixels.</param>
+    /// <param name="sample">Numbers of the samples.</param>
+    internal FloatW Wavelength(UIntW pixelKey, UIntW sample)
     {
-        sampler.Begin(SharedKey ?? _vertex.Pointer->PixelKey, _vertex.Pointer->Sample, Dimensions.Wavelength, out SamplePoints points);
+        sampler.Begin(SharedKey ?? pixelKey, sample, Dimensions.Wavelength, out SamplePoints points);
         sampler.Pair(points, 0, out FloatW u, out _);
         return u;
     }

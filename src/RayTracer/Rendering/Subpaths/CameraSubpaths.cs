@@ -33,7 +33,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     /// <param name="context">The context that it works in.</param>
     /// <param name="strategies">What it does.</param>
     public CameraSubpaths(ShaderContext context, Strategies strategies)
-        : base(context, 0)
+        : base(context)
     {
         _lights = [.. Scene.SampledLights];
         (double Open, double Close) shutter = (Scene.Render.Shutter.X, Scene.Render.Shutter.Y);
@@ -111,6 +111,9 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     }
 
     /// <inheritdoc/>
+    protected override void Begin(in UIntW path, in UIntW number) => BeginVertex(path, number);
+
+    /// <inheritdoc/>
     protected override void Arrive(ShadingGroup group, PathStream stream, uint* index, MaskW first)
     {
         ref VertexW at = ref At;
@@ -119,7 +122,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         {
             Scene.Camera.Density(stream.PickOrigin(index), at.Surface.Incoming, at.Distance, at.Time, out FloatW density);
             bool isSeenByLight = (_strategies & Strategies.Camera) != Strategies.None;
-            at.Sums.Vcm = first.Select(isSeenByLight ? SubpathSumsW.Limited(PathWeights.Power(Weights.LightPaths / (density * at.Cosine))) : 0f, at.Sums.Vcm);
+            at.Sums.Vcm = first.Select(isSeenByLight ? SubpathSumsW.Limited(PathWeights.Power(Weights.CameraPaths / (density * at.Cosine))) : 0f, at.Sums.Vcm);
             at.Sums.Vc = first.Select(0f, at.Sums.Vc);
             at.Sums.Vm = first.Select(0f, at.Sums.Vm);
         }
@@ -196,25 +199,11 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         }
     }
 
-    // The light paths that camera paths are connected with: those of their pixels.
+    // The light paths that camera paths are connected with: those of their pixels, where the sample has one.
     private UIntW LightPaths(UIntW path)
     {
         PathNumber.Split(path, Samples, out UIntW pixel, out _);
-        UIntW number = UIntW.Gather(Source.PixelNumbers, pixel);
-        uint paths = (uint)_pass.Vertices.Paths;
-        if (paths == (uint)(Scene.Render.Width * Scene.Render.Height))
-        {
-            return number;
-        }
-
-        // Of pictures with more pixels than a pass has light paths, several share one.
-        uint* lanes = stackalloc uint[16];
-        for (int lane = 0; lane < FloatW.Count; lane++)
-        {
-            lanes[lane] = number[lane] % paths;
-        }
-
-        return UIntW.Load(lanes);
+        return UIntW.Gather(Source.PixelNumbers, pixel);
     }
 
     private static FloatW Share(FloatW others) => 1f / (others + 1f);
@@ -250,7 +239,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     private FloatW SeenWeight(FloatW asked, FloatW emission)
     {
         ref SubpathSumsW sums = ref At.Sums;
-        return Share(FloatW.MultiplyAdd(PathWeights.Power(asked), sums.Vcm, PathWeights.Power(emission) * sums.Vc));
+        return Share(FloatW.MultiplyAdd(PathWeights.Power(asked), sums.Vcm, PathWeights.Power(emission / Weights.PerLightPath) * sums.Vc));
     }
 
     private FloatW EnvironmentWeight(PathStream stream, uint* index)
@@ -318,7 +307,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         {
             light.EmissionPdf(at.Surface.Point, sample, at.Time, out FloatW point, out FloatW direction);
             FloatW emission = point * direction * _pass.Emission.Probability((uint)number);
-            FloatW towards = emission * FloatW.Abs(Vec3W.Dot(sample.Direction, at.Surface.Normal)) / (asked * sample.Cosine);
+            FloatW towards = emission * FloatW.Abs(Vec3W.Dot(sample.Direction, at.Surface.Normal)) / (asked * sample.Cosine * Weights.PerLightPath);
             Adjoint.ReversePdf(group.Material, ref at.Surface, sample.Direction, out FloatW reversePdf);
             others = FloatW.MultiplyAdd(PathWeights.Power(towards), at.Sums.Connected(reversePdf, Weights), others);
         }

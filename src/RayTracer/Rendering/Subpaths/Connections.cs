@@ -136,7 +136,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         }
 
         Adjoint.ReversePdf(group.Material, ref surface, direction, out FloatW reversePdf);
-        RgbW value = camera.Throughput * bsdf * FloatW.Abs(Vec3W.Dot(direction, surface.Facing));
+        RgbW value = camera.Throughput * bsdf * (FloatW.Abs(Vec3W.Dot(direction, surface.Facing)) * pass.Weights.PerLightPath);
         FloatW sum = camera.Sums.Connected(reversePdf, pass.Weights);
         FloatW cosine = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
         Vec3W start = SurfaceShader.Leave(surface, direction);

@@ -6,13 +6,17 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// The light paths of a pass, which are those of one sample of the whole picture: as many as it has pixels, up to <see cref="MostPaths"/>. Their light in
-/// the picture and their vertices are the same whatever part of the picture is rendered, and on any number of threads.
+/// The light paths of a pass, which are those of one sample of the whole picture: of each pixel, or of one of 2ᵏ pixels. Their light in the picture and
+/// their vertices are the same whatever part of the picture is rendered, and on any number of threads.
 /// </summary>
 internal sealed class LightPass
 {
-    /// <summary>The most light paths of a pass, which bounds the memory for their vertices.</summary>
-    public const int MostPaths = 1 << 20;
+    // About the most light paths of a pass, which bounds the memory for their vertices.
+    private const int MostPaths = 1 << 20;
+
+    // 2ᵏ camera paths for each light path, where they are connected: as many as light what the camera sees through glass; where lights are in sight, a
+    // light path is worth less than the camera paths that cost as much.
+    private const int RarityOfConnected = 2;
 
     // Knaus & Zwicker 2011, equation 12: how fast the circles shrink.
     private const double Alpha = 0.75;
@@ -23,6 +27,7 @@ internal sealed class LightPass
     private readonly uint _seed;
     private readonly Strategies _strategies;
     private readonly Tile _area;
+    private readonly int _rarity;
     private readonly float _firstRadius;
     private readonly ConcurrentBag<Worker> _idle = [];
 
@@ -36,7 +41,13 @@ internal sealed class LightPass
         _strategies = ((LightTracingIntegrator)scene.Render.Integrator).Strategies;
         (_scene, _options, _threads, _seed) = (scene, options, threads, seed);
         _area = options.Crop ?? new(0, 0, scene.Render.Width, scene.Render.Height);
-        Vertices = new((int)Math.Min((long)scene.Render.Width * scene.Render.Height, MostPaths));
+        Vertices = new(scene.Render.Width * scene.Render.Height);
+        _rarity = Has(Strategies.Connections) ? RarityOfConnected : 0;
+        while (Vertices.Paths >> _rarity > MostPaths)
+        {
+            _rarity++;
+        }
+
         Splats = new(scene.Render.Width, scene.Render.Height) { Threads = threads };
         Emission = new(scene);
         if (Has(Strategies.Merges))
@@ -47,7 +58,7 @@ internal sealed class LightPass
     }
 
     /// <summary>The constants of the weights.</summary>
-    public PathWeights Weights { get; private set; } = new(1, 0);
+    public PathWeights Weights { get; private set; } = new(1, 1, 0);
 
     /// <summary>How many light paths' vertices a merge takes in, for each unit of their density: N·πr².</summary>
     public float MergedPaths { get; private set; }
@@ -74,8 +85,9 @@ internal sealed class LightPass
     public bool Trace(int sample, CancellationToken cancellation)
     {
         float radius = _firstRadius * (float)double.Sqrt(Shrunk(sample));
-        MergedPaths = Vertices.Paths * float.Pi * radius * radius;
-        Weights = new(Vertices.Paths, Has(Strategies.Merges | Strategies.Camera) ? radius : 0);
+        int perLightPath = 1 << _rarity;
+        MergedPaths = Vertices.Paths * float.Pi * radius * radius / perLightPath;
+        Weights = new(Vertices.Paths, perLightPath, Has(Strategies.Merges | Strategies.Camera) ? radius : 0);
         ParallelLoopResult done = Parallel.For(0, Vertices.Blocks, new ParallelOptions { MaxDegreeOfParallelism = _threads }, (block, state) =>
         {
             if (cancellation.IsCancellationRequested)
@@ -131,8 +143,8 @@ internal sealed class LightPass
         public void Follow(int block, int sample)
         {
             int first = block * LightVertices.BlockSize;
-            _starts.Begin(first, Math.Min(LightVertices.BlockSize, _pass.Vertices.Paths - first), sample, _pass._seed);
-            _shader.Begin(_starts, first, _pass.Weights);
+            _starts.Begin(first, Math.Min(LightVertices.BlockSize, _pass.Vertices.Paths - first), sample, _pass._rarity, _pass._seed);
+            _shader.Begin(_starts, _pass.Weights);
             _stages.Follow(_starts, new(sample, sample + 1));
             _pass.Vertices.SetBlock(block, _shader.Vertices);
         }

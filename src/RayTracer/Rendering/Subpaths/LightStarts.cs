@@ -11,6 +11,7 @@ internal sealed unsafe class LightStarts(Scene scene) : PathSource
     private readonly LightEmission _emission = new(scene);
     private readonly PinnedBuffer<uint> _keys = new(LightVertices.BlockSize);
     private readonly PinnedBuffer<uint> _numbers = new(LightVertices.BlockSize);
+    private readonly PinnedBuffer<uint> _samples = new(LightVertices.BlockSize);
     private readonly PinnedBuffer<uint> _lights = new(LightVertices.BlockSize);
     private readonly PinnedBuffer<float> _cosines = new(LightVertices.BlockSize);
     private readonly PinnedBuffer<float> _densities = new(LightVertices.BlockSize);
@@ -29,6 +30,9 @@ internal sealed unsafe class LightStarts(Scene scene) : PathSource
     /// <inheritdoc/>
     public override int Total => _total;
 
+    /// <summary>Of each path, how many its pixel has had before.</summary>
+    public uint* Samples => _samples.Pointer;
+
     /// <summary>Of each path, the number of its light among <see cref="Scene.SampledLights"/>.</summary>
     public uint* Lights => _lights.Pointer;
 
@@ -41,18 +45,29 @@ internal sealed unsafe class LightStarts(Scene scene) : PathSource
     /// <summary>Of each path, the primitive from which it starts.</summary>
     public uint* Primitives => _primitives.Pointer;
 
-    /// <summary>Prepares for a block of paths.</summary>
-    /// <param name="firstPath">Number of the first of them.</param>
+    /// <summary>
+    /// Prepares for the paths of a block of pixels. In one of 2ᵏ samples each pixel has a path, chosen at random: were it every 2ᵏth, it would always go
+    /// with the same stratum of the camera's samples. The random numbers of a pixel's paths are consecutive, as they are stratified so.
+    /// </summary>
+    /// <param name="firstPixel">Number of the first of them.</param>
     /// <param name="count">Their number.</param>
     /// <param name="sample">The sample.</param>
+    /// <param name="rarity">k.</param>
     /// <param name="seed">Selects the random numbers.</param>
-    public void Begin(int firstPath, int count, int sample, uint seed)
+    public void Begin(int firstPixel, int count, int sample, int rarity, uint seed)
     {
-        (_sample, _issued, _total) = (sample, 0, count);
-        for (int i = 0; i < count; i++)
+        (_sample, _issued, _total) = (sample, 0, 0);
+        uint turn = (uint)sample >> rarity;
+        uint ofTurn = (uint)sample & ((1u << rarity) - 1);
+        for (uint pixel = (uint)firstPixel; pixel < firstPixel + count; pixel++)
         {
-            _numbers.Pointer[i] = (uint)(firstPath + i);
-            _keys.Pointer[i] = Hash.PixelKey(seed, (uint)(firstPath + i));
+            uint key = Hash.PixelKey(seed, pixel);
+            if (rarity == 0 || Hash.PixelKey(key, turn) >> (32 - rarity) == ofTurn)
+            {
+                _numbers.Pointer[_total] = pixel;
+                _keys.Pointer[_total] = key;
+                _samples.Pointer[_total++] = turn;
+            }
         }
     }
 
@@ -64,9 +79,8 @@ internal sealed unsafe class LightStarts(Scene scene) : PathSource
         {
             int count = Math.Min(Math.Min(FloatW.Count, _total - _issued), stream.Capacity - stream.Count);
             UIntW key = UIntW.Load(_keys.Pointer + _issued);
-            UIntW sample = (uint)_sample;
-            FloatW time = scene.IsTimed ? scene.Time(key, sample) : scene.Render.Shutter.X;
-            _emission.Start(scene.Sampler, key, sample, time, MaskW.First(count), out UIntW light, out ray);
+            FloatW time = scene.IsTimed ? scene.Time(key, (uint)_sample) : scene.Render.Shutter.X;
+            _emission.Start(scene.Sampler, key, UIntW.Load(_samples.Pointer + _issued), time, MaskW.First(count), out UIntW light, out ray);
             light.Store(_lights.Pointer + _issued);
             ray.Cosine.Store(_cosines.Pointer + _issued);
             (ray.PointPdf * ray.DirectionPdf * _emission.Probability(light)).Store(_densities.Pointer + _issued);

@@ -23,7 +23,6 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     private readonly ShadowRays _rays;
     private readonly PinnedBuffer<CameraLinkW> _link = new(1);
     private LightStarts _starts = null!;
-    private int _firstPath;
     private LightVertex[] _vertices = new LightVertex[LightVertices.BlockSize];
     private int _count;
     private long _traced;
@@ -34,7 +33,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     /// <param name="splats">Takes the light of the picture.</param>
     /// <param name="area">The part of the picture that is wanted.</param>
     public LightSubpaths(ShaderContext context, Strategies strategies, SplatSums splats, Tile area)
-        : base(context, FirstGroup)
+        : base(context)
     {
         _lights = [.. Scene.SampledLights];
         (double Open, double Close) shutter = (Scene.Render.Shutter.X, Scene.Render.Shutter.Y);
@@ -46,15 +45,13 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     /// <inheritdoc/>
     internal override long ShadowRays => _traced;
 
-    /// <summary>The vertices of the paths since <see cref="Begin(LightStarts, int, PathWeights)"/>.</summary>
+    /// <summary>The vertices of the paths since <see cref="Begin(LightStarts, PathWeights)"/>.</summary>
     public ReadOnlySpan<LightVertex> Vertices => _vertices.AsSpan(0, _count);
 
     /// <summary>Prepares for a block of paths.</summary>
     /// <param name="starts">Starts them.</param>
-    /// <param name="firstPath">Number of the first in the pass.</param>
     /// <param name="weights">The constants of the pass.</param>
-    public void Begin(LightStarts starts, int firstPath, PathWeights weights) =>
-        (_starts, _firstPath, Weights, _count) = (starts, firstPath, weights, 0);
+    public void Begin(LightStarts starts, PathWeights weights) => (_starts, Weights, _count) = (starts, weights, 0);
 
     /// <inheritdoc/>
     internal override void Flush(PathStream next) => TraceSplats();
@@ -63,6 +60,10 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     internal override void Miss(PathStream stream, uint* members, int count)
     {
     }
+
+    /// <inheritdoc/>
+    protected override void Begin(in UIntW path, in UIntW number) =>
+        Vertex.Begin(UIntW.Gather(_starts.PixelKeys, path), UIntW.Gather(_starts.Samples, path), number + FirstGroup);
 
     /// <inheritdoc/>
     protected override void Arrive(ShadingGroup group, PathStream stream, uint* index, MaskW first)
@@ -108,7 +109,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
 
     // The colour of the wavelength is left to the whole path, for both of its ends may have it.
     private protected override void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput) =>
-        Scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out _);
+        Scene.Wavelengths!.Sample(Wavelength(), out surface.Wavelength, out _);
 
     // The first vertex: the other ways are a camera path that asks the light, and one that meets it.
     private void Start(ShadingGroup group, MaskW first, ref VertexW at)
@@ -149,8 +150,8 @@ internal sealed unsafe class LightSubpaths : SubpathShader
             asked *= probability;
         }
 
-        at.Sums.Vcm = first.Select(SubpathSumsW.Limited(PathWeights.Power(asked / (emission * at.Cosine))), at.Sums.Vcm);
-        at.Sums.Vc = first.Select(SubpathSumsW.Limited(PathWeights.Power(met / emission)), at.Sums.Vc);
+        at.Sums.Vcm = first.Select(SubpathSumsW.Limited(PathWeights.Power(asked / (emission * at.Cosine) * Weights.PerLightPath)), at.Sums.Vcm);
+        at.Sums.Vc = first.Select(SubpathSumsW.Limited(PathWeights.Power(met / emission * Weights.PerLightPath)), at.Sums.Vc);
         at.Sums.Vm = first.Select(at.Sums.Vc * Weights.Connecting, at.Sums.Vm);
     }
 
@@ -158,8 +159,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     {
         ref VertexW at = ref At;
         ref CameraLinkW link = ref *_link.Pointer;
-        PathNumber.Split(at.Path, Samples, out UIntW path, out UIntW sample);
-        Scene.Camera.Link(at.Surface.Point, at.Time, Scene.Sampler, UIntW.Gather(_starts.PixelKeys, path), sample, out link);
+        Scene.Camera.Link(at.Surface.Point, at.Time, Scene.Sampler, UIntW.Gather(_starts.PixelKeys, at.Path), UIntW.Gather(_starts.Samples, at.Path), out link);
         active &= link.Sees;
         if (!active.Any)
         {
@@ -175,10 +175,10 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         }
 
         Adjoint.Evaluate(group.Material, ref at.Surface, link.Direction, out at.Bsdf, out at.ReversePdf);
-        FloatW scale = link.Density * filtered * (1f / Weights.LightPaths);
+        FloatW scale = link.Density * filtered * (Weights.PerLightPath / Weights.CameraPaths);
         if ((_strategies & ~(Strategies.Camera | Strategies.Seen)) != Strategies.None)
         {
-            FloatW seen = link.Density * FloatW.Abs(Vec3W.Dot(link.Direction, at.Surface.Normal)) * (1f / Weights.LightPaths);
+            FloatW seen = link.Density * FloatW.Abs(Vec3W.Dot(link.Direction, at.Surface.Normal)) * (1f / Weights.CameraPaths);
             scale /= FloatW.MultiplyAdd(PathWeights.Power(seen), at.Sums.Connected(at.ReversePdf, Weights), 1f);
         }
 
@@ -192,10 +192,13 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         Ask(group, active, link, (y.ToInt() * (uint)Scene.Render.Width) + x.ToInt(), light);
     }
 
+    // The number that chooses the path's wavelength: that of the camera paths of its sample.
+    private FloatW Wavelength() => Vertex.Wavelength(UIntW.Gather(_starts.PixelKeys, At.Path), (uint)Samples.First);
+
     // The colour of the path's wavelength.
     private RgbW WavelengthColor()
     {
-        Scene.Wavelengths!.Sample(Vertex.Wavelength(), out _, out RgbW color);
+        Scene.Wavelengths!.Sample(Wavelength(), out _, out RgbW color);
         return color;
     }
 
@@ -269,7 +272,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
                 Vc = at.Sums.Vc[lane],
                 Vm = at.Sums.Vm[lane],
                 State = at.State[lane],
-                Path = (uint)_firstPath + at.Path[lane],
+                Path = _starts.PixelNumbers[at.Path[lane]],
                 Origin = new(stream.OriginX[i], stream.OriginY[i], stream.OriginZ[i]),
                 Distance = at.Distance[lane],
                 Primitive = stream.Primitive[i],

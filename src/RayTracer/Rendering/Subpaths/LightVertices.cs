@@ -12,7 +12,9 @@ internal sealed unsafe class LightVertices(int paths)
     /// <summary>The number of paths that one thread follows at a time.</summary>
     public const int BlockSize = 4096;
 
-    private readonly LightVertex[][] _blocks = new LightVertex[((paths - 1) / BlockSize) + 1][];
+    // Kept for the next pass: memory that is allocated anew in each has to be collected.
+    private readonly LightVertex[][] _blocks = [.. Enumerable.Repeat<LightVertex[]>([], ((paths - 1) / BlockSize) + 1)];
+    private readonly int[] _counts = new int[((paths - 1) / BlockSize) + 1];
     private readonly PinnedBuffer<uint> _first = new(paths + 1L);
     private PinnedBuffer<LightVertex> _vertices = new(0);
     private int _capacity;
@@ -52,13 +54,18 @@ internal sealed unsafe class LightVertices(int paths)
             next[path + 1] += next[path];
         }
 
-        LightVertex[] sorted = GC.AllocateUninitializedArray<LightVertex>(vertices.Length);
+        if (_blocks[block].Length < vertices.Length)
+        {
+            _blocks[block] = GC.AllocateUninitializedArray<LightVertex>(vertices.Length * 9 / 8);
+        }
+
+        LightVertex[] sorted = _blocks[block];
         foreach (ref readonly LightVertex vertex in vertices)
         {
             sorted[next[(int)vertex.Path - firstPath]++] = vertex;
         }
 
-        _blocks[block] = sorted;
+        _counts[block] = vertices.Length;
     }
 
     /// <summary>Puts all blocks together.</summary>
@@ -68,7 +75,7 @@ internal sealed unsafe class LightVertices(int paths)
         int[] starts = new int[_blocks.Length + 1];
         for (int block = 0; block < _blocks.Length; block++)
         {
-            starts[block + 1] = checked(starts[block] + _blocks[block].Length);
+            starts[block + 1] = checked(starts[block] + _counts[block]);
         }
 
         if (_capacity < starts[^1])
@@ -79,8 +86,7 @@ internal sealed unsafe class LightVertices(int paths)
 
         Parallel.For(0, _blocks.Length, new ParallelOptions { MaxDegreeOfParallelism = threads }, block =>
         {
-            _blocks[block].CopyTo(new Span<LightVertex>(_vertices.Pointer + starts[block], _blocks[block].Length));
-            _blocks[block] = [];
+            _blocks[block].AsSpan(0, _counts[block]).CopyTo(new(_vertices.Pointer + starts[block], _counts[block]));
             for (int path = block * BlockSize; path < Math.Min((block + 1) * BlockSize, paths); path++)
             {
                 _first.Pointer[path] += (uint)starts[block];

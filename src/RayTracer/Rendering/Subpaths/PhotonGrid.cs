@@ -34,6 +34,9 @@ internal struct Photon
 internal sealed unsafe class PhotonGrid
 {
     private const int RowsOfPoint = 4;
+    private const uint BucketsOfY = 19349663;
+    private const uint BucketsOfZ = 83492791;
+    private const float Farthest = 1e9f;
     private PinnedBuffer<uint> _first = new(0);
     private PinnedBuffer<Photon> _photons = new(0);
     private int _capacity;
@@ -54,7 +57,7 @@ internal sealed unsafe class PhotonGrid
         new Span<uint>(_first.Pointer, (int)_mask + 2).Clear();
         for (int i = 0; i < vertices.Count; i++)
         {
-            _first.Pointer[Bucket(Cell(vertices.Vertices[i].Point)) + 1]++;
+            _first.Pointer[Bucket(vertices.Vertices[i].Point) + 1]++;
         }
 
         // Each bucket's start, which its photons then push on to its end: the next one's start.
@@ -69,7 +72,7 @@ internal sealed unsafe class PhotonGrid
         for (int i = 0; i < vertices.Count; i++)
         {
             ref LightVertex vertex = ref vertices.Vertices[i];
-            _photons.Pointer[_first.Pointer[Bucket(Cell(vertex.Point)) + 1]++] = new()
+            _photons.Pointer[_first.Pointer[Bucket(vertex.Point) + 1]++] = new()
             {
                 Point = vertex.Point,
                 State = vertex.State,
@@ -81,76 +84,72 @@ internal sealed unsafe class PhotonGrid
         }
     }
 
-    /// <summary>Finds the photons near points. What has to be fetched from memory is asked for of all points at once.</summary>
+    /// <summary>Finds the photons near points.</summary>
     /// <param name="points">The points.</param>
-    /// <param name="lanes">The lanes in use.</param>
+    /// <param name="active">The lanes in use.</param>
     /// <param name="found">Takes the numbers of each lane's photons.</param>
     /// <returns>The most photons of a lane.</returns>
-    public int Find(in Vec3W points, uint lanes, List<uint>[] found)
+    public int Find(in Vec3W points, MaskW active, List<uint>[] found)
     {
-        Rows* rows = stackalloc Rows[16];
-        for (uint rest = lanes; rest != 0; rest &= rest - 1)
+        foreach (List<uint> list in found)
         {
-            int lane = BitOperations.TrailingZeroCount(rest);
-            rows[lane] = RowsOf(new(points.X[lane], points.Y[lane], points.Z[lane]));
+            list.Clear();
+        }
+
+        Vec3W scaled = points * _inverseWidth;
+        CellW first = new() { X = Floor(scaled.X - 0.5f), Y = Floor(scaled.Y - 0.5f), Z = Floor(scaled.Z - 0.5f) };
+        for (int row = 0; row < RowsOfPoint; row++)
+        {
+            CellW cell = first;
+            cell.Y += (uint)row & 1;
+            cell.Z += (uint)row >> 1;
+            UIntW bucket = (((cell.Y * BucketsOfY) ^ (cell.Z * BucketsOfZ)) + cell.X) & _mask;
+            MaskW isLast = active & UIntW.Equal(bucket, _mask);
+            Find(points, cell, UIntW.Gather(_first.Pointer, bucket), UIntW.Gather(_first.Pointer, isLast.Select(_mask + 1, bucket + 2u)), active, found);
+            if (isLast.Any)
+            {
+                // After the last bucket comes the first.
+                Find(points, cell, 0u, _first.Pointer[1], isLast, found);
+            }
         }
 
         int most = 0;
-        for (int lane = 0; lane < FloatW.Count; lane++)
+        foreach (List<uint> list in found)
         {
-            found[lane].Clear();
-            for (int range = 0; range < 2 * RowsOfPoint && (lanes >> lane & 1) != 0; range++)
-            {
-                Find(rows[lane], range, found[lane]);
-            }
-
-            most = Math.Max(most, found[lane].Count);
+            most = Math.Max(most, list.Count);
         }
 
         return most;
     }
 
-    // The four pairs of cells, neighbours along x, around a point: a bucket and the next.
-    private Rows RowsOf(Vector3 point)
+    // Of the photons of a cell and its neighbour along x, and of others with the same hash.
+    private void Find(in Vec3W points, in CellW cell, UIntW next, UIntW end, MaskW active, List<uint>[] found)
     {
-        Vector3 scaled = point * _inverseWidth;
-        Rows rows = new() { Point = point, X = Floor(scaled.X - 0.5f), Y = Floor(scaled.Y - 0.5f), Z = Floor(scaled.Z - 0.5f) };
-        for (int row = 0; row < RowsOfPoint; row++)
+        for (MaskW has = active & next < end; has.Any; has = active & next < end)
         {
-            uint bucket = Bucket((rows.X, rows.Y + (row & 1), rows.Z + (row >> 1)));
-            rows.Begin[row] = _first.Pointer[bucket];
-            rows.End[row] = _first.Pointer[Math.Min(bucket + 2, _mask + 1)];
-            rows.Begin[RowsOfPoint + row] = 0;
-
-            // After the last bucket comes the first.
-            rows.End[RowsOfPoint + row] = bucket == _mask ? _first.Pointer[1] : 0;
-        }
-
-        return rows;
-    }
-
-    private void Find(in Rows rows, int range, List<uint> found)
-    {
-        Vector3 point = rows.Point;
-        int row = range % RowsOfPoint;
-        for (uint i = rows.Begin[range]; i < rows.End[range]; i++)
-        {
-            Vector3 at = _photons.Pointer[i].Point;
-            Vector3 away = at - point;
-            float distance2 = (away.X * away.X) + (away.Y * away.Y) + (away.Z * away.Z);
-            if (distance2 < _radius2)
+            UIntW at = has.Select(next, 0u) * Photon.Numbers;
+            float* numbers = (float*)_photons.Pointer;
+            Vec3W point = new(FloatW.Gather(numbers, at), FloatW.Gather(numbers + 1, at), FloatW.Gather(numbers + 2, at));
+            Vec3W away = point - points;
+            MaskW isNear = has & Vec3W.Dot(away, away) < _radius2;
+            if (isNear.Any)
             {
-                // Other cells may have the same hash.
-                (int x, int y, int z) = Cell(at);
-                if ((uint)(x - rows.X) < 2 && y == rows.Y + (row & 1) && z == rows.Z + (row >> 1))
+                Vec3W scaled = point * _inverseWidth;
+                isNear &= (Floor(scaled.X) - cell.X < 2u) & UIntW.Equal(Floor(scaled.Y), cell.Y) & UIntW.Equal(Floor(scaled.Z), cell.Z);
+                for (uint lanes = isNear.Bits; lanes != 0; lanes &= lanes - 1)
                 {
-                    found.Add(i);
+                    int lane = BitOperations.TrailingZeroCount(lanes);
+                    found[lane].Add(next[lane]);
                 }
             }
+
+            next += 1u;
         }
     }
 
-    private static int Floor(float x) => (int)float.Clamp(float.Floor(x), -1e9f, 1e9f);
+    private static UIntW Floor(FloatW x) => FloatW.Max(FloatW.Min(FloatW.Floor(x), Farthest), -Farthest).ToIntInRange();
+
+    private static uint Floor(float x) => (uint)(int)float.Clamp(float.Floor(x), -Farthest, Farthest);
 
     private void MakeRoom(int photons)
     {
@@ -167,16 +166,15 @@ internal sealed unsafe class PhotonGrid
         }
     }
 
-    private (int X, int Y, int Z) Cell(Vector3 point) => (Floor(point.X * _inverseWidth), Floor(point.Y * _inverseWidth), Floor(point.Z * _inverseWidth));
-
     // With primes of Teschner et al. 2003; cells that are neighbours along x have neighbouring buckets.
-    private uint Bucket((int X, int Y, int Z) cell) => ((((uint)cell.Y * 19349663u) ^ ((uint)cell.Z * 83492791u)) + (uint)cell.X) & _mask;
-
-    private struct Rows
+    private uint Bucket(Vector3 point)
     {
-        public Vector3 Point;
-        public int X, Y, Z;
-        public fixed uint Begin[2 * RowsOfPoint];
-        public fixed uint End[2 * RowsOfPoint];
+        Vector3 scaled = point * _inverseWidth;
+        return (((Floor(scaled.Y) * BucketsOfY) ^ (Floor(scaled.Z) * BucketsOfZ)) + Floor(scaled.X)) & _mask;
+    }
+
+    private struct CellW
+    {
+        public UIntW X, Y, Z;
     }
 }

@@ -25,7 +25,7 @@ internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect)
     public void Add(ShadingGroup group, ref SurfaceW surface, in CameraEndW end, uint maxDepth, MaskW active, out RgbW light)
     {
         light = default;
-        int most = pass.Photons!.Find(surface.Point, active.Bits, _found);
+        int most = pass.Photons!.Find(surface.Point, active, _found);
         uint* chosen = stackalloc uint[16];
 
         // What is one over, of first vertices, no other way has made before.

@@ -9,8 +9,7 @@ namespace RayTracer.Rendering;
 /// know how, and go on. <see cref="LightSubpaths"/> and <see cref="CameraSubpaths"/> say what is different between the two.
 /// </summary>
 /// <param name="context">The context that it works in.</param>
-/// <param name="firstGroup">What is added to a vertex's number for its random numbers, so that camera and light have their own.</param>
-internal abstract unsafe class SubpathShader(ShaderContext context, uint firstGroup) : SurfaceShader(context)
+internal abstract unsafe class SubpathShader(ShaderContext context) : SurfaceShader(context)
 {
     private const float LargestSurvival = 0.95f;
     private readonly PinnedBuffer<VertexW> _at = new(1);
@@ -19,7 +18,7 @@ internal abstract unsafe class SubpathShader(ShaderContext context, uint firstGr
     protected uint MaxDepth { get; } = context.Scene.Render.MaxDepth < 0 ? RenderDescription.LongestPath : (uint)context.Scene.Render.MaxDepth;
 
     /// <summary>The constants of the weights; set when a pass begins.</summary>
-    protected PathWeights Weights { get; set; } = new(1, 0);
+    protected PathWeights Weights { get; set; } = new(1, 1, 0);
 
     /// <summary>What camera paths see of what is behind everything; null where nobody asks.</summary>
     private protected Backdrop? Backdrop { get; } = context.Backdrop;
@@ -34,7 +33,7 @@ internal abstract unsafe class SubpathShader(ShaderContext context, uint firstGr
         at.Path = UIntW.Pick(stream.Path, index);
         at.State = UIntW.Pick(stream.State, index);
         at.Number = at.State & PathState.VertexMask;
-        BeginVertex(at.Path, at.Number + firstGroup);
+        Begin(at.Path, at.Number);
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out at.Surface);
         at.Throughput = stream.PickThroughput(index);
         at.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
@@ -56,6 +55,11 @@ internal abstract unsafe class SubpathShader(ShaderContext context, uint firstGr
             GoOn(group, goesOn, next);
         }
     }
+
+    /// <summary>Turns to the random numbers of vertices, of which camera and light have their own.</summary>
+    /// <param name="path">Numbers of the paths.</param>
+    /// <param name="number">Numbers of the vertices on them, from 0.</param>
+    protected abstract void Begin(in UIntW path, in UIntW number);
 
     /// <summary>Brings the partial sums to the vertices.</summary>
     /// <param name="group">The group of surfaces.</param>

@@ -69,15 +69,21 @@ internal struct SubpathSumsW
 }
 
 /// <summary>The one heuristic by which all ways to make a path are weighed, and its constants in a pass.</summary>
-/// <param name="lightPaths">The number of light paths of the pass, to one camera path of each pixel.</param>
+/// <param name="cameraPaths">The number of camera paths of the pass, one of each pixel.</param>
+/// <param name="perLightPath">How many of them there are for each light path, and for each one that is connected with a light path.</param>
 /// <param name="mergeRadius">How near to one another vertices are merged; 0 where none are.</param>
-internal sealed class PathWeights(int lightPaths, float mergeRadius)
+internal sealed class PathWeights(float cameraPaths, int perLightPath, float mergeRadius)
 {
-    /// <summary>The number of light paths of the pass.</summary>
-    public float LightPaths { get; } = lightPaths;
+    /// <summary>The light paths of the pass, as often as there is one for each connection: the number of camera paths.</summary>
+    public float CameraPaths { get; } = cameraPaths;
 
-    /// <summary>How many light paths' vertices a merge takes in, for each unit of their density: N·πr². 0 where none are merged.</summary>
-    public float Merge { get; } = lightPaths * float.Pi * mergeRadius * mergeRadius;
+    /// <summary>Camera paths for each one that is connected with a light path: all of them ask the lights, or meet them.</summary>
+    public float PerLightPath { get; } = perLightPath;
+
+    /// <summary>
+    /// How many light paths' vertices a merge takes in, for each connection and each unit of their density: N·πr². 0 where none are merged.
+    /// </summary>
+    public float Merge { get; } = cameraPaths * float.Pi * mergeRadius * mergeRadius;
 
     /// <summary>The factor of a merge beside a connection: the power of <see cref="Merge"/>.</summary>
     public float Merging => Merge * Merge;
