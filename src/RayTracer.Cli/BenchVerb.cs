@@ -28,12 +28,14 @@ internal static class BenchVerb
         Option<bool> json = new("--json") { Description = "Prints one JSON object." };
         command.Arguments.Add(scenes);
         command.AddOptions(repeat, json);
+        IntegratorBench integrators = new(command);
         JobOptionSet settings = new(command, [JobOptions.Find("--spp")!, JobOptions.Set]);
         VerboseOption verbose = new(command);
         command.SetAction(result =>
         {
-            int rounds = (int)(repeat.Value(result) ?? 3);
-            return Run(result.GetValue(scenes)!, settings.Given(result).Settings, rounds, result.GetValue(json), verbose.Times(result, streams), streams);
+            (string[] paths, IReadOnlyList<SceneSetting> given, StageTimes stages) = (result.GetValue(scenes)!, settings.Given(result).Settings, verbose.Times(result, streams));
+            return integrators.IsWanted(result, repeat) ? integrators.Run(result, paths, given, result.GetValue(json), stages, streams)
+                : Run(paths, given, (int)(repeat.Value(result) ?? 3), result.GetValue(json), stages, streams);
         });
     }
 

@@ -76,7 +76,7 @@ public sealed record ImageComparison
                 double difference = Math.Abs((double)a[i] - b[i]);
                 count++;
                 squares += difference * difference;
-                relative += difference * difference / (((double)b[i] * b[i]) + 0.01);
+                relative += RelativeSquare(a[i], b[i]);
                 if (difference > largest)
                 {
                     largest = difference;
@@ -101,6 +101,10 @@ public sealed record ImageComparison
             NotFinite = (3L * image.Width * image.Height) - count,
         };
     }
+
+    /// <summary>What one value of an image adds to <see cref="RelativeMse"/>.</summary>
+    internal static double RelativeSquare(double value, double reference) =>
+        (value - reference) * (value - reference) / ((reference * reference) + 0.01);
 
     internal static void CheckSameSize(IImageRows image, IImageRows reference)
     {

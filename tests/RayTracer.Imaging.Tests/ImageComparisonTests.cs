@@ -33,6 +33,31 @@ public class ImageComparisonTests
     }
 
     [Fact]
+    public void Relative_error_is_known_with_and_without_the_worst_thousandth()
+    {
+        Picture reference = new(40, 50);
+        Array.Fill(reference.Pixels, 0.5f);
+        Picture image = new(40, 50, [.. reference.Pixels]);
+        Assert.Equal(new(0, 0), RelativeError.Of(image, reference));
+
+        // Squares of 4, 1 and 1/16, by 0.5² + 0.01 and three channels; the worst two of 2,000 pixels are left out.
+        (image.Pixels[0], image.Pixels[3000], image.Pixels[5999]) = (2.5f, -0.5f, 0.75f);
+        RelativeError error = RelativeError.Of(image, reference);
+        Assert.Equal((4 + 1 + 0.0625) / 0.26 / 6000, error.Whole, 1e-12);
+        Assert.Equal(0.0625 / 0.26 / (3 * 1998), error.Trimmed, 1e-12);
+        Assert.Equal(ImageComparison.Compare(image, reference).RelativeMse, error.Whole, 1e-12);
+    }
+
+    [Fact]
+    public void Relative_error_leaves_out_pixels_that_are_not_finite()
+    {
+        Picture reference = new(2, 1, [0, 0, 0, 0, 0, 0]);
+        Assert.Equal(0.01 / 0.01 / 3, RelativeError.Of(new Picture(2, 1, [0.1f, 0, 0, float.NaN, 5, 5]), reference).Whole, 1e-6);
+        Assert.True(double.IsNaN(RelativeError.Of(reference, new Picture(2, 1, [.. Enumerable.Repeat(float.PositiveInfinity, 6)])).Trimmed));
+        Assert.Throws<PictureException>(() => RelativeError.Of(reference, new Picture(1, 2)));
+    }
+
+    [Fact]
     public void Ssim_is_the_mean_over_all_windows()
     {
         Picture a = TestPictures.Noise(17, 13, 1);

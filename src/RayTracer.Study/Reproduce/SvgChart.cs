@@ -12,6 +12,7 @@ internal static class SvgChart
     private const int Top = 48;
     private const int Bottom = Height - 62;
     private const int CurveSteps = 100;
+    private const int LegendWidth = 130;
     private const string Ink = "#222222";
     private const string GridColour = "#e2e2e2";
     private static readonly XNamespace Svg = "http://www.w3.org/2000/svg";
@@ -20,7 +21,7 @@ internal static class SvgChart
     /// <param name="panels">From left to right.</param>
     public static XDocument Draw(IReadOnlyList<ChartPanel> panels)
     {
-        int width = PanelWidth * panels.Count;
+        int width = panels.Sum(WidthOf);
         return new(new XElement(
             Svg + "svg",
             new XAttribute("width", width),
@@ -29,23 +30,25 @@ internal static class SvgChart
             new XAttribute("font-family", "Helvetica, Arial, 'Liberation Sans', sans-serif"),
             new XAttribute("font-size", 13),
             Element("rect", ("width", width), ("height", Height), ("fill", "white")),
-            panels.Select(Panel)));
+            panels.Select((p, i) => Panel(p, i, panels.Take(i).Sum(WidthOf)))));
     }
 
-    private static XElement Panel(ChartPanel panel, int index)
+    private static int WidthOf(ChartPanel panel) => PanelWidth + (panel.HasLegendAside ? LegendWidth : 0);
+
+    private static XElement Panel(ChartPanel panel, int index, int left)
     {
         IChartAxis x = Axis(panel, p => p.X);
         IChartAxis y = Axis(panel, p => p.Y);
         string clip = $"plot-{index}";
         return new(
             Svg + "g",
-            new XAttribute("transform", $"translate({index * PanelWidth} 0)"),
+            new XAttribute("transform", $"translate({left} 0)"),
             new XElement(Svg + "clipPath", new XAttribute("id", clip), Element("rect", ("x", Left), ("y", Top), ("width", Right - Left), ("height", Bottom - Top))),
             Text(panel.Title, (Left + Right) / 2, Top - 20, "middle", ("font-weight", "bold"), ("font-size", 15)),
             Axes(x, y, panel),
             panel.Series.Select(s => Curve(s, x, y, clip)),
             panel.Series.SelectMany(s => s.Points.Select(p => Point(X(p.X, x), Y(p.Y, y), s.Colour))),
-            panel.Series.SelectMany(LegendEntry));
+            panel.Series.SelectMany((s, i) => LegendEntry(s, i, panel.HasLegendAside ? Right : Left)));
     }
 
     private static IChartAxis Axis(ChartPanel panel, Func<(double X, double Y), double> coordinate)
@@ -79,25 +82,30 @@ internal static class SvgChart
 
     private static XElement? Curve(ChartSeries series, IChartAxis x, IChartAxis y, string clip)
     {
-        if (series.Fit is not { } fit)
-        {
-            return null;
-        }
-
-        double start = x.Place(series.Points.Min(p => p.X));
-        double step = (x.Place(series.Points.Max(p => p.X)) - start) / CurveSteps;
-        IEnumerable<string> corners = Enumerable.Range(0, CurveSteps + 1).Select(i => x.ValueAt(start + (i * step)))
-            .Select(v => $"{X(v, x):0.##},{Y(fit(v), y):0.##}");
-        return Element("polyline", ("points", string.Join(' ', corners)), ("fill", "none"), ("stroke", series.Colour), ("stroke-width", 1.5), ("clip-path", $"url(#{clip})"));
+        IEnumerable<(double X, double Y)>? corners = series.IsJoined ? series.Points : series.Fit is { } fit ? Fitted(fit, series, x) : null;
+        return corners is null ? null : Element(
+            "polyline",
+            ("points", string.Join(' ', corners.Select(c => $"{X(c.X, x):0.##},{Y(c.Y, y):0.##}"))),
+            ("fill", "none"),
+            ("stroke", series.Colour),
+            ("stroke-width", 1.5),
+            ("clip-path", $"url(#{clip})"));
     }
 
-    private static IEnumerable<XElement> LegendEntry(ChartSeries series, int index)
+    private static IEnumerable<(double X, double Y)> Fitted(Func<double, double> fit, ChartSeries series, IChartAxis x)
     {
-        const int X = Left + 16;
+        double start = x.Place(series.Points.Min(p => p.X));
+        double step = (x.Place(series.Points.Max(p => p.X)) - start) / CurveSteps;
+        return Enumerable.Range(0, CurveSteps + 1).Select(i => x.ValueAt(start + (i * step))).Select(v => (v, fit(v)));
+    }
+
+    private static IEnumerable<XElement> LegendEntry(ChartSeries series, int index, int left)
+    {
+        int x = left + 16;
         int y = Top + 18 + (20 * index);
-        yield return Line(X, y, X + 26, y, series.Colour, 1.5);
-        yield return Element("rect", ("x", X + 9.5), ("y", y - 3.5), ("width", 7), ("height", 7), ("rx", 3.5), ("fill", series.Colour));
-        yield return Text(series.Name, X + 34, y + 4.5, "start");
+        yield return Line(x, y, x + 26, y, series.Colour, 1.5);
+        yield return Element("rect", ("x", x + 9.5), ("y", y - 3.5), ("width", 7), ("height", 7), ("rx", 3.5), ("fill", series.Colour));
+        yield return Text(series.Name, x + 34, y + 4.5, "start");
     }
 
     private static double X(double value, IChartAxis axis) => Left + ((Right - Left) * axis.Place(value));
@@ -130,11 +138,19 @@ internal static class SvgChart
 /// <param name="Series">The curves; at least one point is not at zero in x, and one in y.</param>
 /// <param name="IsLogarithmic">True if both axes are logarithmic.</param>
 internal sealed record ChartPanel(
-    string Title, string XTitle, string YTitle, IReadOnlyList<ChartSeries> Series, bool IsLogarithmic = false);
+    string Title, string XTitle, string YTitle, IReadOnlyList<ChartSeries> Series, bool IsLogarithmic = false)
+{
+    /// <summary>True if the legend stands beside the axes: curves that fall leave no room for it above them.</summary>
+    public bool HasLegendAside { get; init; }
+}
 
 /// <summary>Points of a chart, and the curve through them.</summary>
 /// <param name="Name">For the legend.</param>
 /// <param name="Colour">As in CSS.</param>
 /// <param name="Points">The points; neither coordinate is negative, nor zero on logarithmic axes.</param>
 /// <param name="Fit">The curve; null for none.</param>
-internal sealed record ChartSeries(string Name, string Colour, IReadOnlyList<(double X, double Y)> Points, Func<double, double>? Fit);
+internal sealed record ChartSeries(string Name, string Colour, IReadOnlyList<(double X, double Y)> Points, Func<double, double>? Fit)
+{
+    /// <summary>True if straight lines join the points, in the place of a curve.</summary>
+    public bool IsJoined { get; init; }
+}

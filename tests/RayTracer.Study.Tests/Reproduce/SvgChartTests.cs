@@ -29,6 +29,18 @@ public sealed class SvgChartTests
         }
     }
 
+    [Fact]
+    public void Lines_join_points_and_the_legend_stands_beside_them()
+    {
+        ChartSeries series = new("name", "#123456", Points, Fit: null) { IsJoined = true };
+        XElement chart = SvgChart.Draw([new("Title", "x", "y", [series], IsLogarithmic: true) { HasLegendAside = true }]).Root!;
+        string[] corners = [.. chart.Descendants(Svg + "circle").Select(c => $"{c.Attribute("cx")!.Value},{c.Attribute("cy")!.Value}")];
+        Assert.Equal(corners, chart.Descendants(Svg + "polyline").Single().Attribute("points")!.Value.Split(' '));
+        double Legend(XElement of) => (double)of.Descendants(Svg + "text").Single(t => t.Value == "name").Attribute("x")!;
+        Assert.True(Legend(chart) > chart.Descendants(Svg + "line").Max(l => (double)l.Attribute("x1")!));
+        Assert.InRange(Legend(SvgChart.Draw([new("Title", "x", "y", [series])]).Root!), 0, 300);
+    }
+
     [Theory]
     [InlineData(400, 100, 4, "400")]
     [InlineData(2119.9, 500, 5, "2500")]
