@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
@@ -102,7 +103,8 @@ internal static class Adjoint
     // The surface as seen along the ray that comes from a direction.
     private static void Turn(Material material, ref SurfaceW surface, in Vec3W direction, bool carriesLight, out Seen before)
     {
-        before = new(surface);
+        Unsafe.SkipInit(out before);
+        before.Keep(surface);
         surface.Incoming = -direction;
         surface.CarriesLight = carriesLight;
         SurfaceShader.TurnToRay(ref surface);
@@ -158,28 +160,49 @@ internal static class Adjoint
         weight *= SurfaceShader.Dropped(turned, -before.Incoming).Select(0f, kept);
     }
 
-    // What depends on the ray.
-    private readonly struct Seen(in SurfaceW surface)
+    // What depends on the ray; the second half of it only where rules say so.
+    private struct Seen
     {
-        public readonly Vec3W Incoming = surface.Incoming;
-        public readonly Vec3W Facing = surface.Facing;
-        private readonly Vec3W _tangent = surface.Tangent;
-        private readonly Vec3W _unmapped = surface.Unmapped;
-        private readonly RgbW _diffuseColor = surface.DiffuseColor;
-        private readonly FloatW _cosine = surface.Cosine;
-        private readonly MaskW _inside = surface.Inside;
-        private readonly bool _carriesLight = surface.CarriesLight;
+        private const NormalRules All = NormalRules.Mapped | NormalRules.ByRay | NormalRules.HasTangent;
+        public Vec3W Incoming;
+        public Vec3W Facing;
+        private FloatW _cosine;
+        private MaskW _inside;
+        private bool _carriesLight;
+        private Vec3W _tangent;
+        private Vec3W _unmapped;
+        private RgbW _diffuseColor;
 
-        public void Restore(ref SurfaceW surface)
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Keep(in SurfaceW surface)
+        {
+            Incoming = surface.Incoming;
+            Facing = surface.Facing;
+            _cosine = surface.Cosine;
+            _inside = surface.Inside;
+            _carriesLight = surface.CarriesLight;
+            if ((surface.Rules & All) != NormalRules.None)
+            {
+                _tangent = surface.Tangent;
+                _unmapped = surface.Unmapped;
+                _diffuseColor = surface.DiffuseColor;
+            }
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public readonly void Restore(ref SurfaceW surface)
         {
             surface.Incoming = Incoming;
             surface.Facing = Facing;
-            surface.Tangent = _tangent;
-            surface.Unmapped = _unmapped;
-            surface.DiffuseColor = _diffuseColor;
             surface.Cosine = _cosine;
             surface.Inside = _inside;
             surface.CarriesLight = _carriesLight;
+            if ((surface.Rules & All) != NormalRules.None)
+            {
+                surface.Tangent = _tangent;
+                surface.Unmapped = _unmapped;
+                surface.DiffuseColor = _diffuseColor;
+            }
         }
     }
 }

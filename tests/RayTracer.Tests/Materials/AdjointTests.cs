@@ -102,7 +102,7 @@ public class AdjointTests
             }
         }
 
-        int count = TestSettings.Scale(1 << 14, 1 << 18);
+        int count = TestSettings.Scale(1 << 14, 1 << 16);
         double mass = expected.Sum();
         expected[^1] = 1 - mass;
         expected = [.. expected.Select(p => Math.Max(p * count, 1e-3))];
@@ -138,7 +138,7 @@ public class AdjointTests
             Random random = new(TestSettings.Seed + 1);
             Pattern g = new(random, at.Normal);
             Pattern h = new(random, default);
-            int count = TestSettings.Scale(1 << 13, 1 << 18);
+            int count = TestSettings.Scale(1 << 13, 1 << 16);
             double[] found = Sample(count, 2, random, (o, samples) =>
             {
                 SurfaceW surface = at.Meet(material, -o);

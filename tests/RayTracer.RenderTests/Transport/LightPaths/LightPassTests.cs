@@ -21,10 +21,10 @@ public class LightPassTests
             return pass.MergedPaths;
         }
 
-        Assert.Equal(24 * 24 * float.Pi * 0.04f, Area(0), 1e-3f);
+        Assert.Equal(24 * 24 / 4 * float.Pi * 0.04f, Area(0), 1e-3f);
         Assert.Equal(0.875, Area(1) / Area(0), 1e-5);
         Assert.InRange(Area(400) / Area(100), 0.705, 0.709);
-        Assert.Equal(pass.MergedPaths, pass.Weights.Merge, 1e-3f);
+        Assert.Equal(pass.MergedPaths * 4, pass.Weights.Merge, 1e-3f);
     }
 
     [Theory]
@@ -43,14 +43,44 @@ public class LightPassTests
     [InlineData("vcm", 24, true)]
     [InlineData("bidirectional", 24, false)]
     [InlineData("path", 2000, false)]
-    [InlineData("bidirectional", 2000, true)]
     public void Paths_of_different_pixels_have_one_time_where_they_are_joined(string integrator, int edge, bool isOne)
     {
-        // More pixels than light paths: those of other pixels are connected, too.
         Scene scene = TestScenes.Build(LightPathScene.All.Single(s => s.Name.StartsWith("a mesh that", StringComparison.Ordinal)).Text.Replace(
             "\"width\": 24, \"height\": 24,", $"\"width\": {edge}, \"height\": {edge}, \"integrator\": \"{integrator}\",", StringComparison.Ordinal));
         FloatW times = scene.Time(UIntW.Iota * 12345u, 3u);
         Assert.Equal(isOne, times[0] == times[1] && times[1] == times[2]);
+    }
+
+    [Fact]
+    public unsafe void Each_pixel_has_a_light_path_in_one_of_four_samples_chosen_at_random()
+    {
+        LightStarts starts = new(TestScenes.Build(LightPathScene.All[0].Text));
+        const int Pixels = 4000;
+        int[] chosen = new int[4];
+        int twice = 0;
+        int[] last = new int[Pixels];
+        for (int turn = 0; turn < 8; turn++)
+        {
+            int[] samples = new int[Pixels];
+            for (int sample = 0; sample < 4; sample++)
+            {
+                starts.Begin(0, Pixels, (4 * turn) + sample, rarity: 2, seed: 9);
+                for (int path = 0; path < starts.Total; path++)
+                {
+                    Assert.Equal((uint)turn, starts.Samples[path]);
+                    samples[starts.PixelNumbers[path]] += 1 << (8 * sample);
+                    chosen[sample]++;
+                }
+            }
+
+            Assert.All(samples, s => Assert.Contains(s, (int[])[1, 1 << 8, 1 << 16, 1 << 24]));
+            twice += turn == 0 ? 0 : samples.Zip(last).Count(s => s.First == s.Second);
+            last = samples;
+        }
+
+        // A quarter of 32,000 each, and of 28,000, by chance: five standard deviations.
+        Assert.All(chosen, c => Assert.InRange(c, 8000 - 390, 8000 + 390));
+        Assert.InRange(twice, 7000 - 365, 7000 + 365);
     }
 
     private static LightPass Pass(string integrator, float radius)

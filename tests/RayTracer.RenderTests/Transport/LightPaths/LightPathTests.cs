@@ -14,7 +14,7 @@ public class LightPathTests(ITestOutputHelper output)
 {
     // A circle in which next to nothing is merged: what is left of vcm has the expectation of path tracing.
     private const float NoRadius = 1e-4f;
-    private static readonly int s_seeds = TestSettings.Scale(16, 64);
+    private static readonly int s_seeds = TestSettings.Scale(16, 32);
     private static readonly string[] s_integrators = ["bidirectional", "vcm", "light"];
     private static readonly ConcurrentDictionary<(string Scene, string Integrator), Lazy<ImageSamples>> s_images = [];
 

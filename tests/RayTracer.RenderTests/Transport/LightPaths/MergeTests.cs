@@ -95,7 +95,7 @@ public class MergeTests
         ImageSamples bare = Render(Scene(""), "path", 0, 16, firstSeed: 7001);
         ImageSamples behind = Render(Scene(pane), "path", 0, 1, firstSeed: 7001);
         Assert.Equal(0, behind.Estimate(s_blocks[^1], 1).Mean);
-        ImageSamples merged = Render(Scene(pane), integrator, 0.1f, 8, firstSeed: 8001);
+        ImageSamples merged = Render(Scene(pane), integrator, 0.1f, 16, firstSeed: 8001);
         double p = PValues.Smallest(s_blocks.Select(block => BlockTest.Welch(merged.Estimate(block, 1), bare.Estimate(block, 1))));
         BlockEstimate found = merged.Estimate(s_blocks[^1], 1);
         string what = FormattableString.Invariant($"{integrator}: {found.Mean} ± {Math.Sqrt(found.Variance)}, without glass {bare.Estimate(s_blocks[^1], 1).Mean}");
