@@ -79,8 +79,8 @@ public static class JobRules
         Add("files", job.Outputs.Count > 0);
         Add("nowhere", job.Outputs.Count == 0 && job.Checkpoint is null && !more.Contains("--json"));
         Add("passes", job.KeepsFilm);
-        Add("auxiliary images", job.Aovs.Count > 0);
-        Add("layers of light", job.Layers.Count > 0);
+        Add("auxiliary images", job.Aovs.Count > 0 || job.Strategies);
+        Add("layers of light", job.Layers.Count > 0 || job.Strategies);
         Add("only films", job.Outputs.Count > 0 && job.Outputs.All(FilmFile.IsNamed));
         Add("no film", job.Checkpoint is { } checkpoint && !FilmFile.IsNamed(checkpoint));
         Add("no film in a file", !job.HasFilmFile);

@@ -107,6 +107,29 @@ public sealed class AovTests : IDisposable
     }
 
     [Fact]
+    public void Ways_to_make_paths_are_layers_of_exr_and_a_sheet_beside_other_formats()
+    {
+        string[] line = ["render", _scene, "-o", _folder["a.png"], "-o", _folder["a.exr"], "--aov", "strategies,depth", "--integrator", "vcm", "--quiet"];
+        Assert.Equal(new CliRun(0, "", ""), CliRun.Of(line));
+        Assert.Equal(["a.depth.png", "a.exr", "a.png", "a.strategies.png", "scene.json"], Directory.GetFiles(_folder.Path).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+        byte[] exr = File.ReadAllBytes(_folder["a.exr"]);
+        Assert.Contains(ExrReader.ReadChannel(exr, "s1t2.weighted.R"), v => v > 0);
+        Assert.Contains(ExrReader.ReadChannel(exr, "merge.s2t2.unweighted.B"), v => v > 0);
+        Assert.Equal(ExrReader.ReadChannel(exr, "R").Length, ExrReader.ReadChannel(exr, "longer.G").Length);
+        Assert.True(ImageFile.Read(_folder["a.strategies.png"]).Width > 7 * ImageFile.Read(_folder["a.png"]).Width);
+        Assert.Equal(0, CliRun.Of("verify", _folder["a.png"]).Status);
+    }
+
+    [Fact]
+    public void Integrators_that_make_paths_from_the_camera_alone_have_no_pyramid()
+    {
+        CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.png"], "--aov", "strategies", "--integrator", "path");
+        Assert.Equal(2, run.Status);
+        Assert.Contains("--aov strategies: only the light, bidirectional, photons and vcm integrators make paths from the lights too", run.Error, StringComparison.Ordinal);
+        Assert.Contains("choose one of them with --integrator", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_file_beside_that_cannot_be_written_is_reported_before_the_work()
     {
         Directory.CreateDirectory(_folder["a.depth.png"]);
