@@ -2,6 +2,7 @@ using System.Text.Json.Nodes;
 using RayTracer.Jobs;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
+using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
@@ -21,6 +22,11 @@ internal static class PixelReport
         {
             string what = job.Sample is { } sample ? $"sample {sample}" : $"mean of {count} samples";
             streams.Output.WriteLine($"pixel {x},{y}, {what}: {Text(mean)}");
+            foreach ((string name, Rgb weighted, Rgb? alone) in Ways(job, result))
+            {
+                string weight = alone is { Luminance: > 0 } whole ? $"; alone {whole.R} {whole.G} {whole.B}, weight {weighted.Luminance / whole.Luminance}" : "";
+                streams.Output.WriteLine($"  {name}: radiance {weighted.R} {weighted.G} {weighted.B}{weight}");
+            }
         }
 
         foreach (BadSample bad in result.Statistics.BadSamples)
@@ -31,8 +37,31 @@ internal static class PixelReport
         result.WarnOfClamped(streams);
     }
 
+    // What the ways to make paths bring to the pixel, those that bring something; the light of the longest paths is not known alone.
+    private static IEnumerable<(string Name, Rgb Weighted, Rgb? Alone)> Ways(RenderJob job, JobResult result)
+    {
+        if (result.Strategies is not { } film)
+        {
+            return [];
+        }
+
+        Rgb Of(string layer) => PixelOf(film.Layers.Single(l => l.Name == layer).Image, job.Pixel!.Value);
+        return film.Strategies.Select(s => (s.Name, Of($"{s.Name}.weighted"), (Rgb?)Of($"{s.Name}.unweighted")))
+            .Append((StrategyFilm.Longer, Of(StrategyFilm.Longer), null))
+            .Where(way => way is not { Item2.IsBlack: true, Item3: null or { IsBlack: true } });
+    }
+
+    private static Rgb PixelOf(IImageRows image, (int X, int Y) pixel)
+    {
+        float[] row = new float[3 * image.Width];
+        image.ReadRow(pixel.Y, row);
+        return new(row[3 * pixel.X], row[(3 * pixel.X) + 1], row[(3 * pixel.X) + 2]);
+    }
+
     // Floats are written with as many digits as distinguish them from every other float.
     private static string Text(Rgb color) => $"radiance {color.R} {color.G} {color.B}, luminance {color.Luminance}";
+
+    private static JsonArray Numbers(Rgb color) => new(color.R, color.G, color.B);
 
     private static JsonObject Json(RenderJob job, JobResult result, Rgb mean)
     {
@@ -43,8 +72,18 @@ internal static class PixelReport
         }
 
         json["samples"] = result.Film.TotalSamples;
-        json["radiance"] = new JsonArray(mean.R, mean.G, mean.B);
+        json["radiance"] = Numbers(mean);
         json["luminance"] = mean.Luminance;
+        if (result.Strategies is not null)
+        {
+            json["strategies"] = new JsonArray([.. Ways(job, result).Select(way => (JsonNode)new JsonObject
+            {
+                ["name"] = way.Name,
+                ["weighted"] = Numbers(way.Weighted),
+                ["unweighted"] = way.Alone is { } alone ? Numbers(alone) : null,
+            })]);
+        }
+
         json["nonFiniteSamples"] = result.Statistics.NonFiniteSamples;
         return json;
     }

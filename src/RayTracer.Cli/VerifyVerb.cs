@@ -41,7 +41,7 @@ internal static class VerifyVerb
         Film? whole = null;
         foreach (SampleRange? range in claim.Samples)
         {
-            RenderJob job = claim.Job with { Outputs = [], Aovs = [], Layers = [], Denoise = false, Checkpoint = null, Threads = threads };
+            RenderJob job = claim.Job with { Outputs = [], Aovs = [], Layers = [], Strategies = false, Denoise = false, Checkpoint = null, Threads = threads };
 
             // Whatever decided on the number of samples: these they are.
             job = range is null ? job : job with { Samples = range, Part = null, Noise = null, Time = null };

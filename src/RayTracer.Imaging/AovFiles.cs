@@ -53,17 +53,19 @@ public static class AovFiles
     }
 
     /// <summary>The layers of light of an OpenEXR file, as 32-bit floats: <c>direct.R</c>, <c>light.key.R</c>.</summary>
-    public static IReadOnlyList<ExrLayerChannel> Layers(LightPathAovFilm film)
+    public static IReadOnlyList<ExrLayerChannel> Layers(LightPathAovFilm film) => Layers(film.Names.Select((name, i) => (name, film.Image(i))));
+
+    /// <summary>Layers of light of an OpenEXR file, by their names.</summary>
+    internal static IReadOnlyList<ExrLayerChannel> Layers(IEnumerable<(string Name, IImageRows Image)> images)
     {
         List<ExrLayerChannel> layers = [];
-        for (int i = 0; i < film.Names.Count; i++)
+        foreach ((string name, IImageRows image) in images)
         {
-            IImageRows image = film.Image(i);
             float[] row = new float[3 * image.Width];
             for (int c = 0; c < 3; c++)
             {
                 int channel = c;
-                layers.Add(new($"{film.Names[i]}.{"RGB"[c]}", ExrPixelType.Float, (y, values) =>
+                layers.Add(new($"{name}.{"RGB"[c]}", ExrPixelType.Float, (y, values) =>
                 {
                     image.ReadRow(y, row);
                     for (int x = 0; x < image.Width; x++)

@@ -20,6 +20,7 @@ internal sealed class JobFilms
             throw LoadedJob.OtherScene(job.Scene);
         }
 
+        Strategies = job.Strategies ? StrategiesOf(scene, Film) : null;
         Light = job.Layers.Count > 0 ? LightOf(job, scene, Film) : null;
         Auxiliary = new(Film, job.Aovs);
         CheckPlanes(job, scene);
@@ -30,6 +31,9 @@ internal sealed class JobFilms
 
     /// <summary>The layers of light; null where none are wanted.</summary>
     public LightPathAovFilm? Light { get; }
+
+    /// <summary>What each way to make paths brings; null where nobody asks.</summary>
+    public StrategyFilm? Strategies { get; }
 
     /// <summary>The auxiliary images.</summary>
     public AovFilm Auxiliary { get; }
@@ -72,6 +76,7 @@ internal sealed class JobFilms
             + (planes.Contains(FilmPlane.Alpha) ? PassCell.BackdropBytesPerPixel : 0);
         long bytes = FilmMemory.Bytes(width, height, planes) + ((long)atWork * width * height)
             + AovFilm.Bytes(job.Aovs, width, height) + LightPathAovFilm.Bytes(job.Layers, scene)
+            + (job.Strategies && scene.Render.Integrator.Has(IntegratorTraits.TracesLight) ? StrategyFilm.Bytes(scene) : 0)
             + (job.Denoise ? Denoising.Bytes(width, height, FilmPlane.Needed(scene.Render.Integrator, noise: true)) : 0);
         long available = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         return bytes <= available && (long)width * height <= Film.MaxPixels ? new(width, height, planes) : throw new JobException(
@@ -88,8 +93,25 @@ internal sealed class JobFilms
         {
             string hint = scene.Render.Integrator.Has(IntegratorTraits.Layers) ? "give several of them one \"lightGroup\""
                 : "choose another --integrator";
-            string reason = e.Message.Split(" (Parameter '")[0].TrimEnd('.');
-            throw new JobException(JobFault.Request, $"--aov: {char.ToLowerInvariant(reason[0])}{reason[1..]}: {hint}");
+            throw Refused("--aov", e, hint);
         }
+    }
+
+    private static StrategyFilm StrategiesOf(Scene scene, Film film)
+    {
+        try
+        {
+            return new(film, scene);
+        }
+        catch (ArgumentException e)
+        {
+            throw Refused("--aov strategies", e, "choose one of them with --integrator");
+        }
+    }
+
+    private static JobException Refused(string option, ArgumentException e, string hint)
+    {
+        string reason = e.Message.Split(" (Parameter '")[0].TrimEnd('.');
+        return new(JobFault.Request, $"{option}: {char.ToLowerInvariant(reason[0])}{reason[1..]}: {hint}");
     }
 }

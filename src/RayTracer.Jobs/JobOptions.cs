@@ -48,7 +48,8 @@ public static class JobOptions
     private const string UpPath = "camera.up";
     private static readonly string[] s_axes = ["x", "y", "z"];
     private static readonly string[] s_ups = ["[1,0,0]", "[0,1,0]", "[0,0,1]"];
-    private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightPathAov>()];
+    private const string Strategies = "strategies";
+    private static readonly object[] s_aovs = [.. AuxiliaryImage.Known.All, .. Enum.GetValues<LightPathAov>(), Strategies];
     private static readonly string[] s_aovNames = [.. s_aovs.Select(
         a => a is AuxiliaryImage image ? image.Name : $"{a}".ToLowerInvariant())];
 
@@ -177,7 +178,7 @@ public static class JobOptions
             j => j.Pixel is { } p ? $"{p.X},{p.Y}" : null),
         new("--sample", "N", "With --pixel: renders only this sample, from 0.", (j, w) => j with { Sample = (int)W.Integer(w, 0, int.MaxValue - 1) }, j => Text(j.Sample, null)),
         new("--aov", string.Join(',', s_aovNames), $"Writes auxiliary images too: of what is known of pixels ({AuxiliaryImage.Known.All[0].Name} to {AuxiliaryImage.Known.All[^1].Name}), or parts of the light "
-            + "(emission to lights, which is one for each light). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", PutAovs, AovText) { Use = JobOptionUse.Pictures },
+            + "(emission to lights, which is one for each light; strategies: by each way to make paths from both ends). As layers of .exr files, else in files beside them (out.depth.png). One or more, with commas between them.", PutAovs, AovText) { Use = JobOptionUse.Pictures },
         new("--denoise", null, "Writes a denoised picture too: as a layer of .exr files, else in a file beside them (out.denoised.png).",
             (j, _) => j with { Denoise = true }, j => Flag(j.Denoise)) { Use = JobOptionUse.Pictures },
         Halves,
@@ -257,11 +258,11 @@ public static class JobOptions
     {
         object[] kinds = [.. list.Split(',').Select(word => Array.IndexOf(s_aovNames, word) is >= 0 and int i ? s_aovs[i]
             : throw new FormatException($"unknown image {Quotation.Of(word)}{Spelling.DidYouMean(word, s_aovNames)}, expected some of {string.Join(", ", s_aovNames)}"))];
-        return job with { Aovs = [.. kinds.OfType<AuxiliaryImage>()], Layers = [.. kinds.OfType<LightPathAov>()] };
+        return job with { Aovs = [.. kinds.OfType<AuxiliaryImage>()], Layers = [.. kinds.OfType<LightPathAov>()], Strategies = kinds.Contains(Strategies) };
     }
 
     private static string? AovText(RenderJob job) =>
-        job.Aovs.Cast<object>().Concat(job.Layers.Cast<object>()).Select(a => s_aovNames[Array.IndexOf(s_aovs, a)])
+        job.Aovs.Cast<object>().Concat(job.Layers.Cast<object>()).Concat(job.Strategies ? [Strategies] : []).Select(a => s_aovNames[Array.IndexOf(s_aovs, a)])
             .ToArray() is { Length: > 0 } names ? string.Join(',', names) : null;
 
     private static RenderJob Written(RenderJob job, Func<ImageWriteOptions, ImageWriteOptions> change) =>

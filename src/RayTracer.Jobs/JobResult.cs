@@ -47,6 +47,9 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     /// <summary>The layers of light; null where there are none.</summary>
     public LightPathAovFilm? Light { get; init; }
 
+    /// <summary>What each way to make paths brings; null where nobody asks.</summary>
+    internal StrategyFilm? Strategies { get; init; }
+
     /// <summary>Denoises the film; null where no denoised picture is wanted.</summary>
     public Denoising? Denoising { get; init; }
 

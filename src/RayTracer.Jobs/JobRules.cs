@@ -22,10 +22,10 @@ public static class JobRules
         ("nowhere", "!--pixel", "where to? Give -o FILE (or --json alone for the numbers, or --pixel x,y)"),
         ("--pixel", "files", "--pixel prints numbers and writes no image: leave -o out"),
         ("--pixel", "--crop", "--pixel and --crop cannot go together"),
-        ("--pixel", "--aov", "--pixel prints numbers and writes no image: leave --aov out"),
+        ("--pixel", "images of all pixels", "--pixel prints numbers and writes no image: leave --aov out, but for --aov strategies"),
         ("--pixel", "--denoise", "--pixel prints numbers and writes no image: leave --denoise out"),
         ("--denoise", "!files", "--denoise writes an image: where to? Give -o FILE"),
-        ("--aov", "!files", "--aov writes images: where to? Give -o FILE"),
+        ("--aov", "nowhere to write", "--aov writes images: where to? Give -o FILE"),
         ("--pixel", "--noise|--adaptive", "--pixel renders a given number of samples: leave --noise and --adaptive out"),
         ("--adaptive", "--samples|--part", "--adaptive decides how many samples there are: leave --samples and --part out"),
         ("--preview", "--pixel", "--pixel prints numbers: leave --preview out"),
@@ -79,8 +79,10 @@ public static class JobRules
         Add("files", job.Outputs.Count > 0);
         Add("nowhere", job.Outputs.Count == 0 && job.Checkpoint is null && !more.Contains("--json"));
         Add("passes", job.KeepsFilm);
-        Add("auxiliary images", job.Aovs.Count > 0);
-        Add("layers of light", job.Layers.Count > 0);
+        Add("auxiliary images", job.Aovs.Count > 0 || job.Strategies);
+        Add("images of all pixels", job.Aovs.Count + job.Layers.Count > 0);
+        Add("nowhere to write", job.Outputs.Count == 0 && job.Pixel is null);
+        Add("layers of light", job.Layers.Count > 0 || job.Strategies);
         Add("only films", job.Outputs.Count > 0 && job.Outputs.All(FilmFile.IsNamed));
         Add("no film", job.Checkpoint is { } checkpoint && !FilmFile.IsNamed(checkpoint));
         Add("no film in a file", !job.HasFilmFile);

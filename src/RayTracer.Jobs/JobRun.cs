@@ -62,7 +62,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         IProgress<RenderProgress>? progress = watch.Begin(scene.Render);
         using IDisposable? shown = progress as IDisposable;
         long start = Stopwatch.GetTimestamp();
-        JobResult result = Render(new(job, scene, description, options with { Layers = films.Light }, progress, cancellation), films);
+        JobResult result = Render(new(job, scene, description, options with { Layers = films.Light, Strategies = films.Strategies }, progress, cancellation), films);
         result = result with { Seconds = Stopwatch.GetElapsedTime(start).TotalSeconds, Description = description };
         shown?.Dispose();
         watch.End(JobStage.Render);
@@ -84,7 +84,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
     private JobResult Render(LoadedJob loaded, JobFilms films)
     {
         Guidance.Check(loaded);
-        JobResult result = new(loaded.Scene, films.Film, new() { Cancelled = true }, loaded.Options.Threads, 0) { Light = films.Light };
+        JobResult result = new(loaded.Scene, films.Film, new() { Cancelled = true }, loaded.Options.Threads, 0) { Light = films.Light, Strategies = films.Strategies };
         try
         {
             long begun = Stopwatch.GetTimestamp();

@@ -15,6 +15,7 @@ public sealed class PictureFiles
     private readonly List<(string Path, AuxiliaryImage Image)> _images = [];
     private readonly List<(string Path, int Layer)> _layers = [];
     private readonly List<string> _denoised = [];
+    private readonly List<string> _sheets = [];
 
     /// <summary>Lists the files whose names are known before the scene is.</summary>
     /// <exception cref="JobException">Two images would go to one file.</exception>
@@ -25,6 +26,11 @@ public sealed class PictureFiles
         foreach (string output in Pictures)
         {
             _images.AddRange(job.Aovs.Distinct().Select(i => (Beside($"--aov {i.Name}", output, AovFiles.Beside(output, i.Name)), i)));
+            if (job.Strategies)
+            {
+                _sheets.Add(Beside("--aov strategies", output, AovFiles.Beside(output, "strategies")));
+            }
+
             if (job.Denoise)
             {
                 _denoised.Add(Beside("--denoise", output, DenoisedFiles.Beside(output)));
@@ -33,7 +39,7 @@ public sealed class PictureFiles
     }
 
     /// <summary>All files.</summary>
-    public IReadOnlyList<string> All => [.. _job.Outputs, .. _images.Select(f => f.Path), .. _denoised, .. _layers.Select(l => l.Path)];
+    public IReadOnlyList<string> All => [.. _job.Outputs, .. _images.Select(f => f.Path), .. _denoised, .. _sheets, .. _layers.Select(l => l.Path)];
 
     /// <summary>The places of the denoised picture, as they are reported: files, and layers of files.</summary>
     public IEnumerable<string> Denoised =>
@@ -110,6 +116,7 @@ public sealed class PictureFiles
             [
                 .. result.Auxiliary is { } images ? AovFiles.Layers(images) : [],
                 .. result.Light is { } light ? AovFiles.Layers(light) : [],
+                .. result.Strategies is { } strategies ? AovFiles.Layers(strategies.Layers) : [],
                 .. denoised is null ? [] : DenoisedFiles.Layers(TransparentRows.Of(denoised, result.Film, writing).Image),
             ],
         };
@@ -131,6 +138,11 @@ public sealed class PictureFiles
         {
             (IImageRows image, string range) = AovFiles.Rows(path, result.Auxiliary!, kind);
             Write([path], image, writing with { Exposure = 0, ToneMap = ToneMap.Clamp }, new("Aov", kind.Name), new("Range", range));
+        }
+
+        if (_sheets.Count > 0)
+        {
+            Write(_sheets, StrategySheet.Draw(result.Strategies!, writing), writing with { Exposure = 0, ToneMap = ToneMap.Clamp }, new KeyValuePair<string, string>("Aov", "strategies"));
         }
 
         _layers.ForEach(l => Write(

@@ -51,6 +51,9 @@ public sealed record RenderJob
     /// <summary>The layers of light to write.</summary>
     public IReadOnlyList<LightPathAov> Layers { get; init; } = [];
 
+    /// <summary>True if what each way to make paths brings is written too.</summary>
+    public bool Strategies { get; init; }
+
     /// <summary>True if a denoised picture is written too.</summary>
     public bool Denoise { get; init; }
 

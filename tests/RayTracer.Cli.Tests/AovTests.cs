@@ -107,6 +107,42 @@ public sealed class AovTests : IDisposable
     }
 
     [Fact]
+    public void Ways_to_make_paths_are_layers_of_exr_and_a_sheet_beside_other_formats()
+    {
+        string[] line = ["render", _scene, "-o", _folder["a.png"], "-o", _folder["a.exr"], "--aov", "strategies,depth", "--integrator", "vcm", "--quiet"];
+        Assert.Equal(new CliRun(0, "", ""), CliRun.Of(line));
+        Assert.Equal(["a.depth.png", "a.exr", "a.png", "a.strategies.png", "scene.json"], Directory.GetFiles(_folder.Path).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+        byte[] exr = File.ReadAllBytes(_folder["a.exr"]);
+        Assert.Contains(ExrReader.ReadChannel(exr, "s1t2.weighted.R"), v => v > 0);
+        Assert.Contains(ExrReader.ReadChannel(exr, "merge.s2t2.unweighted.B"), v => v > 0);
+        Assert.Equal(ExrReader.ReadChannel(exr, "R").Length, ExrReader.ReadChannel(exr, "longer.G").Length);
+        Assert.True(ImageFile.Read(_folder["a.strategies.png"]).Width > 7 * ImageFile.Read(_folder["a.png"]).Width);
+        Assert.Equal(0, CliRun.Of("verify", _folder["a.png"]).Status);
+    }
+
+    [Fact]
+    public void A_sample_is_the_sum_of_what_the_ways_to_make_its_paths_bring()
+    {
+        string[] line = ["render", _scene, "--pixel", "16,12", "--sample", "1", "--integrator", "vcm", "--aov", "strategies"];
+        JsonElement json = JsonDocument.Parse(CliRun.Of([.. line, "--json"]).Output).RootElement;
+        double[] Numbers(JsonElement of, string key) => [.. of.GetProperty(key).EnumerateArray().Select(n => n.GetDouble())];
+        JsonElement[] ways = [.. json.GetProperty("strategies").EnumerateArray()];
+        Assert.True(ways.Length > 2);
+        Assert.All(Enumerable.Range(0, 3), i => Assert.Equal(Numbers(json, "radiance")[i], ways.Sum(w => Numbers(w, "weighted")[i]), 1e-6));
+        Assert.All(ways.Where(w => w.GetProperty("name").GetString() != "longer"), w => Assert.All(Enumerable.Range(0, 3), i => Assert.InRange(Numbers(w, "weighted")[i], 0, Numbers(w, "unweighted")[i] * 1.001)));
+        Assert.Matches(@"  s1t2: radiance [\d.E-]+ [\d.E-]+ [\d.E-]+; alone [\d.E-]+ [\d.E-]+ [\d.E-]+, weight [01]", CliRun.Of(line).Output);
+    }
+
+    [Fact]
+    public void Integrators_that_make_paths_from_the_camera_alone_have_no_pyramid()
+    {
+        CliRun run = CliRun.Of("render", _scene, "-o", _folder["a.png"], "--aov", "strategies", "--integrator", "path");
+        Assert.Equal(2, run.Status);
+        Assert.Contains("--aov strategies: only the light, bidirectional, photons and vcm integrators make paths from the lights too", run.Error, StringComparison.Ordinal);
+        Assert.Contains("choose one of them with --integrator", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_file_beside_that_cannot_be_written_is_reported_before_the_work()
     {
         Directory.CreateDirectory(_folder["a.depth.png"]);

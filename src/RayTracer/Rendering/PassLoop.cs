@@ -28,6 +28,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
     private long _pathsDone;
     private long _raysDone;
     private LightPass? _light;
+    private bool _isStopped;
 
     /// <summary>The number of threads.</summary>
     public required int Threads { get; init; }
@@ -47,16 +48,17 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
     /// <param name="cancellation">Ends the rendering after the pieces under way.</param>
     public RenderStatistics Render(SampleRange samples, IProgress<RenderProgress>? progress, CancellationToken cancellation)
     {
-        (_samples, _progress, _cancellation) = (samples, progress, cancellation);
+        // What strategies bring is not taken back: the pass under way is finished.
+        (_samples, _progress, _cancellation) = (samples, progress, options.Strategies is null ? cancellation : default);
         (_pathsDone, _raysDone) = (Before.Paths, Before.Rays);
         Wavefront?[] workers = new Wavefront?[Threads];
         long dropped = 0;
         try
         {
-            _light = scene.Render.Integrator.Has(Description.IntegratorTraits.TracesLight) ? new(scene, options, Threads, (uint)scene.Render.Seed) : null;
-            while (_longest > TimeSpan.Zero && Begin())
+            _light = scene.Render.Integrator.Has(Description.IntegratorTraits.TracesLight) ? new(scene, options, Threads, (uint)scene.Render.Seed) { Recorded = options.Strategies } : null;
+            while (_longest > TimeSpan.Zero && !_isStopped && Begin())
             {
-                if (_light?.Trace(_pass!.Samples.First, cancellation) != false)
+                if (_light?.Trace(_pass!.Samples.First, _cancellation) != false)
                 {
                     Run(workers);
                 }
@@ -69,6 +71,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
 
                 _light?.Splats.Commit(film, _pass.Samples.First, options.Crop);
                 _longest = options.AfterPass?.Invoke(_pass.Samples) ?? _longest;
+                _isStopped = cancellation.IsCancellationRequested && _pass.Samples.End < _samples.End;
             }
         }
         finally
@@ -88,7 +91,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         NonFiniteSamples = workers.Sum(w => w.Accumulator.NonFinite) + (_light?.Splats.NonFinite ?? 0),
         ClampedSamples = workers.Sum(w => w.Accumulator.Clamped) + (_light?.Splats.Clamped ?? 0),
         BadSamples = [.. workers.SelectMany(w => w.Accumulator.Bad).Order().Take(RenderStatistics.MaxBadSamples)],
-        Cancelled = !_pass.IsTaken,
+        Cancelled = !_pass.IsTaken || _isStopped,
     };
 
     // False where all samples are there.

@@ -23,6 +23,9 @@ public sealed record RenderOptions
     /// </summary>
     public LightPathAovFilm? Layers { get; init; }
 
+    /// <summary>Takes what each way to make paths brings, of the same samples; null where that is not wanted, and then it costs nothing.</summary>
+    internal StrategyFilm? Strategies { get; init; }
+
     /// <summary>
     /// Called after each pass, on the thread that called, while nothing is written to the film: takes the samples of the pass, and returns
     /// how long the next one may take; nothing or less ends the rendering. Null where nobody looks: then threads begin a pass while others

@@ -74,6 +74,28 @@ internal sealed unsafe class SplatSums(int width, int height)
         }
     }
 
+    /// <summary>Adds a splat, as <see cref="Add(int, in UIntW, in RgbW)"/> does.</summary>
+    /// <param name="pixel">The pixel's number, row by row.</param>
+    /// <param name="value">What it gets.</param>
+    public void Add(uint pixel, Rgb value)
+    {
+        long first = (long)pixel * Channels;
+        if (Math.Abs(value.R) < OrdinaryLimit && Math.Abs(value.G) < OrdinaryLimit && Math.Abs(value.B) < OrdinaryLimit)
+        {
+            Add(first, (long)double.Round(value.R * Film.ChannelUnits));
+            Add(first + 1, (long)double.Round(value.G * Film.ChannelUnits));
+            Add(first + 2, (long)double.Round(value.B * Film.ChannelUnits));
+        }
+        else
+        {
+            AddUnusual(first, value);
+        }
+    }
+
+    /// <summary>A sum, in the film's units, while nothing is added.</summary>
+    /// <param name="index">Three times the pixel's number, and the channel's.</param>
+    public Int128 Sum(long index) => _sums[index] + (_spill.Count == 0 ? 0 : _spill.GetValueOrDefault(index));
+
     /// <summary>Adds all splats to a film, as one light sample of each pixel, and is empty again.</summary>
     /// <param name="film">A film of the picture, with <see cref="FilmPlane.Light"/>.</param>
     /// <param name="sample">The sample's number.</param>
@@ -93,7 +115,7 @@ internal sealed unsafe class SplatSums(int width, int height)
             long first = (((long)y * width) + kept.X) * Channels;
             for (int i = 0; i < row.Length; i++)
             {
-                row[i] = _sums[first + i] + (_spill.Count == 0 ? 0 : _spill.GetValueOrDefault(first + i));
+                row[i] = Sum(first + i);
             }
 
             film.AddLight(kept.X, y, row, sample);

@@ -20,6 +20,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     private readonly LightPass _pass;
     private readonly Connections? _connections;
     private readonly PhotonMerge? _merge;
+    private readonly StrategyRecorder? _recorder;
     private readonly Action _traceRays;
     private readonly int _raysOfPacket;
     private readonly ShadowRays _rays;
@@ -41,11 +42,12 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         _emitters = new(Scene);
         _strategies = strategies;
         _pass = context.Light!;
+        _recorder = _pass.Recorder();
         _raysOfPacket = FloatW.Count * (Scene.LightSelection is null ? _lights.Length : 1);
         _rays = new(Scene, Math.Max(LeastRays, _raysOfPacket));
         _traceRays = TraceRays;
-        _connections = (strategies & Strategies.Connections) != Strategies.None ? new(Scene, _pass) : null;
-        _merge = (strategies & Strategies.Merges) != Strategies.None ? new(_pass, IsPhotons) : null;
+        _connections = (strategies & Strategies.Connections) != Strategies.None ? new(Scene, _pass, _recorder) : null;
+        _merge = (strategies & Strategies.Merges) != Strategies.None ? new(_pass, IsPhotons, _recorder) : null;
     }
 
     /// <inheritdoc/>
@@ -58,6 +60,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     {
         base.Begin(source, samples);
         Weights = _pass.Weights;
+        _recorder?.Begin(source, samples);
         if (_stride < source.Total + 32)
         {
             _stride = source.Total + 32;
@@ -96,6 +99,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
             at.State = UIntW.Pick(stream.State, index);
             at.Surface.Incoming = stream.PickDirection(index);
             Arrive(stream, index, at.Surface.Incoming, out RgbW arriving);
+            RgbW alone = arriving;
             MaskW shared = ~UIntW.Equal(at.State & PathState.VertexMask, 0u);
             if (Scene.Environment is not null && shared.Any)
             {
@@ -106,7 +110,9 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
 
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(at.Surface.Incoming, at.Surface.Incoming) * 0f;
-            Gather(MaskW.First(count - i).Bits, at.Path, (stream.PickThroughput(index) * arriving) + new RgbW(fault, fault, fault));
+            RgbW throughput = stream.PickThroughput(index);
+            _recorder?.Add(MaskW.First(count - i).Bits, at.Path, 0u, (at.State & PathState.VertexMask) + 2u, false, throughput * arriving, throughput * alone);
+            Gather(MaskW.First(count - i).Bits, at.Path, (throughput * arriving) + new RgbW(fault, fault, fault));
         }
     }
 
@@ -214,6 +220,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         ref VertexW at = ref At;
         FloatW cosine = CosineOfEmission(at.Surface);
         group.Material.Emission(cosine, at.Surface.U, at.Surface.V, out RgbW emitted);
+        RgbW alone = emitted;
         MaskW shared = (active & cosine > 0f).Except(UIntW.Equal(at.Number, 0u));
         if (shared.Any)
         {
@@ -232,6 +239,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
             emitted *= shared.Select(SeenWeight(perArea, emission), 1f);
         }
 
+        _recorder?.Add(active.Bits, at.Path, 0u, at.Number + 2u, false, at.Throughput * emitted, at.Throughput * alone);
         Gather(active.Bits, at.Path, at.Throughput * emitted);
     }
 
@@ -322,6 +330,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         if (active.Any)
         {
             _rays.Add(active.Bits, at.Start, group.IsInstanced ? at.Surface.Instance : 0u, at.Inner, sample.Direction, sample.Distance, at.Time, number, value, 0f, at.Path);
+            _recorder?.Wait(active.Bits, 1u, at.Number + 2u, value * (others + 1f));
         }
     }
 
@@ -352,6 +361,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
             }
         }
 
+        _recorder?.Settle(_rays);
         _rays.Clear();
     }
 

@@ -10,7 +10,8 @@ namespace RayTracer.Rendering;
 /// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="pass">Has the light paths.</param>
-internal sealed unsafe class Connections(Scene scene, LightPass pass)
+/// <param name="recorder">Is told of what they bring; may be null.</param>
+internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRecorder? recorder)
 {
     private const int Full = 16384;
     private Connection[] _waiting = new Connection[Full];
@@ -163,6 +164,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
                 Inner = new(inner.X[lane], inner.Y[lane], inner.Z[lane]),
                 Path = camera.Path[lane],
                 Vertex = vertex[lane],
+                Number = camera.Number[lane],
             };
         }
     }
@@ -196,7 +198,24 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         if (active.Any)
         {
             rays.Add(active.Bits, end.Start, end.Instance, end.Inner, towards, distance, end.Time, -1, light, 0f, end.Path);
+            if (recorder is not null)
+            {
+                Record(recorder, chosen, active.Bits, light * (lit + seen + 1f));
+            }
         }
+    }
+
+    private void Record(StrategyRecorder recorder, ReadOnlySpan<int> chosen, uint lanes, in RgbW alone)
+    {
+        uint* numbers = stackalloc uint[2 * FloatW.Count];
+        for (int lane = 0; lane < chosen.Length; lane++)
+        {
+            ref Connection connection = ref _waiting[chosen[lane]];
+            numbers[lane] = (pass.Vertices.Vertices[connection.Vertex].State & PathState.VertexMask) + 2;
+            numbers[FloatW.Count + lane] = connection.Number + 2;
+        }
+
+        recorder.Wait(lanes, UIntW.Load(numbers), UIntW.Load(numbers + FloatW.Count), alone);
     }
 
     // Brings the connections of a packet, and the rays that met the light's vertices, into lanes.
@@ -229,7 +248,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         public Vector3 Start, Direction, Inner;
         public Rgb Value, Color;
         public float Sum, Pdf, Cosine, Time;
-        public uint Instance, Path, Vertex;
+        public uint Instance, Path, Vertex, Number;
     }
 
     // In the order of Load.

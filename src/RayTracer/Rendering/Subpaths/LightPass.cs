@@ -57,6 +57,9 @@ internal sealed class LightPass
         }
     }
 
+    /// <summary>Takes what each way to make paths brings; null where nobody asks.</summary>
+    public StrategyFilm? Recorded { get; init; }
+
     /// <summary>The constants of the weights.</summary>
     public PathWeights Weights { get; private set; } = new(1, 1, 0);
 
@@ -77,6 +80,9 @@ internal sealed class LightPass
 
     /// <summary>The rays of all passes, those to the camera included.</summary>
     public long Rays => _idle.Sum(w => w.Rays);
+
+    /// <summary>Makes what tells <see cref="Recorded"/> of a thread's paths; null where nobody asks.</summary>
+    public StrategyRecorder? Recorder() => Recorded is null ? null : new(_scene, Recorded);
 
     /// <summary>Traces the light of a sample.</summary>
     /// <param name="sample">The sample.</param>
@@ -134,7 +140,7 @@ internal sealed class LightPass
         {
             _pass = pass;
             _starts = new(pass._scene);
-            _shader = new(new(pass._scene, null!, null, null), pass._strategies, pass.Splats, pass._area);
+            _shader = new(new(pass._scene, null!, null, null), pass._strategies, pass.Splats, pass._area, pass.Recorder());
             _stages = new(pass._scene, pass._options.StreamSize, _shader);
         }
 

@@ -22,6 +22,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     private readonly Tile _area;
     private readonly ShadowRays _rays;
     private readonly PinnedBuffer<CameraLinkW> _link = new(1);
+    private readonly StrategyRecorder? _recorder;
     private LightStarts _starts = null!;
     private LightVertex[] _vertices = new LightVertex[LightVertices.BlockSize];
     private int _count;
@@ -32,13 +33,14 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     /// <param name="strategies">What is done at the vertices.</param>
     /// <param name="splats">Takes the light of the picture.</param>
     /// <param name="area">The part of the picture that is wanted.</param>
-    public LightSubpaths(ShaderContext context, Strategies strategies, SplatSums splats, Tile area)
+    /// <param name="recorder">Is told of what reaches the camera; may be null.</param>
+    public LightSubpaths(ShaderContext context, Strategies strategies, SplatSums splats, Tile area, StrategyRecorder? recorder)
         : base(context)
     {
         _lights = [.. Scene.SampledLights];
         (double Open, double Close) shutter = (Scene.Render.Shutter.X, Scene.Render.Shutter.Y);
         _isFar = Array.ConvertAll(_lights, l => !l.Extent(shutter).Box.IsFinite);
-        (_strategies, _splats, _area) = (strategies, splats, area);
+        (_strategies, _splats, _area, _recorder) = (strategies, splats, area, recorder);
         _rays = new(Scene, MostRays);
     }
 
@@ -176,10 +178,12 @@ internal sealed unsafe class LightSubpaths : SubpathShader
 
         Adjoint.Evaluate(group.Material, ref at.Surface, link.Direction, out at.Bsdf, out at.ReversePdf);
         FloatW scale = link.Density * filtered * (Weights.PerLightPath / Weights.CameraPaths);
+        FloatW ways = 1f;
         if ((_strategies & ~(Strategies.Camera | Strategies.Seen)) != Strategies.None)
         {
             FloatW seen = link.Density * FloatW.Abs(Vec3W.Dot(link.Direction, at.Surface.Normal)) * (1f / Weights.CameraPaths);
-            scale /= FloatW.MultiplyAdd(PathWeights.Power(seen), at.Sums.Connected(at.ReversePdf, Weights), 1f);
+            ways = FloatW.MultiplyAdd(PathWeights.Power(seen), at.Sums.Connected(at.ReversePdf, Weights), 1f);
+            scale /= ways;
         }
 
         RgbW light = at.Throughput * at.Bsdf * scale;
@@ -189,7 +193,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         }
 
         active = active.Except((at.Bsdf.R <= 0f) & (at.Bsdf.G <= 0f) & (at.Bsdf.B <= 0f));
-        Ask(group, active, link, (y.ToInt() * (uint)Scene.Render.Width) + x.ToInt(), light);
+        Ask(group, active, link, (y.ToInt() * (uint)Scene.Render.Width) + x.ToInt(), light, ways);
     }
 
     // The number that chooses the path's wavelength: that of the camera paths of its sample.
@@ -202,7 +206,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         return color;
     }
 
-    private void Ask(ShadingGroup group, MaskW active, in CameraLinkW link, in UIntW pixel, in RgbW light)
+    private void Ask(ShadingGroup group, MaskW active, in CameraLinkW link, in UIntW pixel, in RgbW light, FloatW ways)
     {
         ref VertexW at = ref At;
         at.Start = Leave(at.Surface, link.Direction);
@@ -212,6 +216,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         if (active.Any)
         {
             _rays.Add(active.Bits, at.Start, group.IsInstanced ? at.Surface.Instance : 0u, at.Inner, link.Direction, link.Distance, at.Time, -1, light, 0f, pixel);
+            _recorder?.Wait(active.Bits, at.Number + 2u, 1u, light * ways);
         }
 
         if (!_rays.HasRoomFor(FloatW.Count))
@@ -248,6 +253,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
             _splats.Add(count, UIntW.Load(owners), new(FloatW.Load(numbers), FloatW.Load(numbers + 16), FloatW.Load(numbers + 32)));
         }
 
+        _recorder?.Settle(_rays);
         _rays.Clear();
     }
 

@@ -10,7 +10,8 @@ namespace RayTracer.Rendering;
 /// </summary>
 /// <param name="pass">Has the light paths.</param>
 /// <param name="isIndirect">True if light that comes straight from the lights is left out, and all else counts in full.</param>
-internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect)
+/// <param name="recorder">Is told of what they bring; may be null.</param>
+internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect, StrategyRecorder? recorder)
 {
     private readonly List<uint>[] _found = [.. Enumerable.Range(0, FloatW.Count).Select(_ => new List<uint>())];
     private readonly PinnedBuffer<PhotonW> _photon = new(1);
@@ -60,6 +61,7 @@ internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect)
         group.Material.Evaluate(surface, direction, out RgbW bsdf, out FloatW pdf);
         FloatW along = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
         FloatW share = FloatW.Abs(Vec3W.Dot(direction, surface.Facing)) / along;
+        FloatW others = 0f;
         if (!isIndirect)
         {
             FloatW reversePdf = 0f;
@@ -68,13 +70,19 @@ internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect)
                 Adjoint.ReversePdf(group.Material, ref surface, direction, out reversePdf);
             }
 
-            FloatW others = photon.Sums.Merged(pdf, pass.Weights) + end.Sums.Merged(reversePdf, pass.Weights);
+            others = photon.Sums.Merged(pdf, pass.Weights) + end.Sums.Merged(reversePdf, pass.Weights);
             share /= others + 1f;
         }
 
         has = has.Except(SurfaceShader.Dropped(surface, direction)) & along > 0f;
         RgbW color = UIntW.Equal(photon.State & PathState.HasWavelength, 0u).Select(Rgb.White, end.Color);
-        light += has.Select(bsdf * photon.Power * color * share, default);
+        RgbW found = bsdf * photon.Power * color * share;
+        light += has.Select(found, default);
+        if (recorder is not null)
+        {
+            found *= end.Throughput * (1f / pass.MergedPaths);
+            recorder.Add(has.Bits, end.Path, (photon.State & PathState.VertexMask) + 2u, end.Number + 2u, true, found, found * (others + 1f));
+        }
     }
 
     private struct PhotonW
