@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Warns of what a scene has and its picture cannot show. Integrators that trace light refuse light and insides of things that they do not know: with them
+/// Warns of what a scene has and its picture cannot show. Integrators that trace light refuse light that they do not know: with them
 /// a scene is chosen for being right where others are only slow.
 /// </summary>
 /// <param name="scene">The scene.</param>

@@ -44,7 +44,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         _raysOfPacket = FloatW.Count * (Scene.LightSelection is null ? _lights.Length : 1);
         _rays = new(Scene, Math.Max(LeastRays, _raysOfPacket));
         _traceRays = TraceRays;
-        _connections = (strategies & Strategies.Connections) != Strategies.None ? new(Scene, _pass) : null;
+        _connections = (strategies & Strategies.Connections) != Strategies.None ? new(Scene, _pass, Gather) : null;
         _merge = (strategies & Strategies.Merges) != Strategies.None ? new(_pass, IsPhotons) : null;
     }
 
@@ -117,7 +117,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         at.Sums.Arrive(at.Distance * at.Distance, at.Cosine);
         if (first.Any)
         {
-            Scene.Camera.Density(stream.PickOrigin(index), at.Surface.Incoming, at.Distance, at.Time, out FloatW density);
+            Scene.Camera.Density(Start(stream, index, at.Surface.Incoming), at.Surface.Incoming, at.Distance, at.Time, out FloatW density);
             bool isSeenByLight = (_strategies & Strategies.Camera) != Strategies.None;
             at.Sums.Vcm = first.Select(isSeenByLight ? SubpathSumsW.Limited(PathWeights.Power(Weights.LightPaths / (density * at.Cosine))) : 0f, at.Sums.Vcm);
             at.Sums.Vc = first.Select(0f, at.Sums.Vc);
@@ -154,8 +154,11 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
 
         if ((_strategies & (Strategies.Merges | Strategies.Connections)) != Strategies.None)
         {
-            CameraEndW end = new() { Throughput = at.Throughput, Color = WavelengthColor(), Sums = at.Sums, Path = at.Path, Number = at.Number, Time = at.Time };
-            if (_merge is not null)
+            CameraEndW end = new()
+            {
+                Throughput = at.Throughput, Color = WavelengthColor(), Sums = at.Sums, Path = at.Path, Number = at.Number, Media = at.Media, Time = at.Time,
+            };
+            if (_merge is not null && !group.IsOfMedia)
             {
                 _merge.Add(group, ref at.Surface, end, MaxDepth, goesOn, out at.Bsdf);
                 Gather(goesOn.Bits, at.Path, at.Bsdf);
@@ -230,7 +233,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         {
             LightHitW hit = new()
             {
-                From = stream.PickOrigin(index),
+                From = Start(stream, index, at.Surface.Incoming),
                 FromNormal = Scene.LightSelection is null ? default : stream.PickNormal(index),
                 Direction = at.Surface.Incoming,
                 Distance = at.Distance,
@@ -250,7 +253,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     private FloatW SeenWeight(FloatW asked, FloatW emission)
     {
         ref SubpathSumsW sums = ref At.Sums;
-        return Share(FloatW.MultiplyAdd(PathWeights.Power(asked), sums.Vcm, PathWeights.Power(emission) * sums.Vc));
+        return Share(FloatW.MultiplyAdd(PathWeights.Power(asked), sums.Vcm, IsPhotons ? 0f : PathWeights.Power(emission) * sums.Vc));
     }
 
     private FloatW EnvironmentWeight(PathStream stream, uint* index)
@@ -258,7 +261,12 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         ref VertexW at = ref At;
         at.Sums.Vcm = FloatW.Pick(stream.Vcm, index);
         at.Sums.Vc = FloatW.Pick(stream.Vc, index);
-        LightHitW hit = new() { From = stream.PickOrigin(index), Direction = at.Surface.Incoming, Distance = float.PositiveInfinity, Cosine = 1f };
+        if (Scene.HasMedia)
+        {
+            at.Sums.Pass(FloatW.Pick(stream.Passed, index));
+        }
+
+        LightHitW hit = new() { From = Start(stream, index, at.Surface.Incoming), Direction = at.Surface.Incoming, Distance = float.PositiveInfinity, Cosine = 1f };
         UIntW number = (uint)(_lights.Length - 1);
         Scene.Environment!.Pdf(hit, out FloatW asked);
         Scene.Environment.EmissionPdf(hit, out FloatW point, out FloatW direction);
@@ -318,13 +326,27 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         {
             light.EmissionPdf(at.Surface.Point, sample, at.Time, out FloatW point, out FloatW direction);
             FloatW emission = point * direction * _pass.Emission.Probability((uint)number);
-            FloatW towards = emission * FloatW.Abs(Vec3W.Dot(sample.Direction, at.Surface.Normal)) / (asked * sample.Cosine);
+            FloatW towards = emission * Meeting(at.Surface, sample.Direction) / (asked * sample.Cosine);
             Adjoint.ReversePdf(group.Material, ref at.Surface, sample.Direction, out FloatW reversePdf);
-            others = FloatW.MultiplyAdd(PathWeights.Power(towards), at.Sums.Connected(reversePdf, Weights), others);
+            others = FloatW.MultiplyAdd(PathWeights.Power(towards), at.Sums.Connected(reversePdf, Weights.At(group)), others);
         }
 
-        FloatW scale = FloatW.Abs(Vec3W.Dot(sample.Direction, at.Surface.Facing)) * Share(others) / probability;
+        RgbW left = Rgb.White;
+        if (Scene.TracksInteriors)
+        {
+            Follow(group, active, sample.Direction, sample.Distance, light, out left, out FloatW passed);
+            others *= PathWeights.Power(passed);
+        }
+
+        FloatW scale = Cosine(at.Surface, sample.Direction) * Share(others) / probability;
         RgbW value = at.Throughput * brought * at.Bsdf * scale;
+        if (Scene.TracksInteriors)
+        {
+            _traced += BitOperations.PopCount(active.Bits);
+            Gather(active.Bits, at.Path, value * left);
+            return;
+        }
+
         at.Start = Leave(at.Surface, sample.Direction);
         at.Inner = LeaveInside(at.Surface, sample.Direction);
         DirectLight.TurnTo(Vec3W.MultiplyAdd(sample.Direction, sample.Distance, at.Surface.Point - at.Start), ref sample.Direction, ref sample.Distance);

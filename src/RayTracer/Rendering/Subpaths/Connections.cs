@@ -10,12 +10,14 @@ namespace RayTracer.Rendering;
 /// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="pass">Has the light paths.</param>
-internal sealed unsafe class Connections(Scene scene, LightPass pass)
+/// <param name="gather">Takes the light for the camera's paths where rays are traced through media at once.</param>
+internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering gather)
 {
     private const int Full = 16384;
+    private readonly Transmittance? _transmittance = scene.TracksInteriors ? new(scene) : null;
     private Connection[] _waiting = new Connection[Full];
     private int[] _order = new int[Full];
-    private readonly int[] _starts = new int[scene.Groups.Length + 1];
+    private readonly int[] _starts = new int[scene.Groups.Length + 3];
     private readonly PathStream _room = new(16);
     private readonly PinnedBuffer<uint> _iota = Iota();
     private readonly PinnedBuffer<EndW> _end = new(1);
@@ -75,7 +77,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
                 trace();
             }
 
-            Connect(scene.Groups[group], _order.AsSpan(i, count), rays);
+            Connect(group > scene.Groups.Length ? ShadingGroup.OfMedia : scene.Groups[group], _order.AsSpan(i, count), rays);
             i += count;
         }
 
@@ -136,9 +138,10 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         }
 
         Adjoint.ReversePdf(group.Material, ref surface, direction, out FloatW reversePdf);
-        RgbW value = camera.Throughput * bsdf * FloatW.Abs(Vec3W.Dot(direction, surface.Facing));
-        FloatW sum = camera.Sums.Connected(reversePdf, pass.Weights);
-        FloatW cosine = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
+        RgbW value = camera.Throughput * bsdf * SurfaceShader.Cosine(surface, direction);
+        FloatW sum = camera.Sums.Connected(reversePdf, pass.Weights.At(group));
+        FloatW cosine = SurfaceShader.Meeting(surface, direction);
+        UIntW media = scene.TracksInteriors ? SurfaceShader.MediaAlong(scene, surface, direction, group.Interior, camera.Media) : 0u;
         Vec3W start = SurfaceShader.Leave(surface, direction);
         Vec3W inner = group.IsInstanced ? SurfaceShader.LeaveInside(surface, direction) : default;
         for (uint lanes = active.Bits; lanes != 0; lanes &= lanes - 1)
@@ -163,6 +166,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
                 Inner = new(inner.X[lane], inner.Y[lane], inner.Z[lane]),
                 Path = camera.Path[lane],
                 Vertex = vertex[lane],
+                Media = media[lane],
             };
         }
     }
@@ -172,9 +176,14 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
     {
         ref EndW end = ref *_end.Pointer;
         Load(chosen, ref end);
-        SurfaceShader.Describe(scene, group, _room, _iota.Pointer, group.Traits.UsesUv, out end.Surface);
+        SubpathShader.DescribeVertex(scene, group, _room, _iota.Pointer, out end.Surface);
         ref SurfaceW surface = ref end.Surface;
         surface.Wavelength = group.Traits.Disperses ? end.Wavelength : surface.Wavelength;
+        if (scene.HasNesting && group.IsNested)
+        {
+            surface.ExteriorIndex = scene.Media.Index(SurfaceShader.Around(scene, group, surface, UIntW.Load(_room.Media)), surface.Wavelength);
+        }
+
         MaskW active = MaskW.First(chosen.Length);
         Vec3W direction = -end.Direction;
         surface.CarriesLight = true;
@@ -184,14 +193,22 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         Vec3W to = goal - end.Start;
         FloatW distance2 = Vec3W.Dot(to, to);
         FloatW distance = FloatW.Sqrt(distance2);
-        FloatW cosine = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
-        FloatW lit = PathWeights.Power(end.Pdf * cosine / distance2) * end.Sums.Connected(reversePdf, pass.Weights);
+        FloatW cosine = SurfaceShader.Meeting(surface, direction);
+        FloatW lit = PathWeights.Power(end.Pdf * cosine / distance2) * end.Sums.Connected(reversePdf, pass.Weights.At(group));
         FloatW seen = PathWeights.Power(pdf * end.Cosine / distance2) * end.Sum;
-        FloatW scale = 1f / (distance2 * (lit + seen + 1f));
-        RgbW light = end.Value * end.Power * scattered * scale;
         active = active.Except((scattered.R <= 0f) & (scattered.G <= 0f) & (scattered.B <= 0f)) & distance2 > 0f;
         Vec3W towards = to * (1f / distance);
         Traced += BitOperations.PopCount(active.Bits);
+        if (_transmittance is not null)
+        {
+            _transmittance.Trace(active.Bits, end.Start, end.Instance, end.Inner, towards, distance, end.Media, end.Time, null, out RgbW left, out FloatW passed);
+            FloatW share = 1f / (distance2 * FloatW.MultiplyAdd(lit + seen, PathWeights.Power(passed), 1f));
+            gather(active.Bits, end.Path, end.Value * end.Power * scattered * left * share);
+            return;
+        }
+
+        FloatW scale = 1f / (distance2 * (lit + seen + 1f));
+        RgbW light = end.Value * end.Power * scattered * scale;
         scene.Primitives.Occlude(end.Start, towards, distance, -1, ref active);
         if (active.Any)
         {
@@ -216,6 +233,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
                 connection.Value.R * color.R, connection.Value.G * color.G, connection.Value.B * color.B, connection.Sum, connection.Pdf, connection.Cosine,
                 connection.Time, connection.Inner.X, connection.Inner.Y, connection.Inner.Z, vertex.Power.R, vertex.Power.G, vertex.Power.B,
                 vertex.Vcm, vertex.Vc, vertex.Vm, vertex.Wavelength, BitConverter.UInt32BitsToSingle(connection.Instance), BitConverter.UInt32BitsToSingle(connection.Path),
+                BitConverter.UInt32BitsToSingle(connection.Media),
             ];
             for (int i = 0; i < values.Length; i++)
             {
@@ -229,7 +247,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         public Vector3 Start, Direction, Inner;
         public Rgb Value, Color;
         public float Sum, Pdf, Cosine, Time;
-        public uint Instance, Path, Vertex;
+        public uint Instance, Path, Vertex, Media;
     }
 
     // In the order of Load.
@@ -242,7 +260,13 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass)
         public RgbW Power;
         public SubpathSumsW Sums;
         public FloatW Wavelength;
-        public UIntW Instance, Path;
+        public UIntW Instance, Path, Media;
         public SurfaceW Surface;
     }
 }
+
+/// <summary>Takes light for paths.</summary>
+/// <param name="lanes">The lanes in use.</param>
+/// <param name="path">The paths' numbers.</param>
+/// <param name="light">The light.</param>
+internal delegate void Gathering(uint lanes, in UIntW path, in RgbW light);

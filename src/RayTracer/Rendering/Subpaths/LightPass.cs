@@ -24,6 +24,7 @@ internal sealed class LightPass
     private readonly Strategies _strategies;
     private readonly Tile _area;
     private readonly float _firstRadius;
+    private readonly LightInteriors? _interiors;
     private readonly ConcurrentBag<Worker> _idle = [];
 
     /// <summary>Prepares.</summary>
@@ -39,6 +40,7 @@ internal sealed class LightPass
         Vertices = new((int)Math.Min((long)scene.Render.Width * scene.Render.Height, MostPaths));
         Splats = new(scene.Render.Width, scene.Render.Height) { Threads = threads };
         Emission = new(scene);
+        _interiors = scene.TracksInteriors ? new(scene) : null;
         if (Has(Strategies.Merges))
         {
             Photons = new();
@@ -121,7 +123,7 @@ internal sealed class LightPass
         public Worker(LightPass pass)
         {
             _pass = pass;
-            _starts = new(pass._scene);
+            _starts = new(pass._scene, pass._interiors is { } known ? new(known) : null);
             _shader = new(new(pass._scene, null!, null, null), pass._strategies, pass.Splats, pass._area);
             _stages = new(pass._scene, pass._options.StreamSize, _shader);
         }

@@ -54,7 +54,10 @@ internal sealed unsafe class PhotonGrid
         new Span<uint>(_first.Pointer, (int)_mask + 2).Clear();
         for (int i = 0; i < vertices.Count; i++)
         {
-            _first.Pointer[Bucket(Cell(vertices.Vertices[i].Point)) + 1]++;
+            if (IsMerged(vertices.Vertices[i]))
+            {
+                _first.Pointer[Bucket(Cell(vertices.Vertices[i].Point)) + 1]++;
+            }
         }
 
         // Each bucket's start, which its photons then push on to its end: the next one's start.
@@ -69,6 +72,11 @@ internal sealed unsafe class PhotonGrid
         for (int i = 0; i < vertices.Count; i++)
         {
             ref LightVertex vertex = ref vertices.Vertices[i];
+            if (!IsMerged(vertex))
+            {
+                continue;
+            }
+
             _photons.Pointer[_first.Pointer[Bucket(Cell(vertex.Point)) + 1]++] = new()
             {
                 Point = vertex.Point,
@@ -80,6 +88,9 @@ internal sealed unsafe class PhotonGrid
             };
         }
     }
+
+    // In media, vertices are only connected.
+    private static bool IsMerged(in LightVertex vertex) => (vertex.State & PathState.IsInMedium) == 0;
 
     /// <summary>Finds the photons near points. What has to be fetched from memory is asked for of all points at once.</summary>
     /// <param name="points">The points.</param>
