@@ -36,6 +36,24 @@ internal abstract unsafe class InteriorShader(ShaderContext context, uint firstG
         }
     }
 
+    /// <summary>The factor on what is scattered to a direction, of one BSDF: a cosine, but in media.</summary>
+    internal static FloatW Cosine(in SurfaceW surface, in Vec3W direction) =>
+        surface.Rules == NormalRules.InMedium ? 1f : FloatW.Abs(Vec3W.Dot(direction, surface.Facing));
+
+    /// <summary>
+    /// The factor by which the density of a vertex grows with what its ray meets there: the cosine to the shape's own normal; in media, the density per length.
+    /// </summary>
+    internal static FloatW Meeting(in SurfaceW surface, in Vec3W direction) =>
+        surface.Rules == NormalRules.InMedium ? surface.V : FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
+
+    /// <summary>What is around a nested dielectric, on the outer side of its surface.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="group">The group of the surfaces.</param>
+    /// <param name="surface">The surfaces.</param>
+    /// <param name="media">The media of the rays that met them.</param>
+    internal static UIntW Around(Scene scene, ShadingGroup group, in SurfaceW surface, UIntW media) =>
+        scene.Cross(media, group.Interior, ComesFromInside(surface), MaskW.None);
+
     /// <summary>Brings what a path has, and only its shader knows, to the ray behind a boundary.</summary>
     /// <param name="stream">The paths.</param>
     /// <param name="next">Takes them.</param>

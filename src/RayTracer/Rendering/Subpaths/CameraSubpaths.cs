@@ -154,10 +154,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
 
         if ((_strategies & (Strategies.Merges | Strategies.Connections)) != Strategies.None)
         {
-            CameraEndW end = new()
-            {
-                Throughput = at.Throughput, Color = WavelengthColor(), Sums = at.Sums, Path = at.Path, Number = at.Number, Media = at.Media, Time = at.Time,
-            };
+            CameraEndW end = new() { Throughput = at.Throughput, Color = WavelengthColor(), Sums = at.Sums, Path = at.Path, Number = at.Number, Media = at.Media, Time = at.Time };
             if (_merge is not null && !group.IsOfMedia)
             {
                 _merge.Add(group, ref at.Surface, end, MaxDepth, goesOn, out at.Bsdf);

@@ -138,9 +138,9 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
         }
 
         Adjoint.ReversePdf(group.Material, ref surface, direction, out FloatW reversePdf);
-        RgbW value = camera.Throughput * bsdf * SurfaceShader.Cosine(surface, direction);
+        RgbW value = camera.Throughput * bsdf * InteriorShader.Cosine(surface, direction);
         FloatW sum = camera.Sums.Connected(reversePdf, pass.Weights.At(group));
-        FloatW cosine = SurfaceShader.Meeting(surface, direction);
+        FloatW cosine = InteriorShader.Meeting(surface, direction);
         UIntW media = scene.TracksInteriors ? SurfaceShader.MediaAlong(scene, surface, direction, group.Interior, camera.Media) : 0u;
         Vec3W start = SurfaceShader.Leave(surface, direction);
         Vec3W inner = group.IsInstanced ? SurfaceShader.LeaveInside(surface, direction) : default;
@@ -181,7 +181,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
         surface.Wavelength = group.Traits.Disperses ? end.Wavelength : surface.Wavelength;
         if (scene.HasNesting && group.IsNested)
         {
-            surface.ExteriorIndex = scene.Media.Index(SurfaceShader.Around(scene, group, surface, UIntW.Load(_room.Media)), surface.Wavelength);
+            surface.ExteriorIndex = scene.Media.Index(InteriorShader.Around(scene, group, surface, UIntW.Load(_room.Media)), surface.Wavelength);
         }
 
         MaskW active = MaskW.First(chosen.Length);
@@ -193,7 +193,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
         Vec3W to = goal - end.Start;
         FloatW distance2 = Vec3W.Dot(to, to);
         FloatW distance = FloatW.Sqrt(distance2);
-        FloatW cosine = SurfaceShader.Meeting(surface, direction);
+        FloatW cosine = InteriorShader.Meeting(surface, direction);
         FloatW lit = PathWeights.Power(end.Pdf * cosine / distance2) * end.Sums.Connected(reversePdf, pass.Weights.At(group));
         FloatW seen = PathWeights.Power(pdf * end.Cosine / distance2) * end.Sum;
         active = active.Except((scattered.R <= 0f) & (scattered.G <= 0f) & (scattered.B <= 0f)) & distance2 > 0f;
