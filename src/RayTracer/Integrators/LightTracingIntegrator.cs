@@ -6,7 +6,7 @@ namespace RayTracer.Description;
 /// <param name="name">The name in scene files.</param>
 /// <param name="strategies">The ways in which it makes paths.</param>
 internal abstract class LightTracingIntegrator(string name, Strategies strategies) : Integrator(
-    name, IntegratorTraits.Light | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment | IntegratorTraits.LitGloss | IntegratorTraits.PathLimit
+    name, IntegratorTraits.Light | IntegratorTraits.Media | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment | IntegratorTraits.LitGloss | IntegratorTraits.PathLimit
         | IntegratorTraits.SoftTone | IntegratorTraits.TracesLight | ((strategies & Strategies.Merges) != Strategies.None ? IntegratorTraits.MergesPaths : IntegratorTraits.None))
 {
     /// <summary>The ways in which it makes paths.</summary>

@@ -233,8 +233,10 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         Scene.Environment?.Evaluate(direction, out arriving);
     }
 
-    /// <summary>Turns to the random numbers of the vertex.</summary>
-    protected void BeginVertex(in UIntW path, in UIntW vertex)
+    /// <summary>Turns to the random numbers of vertices.</summary>
+    /// <param name="path">Numbers of the paths.</param>
+    /// <param name="vertex">Numbers of the vertices on them, from 0.</param>
+    protected virtual void BeginVertex(in UIntW path, in UIntW vertex)
     {
         PathNumber.Split(path, Samples, out UIntW pixel, out UIntW sample);
         Vertex.Begin(UIntW.Gather(Source.PixelKeys, pixel), sample, vertex);

@@ -31,13 +31,13 @@ public abstract record GlassDescription : MaterialDescription
     public Vector3? SellmeierC { get; init; }
 
     /// <summary>The medium inside.</summary>
-    [Parameter("What fills the inside: milk, fog, a coloured liquid. The volPath integrator shows it.")]
+    [Parameter("What fills the inside: milk, fog, a coloured liquid. Shown by volPath and by the integrators that trace light.")]
     public MediumDescription Interior { get; init; } = new();
 
     /// <summary>
     /// The rank among dielectrics that overlap, of which the highest counts; 0 where the refractive index is relative to what is around.
     /// </summary>
-    [Parameter("Of overlapping dielectrics, the one with the highest priority counts, with the path, direct and volPath integrators. A "
+    [Parameter("Of overlapping dielectrics, the one with the highest priority counts, with all integrators of light but report. A "
         + "liquid that reaches into its glass, which has the higher priority, needs no matching boundary. All dielectrics that touch must "
         + "have priorities, and then refractive indices are relative to empty space. 0 is no priority: the index is relative to the "
         + "surroundings.", Minimum = 0, Maximum = 1000)]

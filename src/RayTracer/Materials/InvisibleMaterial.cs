@@ -6,12 +6,12 @@ using RayTracer.Sampling;
 namespace RayTracer.Materials;
 
 /// <summary>Describes an <see cref="InvisibleMaterial"/>.</summary>
-[SceneType("invisible", "A surface that all light passes straight through: the boundary of a cloud or of smoke, whose interior the volPath "
-    + "integrator shows.")]
+[SceneType("invisible", "A surface that all light passes straight through: the boundary of a cloud or of smoke, whose interior "
+    + "volPath and the integrators that trace light show.")]
 public sealed record InvisibleMaterialDescription : MaterialDescription
 {
     /// <summary>The medium inside.</summary>
-    [Parameter("What fills the (closed) shape; the volPath integrator shows it.")]
+    [Parameter("What fills the (closed) shape; volPath and the integrators that trace light show it.")]
     public MediumDescription Interior { get; init; } = new();
 
     /// <inheritdoc/>

@@ -178,7 +178,10 @@ public struct SurfaceW
     /// </summary>
     public FloatW ExteriorIndex;
 
-    /// <summary>Surface coordinates; set only where <see cref="MaterialTraits.UsesUv"/>.</summary>
+    /// <summary>
+    /// Surface coordinates; set only where <see cref="MaterialTraits.UsesUv"/>. In a medium, the mean cosine of scattering, and the density of being
+    /// scattered per length.
+    /// </summary>
     public FloatW U, V;
 
     /// <summary>Cosine between <see cref="Facing"/> and the direction back along the ray; never negative.</summary>

@@ -27,4 +27,7 @@ internal enum NormalRules
 
     /// <summary>Light that would pass through the surface is dropped.</summary>
     DropsLeaks = 32,
+
+    /// <summary>There is none, for it is no surface: light is scattered in a medium.</summary>
+    InMedium = 64,
 }

@@ -68,7 +68,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     public TextureDescription Flatness { get; init; } = Number(0);
 
     /// <summary>The medium inside.</summary>
-    [Parameter("What fills the inside of the (closed) shape, where transmission lets light in. The volPath integrator shows it.")]
+    [Parameter("What fills the inside of the (closed) shape, where transmission lets light in. Shown by volPath and by the integrators that trace light.")]
     public MediumDescription Interior { get; init; } = new();
 
     /// <inheritdoc/>

@@ -65,6 +65,21 @@ internal sealed unsafe class MediumTable
     /// <summary>The part of it that is scattered.</summary>
     public RgbW Albedo(UIntW stack) => Color(_numbers.Pointer + 3, stack);
 
+    /// <summary>
+    /// The density per length with which the innermost media scatter paths, as a mean over the channels: by which the ways to make a path are weighed,
+    /// whatever a path carries of each channel. 0 for media that scatter nothing, through which paths do not come by chance.
+    /// </summary>
+    public FloatW MeanExtinction(UIntW stack)
+    {
+        RgbW extinction = Extinction(stack);
+        return ScattersAny(stack).Select((extinction.R + extinction.G + extinction.B) * (1f / 3f), 0f);
+    }
+
+    /// <summary>The probability, as such a mean, with which they let paths come so far.</summary>
+    /// <param name="stack">The stack.</param>
+    /// <param name="left">What is left of light so far (<see cref="Transmittance"/>).</param>
+    public FloatW MeanPassing(UIntW stack, in RgbW left) => ScattersAny(stack).Select((left.R + left.G + left.B) * (1f / 3f), 1f);
+
     /// <summary>Mean cosines of the angles of scattering.</summary>
     public FloatW Anisotropy(UIntW stack) => FloatW.Gather(_numbers.Pointer + 6, MediumStack.Innermost(stack) * Stride);
 
@@ -73,6 +88,12 @@ internal sealed unsafe class MediumTable
     {
         FloatW way = FloatW.Min(distance, 1e30f);
         return new(LaneMath.Exp(-extinction.R * way), LaneMath.Exp(-extinction.G * way), LaneMath.Exp(-extinction.B * way));
+    }
+
+    private MaskW ScattersAny(UIntW stack)
+    {
+        RgbW albedo = Albedo(stack);
+        return FloatW.Max(albedo.R, FloatW.Max(albedo.G, albedo.B)) > 0f;
     }
 
     private static RgbW Color(float* from, UIntW stack)

@@ -133,6 +133,11 @@ internal static class Adjoint
 
     private static FloatW CosinesFrom(in SurfaceW surface, in Vec3W incoming, in Vec3W direction)
     {
+        if (surface.Rules == NormalRules.InMedium)
+        {
+            return 1f;
+        }
+
         FloatW cosine = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
         if ((surface.Rules & NormalRules.Bent) == NormalRules.None)
         {

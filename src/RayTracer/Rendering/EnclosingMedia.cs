@@ -13,6 +13,7 @@ internal sealed unsafe class EnclosingMedia
     // As many as a path can track.
     private const int MostShapes = 3;
     private readonly Scene _scene;
+    private readonly Vec3W _origin;
     private readonly PinnedBuffer<int> _hits;
     private PathStream _rays = new(16);
     private PathStream _next = new(16);
@@ -22,9 +23,9 @@ internal sealed unsafe class EnclosingMedia
     private readonly int[] _met;
     private readonly float[] _distance;
 
-    private EnclosingMedia(Scene scene)
+    private EnclosingMedia(Scene scene, in Vec3W origin)
     {
-        _scene = scene;
+        (_scene, _origin) = (scene, origin);
         _hits = new(scene.World.RoomForHits(16));
         int interiors = 1 + (int)scene.Groups.Max(g => g.Interior);
         (_left, _met, _distance) = (new int[interiors], new int[interiors], new float[interiors]);
@@ -33,7 +34,12 @@ internal sealed unsafe class EnclosingMedia
 
     /// <summary>The media that a scene's camera stands in, where it is when the shutter opens.</summary>
     /// <param name="scene">A scene whose interiors have numbers.</param>
-    public static uint Of(Scene scene) => new EnclosingMedia(scene).Find();
+    public static uint Of(Scene scene) => At(scene, scene.Camera.Origin(scene.Render.Shutter.X));
+
+    /// <summary>The media around a point, when the shutter opens.</summary>
+    /// <param name="scene">A scene whose interiors have numbers.</param>
+    /// <param name="point">The point.</param>
+    public static uint At(Scene scene, in Vec3W point) => new EnclosingMedia(scene, point).Find();
 
     private uint Find()
     {
@@ -59,7 +65,7 @@ internal sealed unsafe class EnclosingMedia
     private void Follow(int number)
     {
         _rays.Count = 0;
-        Append(_rays, _scene.Camera.Origin(_scene.Render.Shutter.X), Direction(number));
+        Append(_rays, _origin, Direction(number));
         int[] left = new int[_left.Length];
         bool[] met = new bool[_left.Length];
         float way = 0;

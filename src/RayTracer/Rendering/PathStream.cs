@@ -10,7 +10,7 @@ namespace RayTracer.Rendering;
 /// </summary>
 public sealed unsafe class PathStream
 {
-    private const int Columns = 31;
+    private const int Columns = 32;
     private readonly PinnedBuffer<float> _memory;
     private readonly PinnedBuffer<RayW> _packet = new(1);
 
@@ -61,6 +61,7 @@ public sealed unsafe class PathStream
         Vcm = Next();
         Vc = Next();
         Vm = Next();
+        Passed = Next();
     }
 
     internal int Capacity { get; }
@@ -124,6 +125,12 @@ public sealed unsafe class PathStream
     internal float* Vcm { get; }
     internal float* Vc { get; }
     internal float* Vm { get; }
+
+    /// <summary>
+    /// The mean probability with which media let through what has come so far since the path last scattered; set only where subpaths are connected and
+    /// there are media.
+    /// </summary>
+    internal float* Passed { get; }
 
     /// <summary>Number of the path in the tile: pixel · samples + sample.</summary>
     public uint* Path { get; }
@@ -205,6 +212,9 @@ public sealed unsafe class PathStream
         sums.Vm.Compress(Vm + Count, lanes);
     }
 
+    /// <summary>Sets how likely the chosen lanes of a packet that is appended next have come so far.</summary>
+    internal void SetPassed(uint lanes, in FloatW passed) => passed.Compress(Passed + Count, lanes);
+
     /// <summary>Says in which instances' spaces the chosen lanes of the packet start that was appended last, and where there.</summary>
     internal void SetStart(uint lanes, in UIntW instance, in Vec3W start)
     {
@@ -278,6 +288,9 @@ public static class PathState
     /// </summary>
     public const uint HasWavelength = 1 << 17;
 
-    /// <summary>The path has been scattered into one direction of many; set only where subpaths are connected.</summary>
+    /// <summary>A surface has scattered the path into one direction of many; set only where subpaths are connected.</summary>
     internal const uint HasScattered = 1 << 19;
+
+    /// <summary>Of a light path's vertex that is kept: it lies in a medium.</summary>
+    internal const uint IsInMedium = 1 << 20;
 }

@@ -9,12 +9,18 @@ namespace RayTracer.Rendering;
 /// The shapes of one kind that share one material: hits on them are shaded together, with one call for a packet of lanes.
 /// </summary>
 /// <param name="material">The material.</param>
-/// <param name="batch">The batch that the shapes belong to.</param>
+/// <param name="batch">The batch that the shapes belong to; null for what is no shape.</param>
 /// <param name="onlyIndex">Index in the batch of the group's only shape; −1 if it has several.</param>
 /// <param name="isInstanced">True if the shapes stand in a space that instances show.</param>
-public sealed class ShadingGroup(Material material, SurfaceTable batch, int onlyIndex, bool isInstanced)
+public sealed class ShadingGroup(Material material, SurfaceTable? batch, int onlyIndex, bool isInstanced)
 {
     private MaterialTraits _traits = material.Traits;
+
+    /// <summary>The points at which media scatter light, for subpaths: they are shaded as if they were a surface.</summary>
+    internal static ShadingGroup OfMedia { get; } = new(new MediumMaterial(), null, -1, isInstanced: false);
+
+    /// <summary>It is <see cref="OfMedia"/>.</summary>
+    internal bool IsOfMedia => batch is null;
 
     /// <summary>The material.</summary>
     public Material Material => material;
@@ -22,29 +28,29 @@ public sealed class ShadingGroup(Material material, SurfaceTable batch, int only
     /// <summary>The material's constants, but that it disperses light where another one around it may, too.</summary>
     public ref readonly MaterialTraits Traits => ref _traits;
 
-    internal SurfaceTable Batch => batch;
+    internal SurfaceTable Batch => batch!;
 
     internal bool IsInstanced => isInstanced;
 
-    internal bool HasShadingNormals { get; } = batch.HasShadingNormals;
+    internal bool HasShadingNormals { get; } = batch is { HasShadingNormals: true };
 
     /// <summary>Light is scattered with other normals than the surface's own, so that it could leak through it.</summary>
-    public bool MayLeak { get; } = batch.HasShadingNormals || material.Traits.TurnsNormal;
+    public bool MayLeak { get; } = batch is { HasShadingNormals: true } || material.Traits.TurnsNormal;
 
     /// <summary>Shading normals may be all that counts (<see cref="Scene.IsLiteral"/>).</summary>
-    internal bool MayBeLiteral { get; } = (batch.HasShadingNormals || material.Traits.TurnsNormal) && !material.Traits.MirrorsNormal;
+    internal bool MayBeLiteral { get; } = (batch is { HasShadingNormals: true } || material.Traits.TurnsNormal) && !material.Traits.MirrorsNormal;
 
     /// <summary>How surfaces face rays where normals are mended.</summary>
-    internal NormalRules MendedRules { get; } = RulesOf(material, batch.HasShadingNormals, isLiteral: false);
+    internal NormalRules MendedRules { get; } = RulesOf(material, batch is { HasShadingNormals: true }, isLiteral: false);
 
     /// <summary>How surfaces face rays where normals are taken literally.</summary>
-    internal NormalRules LiteralRules { get; } = RulesOf(material, batch.HasShadingNormals, isLiteral: true);
+    internal NormalRules LiteralRules { get; } = RulesOf(material, batch is { HasShadingNormals: true }, isLiteral: true);
 
     /// <summary>The diffuse colour is multiplied by the surface's own colours: where no texture of the material shows them.</summary>
-    internal bool HasTint { get; } = batch.HasTint && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
+    internal bool HasTint { get; } = batch is { HasTint: true } && (material.Inputs & TextureInputs.VertexColor) == TextureInputs.None;
 
     /// <summary>The surface has no colours of its own.</summary>
-    internal bool LacksTint { get; } = !batch.HasTint;
+    internal bool LacksTint { get; } = batch is not { HasTint: true };
 
     /// <summary>A texture asks for the point in the shape's own coordinates.</summary>
     internal bool UsesLocal { get; } = (material.Inputs & TextureInputs.ObjectPoint) != TextureInputs.None;

@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Warns of what a scene has and its picture cannot show. Integrators that trace light refuse light and insides of things that they do not know: with them
+/// Warns of what a scene has and its picture cannot show. Integrators that trace light refuse light that they do not know: with them
 /// a scene is chosen for being right where others are only slow.
 /// </summary>
 /// <param name="scene">The scene.</param>
@@ -136,6 +136,15 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
                 $"the integrator {_integrator.Name} asks where points are seen, which the projection {Quotation.Of(description.Camera.Projection.Name)} does not say: {other}");
         }
 
+        // Light paths start on a disk just outside of all that has an end, which may lie on either side of such a surface.
+        if (!scene.World.IsFinite && scene.SampledLights.Any(l => !IsNear(l)) && scene.Shapes.FirstOrDefault(IsEndlessBoundary) is { } shape)
+        {
+            builder.Error(
+                builder.DescriptionOf(shape.Material) ?? (object)description,
+                null,
+                $"light from infinitely far away comes through a surface without end that has an inside, where the integrator {_integrator.Name} cannot start light paths: give it an end, or {other.Replace(Integrator.Path.Name, Integrator.VolPath.Name, StringComparison.Ordinal)}");
+        }
+
         // Where camera paths are followed to their ends, they find all light, if with more noise.
         if ((strategies & Strategies.Connections) == Strategies.None && scene.SampledLights.FirstOrDefault(l => !l.CanEmit) is { } light)
         {
@@ -143,6 +152,11 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
             AtIntegrator($"no light paths can start at {name}, as the integrator {_integrator.Name} needs: {other}");
         }
     }
+
+    private bool IsNear(LightSource light) => light.Extent((scene.Render.Shutter.X, scene.Render.Shutter.Y)).Box.IsFinite;
+
+    private static bool IsEndlessBoundary(Shapes.Shape shape) =>
+        !shape.Bounds.IsFinite && (shape.Material.Traits is { Interior: not null } or { Nesting: not null } or { IsBoundary: true });
 
     private bool Shines() => !scene.Background.IsBlack || scene.Environment is not null || scene.Lights.Count > 0
         || Array.Exists(scene.Groups, g => g.Traits.Emits) || (!scene.Ambient.IsBlack && _integrator.Has(IntegratorTraits.AmbientLight));

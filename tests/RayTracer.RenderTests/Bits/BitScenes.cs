@@ -24,6 +24,14 @@ internal static class BitScenes
     private const string Everything = "everything-";
     private const string LightPath = "light-paths-";
 
+    // The same in fog, with a lamp in milk that overlaps with the ball.
+    private const string InFog = "-in-fog";
+    private const string Fog = """
+        { "type": "box", "a": [-3, -1, -3], "b": [3, 3, 3], "material": { "type": "invisible", "interior": { "extinction": [0.1, 0.15, 0.2], "albedo": [0.9, 0.8, 0.7], "anisotropy": 0.6 } } },
+        { "type": "sphere", "center": [-0.1, 0.5, 0.4], "radius": 0.4, "material": { "type": "roughDielectric", "alpha": 0.3, "refractiveIndex": 1.3, "priority": 1, "interior": { "extinction": [2, 3, 4], "albedo": [0.9, 0.9, 0.8] } } },
+        { "type": "sphere", "center": [-0.1, 0.5, 0.4], "radius": 0.2, "material": { "type": "luminaire", "multiplier": 9 } },
+        """;
+
     // A ring and a mesh, placed and moving, glass and its caustic, a lamp that shines on them and one behind them.
     private const string Caustic = """
         {
@@ -149,7 +157,7 @@ internal static class BitScenes
         Directory.GetDirectories(ProjectFolder.PathOf("scenes")).Select(f => Path.GetFileName(f)).Where(f => f is not ("broken" or "gallery" or "report")).Order(StringComparer.Ordinal);
 
     /// <summary>One scene, by each of the integrators whose paths start at the lights, too.</summary>
-    public static string[] LightPaths => [.. new[] { "light", "bidirectional", "photons", "vcm" }.Select(i => LightPath + i)];
+    public static string[] LightPaths => [.. new[] { "light", "bidirectional", "photons", "vcm" }.SelectMany(i => new[] { LightPath + i, LightPath + i + InFog })];
 
     /// <summary>Names of the scenes in a folder.</summary>
     public static string[] In(string folder) =>
@@ -170,8 +178,14 @@ internal static class BitScenes
     /// <summary>Loads a scene of <see cref="LightPaths"/>.</summary>
     /// <param name="name">Its name.</param>
     /// <param name="size">Its size and samples, as a scene file has them.</param>
-    public static Scene LoadCaustic(string name, string size = """ "width": 22, "height": 18, "samplesPerPixel": 4 """) =>
-        TestScenes.Build(Caustic.Replace("INTEGRATOR", name[LightPath.Length..], StringComparison.Ordinal).Replace("SIZE", size, StringComparison.Ordinal));
+    public static Scene LoadCaustic(string name, string size = """ "width": 22, "height": 18, "samplesPerPixel": 4 """)
+    {
+        bool isInFog = name.EndsWith(InFog, StringComparison.Ordinal);
+        string integrator = name[LightPath.Length..].Replace(InFog, "", StringComparison.Ordinal);
+        string text = Caustic.Replace("INTEGRATOR", integrator, StringComparison.Ordinal).Replace("SIZE", size, StringComparison.Ordinal);
+        text = isInFog ? text.Replace("\"shapes\": [", "\"shapes\": [" + Fog, StringComparison.Ordinal).Replace("\"glass\": \"sf11\"", "\"glass\": \"sf11\", \"priority\": 2", StringComparison.Ordinal) : text;
+        return TestScenes.Build(text);
+    }
 
     private static SceneDescription Small(SceneDescription d, int width, int height) =>
         d with { Render = d.Render with { Width = width, Height = height, SamplesPerPixel = 4 } };

@@ -16,8 +16,8 @@ internal sealed record IntegratorAdvice(Integrator Integrator, string Reason)
     private const float SmallLamp = 0.1f;
 
     /// <summary>
-    /// Returns the advice for a scene. What only one integrator shows comes first; then <c>vcm</c> where glass or mirrors gather the light of small
-    /// lights, or glass stands around a light; else <c>path</c>.
+    /// Returns the advice for a scene: <c>vcm</c> where glass or mirrors gather the light of small lights, or glass stands around a light; else
+    /// <c>path</c>, or <c>volPath</c> where there are media.
     /// </summary>
     /// <param name="scene">The scene.</param>
     public static IntegratorAdvice For(Scene scene)
@@ -27,19 +27,11 @@ internal sealed record IntegratorAdvice(Integrator Integrator, string Reason)
             return new(Integrator.Report, "the scene asks for it, and others give another picture");
         }
 
-        if (Array.Exists(scene.Groups, g => g.Traits.Interior is not null))
-        {
-            return new(Integrator.VolPath, "only it shows media inside shapes");
-        }
-
-        if (Array.Exists(scene.Groups, g => g.Traits.Nesting is not null))
-        {
-            return new(Integrator.Path, "integrators that trace light do not support priorities of dielectrics");
-        }
-
+        bool hasMedia = Array.Exists(scene.Groups, g => g.Traits.Interior is not null);
+        Integrator fromCamera = hasMedia ? Integrator.VolPath : Integrator.Path;
         if (!scene.Camera.CanLink)
         {
-            return new(Integrator.Path, "light paths cannot be connected with a camera of this projection");
+            return new(fromCamera, "light paths cannot be connected with a camera of this projection");
         }
 
         if (scene.Lights.Any(l => IsInGlass(BoxOf(l, scene), scene.World.Itself.Shapes)))
@@ -49,7 +41,8 @@ internal sealed record IntegratorAdvice(Integrator Integrator, string Reason)
 
         return Array.Exists(scene.Groups, g => Focuses(g.Material)) && HasSmallLight(scene)
             ? new(Integrator.Vcm, "glass or mirrors gather the light of small lights, and paths from the camera find that by rare chance only")
-            : new(Integrator.Path, "no glass or mirror gathers the light of small lights, so paths from the camera find all light");
+            : new(fromCamera, hasMedia ? "it shows media inside shapes, and no glass or mirror gathers the light of small lights"
+                : "no glass or mirror gathers the light of small lights, so paths from the camera find all light");
     }
 
     // What sends light of one direction on in one, or nearly so; but not what lets it through as it is.

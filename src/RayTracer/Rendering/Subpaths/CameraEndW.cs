@@ -20,6 +20,9 @@ internal struct CameraEndW
     /// <summary>Numbers of the vertices on them, from 0.</summary>
     public UIntW Number;
 
+    /// <summary>The media through which they came; used only where paths track them.</summary>
+    public UIntW Media;
+
     /// <summary>Times in seconds; used only where something moves.</summary>
     public FloatW Time;
 }

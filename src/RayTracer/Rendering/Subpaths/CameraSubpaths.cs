@@ -46,7 +46,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         _raysOfPacket = FloatW.Count * (Scene.LightSelection is null ? _lights.Length : 1);
         _rays = new(Scene, Math.Max(LeastRays, _raysOfPacket));
         _traceRays = TraceRays;
-        _connections = (strategies & Strategies.Connections) != Strategies.None ? new(Scene, _pass, _recorder) : null;
+        _connections = (strategies & Strategies.Connections) != Strategies.None ? new(Scene, _pass, Gather, _recorder) : null;
         _merge = (strategies & Strategies.Merges) != Strategies.None ? new(_pass, IsPhotons, _recorder) : null;
     }
 
@@ -117,16 +117,13 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     }
 
     /// <inheritdoc/>
-    protected override void Begin(in UIntW path, in UIntW number) => BeginVertex(path, number);
-
-    /// <inheritdoc/>
     protected override void Arrive(ShadingGroup group, PathStream stream, uint* index, MaskW first)
     {
         ref VertexW at = ref At;
         at.Sums.Arrive(at.Distance * at.Distance, at.Cosine);
         if (first.Any)
         {
-            Scene.Camera.Density(stream.PickOrigin(index), at.Surface.Incoming, at.Distance, at.Time, out FloatW density);
+            Scene.Camera.Density(Start(stream, index, at.Surface.Incoming), at.Surface.Incoming, at.Distance, at.Time, out FloatW density);
             bool isSeenByLight = (_strategies & Strategies.Camera) != Strategies.None;
             at.Sums.Vcm = first.Select(isSeenByLight ? SubpathSumsW.Limited(PathWeights.Power(Weights.CameraPaths / (density * at.Cosine))) : 0f, at.Sums.Vcm);
             at.Sums.Vc = first.Select(0f, at.Sums.Vc);
@@ -163,8 +160,8 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
 
         if ((_strategies & (Strategies.Merges | Strategies.Connections)) != Strategies.None)
         {
-            CameraEndW end = new() { Throughput = at.Throughput, Color = WavelengthColor(), Sums = at.Sums, Path = at.Path, Number = at.Number, Time = at.Time };
-            if (_merge is not null)
+            CameraEndW end = new() { Throughput = at.Throughput, Color = WavelengthColor(), Sums = at.Sums, Path = at.Path, Number = at.Number, Media = at.Media, Time = at.Time };
+            if (_merge is not null && !group.IsOfMedia)
             {
                 _merge.Add(group, ref at.Surface, end, MaxDepth, goesOn, out at.Bsdf);
                 Gather(goesOn.Bits, at.Path, at.Bsdf);
@@ -226,7 +223,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         {
             LightHitW hit = new()
             {
-                From = stream.PickOrigin(index),
+                From = Start(stream, index, at.Surface.Incoming),
                 FromNormal = Scene.LightSelection is null ? default : stream.PickNormal(index),
                 Direction = at.Surface.Incoming,
                 Distance = at.Distance,
@@ -247,7 +244,8 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     private FloatW SeenWeight(FloatW asked, FloatW emission)
     {
         ref SubpathSumsW sums = ref At.Sums;
-        return Share(FloatW.MultiplyAdd(PathWeights.Power(asked), sums.Vcm, PathWeights.Power(emission / Weights.PerLightPath) * sums.Vc));
+        FloatW emitted = PathWeights.Power(emission / Weights.PerLightPath);
+        return Share(FloatW.MultiplyAdd(PathWeights.Power(asked), sums.Vcm, IsPhotons ? 0f : emitted * sums.Vc));
     }
 
     private FloatW EnvironmentWeight(PathStream stream, uint* index)
@@ -255,7 +253,12 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         ref VertexW at = ref At;
         at.Sums.Vcm = FloatW.Pick(stream.Vcm, index);
         at.Sums.Vc = FloatW.Pick(stream.Vc, index);
-        LightHitW hit = new() { From = stream.PickOrigin(index), Direction = at.Surface.Incoming, Distance = float.PositiveInfinity, Cosine = 1f };
+        if (Scene.HasMedia)
+        {
+            at.Sums.Pass(FloatW.Pick(stream.Passed, index));
+        }
+
+        LightHitW hit = new() { From = Start(stream, index, at.Surface.Incoming), Direction = at.Surface.Incoming, Distance = float.PositiveInfinity, Cosine = 1f };
         UIntW number = (uint)(_lights.Length - 1);
         Scene.Environment!.Pdf(hit, out FloatW asked);
         Scene.Environment.EmissionPdf(hit, out FloatW point, out FloatW direction);
@@ -315,13 +318,29 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         {
             light.EmissionPdf(at.Surface.Point, sample, at.Time, out FloatW point, out FloatW direction);
             FloatW emission = point * direction * _pass.Emission.Probability((uint)number);
-            FloatW towards = emission * FloatW.Abs(Vec3W.Dot(sample.Direction, at.Surface.Normal)) / (asked * sample.Cosine * Weights.PerLightPath);
+            FloatW towards = emission * Meeting(at.Surface, sample.Direction) / (asked * sample.Cosine * Weights.PerLightPath);
             Adjoint.ReversePdf(group.Material, ref at.Surface, sample.Direction, out FloatW reversePdf);
-            others = FloatW.MultiplyAdd(PathWeights.Power(towards), at.Sums.Connected(reversePdf, Weights), others);
+            others = FloatW.MultiplyAdd(PathWeights.Power(towards), at.Sums.Connected(reversePdf, Weights.At(group)), others);
         }
 
-        FloatW scale = FloatW.Abs(Vec3W.Dot(sample.Direction, at.Surface.Facing)) * Share(others) / probability;
+        RgbW left = Rgb.White;
+        if (Scene.TracksInteriors)
+        {
+            Follow(group, active, sample.Direction, sample.Distance, light, out left, out FloatW passed);
+            others *= PathWeights.Power(passed);
+        }
+
+        FloatW scale = Cosine(at.Surface, sample.Direction) * Share(others) / probability;
         RgbW value = at.Throughput * brought * at.Bsdf * scale;
+        if (Scene.TracksInteriors)
+        {
+            _traced += BitOperations.PopCount(active.Bits);
+            value *= left;
+            Gather(active.Bits, at.Path, value);
+            _recorder?.Add(active.Bits, at.Path, 1u, at.Number + 2u, false, value, value * (others + 1f));
+            return;
+        }
+
         at.Start = Leave(at.Surface, sample.Direction);
         at.Inner = LeaveInside(at.Surface, sample.Direction);
         DirectLight.TurnTo(Vec3W.MultiplyAdd(sample.Direction, sample.Distance, at.Surface.Point - at.Start), ref sample.Direction, ref sample.Distance);

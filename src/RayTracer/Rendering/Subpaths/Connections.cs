@@ -10,13 +10,15 @@ namespace RayTracer.Rendering;
 /// </summary>
 /// <param name="scene">The scene.</param>
 /// <param name="pass">Has the light paths.</param>
+/// <param name="gather">Takes the light for the camera's paths where rays are traced through media at once.</param>
 /// <param name="recorder">Is told of what they bring; may be null.</param>
-internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRecorder? recorder)
+internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering gather, StrategyRecorder? recorder)
 {
     private const int Full = 16384;
+    private readonly Transmittance? _transmittance = scene.TracksInteriors ? new(scene) : null;
     private Connection[] _waiting = new Connection[Full];
     private int[] _order = new int[Full];
-    private readonly int[] _starts = new int[scene.Groups.Length + 1];
+    private readonly int[] _starts = new int[scene.Groups.Length + 3];
     private readonly PathStream _room = new(16);
     private readonly PinnedBuffer<uint> _iota = Iota();
     private readonly PinnedBuffer<EndW> _end = new(1);
@@ -76,7 +78,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRe
                 trace();
             }
 
-            Connect(scene.Groups[group], _order.AsSpan(i, count), rays);
+            Connect(group > scene.Groups.Length ? ShadingGroup.OfMedia : scene.Groups[group], _order.AsSpan(i, count), rays);
             i += count;
         }
 
@@ -137,9 +139,10 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRe
         }
 
         Adjoint.ReversePdf(group.Material, ref surface, direction, out FloatW reversePdf);
-        RgbW value = camera.Throughput * bsdf * (FloatW.Abs(Vec3W.Dot(direction, surface.Facing)) * pass.Weights.PerLightPath);
-        FloatW sum = camera.Sums.Connected(reversePdf, pass.Weights);
-        FloatW cosine = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
+        RgbW value = camera.Throughput * bsdf * (InteriorShader.Cosine(surface, direction) * pass.Weights.PerLightPath);
+        FloatW sum = camera.Sums.Connected(reversePdf, pass.Weights.At(group));
+        FloatW cosine = InteriorShader.Meeting(surface, direction);
+        UIntW media = scene.TracksInteriors ? SurfaceShader.MediaAlong(scene, surface, direction, group.Interior, camera.Media) : 0u;
         Vec3W start = SurfaceShader.Leave(surface, direction);
         Vec3W inner = group.IsInstanced ? SurfaceShader.LeaveInside(surface, direction) : default;
         for (uint lanes = active.Bits; lanes != 0; lanes &= lanes - 1)
@@ -165,6 +168,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRe
                 Path = camera.Path[lane],
                 Vertex = vertex[lane],
                 Number = camera.Number[lane],
+                Media = media[lane],
             };
         }
     }
@@ -174,9 +178,14 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRe
     {
         ref EndW end = ref *_end.Pointer;
         Load(chosen, ref end);
-        SurfaceShader.Describe(scene, group, _room, _iota.Pointer, group.Traits.UsesUv, out end.Surface);
+        SubpathShader.DescribeVertex(scene, group, _room, _iota.Pointer, out end.Surface);
         ref SurfaceW surface = ref end.Surface;
         surface.Wavelength = group.Traits.Disperses ? end.Wavelength : surface.Wavelength;
+        if (scene.HasNesting && group.IsNested)
+        {
+            surface.ExteriorIndex = scene.Media.Index(InteriorShader.Around(scene, group, surface, UIntW.Load(_room.Media)), surface.Wavelength);
+        }
+
         MaskW active = MaskW.First(chosen.Length);
         Vec3W direction = -end.Direction;
         surface.CarriesLight = true;
@@ -186,26 +195,43 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRe
         Vec3W to = goal - end.Start;
         FloatW distance2 = Vec3W.Dot(to, to);
         FloatW distance = FloatW.Sqrt(distance2);
-        FloatW cosine = FloatW.Abs(Vec3W.Dot(direction, surface.Normal));
-        FloatW lit = PathWeights.Power(end.Pdf * cosine / distance2) * end.Sums.Connected(reversePdf, pass.Weights);
+        FloatW cosine = InteriorShader.Meeting(surface, direction);
+        FloatW lit = PathWeights.Power(end.Pdf * cosine / distance2) * end.Sums.Connected(reversePdf, pass.Weights.At(group));
         FloatW seen = PathWeights.Power(pdf * end.Cosine / distance2) * end.Sum;
-        FloatW scale = 1f / (distance2 * (lit + seen + 1f));
-        RgbW light = end.Value * end.Power * scattered * scale;
         active = active.Except((scattered.R <= 0f) & (scattered.G <= 0f) & (scattered.B <= 0f)) & distance2 > 0f;
         Vec3W towards = to * (1f / distance);
         Traced += BitOperations.PopCount(active.Bits);
+        if (_transmittance is not null)
+        {
+            _transmittance.Trace(active.Bits, end.Start, end.Instance, end.Inner, towards, distance, end.Media, end.Time, null, out RgbW left, out FloatW passed);
+            FloatW others = (lit + seen) * PathWeights.Power(passed);
+            RgbW arriving = end.Value * end.Power * scattered * left * (1f / (distance2 * (others + 1f)));
+            gather(active.Bits, end.Path, arriving);
+            if (recorder is not null)
+            {
+                Numbers(chosen, out UIntW ofLight, out UIntW ofCamera);
+                recorder.Add(active.Bits, end.Path, ofLight, ofCamera, false, arriving, arriving * (others + 1f));
+            }
+
+            return;
+        }
+
+        FloatW scale = 1f / (distance2 * (lit + seen + 1f));
+        RgbW light = end.Value * end.Power * scattered * scale;
         scene.Primitives.Occlude(end.Start, towards, distance, -1, ref active);
         if (active.Any)
         {
             rays.Add(active.Bits, end.Start, end.Instance, end.Inner, towards, distance, end.Time, -1, light, 0f, end.Path);
             if (recorder is not null)
             {
-                Record(recorder, chosen, active.Bits, light * (lit + seen + 1f));
+                Numbers(chosen, out UIntW ofLight, out UIntW ofCamera);
+                recorder.Wait(active.Bits, ofLight, ofCamera, light * (lit + seen + 1f));
             }
         }
     }
 
-    private void Record(StrategyRecorder recorder, ReadOnlySpan<int> chosen, uint lanes, in RgbW alone)
+    // The numbers of vertices of both ends.
+    private void Numbers(ReadOnlySpan<int> chosen, out UIntW ofLight, out UIntW ofCamera)
     {
         uint* numbers = stackalloc uint[2 * FloatW.Count];
         for (int lane = 0; lane < chosen.Length; lane++)
@@ -215,7 +241,8 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRe
             numbers[FloatW.Count + lane] = connection.Number + 2;
         }
 
-        recorder.Wait(lanes, UIntW.Load(numbers), UIntW.Load(numbers + FloatW.Count), alone);
+        ofLight = UIntW.Load(numbers);
+        ofCamera = UIntW.Load(numbers + FloatW.Count);
     }
 
     // Brings the connections of a packet, and the rays that met the light's vertices, into lanes.
@@ -235,6 +262,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRe
                 connection.Value.R * color.R, connection.Value.G * color.G, connection.Value.B * color.B, connection.Sum, connection.Pdf, connection.Cosine,
                 connection.Time, connection.Inner.X, connection.Inner.Y, connection.Inner.Z, vertex.Power.R, vertex.Power.G, vertex.Power.B,
                 vertex.Vcm, vertex.Vc, vertex.Vm, vertex.Wavelength, BitConverter.UInt32BitsToSingle(connection.Instance), BitConverter.UInt32BitsToSingle(connection.Path),
+                BitConverter.UInt32BitsToSingle(connection.Media),
             ];
             for (int i = 0; i < values.Length; i++)
             {
@@ -248,7 +276,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRe
         public Vector3 Start, Direction, Inner;
         public Rgb Value, Color;
         public float Sum, Pdf, Cosine, Time;
-        public uint Instance, Path, Vertex, Number;
+        public uint Instance, Path, Vertex, Number, Media;
     }
 
     // In the order of Load.
@@ -261,7 +289,13 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, StrategyRe
         public RgbW Power;
         public SubpathSumsW Sums;
         public FloatW Wavelength;
-        public UIntW Instance, Path;
+        public UIntW Instance, Path, Media;
         public SurfaceW Surface;
     }
 }
+
+/// <summary>Takes light for paths.</summary>
+/// <param name="lanes">The lanes in use.</param>
+/// <param name="path">The paths' numbers.</param>
+/// <param name="light">The light.</param>
+internal delegate void Gathering(uint lanes, in UIntW path, in RgbW light);

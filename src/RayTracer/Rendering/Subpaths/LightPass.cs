@@ -29,6 +29,7 @@ internal sealed class LightPass
     private readonly Tile _area;
     private readonly int _rarity;
     private readonly float _firstRadius;
+    private readonly LightInteriors? _interiors;
     private readonly ConcurrentBag<Worker> _idle = [];
 
     /// <summary>Prepares.</summary>
@@ -50,6 +51,7 @@ internal sealed class LightPass
 
         Splats = new(scene.Render.Width, scene.Render.Height) { Threads = threads };
         Emission = new(scene);
+        _interiors = scene.TracksInteriors ? new(scene) : null;
         if (Has(Strategies.Merges))
         {
             Photons = new();
@@ -139,7 +141,7 @@ internal sealed class LightPass
         public Worker(LightPass pass)
         {
             _pass = pass;
-            _starts = new(pass._scene);
+            _starts = new(pass._scene, pass._interiors is { } known ? new(known) : null);
             _shader = new(new(pass._scene, null!, null, null), pass._strategies, pass.Splats, pass._area, pass.Recorder());
             _stages = new(pass._scene, pass._options.StreamSize, _shader);
         }

@@ -6,7 +6,8 @@ namespace RayTracer.Rendering;
 
 /// <summary>Starts the light paths of a block, at lights that are chosen by their power, and keeps what is known of each start.</summary>
 /// <param name="scene">The scene.</param>
-internal sealed unsafe class LightStarts(Scene scene) : PathSource
+/// <param name="interiors">Knows in what they start; null where paths do not track that.</param>
+internal sealed unsafe class LightStarts(Scene scene, LightInteriors? interiors) : PathSource
 {
     private readonly LightEmission _emission = new(scene);
     private readonly PinnedBuffer<uint> _keys = new(LightVertices.BlockSize);
@@ -89,6 +90,11 @@ internal sealed unsafe class LightStarts(Scene scene) : PathSource
             if (scene.IsTimed)
             {
                 stream.SetTime(lanes, time);
+            }
+
+            if (interiors is not null)
+            {
+                stream.SetMedia(lanes, interiors.Of(lanes, light, ray.Origin, time), 0f);
             }
 
             stream.Append(lanes, ray.Origin, ray.Direction, ray.Power, default, UIntW.Iota + (uint)_issued, 0u);

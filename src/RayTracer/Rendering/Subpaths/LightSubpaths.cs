@@ -64,8 +64,8 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     }
 
     /// <inheritdoc/>
-    protected override void Begin(in UIntW path, in UIntW number) =>
-        Vertex.Begin(UIntW.Gather(_starts.PixelKeys, path), UIntW.Gather(_starts.Samples, path), number + FirstGroup);
+    protected override void BeginVertex(in UIntW path, in UIntW vertex) =>
+        Vertex.Begin(UIntW.Gather(_starts.PixelKeys, path), UIntW.Gather(_starts.Samples, path), vertex + FirstGroup);
 
     /// <inheritdoc/>
     protected override void Arrive(ShadingGroup group, PathStream stream, uint* index, MaskW first)
@@ -96,9 +96,10 @@ internal sealed unsafe class LightSubpaths : SubpathShader
                 Splat(group, mayConnect);
             }
 
-            if ((_strategies & (Strategies.Connections | Strategies.Merges)) != Strategies.None)
+            Strategies ofVertices = group.IsOfMedia ? Strategies.Connections : Strategies.Connections | Strategies.Merges;
+            if ((_strategies & ofVertices) != Strategies.None)
             {
-                Keep(stream, index, active.Bits);
+                Keep(group, stream, index, active.Bits);
             }
         }
 
@@ -177,12 +178,19 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         }
 
         Adjoint.Evaluate(group.Material, ref at.Surface, link.Direction, out at.Bsdf, out at.ReversePdf);
+        RgbW left = Rgb.White;
+        FloatW passed = 1f;
+        if (Scene.TracksInteriors)
+        {
+            Follow(group, active, link.Direction, link.Distance, null, out left, out passed);
+        }
+
         FloatW scale = link.Density * filtered * (Weights.PerLightPath / Weights.CameraPaths);
         FloatW ways = 1f;
         if ((_strategies & ~(Strategies.Camera | Strategies.Seen)) != Strategies.None)
         {
-            FloatW seen = link.Density * FloatW.Abs(Vec3W.Dot(link.Direction, at.Surface.Normal)) * (1f / Weights.CameraPaths);
-            ways = FloatW.MultiplyAdd(PathWeights.Power(seen), at.Sums.Connected(at.ReversePdf, Weights), 1f);
+            FloatW seen = link.Density * passed * Meeting(at.Surface, link.Direction) * (1f / Weights.CameraPaths);
+            ways = FloatW.MultiplyAdd(PathWeights.Power(seen), at.Sums.Connected(at.ReversePdf, Weights.At(group)), 1f);
             scale /= ways;
         }
 
@@ -193,7 +201,17 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         }
 
         active = active.Except((at.Bsdf.R <= 0f) & (at.Bsdf.G <= 0f) & (at.Bsdf.B <= 0f));
-        Ask(group, active, link, (y.ToInt() * (uint)Scene.Render.Width) + x.ToInt(), light, ways);
+        UIntW pixel = (y.ToInt() * (uint)Scene.Render.Width) + x.ToInt();
+        if (Scene.TracksInteriors)
+        {
+            _traced += BitOperations.PopCount(active.Bits);
+            light *= left;
+            Add(active.Bits, pixel, light);
+            _recorder?.Add(active.Bits, pixel, at.Number + 2u, 1u, false, light, light * ways);
+            return;
+        }
+
+        Ask(group, active, link, pixel, light, ways);
     }
 
     // The number that chooses the path's wavelength: that of the camera paths of its sample.
@@ -223,6 +241,17 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         {
             TraceSplats();
         }
+    }
+
+    private void Add(uint lanes, in UIntW pixel, in RgbW light)
+    {
+        float* numbers = stackalloc float[3 * 16];
+        uint* owners = stackalloc uint[16];
+        light.R.Compress(numbers, lanes);
+        light.G.Compress(numbers + 16, lanes);
+        light.B.Compress(numbers + 32, lanes);
+        pixel.Compress(owners, lanes);
+        _splats.Add(BitOperations.PopCount(lanes), UIntW.Load(owners), new(FloatW.Load(numbers), FloatW.Load(numbers + 16), FloatW.Load(numbers + 32)));
     }
 
     private void TraceSplats()
@@ -257,7 +286,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         _rays.Clear();
     }
 
-    private void Keep(PathStream stream, uint* index, uint lanes)
+    private void Keep(ShadingGroup group, PathStream stream, uint* index, uint lanes)
     {
         ref VertexW at = ref At;
         for (; lanes != 0; lanes &= lanes - 1)
@@ -277,15 +306,16 @@ internal sealed unsafe class LightSubpaths : SubpathShader
                 Vcm = at.Sums.Vcm[lane],
                 Vc = at.Sums.Vc[lane],
                 Vm = at.Sums.Vm[lane],
-                State = at.State[lane],
+                State = at.State[lane] | (group.IsOfMedia ? PathState.IsInMedium : 0),
                 Path = _starts.PixelNumbers[at.Path[lane]],
                 Origin = new(stream.OriginX[i], stream.OriginY[i], stream.OriginZ[i]),
-                Distance = at.Distance[lane],
+                Distance = stream.Distance[i],
                 Primitive = stream.Primitive[i],
                 Instance = Scene.World.Instances is null ? 0 : stream.Instance[i],
                 StartInstance = stream.StartInstance[i],
                 InnerStart = new(stream.InnerX[i], stream.InnerY[i], stream.InnerZ[i]),
                 Wavelength = at.Surface.Wavelength[lane],
+                Media = Scene.TracksInteriors ? stream.Media[i] : 0,
             };
         }
     }

@@ -9,7 +9,7 @@ namespace RayTracer.Rendering;
 internal unsafe struct LightVertex
 {
     /// <summary>Its size in numbers of 32 bits.</summary>
-    public const uint Numbers = 25;
+    public const uint Numbers = 26;
 
     /// <summary>Where it is.</summary>
     public Vector3 Point;
@@ -47,6 +47,9 @@ internal unsafe struct LightVertex
     /// <summary>The path's wavelength in µm where the surface disperses light; else of no meaning.</summary>
     public float Wavelength;
 
+    /// <summary>The media through which the ray came at last; set only where paths track them.</summary>
+    public uint Media;
+
     /// <summary>Writes the ray that met it, with its hit, into a stream.</summary>
     /// <param name="stream">The stream.</param>
     /// <param name="i">Where.</param>
@@ -57,6 +60,7 @@ internal unsafe struct LightVertex
         (stream.DirectionX[i], stream.DirectionY[i], stream.DirectionZ[i]) = (Direction.X, Direction.Y, Direction.Z);
         (stream.Distance[i], stream.Time[i]) = (Distance, time);
         (stream.Primitive[i], stream.Instance[i], stream.StartInstance[i]) = (Primitive, Instance, StartInstance);
+        stream.Media[i] = Media;
         (stream.InnerX[i], stream.InnerY[i], stream.InnerZ[i]) = (InnerStart.X, InnerStart.Y, InnerStart.Z);
     }
 }

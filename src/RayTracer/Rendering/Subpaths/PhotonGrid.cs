@@ -57,7 +57,10 @@ internal sealed unsafe class PhotonGrid
         new Span<uint>(_first.Pointer, (int)_mask + 2).Clear();
         for (int i = 0; i < vertices.Count; i++)
         {
-            _first.Pointer[Bucket(vertices.Vertices[i].Point) + 1]++;
+            if (IsMerged(vertices.Vertices[i]))
+            {
+                _first.Pointer[Bucket(vertices.Vertices[i].Point) + 1]++;
+            }
         }
 
         // Each bucket's start, which its photons then push on to its end: the next one's start.
@@ -72,6 +75,11 @@ internal sealed unsafe class PhotonGrid
         for (int i = 0; i < vertices.Count; i++)
         {
             ref LightVertex vertex = ref vertices.Vertices[i];
+            if (!IsMerged(vertex))
+            {
+                continue;
+            }
+
             _photons.Pointer[_first.Pointer[Bucket(vertex.Point) + 1]++] = new()
             {
                 Point = vertex.Point,
@@ -146,6 +154,9 @@ internal sealed unsafe class PhotonGrid
             next += 1u;
         }
     }
+
+    // In media, vertices are only connected.
+    private static bool IsMerged(in LightVertex vertex) => (vertex.State & PathState.IsInMedium) == 0;
 
     private static UIntW Floor(FloatW x) => FloatW.Max(FloatW.Min(FloatW.Floor(x), Farthest), -Farthest).ToIntInRange();
 

@@ -1,5 +1,8 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Description;
+using RayTracer.Lights;
 using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
@@ -9,9 +12,10 @@ namespace RayTracer.Rendering;
 /// know how, and go on. <see cref="LightSubpaths"/> and <see cref="CameraSubpaths"/> say what is different between the two.
 /// </summary>
 /// <param name="context">The context that it works in.</param>
-internal abstract unsafe class SubpathShader(ShaderContext context) : SurfaceShader(context)
+internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorShader(context)
 {
     private const float LargestSurvival = 0.95f;
+    private readonly Transmittance? _transmittance = context.Scene.TracksInteriors ? new(context.Scene) : null;
     private readonly PinnedBuffer<VertexW> _at = new(1);
 
     /// <summary>The number of edges that a whole path may have.</summary>
@@ -27,26 +31,73 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : SurfaceSha
     protected ref VertexW At => ref *_at.Pointer;
 
     /// <inheritdoc/>
+    internal override void SampleMedia(PathStream stream)
+    {
+        base.SampleMedia(stream);
+        for (int i = 0; Scene.HasMedia && i < stream.Count; i += FloatW.Count)
+        {
+            UIntW media = MaskW.First(stream.Count - i).Select(UIntW.Load(stream.Media + i), 0u);
+            RgbW left = MediumTable.Transmittance(Scene.Media.Extinction(media), FloatW.Load(stream.Distance + i));
+            FloatW before = (FloatW.Load(stream.Travelled + i) > 0f).Select(FloatW.Load(stream.Passed + i), 1f);
+            (before * Scene.Media.MeanPassing(media, left)).Store(stream.Passed + i);
+        }
+    }
+
+    /// <inheritdoc/>
+    internal override void Scatter(PathStream stream, PathStream next, uint* members, int count) =>
+        Shade(ShadingGroup.OfMedia, stream, next, members, count);
+
+    /// <inheritdoc/>
+    protected override void Carry(PathStream stream, PathStream next, uint* index, uint going)
+    {
+        next.SetSums(going, new() { Vcm = FloatW.Pick(stream.Vcm, index), Vc = FloatW.Pick(stream.Vc, index), Vm = FloatW.Pick(stream.Vm, index) });
+        next.SetPassed(going, FloatW.Pick(stream.Passed, index));
+    }
+
+    /// <inheritdoc/>
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
     {
         ref VertexW at = ref At;
         at.Path = UIntW.Pick(stream.Path, index);
         at.State = UIntW.Pick(stream.State, index);
         at.Number = at.State & PathState.VertexMask;
-        Begin(at.Path, at.Number);
-        Describe(Scene, group, stream, index, group.Traits.UsesUv, out at.Surface);
+        BeginVertex(at.Path, at.Number);
+        DescribeVertex(Scene, group, stream, index, out at.Surface);
+        if (Scene.TracksInteriors)
+        {
+            at.Media = UIntW.Pick(stream.Media, index);
+            MaskW crossed = Unreal(group);
+            Cross(group, at.Surface, stream, next, index, active & crossed);
+            active = active.Except(crossed);
+            if (!active.Any)
+            {
+                return;
+            }
+        }
+
         at.Throughput = stream.PickThroughput(index);
         at.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         at.Distance = FloatW.Pick(stream.Distance, index);
-        at.Cosine = FloatW.Abs(Vec3W.Dot(at.Surface.Incoming, at.Surface.Normal));
+        at.Distance = Scene.TracksInteriors ? at.Distance + FloatW.Pick(stream.Travelled, index) : at.Distance;
+        at.Cosine = Meeting(at.Surface, at.Surface.Incoming);
         at.Sums.Vcm = FloatW.Pick(stream.Vcm, index);
         at.Sums.Vc = FloatW.Pick(stream.Vc, index);
         at.Sums.Vm = FloatW.Pick(stream.Vm, index);
         Arrive(group, stream, index, UIntW.Equal(at.Number, 0u));
+        if (Scene.HasMedia)
+        {
+            at.Sums.Pass(FloatW.Pick(stream.Passed, index));
+        }
+
         if (group.Traits.Disperses)
         {
             Disperse(at.State, ref at.Surface, ref at.Throughput);
             at.State |= PathState.HasWavelength;
+        }
+
+        if (Scene.HasNesting && group.IsNested)
+        {
+            at.Surface.ExteriorIndex = Scene.Media.Index(Around(Scene, group, at.Surface, at.Media), at.Surface.Wavelength);
         }
 
         MaskW goesOn = Visit(group, stream, index, active);
@@ -55,11 +106,6 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : SurfaceSha
             GoOn(group, goesOn, next);
         }
     }
-
-    /// <summary>Turns to the random numbers of vertices, of which camera and light have their own.</summary>
-    /// <param name="path">Numbers of the paths.</param>
-    /// <param name="number">Numbers of the vertices on them, from 0.</param>
-    protected abstract void Begin(in UIntW path, in UIntW number);
 
     /// <summary>Brings the partial sums to the vertices.</summary>
     /// <param name="group">The group of surfaces.</param>
@@ -86,13 +132,59 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : SurfaceSha
     /// <summary>The lanes that shall not go on, by whether their next ray was chosen by a delta lobe.</summary>
     protected virtual MaskW Ending(MaskW delta) => MaskW.None;
 
+    /// <summary>Describes vertices, also those in media.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static void DescribeVertex(Scene scene, ShadingGroup group, PathStream stream, uint* index, out SurfaceW surface)
+    {
+        if (group.IsOfMedia)
+        {
+            MediumMaterial.Describe(scene.Media, stream, index, out surface);
+            return;
+        }
+
+        Describe(scene, group, stream, index, group.Traits.UsesUv, out surface);
+    }
+
+    /// <summary>Traces shadow rays from the vertices through all that paths pass without a vertex.</summary>
+    /// <param name="group">The group of surfaces.</param>
+    /// <param name="active">The lanes.</param>
+    /// <param name="direction">Unit directions to what they end at.</param>
+    /// <param name="distance">How far it is.</param>
+    /// <param name="light">The light that they end at; null for a point.</param>
+    /// <param name="left">The fraction of the light that is left.</param>
+    /// <param name="passed">How likely a path would come through the media.</param>
+    protected void Follow(ShadingGroup group, MaskW active, Vec3W direction, FloatW distance, LightSource? light, out RgbW left, out FloatW passed)
+    {
+        ref VertexW at = ref At;
+        UIntW media = MediaAlong(Scene, at.Surface, direction, group.Interior, at.Media);
+        UIntW instance = group.IsInstanced ? at.Surface.Instance : 0u;
+        at.Start = Leave(at.Surface, direction);
+        at.Inner = LeaveInside(at.Surface, direction);
+        DirectLight.TurnTo(Vec3W.MultiplyAdd(direction, distance, at.Surface.Point - at.Start), ref direction, ref distance);
+        _transmittance!.Trace(active.Bits, at.Start, instance, at.Inner, direction, distance, media, at.Time, light, out left, out passed);
+    }
+
+    // Where paths go through what they have met as if it were not there.
+    private MaskW Unreal(ShadingGroup group)
+    {
+        ref VertexW at = ref At;
+        if (Scene.HasMedia && group.Traits.IsBoundary)
+        {
+            return MaskW.All;
+        }
+
+        return Scene.HasNesting && group.IsNested
+            ? IsUnreal(at.Media, Scene.Cross(at.Media, group.Interior, MaskW.All, ~ComesFromInside(at.Surface)))
+            : MaskW.None;
+    }
+
     private void GoOn(ShadingGroup group, MaskW alive, PathStream next)
     {
         ref VertexW at = ref At;
         ref ScatterW scatter = ref at.Scatter;
         Choose(group, ref at.Surface, out scatter, out at.Pdf, out at.ReversePdf);
         alive = alive.Except(scatter.Absorbed).Except(Ending(scatter.Delta));
-        alive = Survive(alive, scatter.Weight, ref at.Throughput);
+        alive = Survive(group, alive, scatter.Weight, ref at.Throughput);
         uint going = alive.Bits;
         if (going == 0)
         {
@@ -100,13 +192,19 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : SurfaceSha
         }
 
         Backdrop?.Leave(at.Path, alive, at.Surface, scatter);
-        at.Sums.Leave(FloatW.Abs(Vec3W.Dot(scatter.Direction, at.Surface.Normal)), at.Pdf, at.ReversePdf, scatter.Delta, Weights);
+        at.Sums.Leave(Meeting(at.Surface, scatter.Direction), at.Pdf, at.ReversePdf, scatter.Delta, Weights.At(group));
         if (Scene.IsTimed)
         {
             next.SetTime(going, at.Time);
         }
 
-        UIntW state = (at.Number + 1u) | WavelengthAfter(group, at.State) | scatter.Delta.Select((UIntW)0u, PathState.HasScattered) | (at.State & PathState.HasScattered);
+        if (Scene.TracksInteriors)
+        {
+            next.SetMedia(going, MediumStack.Scattered(MediaAlong(Scene, at.Surface, scatter.Direction, group.Interior, at.Media)), 0f);
+        }
+
+        UIntW scattered = group.IsOfMedia ? 0u : scatter.Delta.Select((UIntW)0u, PathState.HasScattered);
+        UIntW state = (at.Number + 1u) | WavelengthAfter(group, at.State) | scattered | (at.State & PathState.HasScattered);
         next.SetSums(going, at.Sums);
         if (Scene.LightSelection is not null)
         {
@@ -123,7 +221,7 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : SurfaceSha
 
     // Ends paths at random by what a bounce takes of them, and makes those that survive brighter: the same for both directions, whatever the strength of
     // a light.
-    private MaskW Survive(MaskW alive, in RgbW weight, ref RgbW throughput)
+    private MaskW Survive(ShadingGroup group, MaskW alive, in RgbW weight, ref RgbW throughput)
     {
         ref VertexW at = ref At;
         FloatW before = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
@@ -136,7 +234,9 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : SurfaceSha
             return alive;
         }
 
-        FloatW left = after / before;
+        // What a medium takes has been taken on the way to where it scatters.
+        ref RgbW albedo = ref at.Surface.DiffuseColor;
+        FloatW left = group.IsOfMedia ? FloatW.Max(albedo.R, FloatW.Max(albedo.G, albedo.B)) : after / before;
         FloatW survival = (left < LargestSurvival).Select(left, LargestSurvival);
         throughput *= asked.Select(1f / survival, 1f);
         return alive.Except(asked & (Vertex.Roulette() >= survival));
@@ -151,6 +251,7 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : SurfaceSha
         public UIntW Path;
         public UIntW State;
         public UIntW Number;
+        public UIntW Media;
         public FloatW Time;
         public FloatW Distance;
         public FloatW Cosine;

@@ -34,6 +34,10 @@ internal struct SubpathSumsW
         Vm = Limited(Vm * perArea);
     }
 
+    /// <summary>The same where media let the ray to the vertex through with a probability: of all ways, only that which connects its two ends lacks this factor.</summary>
+    /// <param name="probability">The probability.</param>
+    public void Pass(FloatW probability) => Vcm = Limited(Vcm * PathWeights.Power(1f / probability));
+
     /// <summary>The sums of the ray that leaves a vertex.</summary>
     /// <param name="cosine">Cosine between the ray and the surface's normal.</param>
     /// <param name="pdf">The density, per steradian, with which its direction was chosen.</param>
@@ -72,8 +76,11 @@ internal struct SubpathSumsW
 /// <param name="cameraPaths">The number of camera paths of the pass, one of each pixel.</param>
 /// <param name="perLightPath">How many of them there are for each light path, and for each one that is connected with a light path.</param>
 /// <param name="mergeRadius">How near to one another vertices are merged; 0 where none are.</param>
-internal sealed class PathWeights(float cameraPaths, int perLightPath, float mergeRadius)
+/// <param name="isInMedium">True for vertices in media, which are never merged.</param>
+internal sealed class PathWeights(float cameraPaths, int perLightPath, float mergeRadius, bool isInMedium = false)
 {
+    private readonly PathWeights? _inMedia = isInMedium ? null : new(cameraPaths, perLightPath, mergeRadius, isInMedium: true);
+
     /// <summary>The light paths of the pass, as often as there is one for each connection: the number of camera paths.</summary>
     public float CameraPaths { get; } = cameraPaths;
 
@@ -86,13 +93,16 @@ internal sealed class PathWeights(float cameraPaths, int perLightPath, float mer
     public float Merge { get; } = cameraPaths * float.Pi * mergeRadius * mergeRadius;
 
     /// <summary>The factor of a merge beside a connection: the power of <see cref="Merge"/>.</summary>
-    public float Merging => Merge * Merge;
+    public float Merging => isInMedium ? 0 : Merge * Merge;
 
     /// <summary>The factor of a connection beside a merge; 0 where nothing is merged.</summary>
     public float Connecting => Merge > 0 ? 1 / (Merge * Merge) : 0;
 
     /// <summary>1 where vertices are merged, else 0.</summary>
-    public float HasMerges => Merge > 0 ? 1 : 0;
+    public float HasMerges => Merge > 0 && !isInMedium ? 1 : 0;
+
+    /// <summary>The constants at vertices of a group.</summary>
+    public PathWeights At(ShadingGroup group) => group.IsOfMedia ? _inMedia! : this;
 
     /// <summary>The power heuristic's power, 2 (Veach 1997, section 9.2).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -54,7 +54,7 @@ public class LightPassTests
     [Fact]
     public unsafe void Each_pixel_has_a_light_path_in_one_of_four_samples_chosen_at_random()
     {
-        LightStarts starts = new(TestScenes.Build(LightPathScene.All[0].Text));
+        LightStarts starts = new(TestScenes.Build(LightPathScene.All[0].Text), interiors: null);
         const int Pixels = 4000;
         int[] chosen = new int[4];
         int twice = 0;

@@ -8,7 +8,8 @@ namespace RayTracer.RenderTests.Transport.LightPaths;
 /// <param name="Samples">Samples for each pixel, every day: more where light is found by chance.</param>
 /// <param name="IsMatt">True where the camera sees nothing that is specular, nor anything through a mask, so that light tracing finds all light.</param>
 /// <param name="Text">The scene, as its file has it, without an integrator.</param>
-internal sealed record LightPathScene(string Name, int Samples, bool IsMatt, string Text)
+/// <param name="Reference">The integrator with which it is right.</param>
+internal sealed record LightPathScene(string Name, int Samples, bool IsMatt, string Text, string Reference = "path")
 {
     private const string Matt = """{ "type": "diffuse", "color": [0.7, 0.6, 0.5] }""";
     private const string Floor = """{ "type": "rectangle", "corner": [-2, 0, 2], "edgeU": [4, 0, 0], "edgeV": [0, 0, -4], "material": { "type": "diffuse", "color": [0.5, 0.6, 0.7] } }""";
@@ -119,6 +120,57 @@ internal sealed record LightPathScene(string Name, int Samples, bool IsMatt, str
             """{ "type": "rectangle", "corner": [-1.2, 2, -1.2], "edgeU": [0, 0, 1.8], "edgeV": [2.4, 0, 0], "material": { "type": "luminaire", "multiplier": 6 } }""",
             """{ "type": "sphere", "center": [0.5, 0.6, 0.3], "radius": 0.6, "material": { "type": "mask", "opacity": { "type": "checker", "even": [0.3, 0.3, 0.3], "odd": [1, 1, 1], "scale": [4, 4] }, "material": { "type": "diffuse", "color": [0.8, 0.4, 0.3] } } }""",
             $$"""{ "type": "box", "a": [-1.3, 0, -0.5], "b": [-0.5, 1.1, 0.2], "material": { "type": "mix", "weight": 0.4, "first": {{Matt}}, "second": { "type": "roughConductor", "metal": "silver", "alpha": 0.3 } } }""")),
+
+        // Light tracing is far too noisy here: what scatters just before the camera is bright without limit.
+        new("fog around all, with a spot and a lamp", 3, IsMatt: false, Write(Pinhole, """ "maxDepth": 6 """, "",
+            Floor, Wall, Ceiling,
+            Fog("""{ "type": "box", "a": [-3, -1, -3], "b": [3, 4, 6],""", "[0.2, 0.25, 0.35]", "[0.9, 0.8, 0.7]", 0.6f),
+            """{ "type": "sphere", "center": [-0.6, 0.6, 0.2], "radius": 0.5, "material": { "type": "roughConductor", "metal": "gold", "alpha": 0.4 } }""",
+            """{ "type": "spot", "position": [0.3, 2.6, 1], "direction": [0.1, -1, -0.3], "intensity": [9, 9, 12], "cutoffAngle": 35, "beamWidth": 20 }"""), "volPath"),
+
+        new("a lamp within a cloud, seen from outside", 3, IsMatt: true, Write(Pinhole, """ "maxDepth": 8 """, "",
+            Floor, Wall,
+            Fog("""{ "type": "sphere", "center": [0, 1.2, 0], "radius": 1,""", "[0.6, 1, 1.6]", "[0.9, 0.8, 0.6]", 0),
+            """{ "type": "sphere", "center": [0.1, 1.3, 0], "radius": 0.25, "material": { "type": "luminaire", "multiplier": 15 } }"""), "volPath"),
+
+        new("a cloud within a cloud, and a lamp across its boundary", 3, IsMatt: true, Write(Pinhole, """ "maxDepth": 8 """, "",
+            Floor, Wall, Ceiling,
+            Fog("""{ "type": "box", "a": [-1.5, 0.01, -1], "b": [1.5, 1, 1],""", "[0.5, 0.3, 0.2]", "[0.8, 0.8, 0.8]", -0.4f),
+            $$"""{ "type": "instance", "transform": [{ "scale": [0.3, 0.3, 0.4], "translate": [0.2, 0.5, 0.2] }], "of": {{Fog("""{ "type": "sphere", "center": [0, 0, 0],""", "[2, 2.5, 1.5]", "[0.9, 0.95, 0.5]", 0.6f)}} }""",
+            """{ "type": "rectangle", "corner": [-1.2, 0.5, 0.2], "edgeU": [0, 1.1, 0], "edgeV": [0, 0, 0.7], "material": { "type": "luminaire", "multiplier": 8 } }""",
+            """{ "type": "point", "position": [0.9, 0.5, 0.5], "intensity": [1, 0.8, 0.5] }"""), "volPath"),
+
+        new("milk in frosted glass beneath a sky", 3, IsMatt: true, Write(Pinhole, """ "maxDepth": 10 """,
+            """ "environment": { "type": "constant", "radiance": [0.2, 0.25, 0.3] }, """,
+            Floor, Wall, Ceiling,
+            """{ "type": "sphere", "center": [-0.7, 0.8, 0.2], "radius": 0.6, "material": { "type": "roughDielectric", "alpha": 0.4, "interior": { "extinction": [1, 2, 3], "albedo": [0.9, 0.9, 0.95], "anisotropy": 0.3 } } }""",
+            """{ "type": "sphere", "center": [0.8, 0.8, 0.2], "radius": 0.6, "material": { "type": "roughDielectric", "alpha": 0.4, "interior": { "extinction": [0.3, 0.8, 1.5] } } }"""), "volPath"),
+
+        new("many lamps in a cloud that moves and around it", 3, IsMatt: true, Write(Pinhole, """ "maxDepth": 5, "shutter": [0, 1] """, "",
+            [
+                Floor, Wall,
+                Fog("""{ "type": "sphere", "center": [0, 1.2, 0], "radius": 1, "motion": [{ "time": 0 }, { "time": 1, "transform": [{ "translate": [0.2, 0, 0] }] }],""", "[0.8, 0.6, 0.5]", "[0.9, 0.9, 0.9]", 0.3f),
+                .. Enumerable.Range(0, 10).Select(i => $$"""{ "type": "sphere", "center": [{{-1.5 + (0.34 * i)}}, {{1.2 + (0.7 * ((i % 3) - 1))}}, {{-0.5 + (0.35 * (i % 4))}}], "radius": {{0.05 + (0.03 * (i % 3))}}, "material": { "type": "luminaire", "multiplier": {{9 + i}} } }"""),
+            ]), "volPath"),
+
+        new("things that overlap, by priorities", 4, IsMatt: false, Write(Pinhole, """ "maxDepth": 10 """, "",
+            Floor, Wall, Ceiling,
+            """{ "type": "box", "a": [-1.2, 0.05, -0.6], "b": [0.2, 1.3, 0.6], "material": { "type": "roughDielectric", "alpha": 0.3, "glass": "bk7", "priority": 2 } }""",
+            """{ "type": "sphere", "center": [0.4, 0.8, 0.2], "radius": 0.7, "material": { "type": "roughDielectric", "alpha": 0.4, "refractiveIndex": 1.33, "priority": 1 } }""",
+            """{ "type": "box", "a": [-0.3, 0.7, -0.3], "b": [0.8, 1.6, 0.3], "material": { "type": "dielectric", "refractiveIndex": 1.31, "priority": 3, "extinction": [0.3, 0.9, 0.2] } }""")),
+
+        new("a lamp within things that overlap", 3, IsMatt: false, Write(Pinhole, """ "maxDepth": 10 """, "",
+            Floor, Wall,
+            """{ "type": "sphere", "center": [-0.3, 1, 0.2], "radius": 0.8, "material": { "type": "roughDielectric", "alpha": 0.3, "refractiveIndex": 1.5, "priority": 2 } }""",
+            """{ "type": "sphere", "center": [0.4, 1.1, 0.2], "radius": 0.8, "material": { "type": "dielectric", "refractiveIndex": 1.15, "priority": 1, "extinction": [0.1, 0.4, 0.9] } }""",
+            """{ "type": "sphere", "center": [0.1, 1, 0.2], "radius": 0.35, "material": { "type": "luminaire", "multiplier": 12 } }""")),
+
+        new("a lamp in milk that overlaps with others", 4, IsMatt: true, Write(Pinhole, """ "maxDepth": 10 """, "",
+            Floor, Wall, Ceiling,
+            """{ "type": "box", "a": [-1.2, 0.05, -0.6], "b": [0.2, 1.3, 0.6], "material": { "type": "roughDielectric", "alpha": 0.3, "refractiveIndex": 1.5, "priority": 2, "interior": { "extinction": [1, 1.4, 2], "albedo": [0.9, 0.8, 0.9] } } }""",
+            """{ "type": "sphere", "center": [0.4, 0.8, 0.2], "radius": 0.7, "material": { "type": "roughDielectric", "alpha": 0.4, "refractiveIndex": 1.33, "priority": 1 } }""",
+            Fog("""{ "type": "sphere", "center": [1.1, 1.9, 0.3], "radius": 0.5,""", "[0.7, 0.7, 0.7]", "[0.9, 0.9, 0.9]", 0.5f),
+            """{ "type": "sphere", "center": [0.1, 0.8, 0.3], "radius": 0.3, "material": { "type": "luminaire", "multiplier": 15 } }"""), "volPath"),
     ];
 
     /// <inheritdoc/>
@@ -126,6 +178,9 @@ internal sealed record LightPathScene(string Name, int Samples, bool IsMatt, str
 
     private static string Side(int x) =>
         $$"""{ "type": "rectangle", "corner": [{{x}}, 0, {{-x}}], "edgeU": [0, 0, {{2 * x}}], "edgeV": [0, 3, 0], "material": { "type": "diffuse", "color": [{{(x < 0 ? "0.8, 0.3, 0.3" : "0.3, 0.8, 0.3")}}] } }""";
+
+    private static string Fog(string shape, string extinction, string albedo, float anisotropy) => FormattableString.Invariant(
+        $$"""{{shape}} "material": { "type": "invisible", "interior": { "extinction": {{extinction}}, "albedo": {{albedo}}, "anisotropy": {{anisotropy}} } } }""");
 
     private static string Write(string camera, string render, string environment, params string[] shapes) => $$"""
         {

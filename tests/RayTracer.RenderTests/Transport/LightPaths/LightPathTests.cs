@@ -42,7 +42,7 @@ public class LightPathTests(ITestOutputHelper output)
     public void Paths_from_the_lights_bring_what_those_from_the_camera_find(string name, string integrator)
     {
         LightPathScene scene = LightPathScene.All.Single(s => s.Name == name);
-        BlockTest test = BlockTest.Compare(Images(scene, integrator), Images(scene, "path"));
+        BlockTest test = BlockTest.Compare(Images(scene, integrator), Images(scene, scene.Reference));
         ErrorBudget.Transport.Check(test.P, $"{name} by {integrator}: {test}", () => scene.Text);
     }
 
@@ -56,7 +56,7 @@ public class LightPathTests(ITestOutputHelper output)
         foreach (LightPathScene scene in ScenesFor(integrator))
         {
             BlockEstimate image = Whole(Images(scene, integrator));
-            BlockEstimate path = Whole(Images(scene, "path"));
+            BlockEstimate path = Whole(Images(scene, scene.Reference));
             double weight = path.Mean * path.Mean / (image.Variance + path.Variance);
             sum += weight * ((image.Mean / path.Mean) - 1);
             certainty += weight;

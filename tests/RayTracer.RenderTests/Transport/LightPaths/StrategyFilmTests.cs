@@ -96,7 +96,7 @@ public class StrategyFilmTests
     [Fact]
     public void Alone_merges_find_the_same_light_but_for_their_blur()
     {
-        StrategyFilm ways = Render(Build(Room.Replace("\"samplesPerPixel\": 8", "\"samplesPerPixel\": 128", StringComparison.Ordinal), "vcm", seed: 4), new()).Ways;
+        StrategyFilm ways = Render(Build(Room.Replace("\"samplesPerPixel\": 8", "\"samplesPerPixel\": 512", StringComparison.Ordinal), "vcm", seed: 4), new()).Ways;
         foreach (PathStrategy merge in ways.Strategies.Where(s => s is { IsMerge: true, Edges: <= 4 }))
         {
             double asked = Mean(ways.Image(new(1, merge.Edges, false), isWeighted: false));
