@@ -14,9 +14,9 @@ internal sealed class LightPass
     // About the most light paths of a pass, which bounds the memory for their vertices.
     private const int MostPaths = 1 << 20;
 
-    // 2ᵏ camera paths for each light path, where they are connected: as many as light what the camera sees through glass; where lights are in sight, a
-    // light path is worth less than the camera paths that cost as much.
-    private const int RarityOfConnected = 2;
+    // 2ᵏ camera paths for each light path, where they are connected: where lights are in sight, a light path and its connections are worth less than the
+    // camera paths that cost as much. Caustics want more light paths: measured between both.
+    private const int RarityOfConnected = 1;
 
     // Knaus & Zwicker 2011, equation 12: how fast the circles shrink.
     private const double Alpha = 0.75;

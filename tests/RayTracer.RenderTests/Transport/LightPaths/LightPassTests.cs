@@ -21,10 +21,10 @@ public class LightPassTests
             return pass.MergedPaths;
         }
 
-        Assert.Equal(24 * 24 / 4 * float.Pi * 0.04f, Area(0), 1e-3f);
+        Assert.Equal(24 * 24 / 2 * float.Pi * 0.04f, Area(0), 1e-3f);
         Assert.Equal(0.875, Area(1) / Area(0), 1e-5);
         Assert.InRange(Area(400) / Area(100), 0.705, 0.709);
-        Assert.Equal(pass.MergedPaths * 4, pass.Weights.Merge, 1e-3f);
+        Assert.Equal(pass.MergedPaths * 2, pass.Weights.Merge, 1e-3f);
     }
 
     [Theory]
