@@ -123,14 +123,21 @@ public sealed class AovTests : IDisposable
     [Fact]
     public void A_sample_is_the_sum_of_what_the_ways_to_make_its_paths_bring()
     {
-        string[] line = ["render", _scene, "--pixel", "16,12", "--sample", "1", "--integrator", "vcm", "--aov", "strategies"];
-        JsonElement json = JsonDocument.Parse(CliRun.Of([.. line, "--json"]).Output).RootElement;
+        string[] Line(int sample) => ["render", _scene, "--pixel", "16,12", "--spp", "8", "--sample", $"{sample}", "--integrator", "vcm", "--aov", "strategies"];
         double[] Numbers(JsonElement of, string key) => [.. of.GetProperty(key).EnumerateArray().Select(n => n.GetDouble())];
-        JsonElement[] ways = [.. json.GetProperty("strategies").EnumerateArray()];
-        Assert.True(ways.Length > 2);
-        Assert.All(Enumerable.Range(0, 3), i => Assert.Equal(Numbers(json, "radiance")[i], ways.Sum(w => Numbers(w, "weighted")[i]), 1e-6));
-        Assert.All(ways.Where(w => w.GetProperty("name").GetString() != "longer"), w => Assert.All(Enumerable.Range(0, 3), i => Assert.InRange(Numbers(w, "weighted")[i], 0, Numbers(w, "unweighted")[i] * 1.001)));
-        Assert.Matches(@"  s1t2: radiance [\d.E-]+ [\d.E-]+ [\d.E-]+; alone [\d.E-]+ [\d.E-]+ [\d.E-]+, weight [01]", CliRun.Of(line).Output);
+        int most = 0;
+        for (int sample = 0; sample < 6; sample++)
+        {
+            JsonElement json = JsonDocument.Parse(CliRun.Of([.. Line(sample), "--json"]).Output).RootElement;
+            JsonElement[] ways = [.. json.GetProperty("strategies").EnumerateArray()];
+            most = Math.Max(most, ways.Length);
+            Assert.All(Enumerable.Range(0, 3), i => Assert.Equal(Numbers(json, "radiance")[i], ways.Sum(w => Numbers(w, "weighted")[i]), 1e-6));
+            Assert.All(ways.Where(w => w.GetProperty("name").GetString() != "longer"), w => Assert.All(Enumerable.Range(0, 3), i => Assert.InRange(Numbers(w, "weighted")[i], 0, Numbers(w, "unweighted")[i] * 1.001)));
+        }
+
+        // Not all of the samples have a light path.
+        Assert.True(most > 2);
+        Assert.Matches(@"  s1t2: radiance [\d.E-]+ [\d.E-]+ [\d.E-]+; alone [\d.E-]+ [\d.E-]+ [\d.E-]+, weight [01]", CliRun.Of(Line(0)).Output);
     }
 
     [Fact]
