@@ -8,7 +8,7 @@ using RayTracer.Session;
 
 namespace RayTracer.Studio;
 
-/// <summary>The server around a session: on this machine's own address, for whoever knows the secret.</summary>
+/// <summary>The server around a session: on this machine's own address, for those who know the secret.</summary>
 internal sealed class StudioServer : IAsyncDisposable
 {
     // Texts that are typed or pasted; uploads set their own limit.

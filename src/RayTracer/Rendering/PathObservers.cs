@@ -4,8 +4,8 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>Two observers of the same paths.</summary>
-/// <param name="first">Is told of everything first.</param>
-/// <param name="second">Is told after it.</param>
+/// <param name="first">Observes everything first.</param>
+/// <param name="second">Observes it next.</param>
 internal sealed unsafe class PathObservers(PathObserver first, PathObserver second) : PathObserver
 {
     /// <summary>Returns an observer for two that may be missing; null where both are.</summary>

@@ -141,7 +141,7 @@ internal sealed unsafe class SplatSums(int width, int height)
         long after = Interlocked.Add(ref sum, units);
         if (after is >= Fullest or <= -Fullest)
         {
-            // Whatever is there by now is taken once, whoever else finds the sum full.
+            // Whatever is there by now is taken once, even if several threads find the sum full.
             Spill(index, Interlocked.Exchange(ref sum, 0));
         }
     }

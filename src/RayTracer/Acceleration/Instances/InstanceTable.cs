@@ -86,7 +86,7 @@ internal sealed unsafe class InstanceTable
         _ = new InstanceTree(this, boxes);
     }
 
-    /// <summary>By what the light of an instance is told from that of others, where its contents do not say that.</summary>
+    /// <summary>What distinguishes the light of an instance from that of others, where its contents do not.</summary>
     public LightGroupLabel? LabelOf(int instance) => _labels.Length > 0 ? _labels[instance - 1] : null;
 
     /// <summary>Returns the space that an instance shows.</summary>

@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// Where a light path meets something, in the renderer's own numbers. What it has gathered is told after each step, so that the differences are
+/// Where a light path meets something, in the renderer's own numbers. What it has gathered is recorded after each step, so that the differences are
 /// what each step adds, with the renderer's roundings.
 /// </summary>
 public sealed record PathVertex

@@ -11,7 +11,7 @@ namespace RayTracer.Rendering;
 /// <param name="scene">The scene.</param>
 /// <param name="pass">Has the light paths.</param>
 /// <param name="gather">Takes the light for the camera's paths where rays are traced through media at once.</param>
-/// <param name="recorder">Is told of what they bring; may be null.</param>
+/// <param name="recorder">Records what they bring; may be null.</param>
 internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering gather, StrategyRecorder? recorder)
 {
     private const int Full = 16384;

@@ -33,7 +33,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     /// <param name="strategies">What is done at the vertices.</param>
     /// <param name="splats">Takes the light of the picture.</param>
     /// <param name="area">The part of the picture that is wanted.</param>
-    /// <param name="recorder">Is told of what reaches the camera; may be null.</param>
+    /// <param name="recorder">Records what reaches the camera; may be null.</param>
     public LightSubpaths(ShaderContext context, Strategies strategies, SplatSums splats, Tile area, StrategyRecorder? recorder)
         : base(context)
     {

@@ -12,7 +12,7 @@ internal sealed unsafe class LightVertices(int paths)
     /// <summary>The number of paths that one thread follows at a time.</summary>
     public const int BlockSize = 4096;
 
-    // Kept for the next pass: memory that is allocated anew in each has to be collected.
+    // Kept for the next pass: memory that each pass allocates has to be collected.
     private readonly LightVertex[][] _blocks = [.. Enumerable.Repeat<LightVertex[]>([], ((paths - 1) / BlockSize) + 1)];
     private readonly int[] _counts = new int[((paths - 1) / BlockSize) + 1];
     private readonly PinnedBuffer<uint> _first = new(paths + 1L);

@@ -10,7 +10,7 @@ namespace RayTracer.Rendering;
 /// </summary>
 /// <param name="pass">Has the light paths.</param>
 /// <param name="isIndirect">True if light that comes straight from the lights is left out, and all else counts in full.</param>
-/// <param name="recorder">Is told of what they bring; may be null.</param>
+/// <param name="recorder">Records what they bring; may be null.</param>
 internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect, StrategyRecorder? recorder)
 {
     private readonly List<uint>[] _found = [.. Enumerable.Range(0, FloatW.Count).Select(_ => new List<uint>())];

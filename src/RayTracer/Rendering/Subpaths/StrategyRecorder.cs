@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
 
-/// <summary>Tells a <see cref="StrategyFilm"/> what a thread's paths bring. A thread has one only where that is wanted; elsewhere it is null.</summary>
+/// <summary>Brings what a thread's paths contribute to a <see cref="StrategyFilm"/>. A thread has one only where that is wanted; elsewhere it is null.</summary>
 /// <param name="scene">The scene.</param>
 /// <param name="film">Takes the light.</param>
 internal sealed unsafe class StrategyRecorder(Scene scene, StrategyFilm film)
