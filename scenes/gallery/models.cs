@@ -73,6 +73,49 @@ Save("shader-ball", Lathe([.. Enumerable.Range(3, 12).Select(i => Polar(1, i / 3
 Save("shader-stand", Lathe([new(0, 0), new(0.75f, 0), new(0.75f, 0), new(0.75f, 0.08f), new(0.75f, 0.08f), new(0.55f, 0.14f), new(0.46f,
     0.25f), new(0.46f, 0.35f), new(0.36f, 0.35f), new(0, 0.33f)], 64));
 
+// A lantern of coloured panes: a net of rhombs around a turned shape, with lead along its threads; one mesh for each colour, and the lead.
+float[] girths = [0.05f, 0.082f, 0.103f, 0.114f, 0.116f, 0.108f, 0.093f, 0.072f, 0.047f];
+const int Panes = 12;
+Vector3 knot(int i, int j) => Around(girths[i], 0.027f * i, (j + (0.5f * i)) / Panes);
+string[] colours = ["ruby", "amber", "cobalt", "emerald"];
+Mesh[] panes = [new(), new(), new(), new()];
+Mesh lead = new();
+for (int i = 0; i + 1 < girths.Length; i++)
+{
+    for (int j = 0; j < Panes; j++)
+    {
+        lead.Rod(knot(i, j), knot(i + 1, j), 0.0016f);
+        lead.Rod(knot(i, j), knot(i + 1, j - 1), 0.0016f);
+        // The lower half of one rhomb, and the upper half of the one below it on the right.
+        panes[PaneColour(i, j)].Pane(knot(i, j), knot(i + 1, j - 1), knot(i + 1, j));
+        panes[PaneColour(i - 1, j + 1)].Pane(knot(i, j), knot(i + 1, j), knot(i, j + 1));
+    }
+}
+
+foreach ((string colour, Mesh pane) in colours.Zip(panes))
+{
+    Save($"lantern-{colour}", pane);
+}
+
+Save("lantern-lead", lead);
+
+// A ball of mirrors in rows; each is about as wide as it is high.
+Mesh facets = new();
+const int FacetRows = 13;
+for (int row = 0; row < FacetRows; row++)
+{
+    (Vector2 low, Vector2 high) = (Polar(1, (row + 0.04f) / FacetRows), Polar(1, (row + 0.96f) / FacetRows));
+    int facetsInRow = Math.Max(4, (int)MathF.Round(2 * FacetRows * MathF.Sin(MathF.PI * (row + 0.5f) / FacetRows)));
+    for (int j = 0; j < facetsInRow; j++)
+    {
+        (float from, float to) = ((j + 0.04f) / facetsInRow, (j + 0.96f) / facetsInRow);
+        facets.Pane(Around(low.X, low.Y, from), Around(high.X, high.Y, from), Around(high.X, high.Y, to));
+        facets.Pane(Around(low.X, low.Y, from), Around(high.X, high.Y, to), Around(low.X, low.Y, to));
+    }
+}
+
+Save("mirror-ball", facets);
+
 // A tree.
 Mesh wood = new();
 Mesh leaves = new();
@@ -231,6 +274,9 @@ Save("table", Lathe([new(0, 0), new(0.2f, 0), new(0.2f, 0), new(0.2f, 0.02f), ne
 void Save(string name, Mesh mesh) => mesh.Write(Path.Combine(folder, name + ".ply"));
 
 static string Here([CallerFilePath] string path = "") => Path.GetDirectoryName(path)!;
+
+// Rows of rhombs in turn: ruby and amber, cobalt and emerald.
+static int PaneColour(int row, int column) => ((row & 1) * 2) + (column & 1);
 
 static Vector2 Polar(float r, float t) => new(r * MathF.Sin(MathF.PI * t), -r * MathF.Cos(MathF.PI * t));
 
@@ -422,6 +468,15 @@ internal sealed class Mesh
             Vector3 d = Direction(angle);
             Quad((d * (sign > 0 ? outer : inner)) + new Vector3(0, bottom, 0), d * sign * (inner - outer), new(0, top - bottom, 0));
         }
+    }
+
+    public void Pane(Vector3 a, Vector3 b, Vector3 c) => Triangle(a, b, c);
+
+    public void Rod(Vector3 from, Vector3 to, float radius)
+    {
+        Vector3 u = Vector3.Normalize(Vector3.Cross(to - from, Vector3.UnitY)) * radius;
+        Vector3 v = Vector3.Normalize(Vector3.Cross(to - from, u)) * radius;
+        Tube([(from, u, v), (to, u, v)], 6);
     }
 
     public void Leaf(Vector3 at, Vector3 u, Vector3 v, Vector3 normal)

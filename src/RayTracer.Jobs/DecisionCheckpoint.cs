@@ -48,7 +48,7 @@ public sealed class DecisionCheckpoint(Checkpoints checkpoints, FilmHeader pictu
                     Scene = "", Crop = picture.Crop, Halves = picture.Planes.Contains(FilmPlane.Half),
                     Writing = new() { Transparent = picture.Planes.Contains(FilmPlane.Alpha) },
                 }, JobOptionUse.Pictures)],
-            Planes = [],
+            Planes = state.Film.Planes,
             Content = _content,
             Samples = [new(0, state.Samples)],
             Wanted = new(0, 2 * state.Target),

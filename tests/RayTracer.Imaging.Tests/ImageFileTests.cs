@@ -33,12 +33,14 @@ public sealed class ImageFileTests : IDisposable
             ExrLayers = [new("id.Y", ExrPixelType.Uint, (_, row) => row.Span.Fill(uint.MaxValue))],
         });
         using System.IO.Pipes.AnonymousPipeServerStream pipe = new();
+
+        // An end that nobody has asked for is closed with the other one.
+        string path = $"/proc/self/fd/{pipe.GetClientHandleAsString()}";
         Task writing = Task.Run(() =>
         {
             pipe.Write(file);
             pipe.Dispose();
         });
-        string path = $"/proc/self/fd/{pipe.GetClientHandleAsString()}";
         Assert.False(ImageFile.IsImage(path));
         (Picture read, IReadOnlyList<KeyValuePair<string, string>> texts, IReadOnlyList<ExrLayerChannel> layers) = ImageFile.ReadAll(path);
         await writing;

@@ -11,6 +11,9 @@ internal static class CoarserScale
     // A full correction would take over the coarse picture's noise too.
     private const float Strength = 0.8f;
 
+    // A bright spot that only one of the scales keeps must not leave black beside it: of what is darker at both scales, so much stays at least.
+    private const float LeastShare = 0.5f;
+
     /// <summary>Corrects a picture.</summary>
     /// <param name="fine">The picture.</param>
     /// <param name="input">The planes that it was made of.</param>
@@ -27,16 +30,20 @@ internal static class CoarserScale
         // Beyond an odd edge, pixels repeat, as they do in the halves.
         plane.Extend();
         PaddedPlane change = plane.Halved(input.Sampled, 1);
+        PaddedPlane coarseLight = new(coarse.Width, coarse.Height);
         for (int y = 0; y < coarse.Height; y++)
         {
             for (int x = 0; x < coarse.Width; x++)
             {
-                float light = (coarse.Pixels[(3 * ((y * coarse.Width) + x)) + channel] - change[x, y]) / coarseInput.Surfaces[channel][x, y];
-                change[x, y] = Strength * coarseInput.Sampled[x, y] * light;
+                float surface = coarseInput.Surfaces[channel][x, y];
+                float light = coarse.Pixels[(3 * ((y * coarse.Width) + x)) + channel];
+                coarseLight[x, y] = light / surface;
+                change[x, y] = Strength * coarseInput.Sampled[x, y] * ((light - change[x, y]) / surface);
             }
         }
 
         change.Extend();
+        coarseLight.Extend();
         for (int y = 0; y < fine.Height; y++)
         {
             for (int x = 0; x < fine.Width; x++)
@@ -44,7 +51,9 @@ internal static class CoarserScale
                 if (input.Variances[0][x, y] + input.Variances[1][x, y] > 0 && input.Sampled[x, y] > 0)
                 {
                     ref float value = ref fine.Pixels[(3 * ((y * fine.Width) + x)) + channel];
-                    value = float.Max(float.Min(value, 0), float.FusedMultiplyAdd(input.Surfaces[channel][x, y], Between(change, x, y), value));
+                    float surface = input.Surfaces[channel][x, y];
+                    float least = LeastShare * float.Max(0, float.Min(value, surface * Between(coarseLight, x, y)));
+                    value = float.Max(float.Min(value, least), float.FusedMultiplyAdd(surface, Between(change, x, y), value));
                 }
             }
         }

@@ -27,9 +27,6 @@ public sealed class ShaderContext
 
     // The light paths of the pass; null where the integrator traces none.
     internal LightPass? Light { get; }
-
-    // What camera paths see of what is behind everything, for integrators that tell no observer; null where nobody asks.
-    internal Backdrop? Backdrop { get; init; }
 }
 
 /// <summary>

@@ -39,18 +39,8 @@ internal sealed unsafe class Backdrop : PathObserver
     public override void Scattered(
         PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter, bool isByLobe)
     {
-        Leave(UIntW.Pick(stream.Path, index), alive, surface, scatter);
-    }
-
-    /// <summary>Paths leave surfaces.</summary>
-    /// <param name="path">The paths' numbers.</param>
-    /// <param name="alive">Those that have a next ray.</param>
-    /// <param name="surface">The surfaces.</param>
-    /// <param name="scatter">The next rays.</param>
-    public void Leave(in UIntW path, MaskW alive, in SurfaceW surface, in ScatterW scatter)
-    {
         MaskW passes = scatter.Delta & (Vec3W.Dot(scatter.Direction, surface.Facing) < 0f);
-        Mark(path, alive.Except(passes));
+        Mark(UIntW.Pick(stream.Path, index), alive.Except(passes));
     }
 
     /// <inheritdoc/>

@@ -127,7 +127,7 @@ public sealed class Scene
     /// <summary>Times of samples while the shutter is open, in seconds; the same for all paths of a sample where paths are merged.</summary>
     internal FloatW Time(in UIntW key, in UIntW sample)
     {
-        Sampler.Begin(SharedKey ?? key, sample, Dimensions.Time, out SamplePoints points);
+        Sampler.Begin(SharedKey is uint shared ? shared : key, sample, Dimensions.Time, out SamplePoints points);
         Sampler.Pair(points, 0, out FloatW u, out _);
         return FloatW.MultiplyAdd(u, Render.Shutter.Y - Render.Shutter.X, Render.Shutter.X);
     }
@@ -136,7 +136,7 @@ public sealed class Scene
     /// The key of the random numbers that all paths of a sample share, their time and their wavelength, so that they can be merged; null where each
     /// path has its own.
     /// </summary>
-    internal UIntW? SharedKey => Render.Integrator.Has(IntegratorTraits.MergesPaths) ? (UIntW)Hash.PixelKey((uint)Render.Seed, uint.MaxValue) : null;
+    internal uint? SharedKey => Render.Integrator.Has(IntegratorTraits.MergesPaths) ? Hash.PixelKey((uint)Render.Seed, uint.MaxValue) : null;
 
     /// <summary>
     /// Chooses one light for each point; null where all of them are sampled at each: in the report, and where they are few.

@@ -16,6 +16,7 @@ internal sealed unsafe class Wavefront
     private readonly Action<PathStream> _afterStep;
     private readonly PathObserver? _observer;
     private readonly Backdrop? _backdrop;
+    private Film? _unused;
 
     /// <summary>Makes one.</summary>
     /// <param name="scene">The scene.</param>
@@ -34,7 +35,7 @@ internal sealed unsafe class Wavefront
         _accumulator = new(maxTilePixels);
         _finished = new(scene, streamSize, _generator, _accumulator, observer, _backdrop);
         bool queues = !scene.World.IsPlain && scene.SampledLights.Count > 0 && !scene.TracksInteriors && !scene.WeakensShadows;
-        _shader = scene.Render.Integrator.CreateShader(new(scene, _finished, queues ? new(scene, observer) : null, observer, light) { Backdrop = _backdrop });
+        _shader = scene.Render.Integrator.CreateShader(new(scene, _finished, queues ? new(scene, observer) : null, observer, light));
         _stages = new(scene, streamSize, _shader);
         _afterStep = next =>
         {
@@ -78,13 +79,15 @@ internal sealed unsafe class Wavefront
         Paths += (long)pixels.Length * samples.Count;
     }
 
-    /// <summary>Follows the paths of some samples of every pixel of a tile; an observer may take them from the film.</summary>
-    public void Follow(in Tile tile, SampleRange samples)
+    private void Follow(in Tile tile, SampleRange samples)
     {
         _generator.Begin(tile, samples);
         _observer?.Begin(tile, samples);
         Follow(samples);
     }
+
+    /// <summary>Follows the paths of some samples of every pixel of a tile for an observer alone.</summary>
+    public void Observe(in Tile tile, SampleRange samples) => Follow(_unused ??= new(tile.Width, tile.Height), tile, samples);
 
     private void Follow(SampleRange samples)
     {

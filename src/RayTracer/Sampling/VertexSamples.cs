@@ -17,7 +17,7 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     private bool _hasRest;
 
     /// <summary>The key of the wavelengths of all paths of a sample; null where each path has its own.</summary>
-    internal UIntW? SharedKey { get; init; }
+    internal uint? SharedKey { get; init; }
 
     /// <summary>Turns to a vertex.</summary>
     /// <param name="pixelKey">Keys of the pixels.</param>
@@ -112,7 +112,7 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     /// <param name="sample">Numbers of the samples.</param>
     internal FloatW Wavelength(UIntW pixelKey, UIntW sample)
     {
-        sampler.Begin(SharedKey ?? pixelKey, sample, Dimensions.Wavelength, out SamplePoints points);
+        sampler.Begin(SharedKey is uint shared ? shared : pixelKey, sample, Dimensions.Wavelength, out SamplePoints points);
         sampler.Pair(points, 0, out FloatW u, out _);
         return u;
     }

@@ -47,6 +47,28 @@ public class DenoiserTests
         Assert.InRange(Error(Denoiser.Denoise(halves[0], halves[1]).Picture, reference) / Error(raw, reference), 0, 0.4);
     }
 
+    [Theory]
+    [InlineData(4)]
+    [InlineData(30)]
+    [InlineData(1000)]
+    public void Bright_spots_have_no_black_beside_them(float spot)
+    {
+        Random random = new(TestSettings.Seed + 3);
+        Picture noisy = new(48, 40);
+        for (int i = 0; i < noisy.Pixels.Length; i++)
+        {
+            noisy.Pixels[i] = 0.8f + (0.2f * random.NextSingle());
+        }
+
+        foreach ((int x, int y) in new[] { (11, 12), (24, 19), (37, 30) })
+        {
+            noisy.Pixels.AsSpan(3 * ((y * 48) + x), 3).Fill(spot);
+        }
+
+        Picture denoised = Denoiser.Denoise(noisy, null, null);
+        Assert.All(denoised.Pixels, p => Assert.True(p > 0.35f, $"{p}"));
+    }
+
     [Fact]
     public void Two_halves_make_the_film_of_one_go_to_the_bit()
     {

@@ -21,7 +21,7 @@ public class ReferenceTests(ITestOutputHelper output)
         Skip.If(folder is null, "the other renderer's images are not here");
         ReferenceCase scene = ReferenceCase.All.Single(c => c.Name == name);
         ReferenceMoments reference = ReferenceComparison.Read(folder, name);
-        ReferenceRenders renders = scene.Render(seeds: TestSettings.Scale(32, 64), samplesPerPixel: TestSettings.Scale(8, 64));
+        ReferenceRenders renders = scene.Render(seeds: TestSettings.Scale(32, 64), samplesPerPixel: TestSettings.Scale(8, 32));
         Assert.All(ReferenceComparison.Of(renders, reference), comparison =>
         {
             output.WriteLine(comparison.Describe());

@@ -2,10 +2,10 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Scenes.Tests;
 
-/// <summary>The scenes that show cameras, filters, media and textures.</summary>
+/// <summary>The scenes that show cameras, filters, caustics, media and textures.</summary>
 public class FeatureScenesTests
 {
-    public static TheoryData<string> Files => new(new[] { "cameras", "media", "textures" }.SelectMany(folder =>
+    public static TheoryData<string> Files => new(new[] { "cameras", "caustics", "media", "textures" }.SelectMany(folder =>
         Directory.GetFiles(ProjectFolder.PathOf("scenes", folder), "*.json").Select(file => $"{folder}/{Path.GetFileName(file)}")));
 
     [Theory]

@@ -12,6 +12,8 @@ public sealed class IntegratorAdviceTests
     [InlineData("gallery/grove", "path", "no glass or mirror")]
     [InlineData("media/01-milk-and-fog", "volPath", "it shows media")]
     [InlineData("media/02-tea", "path", "no glass or mirror")]
+    [InlineData("caustics/04-pool", "vcm", "glass or mirrors gather")]
+    [InlineData("gallery/prism", "bidirectional", "one at a time")]
     [InlineData("report/scene2", "report", "the scene asks for it")]
     public void Shipped_scenes_are_advised_by_what_they_have(string scene, string integrator, string reason) =>
         AssertAdvice(integrator, reason, SceneLoader.Load(ProjectFolder.PathOf("scenes", scene + ".json")).Scene!);

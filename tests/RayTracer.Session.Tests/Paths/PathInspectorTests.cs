@@ -56,6 +56,28 @@ public sealed class PathInspectorTests
     }
 
     [Fact]
+    public async Task Ways_lead_from_where_they_are_joined_back_to_lights()
+    {
+        using TestSession test = new();
+        await test.OpenShipped("gallery/tea.json", 24, Samples);
+        HashSet<string> events = [];
+        foreach ((int x, int y) in new[] { (12, 16), (4, 18), (12, 12) })
+        {
+            InspectedPixel pixel = await test.Session.Part<PathInspector>().Inspect(x, y, 2, Samples);
+            Assert.Equal((4, Samples), (pixel.Samples.Count, pixel.Total));
+            foreach (InspectedPath traced in pixel.Samples)
+            {
+                AssertAddsUpNearly(traced);
+                events.UnionWith(traced.Ways.Select(w => w.Event));
+                Assert.All(traced.Ways.Where(w => w.Event is not "met"), w => Assert.Equal(w.Things.Count + 2, w.Points.Count));
+                Assert.All(traced.Ways, w => Assert.All(w.Things, name => Assert.NotEqual("background", name)));
+            }
+        }
+
+        Assert.All(new[] { "met", "asked", "connected", "merged" }, e => Assert.Contains(e, events));
+    }
+
+    [Fact]
     public async Task Events_tell_what_happened()
     {
         using TestSession test = new();
@@ -113,6 +135,13 @@ public sealed class PathInspectorTests
         }
 
         Assert.Equal(path.Radiance, new Rgb((float)sum[0], (float)sum[1], (float)sum[2]));
+    }
+
+    private static void AssertAddsUpNearly(InspectedPath path)
+    {
+        double sum = path.Vertices.Sum(v => v.Contribution[1]);
+        Assert.Equal(path.Radiance.G, sum, 1e-9 + (1e-5 * sum));
+        Assert.InRange(path.Ways.Sum(w => (double)w.Radiance.G), 0.5 * sum, (sum * (1 + 1e-5)) + 1e-9);
     }
 
     private static void AssertIsSample(Scene scene, int x, int y, InspectedPath path)

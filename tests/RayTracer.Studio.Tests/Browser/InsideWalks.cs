@@ -31,6 +31,27 @@ public class InsideWalks(ChromiumBrowser browser)
 
     [ThoroughFact]
     [Trait("Category", "Thorough")]
+    public async Task Where_light_is_traced_too_the_ways_of_a_pixel_are_listed_and_drawn()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "gallery/tea", new() { ViewportSize = new() { Width = 1440, Height = 900 } });
+        await w.Painted();
+        await w.Button("Inspect a pixel").ClickAsync();
+
+        // The caustic on the table.
+        await w.Click(0.434, 0.745);
+        ILocator tables = w.Page.GetByRole(AriaRole.Region, new() { Name = "Vertices of the path" });
+        ILocator ways = tables.GetByRole(AriaRole.Table, new() { Name = "How the light came, the brightest first" });
+        await Expect(ways).ToContainTextAsync("merged", new() { Timeout = 60_000 });
+        await w.Button("Properties pane").ClickAsync();
+        ILocator first = ways.GetByRole(AriaRole.Button).First;
+        await first.ClickAsync();
+        await Expect(first).ToHaveAttributeAsync("aria-pressed", "true");
+        await first.ScrollIntoViewIfNeededAsync();
+        await w.Shot("ways", isShown: true);
+    }
+
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public async Task Every_map_is_shown_in_the_picture()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "meshes/02-smooth");

@@ -18,7 +18,7 @@ public class ScatteringTests
     // 1,048,576 cells: what a horizon cuts off is known to a few in 100,000.
     private const int GridBits = 10;
     private static readonly double[] s_everyday = [1, 0.9, 0.6, 0.3, 0.1, 0.01];
-    private static readonly double[] s_thorough = [1, 0.99, 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001];
+    private static readonly double[] s_thorough = [1, 0.95, 0.8, 0.6, 0.4, 0.2, 0.05, 0.01, 0.001];
 
     public static TheoryData<string> Cases() => [.. MaterialCase.All.Select(c => c.Name)];
 

@@ -1,9 +1,25 @@
+using System.Numerics;
+using System.Reflection;
 using RayTracer.Numerics;
 
 namespace RayTracer.Tests.Numerics;
 
 public unsafe class LaneTests
 {
+    private const BindingFlags Own = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
+
+    // Code that is compiled ahead knows the size of Vector<T> in no Nullable<T>: a program that is given away as a single file breaks its stack there.
+    [Fact]
+    public void No_member_of_the_core_has_lanes_that_may_be_null()
+    {
+        foreach (Type type in typeof(FloatW).Assembly.GetTypes())
+        {
+            IEnumerable<Type> inFields = type.GetFields(Own).Select(field => field.FieldType);
+            IEnumerable<Type> inMethods = type.GetMethods(Own).SelectMany(method => method.GetParameters().Select(p => p.ParameterType).Append(method.ReturnType));
+            Assert.DoesNotContain(inFields.Concat(inMethods), used => Nullable.GetUnderlyingType(used) is { } value && HasLanes(value));
+        }
+    }
+
     [Theory]
     [InlineData(1f, 2f)]
     [InlineData(2f, 1f)]
@@ -110,6 +126,10 @@ public unsafe class LaneTests
     [InlineData(uint.MaxValue, 1 - 1f / 16777216)]
     [InlineData(0x80000000u, 0.5f)]
     public void ToUnit_lies_below_one(uint bits, float expected) => Assert.Equal(expected, ((UIntW)bits).ToUnit()[0]);
+
+    private static bool HasLanes(Type type) => type.IsValueType && !type.IsPrimitive && !type.IsEnum
+        && ((type.IsGenericType && type.GetGenericTypeDefinition() == typeof(Vector<>))
+            || type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic).Any(field => field.FieldType != type && HasLanes(field.FieldType)));
 
     private static void AssertSameBits(float expected, float actual) =>
         Assert.Equal(BitConverter.SingleToUInt32Bits(expected), BitConverter.SingleToUInt32Bits(actual));

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Rendering;
 
 namespace RayTracer.Tests.Rendering;
@@ -6,6 +7,27 @@ namespace RayTracer.Tests.Rendering;
 [Collection(MeasuredMemory.Name)]
 public class PassMemoryTests
 {
+    [Theory]
+    [InlineData("path")]
+    [InlineData("light")]
+    [InlineData("bidirectional")]
+    [InlineData("photons")]
+    [InlineData("vcm")]
+    public void Nothing_of_a_rendering_is_kept_when_it_is_over(string integrator)
+    {
+        List<WeakReference> scenes = [.. Enumerable.Range(0, 8).Select(_ => Rendered(integrator))];
+
+        // Registers and stacks of threads may hold the last one for a while.
+        for (int i = 0; i < 20 && scenes.Count(s => s.IsAlive) > 1; i++)
+        {
+            Thread.Sleep(10);
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+        }
+
+        Assert.InRange(scenes.Count(s => s.IsAlive), 0, 1);
+    }
+
     [Fact]
     public void What_is_taken_back_costs_32_bytes_a_pixel()
     {
@@ -26,5 +48,18 @@ public class PassMemoryTests
         LightPathAovFilm layers = new(film, scene, [LightPathAov.Direct, LightPathAov.Indirect]);
         long taken = GC.GetTotalAllocatedBytes(precise: true) - before;
         Assert.InRange(taken, LightPathAovFilm.Bytes([LightPathAov.Direct, LightPathAov.Indirect], scene), (2L * 48 * edge * edge) + others);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static WeakReference Rendered(string integrator)
+    {
+        Scene scene = TestScenes.Build($$"""
+            { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0] },
+              "render": { "integrator": "{{integrator}}", "width": 16, "height": 16, "samplesPerPixel": 4 },
+              "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "diffuse" } }],
+              "lights": [{ "type": "sphere", "center": [0, 3, 3], "radius": 0.5, "material": { "type": "luminaire" } }] }
+            """);
+        new RTracer(scene, new() { Threads = 2 }).Render();
+        return new(scene);
     }
 }

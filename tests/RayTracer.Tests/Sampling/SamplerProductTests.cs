@@ -12,7 +12,7 @@ namespace RayTracer.Tests.Sampling;
 public class SamplerProductTests
 {
     private const int Batches = 32;
-    private static readonly int s_pixels = TestSettings.Scale(128, 1024);
+    private static readonly int s_pixels = TestSettings.Scale(128, 512);
 
     // What each of two decisions contributes, with mean and variance.
     private static readonly Factor[] s_ofPairs =

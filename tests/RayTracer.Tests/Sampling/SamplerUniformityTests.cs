@@ -27,7 +27,7 @@ public class SamplerUniformityTests
     public void Every_sample_number_is_uniform_in_its_square(SamplerKind kind, int count)
     {
         Sampler sampler = DrawnNumbers.Sampler(kind, count);
-        int pixels = TestSettings.Scale(1 << 13, 1 << 16);
+        int pixels = TestSettings.Scale(1 << 13, 1 << 15);
         foreach (PathDimension dimension in Decisions(kind))
         {
             IEnumerable<double> p = Enumerable.Range(0, count).Select(sample =>
@@ -45,7 +45,7 @@ public class SamplerUniformityTests
     {
         // One sample of each pixel: those of one pixel are not independent of one another.
         Sampler sampler = DrawnNumbers.Sampler(kind, count);
-        int draws = TestSettings.Scale(1 << 20, 1 << 23);
+        int draws = TestSettings.Scale(1 << 20, 1 << 22);
         foreach (PathDimension dimension in Decisions(kind))
         {
             DrawnNumbers numbers = DrawnNumbers.Of(sampler, dimension, draws, Key, i => (uint)(i % count));
@@ -60,7 +60,7 @@ public class SamplerUniformityTests
     {
         // Stratified means hardly vary, so that the smallest bias shows.
         Sampler sampler = DrawnNumbers.Sampler(kind, count);
-        int pixels = TestSettings.Scale(1 << 19, 1 << 22) / count;
+        int pixels = TestSettings.Scale(1 << 19, 1 << 21) / count;
         foreach (PathDimension dimension in Decisions(kind))
         {
             DrawnNumbers numbers = DrawnNumbers.Of(sampler, dimension, pixels * count, i => Key(i / count), i => (uint)(i % count));

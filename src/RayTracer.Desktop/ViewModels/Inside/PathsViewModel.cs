@@ -47,13 +47,18 @@ internal sealed class PathsViewModel(SessionDispatcher dispatcher) : Observable
         {
             if (value is not null && SetProperty(ref _chosen, value))
             {
-                Report(nameof(Vertices), nameof(Total));
+                Report(nameof(Vertices), nameof(Total), nameof(Ways), nameof(HasWays));
             }
         }
     }
 
     /// <summary>The hits of the chosen sample's path.</summary>
     public IReadOnlyList<VertexRow> Vertices => [.. (_chosen?.Path.Vertices ?? []).Select((v, i) => new VertexRow(i, v, pointer => dispatcher.Do(s => s.Selection.Select(pointer))))];
+
+    /// <summary>Where light is traced too: how it came.</summary>
+    public IReadOnlyList<WayRow> Ways => [.. (_chosen?.Path.Ways ?? []).Select(w => new WayRow(w))];
+
+    public bool HasWays => _chosen?.Path.Ways.Count > 0;
 
     /// <summary>The radiance of the chosen sample.</summary>
     public string Total => _chosen?.Radiance ?? "";
@@ -62,10 +67,10 @@ internal sealed class PathsViewModel(SessionDispatcher dispatcher) : Observable
     public ICommand Show => field ??= new RelayCommand(() => Inspect(_x, _y));
 
     /// <summary>The next samples.</summary>
-    public ICommand More => field ??= new RelayCommand(() => Inspect(_x, _y, _first + PerPage));
+    public ICommand More => field ??= new RelayCommand(() => Inspect(_x, _y, Math.Min(_first + Samples.Count, (_pixel?.Total ?? 1) - 1)));
 
     /// <summary>The samples before.</summary>
-    public ICommand Fewer => field ??= new RelayCommand(() => Inspect(_x, _y, Math.Max(0, _first - PerPage)));
+    public ICommand Fewer => field ??= new RelayCommand(() => Inspect(_x, _y, Math.Max(0, _first - Samples.Count)));
 
     private Latest<(int X, int Y, int First)> Asking => field ??= new(Ask);
 
@@ -104,6 +109,27 @@ internal sealed record SampleRow(InspectedPath Path)
 
     /// <summary>Its radiance in short.</summary>
     public string Radiance => Figures.Color(Path.Radiance);
+}
+
+/// <summary>A way in which light came, as a line of a table.</summary>
+internal sealed record WayRow(InspectedWay Way)
+{
+    /// <summary>The vertices from the light and from the camera.</summary>
+    public string Vertices => $"{Way.LightVertices} + {Way.CameraVertices}";
+
+    public string Event => SessionTexts.Of($"paths.events.{Way.Event}");
+
+    /// <summary>The meaning of the event.</summary>
+    public string EventTip => SessionTexts.Of($"paths.eventsWhy.{Way.Event}");
+
+    /// <summary>What the part from the light meets.</summary>
+    public string Things => string.Join(" → ", Way.Things);
+
+    /// <summary>What this way has of all that make the same path.</summary>
+    public string Weight => Figures.Short(Way.Weight, 3);
+
+    /// <summary>What it brings.</summary>
+    public string Contribution => Figures.Color(Way.Radiance);
 }
 
 /// <summary>A hit of a path of light, as a line of a table.</summary>

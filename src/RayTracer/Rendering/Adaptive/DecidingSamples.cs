@@ -21,15 +21,15 @@ internal sealed class DecidingSamples
     private readonly Rgb[] _before;
     private readonly int[] _levels;
     private readonly uint _seed;
-    private readonly Int128[] _sumsBefore;
-    private readonly uint[] _countsBefore;
+    private Film _filmBefore;
     private bool _isWithin;
 
     /// <summary>Chooses the pixels: one of each cell, at random.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="blocks">The blocks.</param>
     /// <param name="cell">Edge of a cell in pixels.</param>
-    public DecidingSamples(Scene scene, Tile[] blocks, int cell)
+    /// <param name="planes">What is kept of them beside their colours: <see cref="FilmPlane.Light"/>, if the light of paths from the lights counts.</param>
+    public DecidingSamples(Scene scene, Tile[] blocks, int cell, IReadOnlyList<FilmPlane> planes)
     {
         _seed = Hash.Mix((uint)scene.Render.Seed ^ SeedChange);
         List<int> pixels = [];
@@ -47,11 +47,10 @@ internal sealed class DecidingSamples
         }
 
         _pixels = [.. pixels];
-        _film = new(_pixels.Length, 1);
+        _film = new(_pixels.Length, 1, planes);
+        _filmBefore = new(_pixels.Length, 1, planes);
         _before = new Rgb[_pixels.Length];
         _levels = new int[blocks.Length];
-        _sumsBefore = new Int128[_pixels.Length * Film.SumsPerPixel];
-        _countsBefore = new uint[_pixels.Length];
     }
 
     /// <summary>Told how far it has come, now and then, where all blocks have the same number of samples; may be null.</summary>
@@ -77,11 +76,8 @@ internal sealed class DecidingSamples
             _before[i] = state.Film.Mean(i, 0);
         }
 
-        Int128[] sums = new Int128[_sumsBefore.Length];
-        uint[] counts = new uint[_countsBefore.Length];
-        state.Film.ReadSums(1, sums, counts);
-        _film.AddSums(0, sums, counts);
-        state.Film.ReadSums(0, _sumsBefore, _countsBefore);
+        AddRow(_film, 0, state.Film, 1);
+        AddRow(_filmBefore, 0, state.Film, 0);
         Array.Fill(_levels, state.Samples);
         _isWithin = true;
     }
@@ -125,19 +121,31 @@ internal sealed class DecidingSamples
 
         if (Keep is not null)
         {
-            _film.ReadSums(0, _sumsBefore, _countsBefore);
+            _filmBefore = new(_pixels.Length, 1, _film.Planes);
+            AddRow(_filmBefore, 0, _film, 0);
         }
     }
 
     private Film State()
     {
-        Film state = new(_pixels.Length, 2);
-        Int128[] sums = new Int128[_sumsBefore.Length];
-        uint[] counts = new uint[_countsBefore.Length];
-        _film.ReadSums(0, sums, counts);
-        state.AddSums(0, _sumsBefore, _countsBefore);
-        state.AddSums(1, sums, counts);
+        Film state = new(_pixels.Length, 2, _film.Planes);
+        AddRow(state, 0, _filmBefore, 0);
+        AddRow(state, 1, _film, 0);
         return state;
+    }
+
+    private static void AddRow(Film target, int y, Film source, int row)
+    {
+        Int128[] sums = new Int128[target.Width * Film.SumsPerPixel];
+        uint[] counts = new uint[target.Width];
+        source.ReadSums(row, sums, counts);
+        target.AddSums(y, sums, counts);
+        foreach (FilmPlane plane in target.Planes)
+        {
+            Int128[] ofPlane = new Int128[target.Width * plane.Sums.Count];
+            source.ReadPlane(plane, row, ofPlane);
+            target.AddPlane(plane, y, ofPlane);
+        }
     }
 
     /// <summary>

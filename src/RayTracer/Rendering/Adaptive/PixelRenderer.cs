@@ -14,7 +14,7 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
 
     private const int SmallestList = 64;
     private const int PathsPerList = 16384;
-    private readonly ConcurrentBag<Wavefront> _idle = [];
+    private readonly ConcurrentStack<Wavefront> _idle = [];
     private LightPass? _light;
     private readonly int _threads = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
 
@@ -60,11 +60,26 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
         _light ??= new(scene, options, _threads, seed);
         for (int sample = samples.First; sample < samples.End && _light.Trace(sample, cancellation); sample++)
         {
+            if (film.Planes.Contains(FilmPlane.Light))
+            {
+                AddSplats(film, pixels, targets, sample);
+            }
+
             _light.Splats.Drop();
             RenderLists(film, pixels, targets, new(sample, sample + 1), seed, report, cancellation);
         }
 
         cancellation.ThrowIfCancellationRequested();
+    }
+
+    private void AddSplats(Film film, int[] pixels, int[] targets, int sample)
+    {
+        for (int i = 0; i < pixels.Length; i++)
+        {
+            long first = 3L * pixels[i];
+            (int y, int x) = int.DivRem(targets[i], film.Width);
+            film.AddLight(x, y, [_light!.Splats.Sum(first), _light.Splats.Sum(first + 1), _light.Splats.Sum(first + 2)], sample);
+        }
     }
 
     private void RenderLists(Film film, int[] pixels, int[] targets, SampleRange samples, uint seed, Action<long, long> report, CancellationToken cancellation)
@@ -74,7 +89,7 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
         ParallelOptions parallel = new() { MaxDegreeOfParallelism = _threads, CancellationToken = cancellation };
         Parallel.For(0, lists, parallel, list =>
         {
-            Wavefront worker = _idle.TryTake(out Wavefront? idle) ? idle : new(scene, options.StreamSize, LargestList, Observe?.Invoke(), _light);
+            Wavefront worker = _idle.TryPop(out Wavefront? idle) ? idle : new(scene, options.StreamSize, LargestList, Observe?.Invoke(), _light);
             long paths = worker.Paths;
             long rays = worker.ClosestHitRays + worker.ShadowRays;
             int start = list * length;
@@ -87,7 +102,7 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
             }
 
             report(worker.Paths - paths, worker.ClosestHitRays + worker.ShadowRays - rays);
-            _idle.Add(worker);
+            _idle.Push(worker);
         });
     }
 }

@@ -46,7 +46,10 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
         Tile area = options.Crop ?? new(0, 0, scene.Render.Width, scene.Render.Height);
         Tile[] blocks = Tile.Cut(area, BlockEdge);
         int columns = ((area.Width - 1) / BlockEdge) + 1;
-        DecidingSamples deciding = new(scene, blocks, goal.IsAdaptive ? AdaptiveCell : EvenCell) { Keep = goal.IsAdaptive ? null : Keep };
+
+        // Samples that go where they are wanted are the camera's alone.
+        IReadOnlyList<FilmPlane> planes = goal.IsAdaptive ? [] : FilmPlane.Needed(scene.Render.Integrator);
+        DecidingSamples deciding = new(scene, blocks, goal.IsAdaptive ? AdaptiveCell : EvenCell, planes) { Keep = goal.IsAdaptive ? null : Keep };
         double budget = (double)goal.MeanSamples * area.Pixels;
         ProgressSum done = new(goal.Error is null ? (long)budget : 0, progress);
         int lead = goal.IsAdaptive ? AdaptiveLead : EvenLead;

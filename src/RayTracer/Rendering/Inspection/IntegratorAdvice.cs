@@ -16,7 +16,8 @@ internal sealed record IntegratorAdvice(Integrator Integrator, string Reason)
     private const float SmallLamp = 0.1f;
 
     /// <summary>
-    /// Returns the advice for a scene: <c>vcm</c> where glass or mirrors gather the light of small lights, or glass stands around a light; else
+    /// Returns the advice for a scene: <c>vcm</c> where glass or mirrors gather the light of small lights, the sun among them, or glass stands around a
+    /// light; <c>bidirectional</c> where glass parts that light into colours; else
     /// <c>path</c>, or <c>volPath</c> where there are media.
     /// </summary>
     /// <param name="scene">The scene.</param>
@@ -39,8 +40,10 @@ internal sealed record IntegratorAdvice(Integrator Integrator, string Reason)
             return new(Integrator.Vcm, "a light stands inside glass, through which surfaces cannot sample it");
         }
 
+        bool disperses = Array.Exists(scene.Groups, g => g.Traits.Disperses);
         return Array.Exists(scene.Groups, g => Focuses(g.Material)) && HasSmallLight(scene)
-            ? new(Integrator.Vcm, "glass or mirrors gather the light of small lights, and paths from the camera find that by rare chance only")
+            ? disperses ? new(Integrator.Bidirectional, "glass parts the light of small lights into its colours, which vcm shows one at a time")
+                : new(Integrator.Vcm, "glass or mirrors gather the light of small lights, and paths from the camera find that by rare chance only")
             : new(fromCamera, hasMedia ? "it shows media inside shapes, and no glass or mirror gathers the light of small lights"
                 : "no glass or mirror gathers the light of small lights, so paths from the camera find all light");
     }
@@ -52,7 +55,7 @@ internal sealed record IntegratorAdvice(Integrator Integrator, string Reason)
     private static bool HasSmallLight(Scene scene)
     {
         float most = SmallLamp * DiagonalOf(new SceneStatistics(scene).FiniteBounds);
-        return scene.Lights.Any(l => l.IsDelta || DiagonalOf(BoxOf(l, scene)) < most);
+        return scene.Environment is SkyEnvironment || scene.Lights.Any(l => l.IsDelta || DiagonalOf(BoxOf(l, scene)) < most);
     }
 
     // Of the world's own shapes: a bulb of triangles is not looked into.

@@ -28,8 +28,8 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
     {
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
-            Path path = _paths[stream.Path[index[BitOperations.TrailingZeroCount(rest)]]];
-            path.Pending = Arrival(stream, index[BitOperations.TrailingZeroCount(rest)], PathEvent.Missed);
+            uint i = index[BitOperations.TrailingZeroCount(rest)];
+            _paths[stream.Path[i]].Vertices.Add(Arrival(stream, i, PathEvent.Missed));
         }
     }
 
@@ -61,7 +61,7 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
             PathEvent met = (absorbed & bit) != 0 ? PathEvent.Absorbed
                 : (alive.Bits & bit) == 0 ? PathEvent.Ended
                 : (specular & bit) != 0 ? PathEvent.Specular : PathEvent.Diffuse;
-            path.Pending = Arrival(stream, index[lane], met) with
+            path.Vertices.Add(Arrival(stream, index[lane], met) with
             {
                 Position = Lane(surface.Point, lane),
                 Normal = Lane(surface.Facing, lane),
@@ -71,7 +71,7 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
                 Pdf = met == PathEvent.Diffuse ? pdf[lane] : null,
                 AfterEmission = path.AfterEmission,
                 AfterAmbient = path.AfterAmbient,
-            };
+            });
         }
     }
 
@@ -82,13 +82,12 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
         {
             int lane = BitOperations.TrailingZeroCount(rest);
             bool goesOn = (alive.Bits >> lane & 1) != 0;
-            Path path = _paths[stream.Path[index[lane]]];
-            path.Pending = Arrival(stream, index[lane], goesOn ? PathEvent.Diffuse : PathEvent.Ended) with
+            _paths[stream.Path[index[lane]]].Vertices.Add(Arrival(stream, index[lane], goesOn ? PathEvent.Diffuse : PathEvent.Ended) with
             {
                 Position = Lane(point, lane),
                 Weight = Rgb.White,
                 Pdf = goesOn ? pdf[lane] : null,
-            };
+            });
         }
     }
 
@@ -98,14 +97,14 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
         for (uint rest = active.Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
-            _paths[stream.Path[index[lane]]].Pending = Arrival(stream, index[lane], PathEvent.Specular) with
+            _paths[stream.Path[index[lane]]].Vertices.Add(Arrival(stream, index[lane], PathEvent.Specular) with
             {
                 Position = Lane(surface.Point, lane),
                 Normal = Lane(surface.Facing, lane),
                 Primitive = (int)stream.Primitive[index[lane]],
                 Instance = scene.World.Instances is null ? 0 : (int)stream.Instance[index[lane]],
                 Weight = Rgb.White,
-            };
+            });
         }
     }
 
@@ -150,6 +149,7 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
             Before = before,
             AfterEmission = before,
             AfterAmbient = before,
+            Number = stream.State[i] & PathState.VertexMask,
         };
     }
 
@@ -167,15 +167,14 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
 
         public Rgb AfterAmbient { get; set; }
 
-        public PathVertex? Pending { get; set; }
-
         // Where nothing is met, all that is added is the background.
         public void Close(Rgb radiance)
         {
             Radiance = radiance;
-            Vertices.Add(Pending!.Event == PathEvent.Missed
-                ? Pending with { AfterEmission = radiance, AfterAmbient = radiance, After = radiance }
-                : Pending with { After = radiance });
+            PathVertex last = Vertices[^1];
+            Vertices[^1] = last.Event == PathEvent.Missed
+                ? last with { AfterEmission = radiance, AfterAmbient = radiance, After = radiance }
+                : last with { After = radiance };
         }
     }
 }

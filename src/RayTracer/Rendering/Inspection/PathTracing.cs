@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 
@@ -18,7 +19,6 @@ public sealed class PathTracing(Scene scene)
     /// <param name="samples">The samples.</param>
     /// <returns>Their paths, in the order of the samples.</returns>
     /// <exception cref="ArgumentOutOfRangeException">There is no such pixel or sample.</exception>
-    /// <exception cref="NotSupportedException">The integrator's light is not that of single camera paths.</exception>
     public IReadOnlyList<TracedPath> Trace(int x, int y, SampleRange samples)
     {
         ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)x, (uint)scene.Render.Width, nameof(x));
@@ -27,8 +27,8 @@ public sealed class PathTracing(Scene scene)
         ArgumentOutOfRangeException.ThrowIfGreaterThan(samples.End, scene.Render.SamplesPerPixel, nameof(samples));
         if (scene.Render.Integrator.Has(Description.IntegratorTraits.TracesLight))
         {
-            throw new NotSupportedException(
-                $"The {scene.Render.Integrator.Name} integrator makes a pixel of many light paths, from the camera and from the lights: to look into them one by one, choose path.");
+            SubpathTracing subpaths = new(scene, x, y);
+            return [.. Enumerable.Range(samples.First, samples.Count).Select(subpaths.Trace)];
         }
 
         PathRecorder recorder = new(scene);
@@ -37,7 +37,7 @@ public sealed class PathTracing(Scene scene)
         for (int first = samples.First; first < samples.End; first += StreamSize)
         {
             SampleRange block = new(first, Math.Min(samples.End, first + StreamSize));
-            wavefront.Follow(new(x, y, 1, 1), block);
+            wavefront.Observe(new(x, y, 1, 1), block);
             paths.AddRange(recorder.Paths());
         }
 
@@ -56,4 +56,30 @@ public sealed record TracedPath(int Sample, Rgb Radiance, IReadOnlyList<PathVert
 {
     /// <summary>The weight that the pixel filter gives the radiance: 1, unless it has negative lobes.</summary>
     public float Weight { get; init; } = 1;
+
+    /// <summary>
+    /// Where paths come from lights too: the ways in which light came to the pixel in the pass of this sample, the brightest of them.
+    /// </summary>
+    public IReadOnlyList<TracedWay> Ways { get; init; } = [];
+}
+
+/// <summary>A path from a light to the camera, made of a part of each (Veach 1997, section 10.2).</summary>
+/// <param name="LightVertices">The vertices from the light, that on the light included; 0 where the camera's path meets it.</param>
+/// <param name="CameraVertices">The vertices from the camera, that on the lens included.</param>
+/// <param name="IsMerge">True where the last vertices of both are taken for one; else an edge joins them.</param>
+/// <param name="Radiance">What it brings to the pixel.</param>
+/// <param name="Unweighted">What it would bring if no other way made such paths: <see cref="Radiance"/> is this, times the weight.</param>
+public sealed record TracedWay(int LightVertices, int CameraVertices, bool IsMerge, Rgb Radiance, Rgb Unweighted)
+{
+    /// <summary>The weight: what this way has of such paths.</summary>
+    public float Weight => Unweighted.IsBlack ? 0 : Radiance.Luminance / Unweighted.Luminance;
+
+    /// <summary>The last vertex of the part from the camera; null where that leaves the scene.</summary>
+    public Vector3? CameraEnd { get; init; }
+
+    /// <summary>The last vertex of the part from the light; null where there is none.</summary>
+    public Vector3? LightEnd { get; init; }
+
+    /// <summary>The vertices of that part in order, the light's own left out: the first ray starts on it.</summary>
+    public IReadOnlyList<PathVertex> LightPath { get; init; } = [];
 }

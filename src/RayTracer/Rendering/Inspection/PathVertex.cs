@@ -50,8 +50,11 @@ public sealed record PathVertex
     /// <summary>… after ambient light.</summary>
     public required Rgb AfterAmbient { get; init; }
 
-    /// <summary>… after the light that comes straight from the sources: all that it has gathered so far.</summary>
+    /// <summary>… after the light that comes from the sources: all that it has gathered so far.</summary>
     public Rgb After { get; init; }
+
+    /// <summary>Where paths come from lights too: the number of vertices before, to which boundaries that are only crossed do not belong.</summary>
+    internal uint Number { get; init; }
 }
 
 /// <summary>The events at the vertices of a path.</summary>

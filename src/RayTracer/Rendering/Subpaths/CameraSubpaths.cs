@@ -13,8 +13,9 @@ namespace RayTracer.Rendering;
 internal sealed unsafe class CameraSubpaths : SubpathShader
 {
     private const int LeastRays = 8192;
-    private readonly LightSource[] _lights;
-    private readonly bool[] _isFar;
+
+    // Of points on lights that are infinitely far away, for those who look at paths.
+    private const float FarAway = 1e6f;
     private readonly EmitterLookup _emitters;
     private readonly Strategies _strategies;
     private readonly LightPass _pass;
@@ -36,14 +37,11 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     public CameraSubpaths(ShaderContext context, Strategies strategies)
         : base(context)
     {
-        _lights = [.. Scene.SampledLights];
-        (double Open, double Close) shutter = (Scene.Render.Shutter.X, Scene.Render.Shutter.Y);
-        _isFar = Array.ConvertAll(_lights, l => !l.Extent(shutter).Box.IsFinite);
         _emitters = new(Scene);
         _strategies = strategies;
         _pass = context.Light!;
         _recorder = _pass.Recorder();
-        _raysOfPacket = FloatW.Count * (Scene.LightSelection is null ? _lights.Length : 1);
+        _raysOfPacket = FloatW.Count * (Scene.LightSelection is null ? Lights.Length : 1);
         _rays = new(Scene, Math.Max(LeastRays, _raysOfPacket));
         _traceRays = TraceRays;
         _connections = (strategies & Strategies.Connections) != Strategies.None ? new(Scene, _pass, Gather, _recorder) : null;
@@ -106,12 +104,12 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
                 arriving *= shared.Select(EnvironmentWeight(stream, index), 1f);
             }
 
-            Backdrop?.Missed(stream, index, MaskW.First(count - i), arriving);
+            Observer?.Missed(stream, index, MaskW.First(count - i), arriving);
 
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(at.Surface.Incoming, at.Surface.Incoming) * 0f;
             RgbW throughput = stream.PickThroughput(index);
-            _recorder?.Add(MaskW.First(count - i).Bits, at.Path, 0u, (at.State & PathState.VertexMask) + 2u, false, throughput * arriving, throughput * alone);
+            _recorder?.Add(MaskW.First(count - i).Bits, at.Path, new() { To = (at.State & PathState.VertexMask) + 2u }, throughput * arriving, throughput * alone);
             Gather(MaskW.First(count - i).Bits, at.Path, (throughput * arriving) + new RgbW(fault, fault, fault));
         }
     }
@@ -236,7 +234,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
             emitted *= shared.Select(SeenWeight(perArea, emission), 1f);
         }
 
-        _recorder?.Add(active.Bits, at.Path, 0u, at.Number + 2u, false, at.Throughput * emitted, at.Throughput * alone);
+        _recorder?.Add(active.Bits, at.Path, new() { To = at.Number + 2u }, at.Throughput * emitted, at.Throughput * alone);
         Gather(active.Bits, at.Path, at.Throughput * emitted);
     }
 
@@ -259,7 +257,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         }
 
         LightHitW hit = new() { From = Start(stream, index, at.Surface.Incoming), Direction = at.Surface.Incoming, Distance = float.PositiveInfinity, Cosine = 1f };
-        UIntW number = (uint)(_lights.Length - 1);
+        UIntW number = (uint)(Lights.Length - 1);
         Scene.Environment!.Pdf(hit, out FloatW asked);
         Scene.Environment.EmissionPdf(hit, out FloatW point, out FloatW direction);
         if (Scene.LightSelection is not null)
@@ -276,7 +274,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         ref VertexW at = ref At;
         if (Scene.LightSelection is null)
         {
-            for (int light = 0; light < _lights.Length; light++)
+            for (int light = 0; light < Lights.Length; light++)
             {
                 Vertex.Light(light, out FloatW u, out FloatW v);
                 AddLight(group, light, u, v, 1f, active);
@@ -299,7 +297,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     private void AddLight(ShadingGroup group, int number, FloatW u, FloatW v, FloatW probability, MaskW active)
     {
         ref VertexW at = ref At;
-        LightSource light = _lights[number];
+        LightSource light = Lights[number];
         ref ShapeSampleW sample = ref *_sample.Pointer;
         ref RgbW brought = ref *_brought.Pointer;
         light.Sample(at.Surface.Point, u, v, at.Time, out sample, out brought);
@@ -312,7 +310,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
             return;
         }
 
-        FloatW asked = probability * (!light.IsDelta ? 1f / sample.InversePdf : _isFar[number] ? 1f : sample.Distance * sample.Distance);
+        FloatW asked = probability * (!light.IsDelta ? 1f / sample.InversePdf : IsFar[number] ? 1f : sample.Distance * sample.Distance);
         FloatW others = light.IsDelta ? 0f : PathWeights.Power(at.Pdf / asked);
         if ((_strategies & Strategies.Camera) != Strategies.None)
         {
@@ -332,12 +330,13 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
 
         FloatW scale = Cosine(at.Surface, sample.Direction) * Share(others) / probability;
         RgbW value = at.Throughput * brought * at.Bsdf * scale;
+        WaysW ways = _recorder is null ? default : new() { From = 1u, To = at.Number + 2u, Point = Vec3W.MultiplyAdd(sample.Direction, FloatW.Min(sample.Distance, FarAway), at.Surface.Point) };
         if (Scene.TracksInteriors)
         {
             _traced += BitOperations.PopCount(active.Bits);
             value *= left;
             Gather(active.Bits, at.Path, value);
-            _recorder?.Add(active.Bits, at.Path, 1u, at.Number + 2u, false, value, value * (others + 1f));
+            _recorder?.Add(active.Bits, at.Path, ways, value, value * (others + 1f));
             return;
         }
 
@@ -349,7 +348,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         if (active.Any)
         {
             _rays.Add(active.Bits, at.Start, group.IsInstanced ? at.Surface.Instance : 0u, at.Inner, sample.Direction, sample.Distance, at.Time, number, value, 0f, at.Path);
-            _recorder?.Wait(active.Bits, 1u, at.Number + 2u, value * (others + 1f));
+            _recorder?.Wait(active.Bits, ways, value * (others + 1f));
         }
     }
 

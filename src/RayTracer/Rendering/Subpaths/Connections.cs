@@ -209,8 +209,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
             gather(active.Bits, end.Path, arriving);
             if (recorder is not null)
             {
-                Numbers(chosen, out UIntW ofLight, out UIntW ofCamera);
-                recorder.Add(active.Bits, end.Path, ofLight, ofCamera, false, arriving, arriving * (others + 1f));
+                recorder.Add(active.Bits, end.Path, Ways(chosen, surface.Point), arriving, arriving * (others + 1f));
             }
 
             return;
@@ -224,25 +223,24 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
             rays.Add(active.Bits, end.Start, end.Instance, end.Inner, towards, distance, end.Time, -1, light, 0f, end.Path);
             if (recorder is not null)
             {
-                Numbers(chosen, out UIntW ofLight, out UIntW ofCamera);
-                recorder.Wait(active.Bits, ofLight, ofCamera, light * (lit + seen + 1f));
+                recorder.Wait(active.Bits, Ways(chosen, surface.Point), light * (lit + seen + 1f));
             }
         }
     }
 
-    // The numbers of vertices of both ends.
-    private void Numbers(ReadOnlySpan<int> chosen, out UIntW ofLight, out UIntW ofCamera)
+    private WaysW Ways(ReadOnlySpan<int> chosen, in Vec3W point)
     {
-        uint* numbers = stackalloc uint[2 * FloatW.Count];
+        uint* numbers = stackalloc uint[3 * FloatW.Count];
         for (int lane = 0; lane < chosen.Length; lane++)
         {
             ref Connection connection = ref _waiting[chosen[lane]];
-            numbers[lane] = (pass.Vertices.Vertices[connection.Vertex].State & PathState.VertexMask) + 2;
+            ref LightVertex vertex = ref pass.Vertices.Vertices[connection.Vertex];
+            numbers[lane] = (vertex.State & PathState.VertexMask) + 2;
             numbers[FloatW.Count + lane] = connection.Number + 2;
+            numbers[(2 * FloatW.Count) + lane] = vertex.Path;
         }
 
-        ofLight = UIntW.Load(numbers);
-        ofCamera = UIntW.Load(numbers + FloatW.Count);
+        return new() { From = UIntW.Load(numbers), To = UIntW.Load(numbers + FloatW.Count), LightPath = UIntW.Load(numbers + (2 * FloatW.Count)), Point = point };
     }
 
     // Brings the connections of a packet, and the rays that met the light's vertices, into lanes.

@@ -30,7 +30,9 @@ internal sealed class LightPass
     private readonly int _rarity;
     private readonly float _firstRadius;
     private readonly LightInteriors? _interiors;
-    private readonly ConcurrentBag<Worker> _idle = [];
+
+    // No bag: that keeps its things in variables of threads, and things that know the bag would keep it there for ever.
+    private readonly ConcurrentStack<Worker> _idle = [];
 
     /// <summary>Prepares.</summary>
     /// <param name="scene">A scene whose integrator traces light.</param>
@@ -59,8 +61,8 @@ internal sealed class LightPass
         }
     }
 
-    /// <summary>Takes what each way to make paths brings; null where nobody asks.</summary>
-    public StrategyFilm? Recorded { get; init; }
+    /// <summary>Takes what each path brings; null where nobody asks.</summary>
+    public IArrivals? Recorded { get; init; }
 
     /// <summary>The constants of the weights.</summary>
     public PathWeights Weights { get; private set; } = new(1, 1, 0);
@@ -104,9 +106,11 @@ internal sealed class LightPass
                 return;
             }
 
-            Worker worker = _idle.TryTake(out Worker? idle) ? idle : new(this);
-            worker.Follow(block, sample);
-            _idle.Add(worker);
+            Worker worker = _idle.TryPop(out Worker? idle) ? idle : new(this);
+            int first = block * LightVertices.BlockSize;
+            worker.Follow(first, Math.Min(LightVertices.BlockSize, Vertices.Paths - first), sample);
+            Vertices.SetBlock(block, worker.Vertices);
+            _idle.Push(worker);
         });
         if (done.IsCompleted && (Has(Strategies.Connections) || Has(Strategies.Merges)))
         {
@@ -115,6 +119,18 @@ internal sealed class LightPass
         }
 
         return done.IsCompleted;
+    }
+
+    /// <summary>Returns what follows a path once more, by its number in its pass and the number of the pass.</summary>
+    /// <param name="observer">Sees what happens to it.</param>
+    public Action<uint, int> Follower(PathObserver observer)
+    {
+        Worker worker = new(this, observer);
+        return (path, sample) =>
+        {
+            observer.Begin(default, new(sample, sample + 1));
+            worker.Follow((int)path, 1, sample);
+        };
     }
 
     private bool Has(Strategies strategies) => (_strategies & strategies) == strategies;
@@ -138,23 +154,24 @@ internal sealed class LightPass
         private readonly LightSubpaths _shader;
         private readonly Stages _stages;
 
-        public Worker(LightPass pass)
+        public Worker(LightPass pass, PathObserver? observer = null)
         {
             _pass = pass;
             _starts = new(pass._scene, pass._interiors is { } known ? new(known) : null);
-            _shader = new(new(pass._scene, null!, null, null), pass._strategies, pass.Splats, pass._area, pass.Recorder());
+            Strategies strategies = observer is null ? pass._strategies : Strategies.None;
+            _shader = new(new(pass._scene, null!, null, observer), strategies, pass.Splats, pass._area, pass.Recorder());
             _stages = new(pass._scene, pass._options.StreamSize, _shader);
         }
 
         public long Rays => _stages.Rays + _shader.ShadowRays;
 
-        public void Follow(int block, int sample)
+        public ReadOnlySpan<LightVertex> Vertices => _shader.Vertices;
+
+        public void Follow(int firstPath, int count, int sample)
         {
-            int first = block * LightVertices.BlockSize;
-            _starts.Begin(first, Math.Min(LightVertices.BlockSize, _pass.Vertices.Paths - first), sample, _pass._rarity, _pass._seed);
+            _starts.Begin(firstPath, count, sample, _pass._rarity, _pass._seed);
             _shader.Begin(_starts, _pass.Weights);
             _stages.Follow(_starts, new(sample, sample + 1));
-            _pass.Vertices.SetBlock(block, _shader.Vertices);
         }
     }
 }

@@ -15,8 +15,6 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     // Light paths' vertices have random numbers beyond those of all camera paths.
     private const uint FirstGroup = 16384;
     private const int MostRays = 8192;
-    private readonly LightSource[] _lights;
-    private readonly bool[] _isFar;
     private readonly Strategies _strategies;
     private readonly SplatSums _splats;
     private readonly Tile _area;
@@ -37,9 +35,6 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     public LightSubpaths(ShaderContext context, Strategies strategies, SplatSums splats, Tile area, StrategyRecorder? recorder)
         : base(context)
     {
-        _lights = [.. Scene.SampledLights];
-        (double Open, double Close) shutter = (Scene.Render.Shutter.X, Scene.Render.Shutter.Y);
-        _isFar = Array.ConvertAll(_lights, l => !l.Extent(shutter).Box.IsFinite);
         (_strategies, _splats, _area, _recorder) = (strategies, splats, area, recorder);
         _rays = new(Scene, MostRays);
     }
@@ -61,6 +56,10 @@ internal sealed unsafe class LightSubpaths : SubpathShader
     /// <inheritdoc/>
     internal override void Miss(PathStream stream, uint* members, int count)
     {
+        for (int i = 0; Observer is not null && i < count; i += FloatW.Count)
+        {
+            Observer.Missed(stream, members + i, MaskW.First(count - i), default);
+        }
     }
 
     /// <inheritdoc/>
@@ -136,12 +135,12 @@ internal sealed unsafe class LightSubpaths : SubpathShader
             int number = (int)light[BitOperations.TrailingZeroCount(rest)];
             MaskW same = first & UIntW.Equal(light, (uint)number);
             rest &= ~same.Bits;
-            FloatW one = _isFar[number] ? 1f : at.Distance * at.Distance;
-            if (!_lights[number].IsDelta)
+            FloatW one = IsFar[number] ? 1f : at.Distance * at.Distance;
+            if (!Lights[number].IsDelta)
             {
-                _lights[number].Pdf(hit, out FloatW pdf);
+                Lights[number].Pdf(hit, out FloatW pdf);
                 one = pdf * cosine;
-                met = same.Select(_isFar[number] ? 1f : cosine, met);
+                met = same.Select(IsFar[number] ? 1f : cosine, met);
             }
 
             asked = same.Select(one, asked);
@@ -207,7 +206,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
             _traced += BitOperations.PopCount(active.Bits);
             light *= left;
             Add(active.Bits, pixel, light);
-            _recorder?.Add(active.Bits, pixel, at.Number + 2u, 1u, false, light, light * ways);
+            _recorder?.Add(active.Bits, pixel, Ways(), light, light * ways);
             return;
         }
 
@@ -234,7 +233,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         if (active.Any)
         {
             _rays.Add(active.Bits, at.Start, group.IsInstanced ? at.Surface.Instance : 0u, at.Inner, link.Direction, link.Distance, at.Time, -1, light, 0f, pixel);
-            _recorder?.Wait(active.Bits, at.Number + 2u, 1u, light * ways);
+            _recorder?.Wait(active.Bits, Ways(), light * ways);
         }
 
         if (!_rays.HasRoomFor(FloatW.Count))
@@ -242,6 +241,8 @@ internal sealed unsafe class LightSubpaths : SubpathShader
             TraceSplats();
         }
     }
+
+    private WaysW Ways() => new() { From = At.Number + 2u, To = 1u, LightPath = UIntW.Gather(_starts.PixelNumbers, At.Path), Point = At.Surface.Point };
 
     private void Add(uint lanes, in UIntW pixel, in RgbW light)
     {

@@ -42,6 +42,11 @@ internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect, Strate
             MaskW has = ~UIntW.Equal(vertex, uint.MaxValue);
             ref PhotonW photon = ref *_photon.Pointer;
             photon.Load(pass.Photons!.Photons, has.Select(vertex, 0u));
+            if (recorder is not null)
+            {
+                photon.LoadPoint(pass.Photons!.Photons, has.Select(vertex, 0u));
+            }
+
             UIntW number = photon.State & PathState.VertexMask;
             has &= end.Number + number + 1u < maxDepth;
             if (isIndirect)
@@ -81,16 +86,25 @@ internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect, Strate
         if (recorder is not null)
         {
             found *= end.Throughput * (1f / pass.MergedPaths);
-            recorder.Add(has.Bits, end.Path, (photon.State & PathState.VertexMask) + 2u, end.Number + 2u, true, found, found * (others + 1f));
+            WaysW ways = new() { From = (photon.State & PathState.VertexMask) + 2u, To = end.Number + 2u, IsMerge = true, Point = photon.Point };
+            recorder.Add(has.Bits, end.Path, ways, found, found * (others + 1f));
         }
     }
 
     private struct PhotonW
     {
+        public Vec3W Point;
         public Vec3W Direction;
         public RgbW Power;
         public SubpathSumsW Sums;
         public UIntW State;
+
+        public void LoadPoint(Photon* photons, UIntW photon)
+        {
+            UIntW at = photon * Photon.Numbers;
+            float* numbers = (float*)photons;
+            Point = new(FloatW.Gather(numbers, at), FloatW.Gather(numbers + 1, at), FloatW.Gather(numbers + 2, at));
+        }
 
         public void Load(Photon* photons, UIntW photon)
         {

@@ -8,7 +8,7 @@ namespace RayTracer.Rendering;
 /// What each way to make paths brings to a picture (Veach 1997, figure 10.4): with its weight, where all of them add up to the picture, and alone, as
 /// if no other way made such paths. Sums are integers, which are the same in any order.
 /// </summary>
-internal sealed class StrategyFilm
+internal sealed class StrategyFilm : IArrivals
 {
     /// <summary>The edges of the longest paths that have layers; the light of longer ones is in the layer <see cref="Longer"/>.</summary>
     public const int LongestPath = 6;
@@ -59,21 +59,14 @@ internal sealed class StrategyFilm
     /// <param name="isWeighted">True for its share of the picture; else alone.</param>
     public IImageRows Image(PathStrategy strategy, bool isWeighted) => new Rows(_film, (isWeighted ? _weighted : _alone)[Strategies.ToList().IndexOf(strategy)]);
 
-    /// <summary>The number of the layer of a way.</summary>
-    public int LayerOf(uint light, uint camera, bool isMerge) =>
-        light < Stride && camera < Stride ? _layerOf[Place(light, camera, isMerge)] : Strategies.Count;
-
-    /// <summary>Adds what a path brings. Any thread may at any time.</summary>
-    /// <param name="layer">The layer.</param>
-    /// <param name="pixel">The pixel's number, row by row.</param>
-    /// <param name="light">The light with its weight.</param>
-    /// <param name="alone">The light without.</param>
-    public void Add(int layer, uint pixel, Rgb light, Rgb alone)
+    /// <inheritdoc/>
+    public void Add(uint pixel, in Arrival arrival)
     {
-        _weighted[layer].Add(pixel, light);
+        int layer = arrival is { From: < Stride, To: < Stride } ? _layerOf[Place(arrival.From, arrival.To, arrival.IsMerge)] : Strategies.Count;
+        _weighted[layer].Add(pixel, arrival.Light);
         if (layer < _alone.Length)
         {
-            _alone[layer].Add(pixel, alone);
+            _alone[layer].Add(pixel, arrival.Alone);
         }
     }
 

@@ -21,11 +21,14 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
     /// <summary>The number of edges that a whole path may have.</summary>
     protected uint MaxDepth { get; } = context.Scene.Render.MaxDepth < 0 ? RenderDescription.LongestPath : (uint)context.Scene.Render.MaxDepth;
 
+    /// <summary>The lights.</summary>
+    protected LightSource[] Lights { get; } = [.. context.Scene.SampledLights];
+
+    /// <summary>Of each light, whether it is infinitely far away.</summary>
+    protected bool[] IsFar { get; } = FarAmong(context.Scene);
+
     /// <summary>The constants of the weights; set when a pass begins.</summary>
     protected PathWeights Weights { get; set; } = new(1, 1, 0);
-
-    /// <summary>What camera paths see of what is behind everything; null where nobody asks.</summary>
-    private protected Backdrop? Backdrop { get; } = context.Backdrop;
 
     /// <summary>The packet of vertices at work.</summary>
     protected ref VertexW At => ref *_at.Pointer;
@@ -101,9 +104,10 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
         }
 
         MaskW goesOn = Visit(group, stream, index, active);
-        if (goesOn.Any)
+        MaskW alive = goesOn.Any ? GoOn(group, goesOn, next) : MaskW.None;
+        if (Observer is not null)
         {
-            GoOn(group, goesOn, next);
+            Report(group, stream, index, active, goesOn, alive);
         }
     }
 
@@ -164,6 +168,12 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
         _transmittance!.Trace(active.Bits, at.Start, instance, at.Inner, direction, distance, media, at.Time, light, out left, out passed);
     }
 
+    private static bool[] FarAmong(Scene scene)
+    {
+        (double Open, double Close) shutter = (scene.Render.Shutter.X, scene.Render.Shutter.Y);
+        return [.. scene.SampledLights.Select(l => !l.Extent(shutter).Box.IsFinite)];
+    }
+
     // Where paths go through what they have met as if it were not there.
     private MaskW Unreal(ShadingGroup group)
     {
@@ -178,20 +188,33 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
             : MaskW.None;
     }
 
-    private void GoOn(ShadingGroup group, MaskW alive, PathStream next)
+    private void Report(ShadingGroup group, PathStream stream, uint* index, MaskW active, MaskW goesOn, MaskW alive)
+    {
+        ref VertexW at = ref At;
+        if (group.IsOfMedia)
+        {
+            Observer!.ScatteredInMedium(stream, index, active, alive, at.Surface.Point, at.Pdf);
+            return;
+        }
+
+        at.Scatter.Absorbed &= goesOn;
+        Observer!.Scattered(stream, index, active, alive, group.Material, at.Surface, at.Scatter, isByLobe: false);
+    }
+
+    // Returns the lanes that have a next ray.
+    private MaskW GoOn(ShadingGroup group, MaskW alive, PathStream next)
     {
         ref VertexW at = ref At;
         ref ScatterW scatter = ref at.Scatter;
         Choose(group, ref at.Surface, out scatter, out at.Pdf, out at.ReversePdf);
         alive = alive.Except(scatter.Absorbed).Except(Ending(scatter.Delta));
-        alive = Survive(group, alive, scatter.Weight, ref at.Throughput);
+        alive = Survive(group, alive, ref scatter.Weight, ref at.Throughput);
         uint going = alive.Bits;
         if (going == 0)
         {
-            return;
+            return alive;
         }
 
-        Backdrop?.Leave(at.Path, alive, at.Surface, scatter);
         at.Sums.Leave(Meeting(at.Surface, scatter.Direction), at.Pdf, at.ReversePdf, scatter.Delta, Weights.At(group));
         if (Scene.IsTimed)
         {
@@ -217,11 +240,13 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
         {
             next.SetStart(going, at.Surface.Instance, LeaveInside(at.Surface, scatter.Direction));
         }
+
+        return alive;
     }
 
     // Ends paths at random by what a bounce takes of them, and makes those that survive brighter: the same for both directions, whatever the strength of
     // a light.
-    private MaskW Survive(ShadingGroup group, MaskW alive, in RgbW weight, ref RgbW throughput)
+    private MaskW Survive(ShadingGroup group, MaskW alive, ref RgbW weight, ref RgbW throughput)
     {
         ref VertexW at = ref At;
         FloatW before = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
@@ -238,7 +263,9 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
         ref RgbW albedo = ref at.Surface.DiffuseColor;
         FloatW left = group.IsOfMedia ? FloatW.Max(albedo.R, FloatW.Max(albedo.G, albedo.B)) : after / before;
         FloatW survival = (left < LargestSurvival).Select(left, LargestSurvival);
-        throughput *= asked.Select(1f / survival, 1f);
+        FloatW brighter = asked.Select(1f / survival, 1f);
+        throughput *= brighter;
+        weight *= brighter;
         return alive.Except(asked & (Vertex.Roulette() >= survival));
     }
 

@@ -11,6 +11,7 @@ namespace RayTracer.RenderTests.Transport.LightPaths;
 [Trait("Category", "Thorough")]
 public class MergeTests
 {
+    private const string Matt = """{ "type": "diffuse", "color": [0.5, 0.5, 0.5] }""";
     private static readonly int s_seeds = TestSettings.Scale(12, 48);
     private static readonly Block[] s_blocks = [.. Block.Cut(24, 24, 12), new(0, 0, 24, 24)];
 
@@ -78,11 +79,13 @@ public class MergeTests
     }
 
     [Theory]
-    [InlineData("photons")]
-    [InlineData("vcm")]
-    public void Light_of_a_point_that_is_only_seen_through_glass_falls_off_as_it_should(string integrator)
+    [InlineData("photons", Matt)]
+    [InlineData("vcm", Matt)]
+    [InlineData("photons", $$"""{ "type": "normalMap", "map": [0.75, 0.5, 0.9], "material": {{Matt}} }""")]
+    public void Light_of_a_point_that_is_only_seen_through_glass_falls_off_as_it_should(string integrator, string material)
     {
-        // The pane bends and takes nothing, but no path can be connected through it: without the pane, the floor has the closed form's light.
+        // The pane bends and takes nothing, but no path can be connected through it: without the pane, the floor has the closed form's light,
+        // and so it has where it is shaded with another normal.
         const string pane = """{ "type": "rectangle", "corner": [-3, 1, 3], "edgeU": [6, 0, 0], "edgeV": [0, 0, -6], "material": { "type": "thinDielectric", "refractiveIndex": 1 } },""";
         const string floor = """
             {
@@ -90,12 +93,12 @@ public class MergeTests
               "render": { "width": 24, "height": 24, "maxDepth": 4 },
               "shapes": [
                 PANE
-                { "type": "rectangle", "corner": [-3, 0, 3], "edgeU": [6, 0, 0], "edgeV": [0, 0, -6], "material": { "type": "diffuse", "color": [0.5, 0.5, 0.5] } },
+                { "type": "rectangle", "corner": [-3, 0, 3], "edgeU": [6, 0, 0], "edgeV": [0, 0, -6], "material": MATERIAL },
                 { "type": "spot", "position": [0.4, 2, 0.3], "intensity": [4, 4, 4], "cutoffAngle": 45, "beamWidth": 44 }
               ]
             }
             """;
-        LightPathScene Scene(string shape) => new("", 16, IsMatt: false, floor.Replace("PANE", shape, StringComparison.Ordinal));
+        LightPathScene Scene(string shape) => new("", 16, IsMatt: false, floor.Replace("PANE", shape, StringComparison.Ordinal).Replace("MATERIAL", material, StringComparison.Ordinal));
         ImageSamples bare = Render(Scene(""), "path", 0, 16, firstSeed: 7001);
         ImageSamples behind = Render(Scene(pane), "path", 0, 1, firstSeed: 7001);
         Assert.Equal(0, behind.Estimate(s_blocks[^1], 1).Mean);

@@ -1,3 +1,4 @@
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 
@@ -104,6 +105,18 @@ public class AdaptiveSamplingTests
     }
 
     [Fact]
+    public void The_noise_of_light_that_comes_from_the_lamps_counts()
+    {
+        SampleGoal goal = new() { Error = 0.08, MeanSamples = 4096, MostSamples = 4096 };
+        SamplePlan plan = new SamplePlanner(LitFloor(1), new(), goal).Plan();
+        Assert.InRange(plan.Most, 17, 4095);
+        Film[] films = [.. Enumerable.Range(2, 2).Select(seed => new RTracer(LitFloor(seed), new() { Samples = new(0, plan.Most) }).Render().Film)];
+        double mean = Pixels(films[0]).Average(p => p.Mean.G);
+        double difference = Pixels(films[0]).Zip(Pixels(films[1]), (a, b) => ((double)a.Mean.G - b.Mean.G) / mean).Average(d => d * d);
+        Assert.InRange(double.Sqrt(difference / 2) / 1.1 / plan.Error, 0.5, 1.8);
+    }
+
+    [Fact]
     public void Who_is_short_of_time_decides_by_the_first_look()
     {
         SampleGoal goal = new() { Error = 0.001, MeanSamples = 512, MostSamples = 512 };
@@ -114,11 +127,13 @@ public class AdaptiveSamplingTests
         Assert.True(hasty.TotalSamples > 0);
     }
 
-    [Fact]
-    public void A_decision_that_was_broken_off_anywhere_is_gone_on_with()
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void A_decision_that_was_broken_off_anywhere_is_gone_on_with(bool hasLight)
     {
         SampleGoal goal = new() { Error = 0.02, MeanSamples = 4096, MostSamples = 4096 };
-        Scene scene = LampsWith(3);
+        Scene scene = hasLight ? LitFloor(3) : LampsWith(3);
         SamplePlan plan = new SamplePlanner(scene, new(), goal).Plan();
         List<DecidingState> states = [];
         Assert.Equal(plan.Samples, new SamplePlanner(scene, new(), goal) { Keep = states.Add }.Plan().Samples);
@@ -192,8 +207,20 @@ public class AdaptiveSamplingTests
         return (film, plan);
     }
 
-    private static IEnumerable<uint> Counts(Film film) =>
-        Enumerable.Range(0, film.Height).SelectMany(y => Enumerable.Range(0, film.Width).Select(x => film.SampleCount(x, y)));
+    private static IEnumerable<uint> Counts(Film film) => Pixels(film).Select(p => p.Samples);
+
+    private static IEnumerable<(uint Samples, Rgb Mean)> Pixels(Film film) =>
+        Enumerable.Range(0, film.Height).SelectMany(y => Enumerable.Range(0, film.Width).Select(x => (film.SampleCount(x, y), film.Mean(x, y))));
+
+    // An evenly lit floor, whose light all comes from the lamp: the camera's paths find none.
+    private static Scene LitFloor(int seed) => TestScenes.Build($$"""
+        {
+          "camera": { "projection": "orthographic", "position": [0, 5, 0], "lookAt": [0, 0, 0], "up": [0, 0, 1], "viewSize": 1 },
+          "render": { "integrator": "light", "width": 32, "height": 16, "samplesPerPixel": 4096, "sampler": "independent", "seed": {{seed + (TestSettings.Seed * 1_000_000L)}} },
+          "shapes": [ { "type": "disk", "center": [0, 0, 0], "normal": [0, 1, 0], "radius": 1.2, "material": { "type": "diffuse", "color": [0.5, 0.5, 0.5] } } ],
+          "lights": [ { "type": "directional", "direction": [0, -1, 0], "irradiance": [2, 2, 2] } ]
+        }
+        """);
 
     private static Scene LampsWith(int seed) => TestScenes.Build(Lamps.Replace("SEED", $"{seed + (TestSettings.Seed * 1_000_000L)}", StringComparison.Ordinal));
 

@@ -81,6 +81,26 @@ public sealed class GuideLearningTests
         Assert.Equal(0, new RTracer(GuidedScenes.Learned(dark)).Render().Film.Mean(12, 8).R);
     }
 
+    [Theory]
+    [InlineData("point", true)]
+    [InlineData("lamp", false)]
+    public void Light_that_is_asked_for_at_a_point_is_not_learned_there(string light, bool isAllAskedFor)
+    {
+        // No light comes by way of another surface, and directions do not meet a light without extent.
+        string lamp = light == "point"
+            ? """{ "type": "point", "position": [0, 1, 0], "intensity": [1, 1, 1] }"""
+            : """{ "type": "sphere", "center": [0, 1, 0], "radius": 0.3, "material": { "type": "luminaire" } }""";
+        PathGuide guide = GuidedScenes.Learned(TestScenes.Build($$"""
+            {
+              "camera": { "position": [0, 1, 3], "lookAt": [0, 0, 0], "fieldOfView": 30 },
+              "render": { "integrator": "path", "width": 16, "height": 16 },
+              "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse" } } ],
+              "lights": [ {{lamp}} ]
+            }
+            """)).Guide!;
+        Assert.Equal(isAllAskedFor, guide.Nodes.Length == PathGuide.NodeWords);
+    }
+
     private static double MedianVariance(Scene scene)
     {
         Film film = new RTracer(scene).Render().Film;

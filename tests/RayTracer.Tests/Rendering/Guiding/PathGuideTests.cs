@@ -21,9 +21,11 @@ public sealed class PathGuideTests
             Place(i, out FloatW u, out FloatW v);
             (FloatW x, FloatW y) = (u, v);
             guide.Descend(root, MaskW.None, ref x, ref y, out FloatW density);
+            FloatW stated = guide.Density(root, u, v);
             for (int lane = 0; lane < FloatW.Count; lane++)
             {
                 sum += density[lane];
+                Assert.Equal(density[lane], stated[lane], 1e-5 * density[lane]);
                 Assert.Equal((u[lane], v[lane]), (x[lane], y[lane]), (a, b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-6);
             }
         }

@@ -102,6 +102,7 @@ export interface InspectedPath {
   sample: number;
   radiance: Vec3;
   vertices: InspectedVertex[];
+  ways: InspectedWay[];
 }
 
 export interface InspectedPixel {
@@ -109,6 +110,7 @@ export interface InspectedPixel {
   y: number;
   pixel: Vec3 | null;
   rendered: number;
+  total: number;
   samples: InspectedPath[];
 }
 
@@ -124,6 +126,16 @@ export interface InspectedVertex {
   pdf: number | null;
   contribution: number[];
   parts: ContributionParts;
+}
+
+export interface InspectedWay {
+  lightVertices: number;
+  cameraVertices: number;
+  event: string;
+  radiance: Vec3;
+  weight: number;
+  things: string[];
+  points: Vec3[];
 }
 
 export interface Job {

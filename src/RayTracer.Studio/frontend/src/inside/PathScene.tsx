@@ -21,10 +21,11 @@ const palettes: Record<"light" | "dark", Palette> = {
 interface PathSceneProps {
   samples: InspectedPath[];
   chosen: number;
+  way: number;
 }
 
 /** The scene as wires, with the paths in it; can be looked at from all sides. */
-export function PathScene({ samples, chosen }: PathSceneProps) {
+export function PathScene({ samples, chosen, way }: PathSceneProps) {
   const ref = useRef<HTMLCanvasElement>(null);
   const orbit = useMemo(newOrbit, []);
   const [size, setSize] = useState({ width: 0, height: 0 });
@@ -61,7 +62,9 @@ export function PathScene({ samples, chosen }: PathSceneProps) {
     for (const s of samples) if (s.sample !== chosen) drawing.path(s, false, 2 * reach);
     const own = samples.find((s) => s.sample === chosen);
     if (own) drawing.path(own, true, 2 * reach);
-  }, [scene, eye, size, samples, chosen, selected, dark]);
+    const lightPart = own?.ways[way];
+    if (lightPart) drawing.way(lightPart);
+  }, [scene, eye, size, samples, chosen, way, selected, dark]);
 
   const turn = (yaw: number, pitch: number) => orbit.value && (orbit.value = turned(orbit.value, yaw, pitch));
   const approach = (factor: number) => orbit.value && (orbit.value = nearer(orbit.value, factor));
@@ -74,8 +77,8 @@ export function PathScene({ samples, chosen }: PathSceneProps) {
   };
   const onKeyDown = (e: KeyboardEvent) => {
     const turns: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
-    const way = turns[e.key];
-    if (way) turn(...way);
+    const step = turns[e.key];
+    if (step) turn(...step);
     else if (e.key === "+" || e.key === "=") approach(0.9);
     else if (e.key === "-") approach(1 / 0.9);
     else return;

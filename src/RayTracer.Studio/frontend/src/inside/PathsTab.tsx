@@ -1,5 +1,5 @@
 import { useEffect } from "preact/hooks";
-import type { InspectedPath, InspectedPixel, InspectedVertex } from "../api/types";
+import type { InspectedPath, InspectedPixel, InspectedVertex, InspectedWay } from "../api/types";
 import { toHex } from "../json/color";
 import { format } from "../json/numbers";
 import { select } from "../state/edits";
@@ -9,7 +9,7 @@ import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
 import { picture } from "../viewport/stage";
 import { rgb } from "./format";
-import { chosenSample, firstSample, followPaths, paths, perPage } from "./paths";
+import { chosenSample, chosenWay, firstSample, followPaths, paths } from "./paths";
 import { PathScene } from "./PathScene";
 import type { DockTab } from "../shell/Dock";
 
@@ -33,14 +33,14 @@ function SampleList({ answer }: { answer: InspectedPixel }) {
       <PixelChooser />
       {answer.pixel && <p class="mean"><span class="swatch" style={{ background: toHex(answer.pixel) }} /> {t.mean}<br /><span class="figures">{rgb(answer.pixel)}</span></p>}
       <div class="pair">
-        <Button label={t.fewer} icon="undo" disabled={firstSample.value === 0} onClick={() => (firstSample.value = Math.max(0, firstSample.value - perPage))} />
+        <Button label={t.fewer} icon="undo" disabled={firstSample.value === 0} onClick={() => (firstSample.value = Math.max(0, firstSample.value - answer.samples.length))} />
         <span>{t.list}</span>
-        <Button label={t.more} icon="redo" disabled={answer.samples.length < perPage} onClick={() => (firstSample.value += perPage)} />
+        <Button label={t.more} icon="redo" disabled={firstSample.value + answer.samples.length >= answer.total} onClick={() => (firstSample.value += answer.samples.length)} />
       </div>
       <ul aria-label={t.list}>
         {answer.samples.map((s) => (
           <li key={s.sample}>
-            <button type="button" class="list-button" aria-pressed={s.sample === chosenSample.value} onClick={() => (chosenSample.value = s.sample)}>
+            <button type="button" class="list-button" aria-pressed={s.sample === chosenSample.value} onClick={() => ([chosenSample.value, chosenWay.value] = [s.sample, -1])}>
               <span class="swatch" style={{ background: toHex(s.radiance) }} /><span class="hidden-text">{t.sample}</span> {s.sample}<span class="figures">{rgb(s.radiance, 2)}</span>
             </button>
           </li>
@@ -78,7 +78,36 @@ function VertexTable({ sample }: { sample: InspectedPath }) {
         <tfoot><tr><th scope="row" colSpan={6}>{t.total}</th><td class="figures">{rgb(sample.radiance)}</td></tr></tfoot>
       </table>
       <p class="quiet">{t.explain}</p>
+      {sample.ways.length > 0 && <WayTable ways={sample.ways} />}
     </div>
+  );
+}
+
+function WayRow({ way, index }: { way: InspectedWay; index: number }) {
+  const isChosen = chosenWay.value === index;
+  return (
+    <tr>
+      <td><button type="button" class="link" aria-pressed={isChosen} onClick={() => (chosenWay.value = isChosen ? -1 : index)}>{way.lightVertices} + {way.cameraVertices}</button></td>
+      <td data-tip={t.eventsWhy[way.event]}><span class={`event ${way.event}`}>{t.events[way.event] ?? way.event}</span></td>
+      <td>{way.things.join(" → ")}</td>
+      <td class="figures">{format(way.weight, 3)}</td>
+      <td class="figures">{rgb(way.radiance)}</td>
+    </tr>
+  );
+}
+
+function WayTable({ ways }: { ways: InspectedWay[] }) {
+  return (
+    <>
+      <table>
+        <caption>{t.ways}</caption>
+        <thead>
+          <tr><th scope="col">{t.wayVertices}</th><th scope="col">{t.event}</th><th scope="col">{t.wayThings}</th><th scope="col">{t.wayWeight}</th><th scope="col">{t.contribution}</th></tr>
+        </thead>
+        <tbody>{ways.map((w, i) => <WayRow way={w} index={i} key={i} />)}</tbody>
+      </table>
+      <p class="quiet">{t.explainWays}</p>
+    </>
   );
 }
 
@@ -99,7 +128,7 @@ function PathsTab() {
     <div class="paths" role="group" aria-label={`${t.label}: ${t.pixel(answer.x, answer.y)}`}>
       <SampleList answer={answer} />
       {sample && <VertexTable sample={sample} />}
-      <PathScene samples={answer.samples} chosen={sample?.sample ?? -1} />
+      <PathScene samples={answer.samples} chosen={sample?.sample ?? -1} way={chosenWay.value} />
     </div>
   );
 }

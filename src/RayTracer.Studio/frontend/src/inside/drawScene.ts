@@ -1,6 +1,6 @@
 /** Draws the scene's wires and the light's paths on a canvas. */
 
-import type { InspectedPath, Vec3, CameraFrame, WireframeView } from "../api/types";
+import type { InspectedPath, InspectedWay, Vec3, CameraFrame, WireframeView } from "../api/types";
 import { toHex } from "../json/color";
 import { project, projectLine, rayThrough } from "../math/projection";
 import { add, scale } from "../math/vec3";
@@ -65,6 +65,12 @@ export class SceneDrawing {
     this.polyline(points, color, isChosen ? 2 : 1, isChosen ? 1 : 0.45);
     if (!isChosen) return;
     points.forEach((point, i) => this.dot(point, color, i));
+  }
+
+  /** A part from a light, from where it is joined with the camera's. */
+  way(way: InspectedWay): void {
+    this.polyline(way.points, this.palette.selected, 2.5);
+    way.points.slice(1).forEach((point, i) => this.dot(point, this.palette.selected, i + 1));
   }
 
   private dot(point: Vec3, color: string, index: number): void {

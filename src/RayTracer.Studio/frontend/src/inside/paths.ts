@@ -5,13 +5,17 @@ import type { InspectedPixel } from "../api/types";
 import { complain } from "../state/messages";
 import { inspectedPixel, revision } from "../state/store";
 
-export const perPage = 16;
+const perPage = 16;
 export const firstSample = signal(0);
 export const chosenSample = signal(0);
+
+/** The chosen one of the sample's ways to the lights; -1 for none. */
+export const chosenWay = signal(-1);
 export const paths = signal<InspectedPixel | null>(null);
 
 const asking = new Latest<{ x: number; y: number; first: number }>(async ({ x, y, first }) => {
   paths.value = await get<InspectedPixel>("paths", { x, y, first, count: perPage });
+  chosenWay.value = -1;
   if (!paths.value.samples.some((s) => s.sample === chosenSample.value)) chosenSample.value = first;
 }, complain);
 
