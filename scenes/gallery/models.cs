@@ -1,4 +1,4 @@
-// Makes the models of the gallery's scenes: `dotnet run scenes/gallery/models.cs` writes them beside this file.
+// Makes the models of the gallery's scenes and of those with caustics: `dotnet run scenes/gallery/models.cs` writes them beside the scenes.
 #:property PublishAot=false
 #:property TieredCompilation=true
 using System.Numerics;
@@ -271,6 +271,9 @@ Save("table", Lathe([new(0, 0), new(0.2f, 0), new(0.2f, 0), new(0.2f, 0.02f), ne
     new(0.03f, 0.2f), new(0.05f, 0.3f), new(0.045f, 0.36f), new(0.025f, 0.42f), new(0.03f, 0.56f), new(0.08f, 0.6f), new(0.08f, 0.6f),
     new(0.36f, 0.605f), new(0.36f, 0.605f), new(0.375f, 0.615f), new(0.36f, 0.63f), new(0.36f, 0.63f), new(0, 0.63f)], 64));
 
+Save("../caustics/lens", Lens(0.05f, 0.236f));
+Save("../caustics/water", Water(1.22f, 72));
+
 void Save(string name, Mesh mesh) => mesh.Write(Path.Combine(folder, name + ".ply"));
 
 static string Here([CallerFilePath] string path = "") => Path.GetDirectoryName(path)!;
@@ -374,6 +377,58 @@ static void Grow(Mesh wood, Mesh leaves, Random random, Vector3 at, Vector3 forw
     }
 }
 
+// A lens of two caps of spheres, which meet in a sharp edge around the y axis.
+static Mesh Lens(float aperture, float radius)
+{
+    const int Rings = 20, Sides = 80;
+    Mesh mesh = new();
+    float middle = MathF.Sqrt((radius * radius) - (aperture * aperture));
+    foreach (float side in new[] { 1f, -1f })
+    {
+        mesh.Sheet(Rings, Sides, (u, v) =>
+        {
+            // The pole is a ring that is too small to be seen.
+            (float sin, float cos) = MathF.SinCos(-side * MathF.Tau * (v % 1));
+            float r = aperture * MathF.Max(u, 1e-4f);
+            Vector3 p = new(r * cos, MathF.Sqrt((radius * radius) - (r * r)), r * sin);
+            return (new Vector3(p.X, side * (p.Y - middle), p.Z), new Vector3(p.X, side * p.Y, p.Z));
+        });
+    }
+
+    return mesh;
+}
+
+// The surface of a pool, whose waves run in all directions, and below it straight sides and a level bottom, to be hidden within walls
+// and floor.
+static Mesh Water(float half, int cells)
+{
+    const float Depth = 0.92f;
+    Random random = new(11);
+    (Vector2 Wave, float Height, float Phase)[] waves = [.. Enumerable.Range(0, 9).Select(i =>
+    {
+        (float sin, float cos) = MathF.SinCos(MathF.Tau * (i + (0.7f * random.NextSingle())) / 9);
+        float perMetre = MathF.Tau / (0.28f + (0.08f * i));
+        return (perMetre * new Vector2(cos, sin), 1.1f / (perMetre * perMetre), MathF.Tau * random.NextSingle());
+    })];
+    Mesh mesh = new();
+    mesh.Sheet(cells, cells, (u, v) =>
+    {
+        Vector2 at = new(half * ((2 * u) - 1), half * ((2 * v) - 1));
+        float height = waves.Sum(w => w.Height * MathF.Sin(Vector2.Dot(w.Wave, at) + w.Phase));
+        float x = waves.Sum(w => w.Height * w.Wave.X * MathF.Cos(Vector2.Dot(w.Wave, at) + w.Phase));
+        float z = waves.Sum(w => w.Height * w.Wave.Y * MathF.Cos(Vector2.Dot(w.Wave, at) + w.Phase));
+        return (new Vector3(at.X, height, at.Y), new Vector3(-x, 1, -z));
+    });
+    Vector3 Surface(float u, float v) => mesh.Corner(((int)MathF.Round(u * cells) * (cells + 1)) + (int)MathF.Round(v * cells));
+    Vector3 Below(Vector3 p, float t) => p with { Y = p.Y + (t * (-Depth - p.Y)) };
+    mesh.Sheet(cells, 1, (u, v) => (Below(Surface(u, 1), v), Vector3.UnitZ));
+    mesh.Sheet(cells, 1, (u, v) => (Below(Surface(1 - u, 0), v), -Vector3.UnitZ));
+    mesh.Sheet(cells, 1, (u, v) => (Below(Surface(1, 1 - u), v), Vector3.UnitX));
+    mesh.Sheet(cells, 1, (u, v) => (Below(Surface(0, u), v), -Vector3.UnitX));
+    mesh.Sheet(1, 1, (u, v) => (new Vector3(half * ((2 * u) - 1), -Depth, half * (1 - (2 * v))), -Vector3.UnitY));
+    return mesh;
+}
+
 /// <summary>Triangles with a normal at each corner.</summary>
 internal sealed class Mesh
 {
@@ -410,6 +465,21 @@ internal sealed class Mesh
         (float u, float v) = ((float)i / rows, (float)j / columns);
         return (point(u, v), Vector3.Cross(point(u + Step, v) - point(u - Step, v), point(u, v + Step) - point(u, v - Step)));
     }, isClosed: false);
+
+    /// <summary>As the other, with normals, which also say which side of a triangle is its front.</summary>
+    public void Sheet(int rows, int columns, Func<float, float, (Vector3 Position, Vector3 Normal)> corner)
+    {
+        int first = _triangles.Count;
+        Grid(rows + 1, columns + 1, (i, j) => corner((float)i / rows, (float)j / columns), isClosed: false, flat: 0);
+        for (int i = first; i < _triangles.Count; i++)
+        {
+            (int a, int b, int c) = _triangles[i];
+            Vector3 front = Vector3.Cross(Corner(b) - Corner(a), Corner(c) - Corner(a));
+            _triangles[i] = Vector3.Dot(front, _corners[a].Normal) > 0 ? (a, b, c) : (a, c, b);
+        }
+    }
+
+    public Vector3 Corner(int i) => _corners[i].Position;
 
     public void Revolve(Vector2[] curve, int around) => Grid(curve.Length, around, (i, j) =>
     {
@@ -527,7 +597,8 @@ internal sealed class Mesh
     private static Vector3 Direction(float angle) => new(MathF.Cos(angle), 0, MathF.Sin(angle));
 
     // Rows of corners, each of which may be closed to a ring; triangles without area, at the poles, are left out.
-    private void Grid(int rows, int around, Func<int, int, (Vector3 Position, Vector3 Normal)> corner, bool isClosed = true)
+    private void Grid(int rows, int around, Func<int, int, (Vector3 Position, Vector3 Normal)> corner, bool isClosed = true,
+        float flat = 1e-14f)
     {
         int first = _corners.Count;
         for (int i = 0; i < rows; i++)
@@ -543,16 +614,16 @@ internal sealed class Mesh
             for (int j = 0; j < (isClosed ? around : around - 1); j++)
             {
                 (int a, int b) = (first + (i * around) + j, first + (i * around) + ((j + 1) % around));
-                AddUnlessFlat(a, a + around, b + around);
-                AddUnlessFlat(a, b + around, b);
+                AddUnlessFlat(a, a + around, b + around, flat);
+                AddUnlessFlat(a, b + around, b, flat);
             }
         }
     }
 
-    private void AddUnlessFlat(int a, int b, int c)
+    private void AddUnlessFlat(int a, int b, int c, float flat)
     {
         Vector3 p = _corners[a].Position;
-        if (Vector3.Cross(_corners[b].Position - p, _corners[c].Position - p).LengthSquared() > 1e-14f)
+        if (Vector3.Cross(_corners[b].Position - p, _corners[c].Position - p).LengthSquared() > flat)
         {
             _triangles.Add((a, b, c));
         }

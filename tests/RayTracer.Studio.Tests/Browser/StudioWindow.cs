@@ -87,12 +87,20 @@ internal sealed class StudioWindow : IAsyncDisposable
                 Trouble($"console: {message.Text}");
             }
         };
-        page.Response += (_, response) =>
+        page.Response += async (_, response) =>
         {
             // The console does not tell which request it was.
             if (response.Status == 400)
             {
                 Trouble($"refused: {response.Request.Method} {response.Url} {response.Request.PostData}");
+                try
+                {
+                    Trouble($"the refusal: {await response.TextAsync()}");
+                }
+                catch (PlaywrightException)
+                {
+                    // The page is gone, and its answer with it.
+                }
             }
         };
         page.PageError += (_, error) => Trouble($"page: {error}");
