@@ -101,7 +101,7 @@ public sealed class PictureView : IDisposable
             Check(wanted);
             bool isOther = restart || wanted.Region != _settings.Region;
             _settings = wanted;
-            Show(isOther);
+            Show(_document.Content.LastGood, isOther);
         }
 
         Changed?.Invoke();
@@ -119,7 +119,7 @@ public sealed class PictureView : IDisposable
             _settings = _settings with { Samples = samples, Region = region, Mode = RenderMode.Running, Map = ViewMap.Light };
             if (_place == _startPlace)
             {
-                Show(restart: true);
+                Show(_document.Content.LastGood, restart: true);
             }
         }
 
@@ -153,13 +153,15 @@ public sealed class PictureView : IDisposable
 
     /// <summary>Shows another camera, which the text does not have yet.</summary>
     /// <returns>True if the scene can be seen from there; if not, nothing has changed.</returns>
+    /// <exception cref="SessionException">What was seen is no longer open, and the new scene is still being read.</exception>
     internal bool TrySetCamera(CameraDescription camera)
     {
         lock (_lock)
         {
+            GoodScene good = _document.Content.LastGood ?? throw new SessionException("The scene is still being read.", SessionFault.Missing);
             CameraDescription? before = _movedCamera;
             (_movedCamera, _movedUntil) = (camera, int.MaxValue);
-            if (Show(restart: false))
+            if (Show(good, restart: false))
             {
                 return true;
             }
@@ -233,7 +235,7 @@ public sealed class PictureView : IDisposable
                 }
 
                 _movedCamera = good.Revision >= _movedUntil ? null : _movedCamera;
-                Show(restart: false);
+                Show(good, restart: false);
             }
             else if (content.Revision == _document.Revision)
             {
@@ -246,9 +248,9 @@ public sealed class PictureView : IDisposable
     }
 
     // Has the loop render what is to be seen now; false where it cannot be.
-    private bool Show(bool restart)
+    private bool Show(GoodScene? good, bool restart)
     {
-        if (_document.Content.LastGood is not { } good || Seen(good) is not { } shown)
+        if (good is null || Seen(good) is not { } shown)
         {
             return false;
         }

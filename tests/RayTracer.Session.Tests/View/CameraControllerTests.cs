@@ -66,6 +66,20 @@ public sealed class CameraControllerTests
         Assert.Equal(7, test.Session.Document.Read.Description!.Camera.Lens.FocusDistance, 1e-4f);
     }
 
+    // What is shown until the next scene is read is no longer open: that is no fault of the camera's.
+    [Fact]
+    public async Task While_another_scene_is_read_there_is_nothing_to_move_in()
+    {
+        using TestSession test = new();
+        for (int i = 0; i < 20; i++)
+        {
+            await test.Open(Scene);
+            test.Session.Document.Open(Scene, new($"{i}.json", null, test.Folder), isSaved: true);
+            SessionException? refusal = (SessionException?)Record.Exception(() => test.Session.Camera.Move(new(CameraMoveKind.Dolly, 0, 0.1f, Gesture: "g")));
+            Assert.True(refusal is null or { Fault: SessionFault.Missing }, refusal?.Message);
+        }
+    }
+
     [Fact]
     public async Task A_camera_that_cannot_be_is_refused_and_the_last_one_stays()
     {
