@@ -330,13 +330,12 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
 
         FloatW scale = Cosine(at.Surface, sample.Direction) * Share(others) / probability;
         RgbW value = at.Throughput * brought * at.Bsdf * scale;
-        WaysW ways = _recorder is null ? default : new() { From = 1u, To = at.Number + 2u, Point = Vec3W.MultiplyAdd(sample.Direction, FloatW.Min(sample.Distance, FarAway), at.Surface.Point) };
         if (Scene.TracksInteriors)
         {
             _traced += BitOperations.PopCount(active.Bits);
             value *= left;
             Gather(active.Bits, at.Path, value);
-            _recorder?.Add(active.Bits, at.Path, ways, value, value * (others + 1f));
+            _recorder?.Add(active.Bits, at.Path, Ways(sample), value, value * (others + 1f));
             return;
         }
 
@@ -348,9 +347,17 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         if (active.Any)
         {
             _rays.Add(active.Bits, at.Start, group.IsInstanced ? at.Surface.Instance : 0u, at.Inner, sample.Direction, sample.Distance, at.Time, number, value, 0f, at.Path);
-            _recorder?.Wait(active.Bits, ways, value * (others + 1f));
+            _recorder?.Wait(active.Bits, Ways(sample), value * (others + 1f));
         }
     }
+
+    // Of paths that end at a chosen point of a light.
+    private WaysW Ways(in ShapeSampleW sample) => new()
+    {
+        From = 1u,
+        To = At.Number + 2u,
+        Point = Vec3W.MultiplyAdd(sample.Direction, FloatW.Min(sample.Distance, FarAway), At.Surface.Point),
+    };
 
     // The factor on light whose path has a wavelength where the camera's has none yet.
     private RgbW WavelengthColor()

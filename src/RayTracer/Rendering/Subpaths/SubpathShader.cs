@@ -265,7 +265,11 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
         FloatW survival = (left < LargestSurvival).Select(left, LargestSurvival);
         FloatW brighter = asked.Select(1f / survival, 1f);
         throughput *= brighter;
-        weight *= brighter;
+        if (Observer is not null)
+        {
+            weight *= brighter;
+        }
+
         return alive.Except(asked & (Vertex.Roulette() >= survival));
     }
 
