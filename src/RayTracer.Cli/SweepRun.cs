@@ -99,7 +99,7 @@ internal sealed class SweepRun(
     private ImageWriteOptions Looks(JobResult outcome)
     {
         ImageWriteOptions looks = job.Writing.For(outcome.Scene.Render);
-        return looks.Exposure is { IsAuto: true } ? looks with { Exposure = _exposure ??= looks.Exposed(outcome.Film).Exposure } : looks;
+        return looks.Exposure is { Rule: not ExposureRule.Stops } ? looks with { Exposure = _exposure ??= looks.Exposed(outcome.Film).Exposure } : looks;
     }
 
     private static string OtherSize((int Width, int Height) size, (int Width, int Height) other) =>

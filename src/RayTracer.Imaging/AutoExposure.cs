@@ -11,37 +11,75 @@ public static class AutoExposure
     private const double MiddleGrey = 0.25;
     private const int StepsPerStop = 100;
 
+    // Of what is lit, one part in so many may be brighter than a display.
+    private const int TooBright = 4;
+
     /// <summary>
     /// The stops of an exposure; of an automatic one those that make the geometric mean of the luminance of all pixels that are not
-    /// black (Reinhard et al. 2002, Equation 1) a middle grey. They depend on the pixels alone, which are added up in their order.
+    /// black (Reinhard et al. 2002, Equation 1) a middle grey; of a limited one those that leave at most a quarter of these pixels brighter
+    /// than 1, and 0 where that is so already. They depend on the pixels alone, whose logarithms are added up in their order.
     /// </summary>
     /// <param name="exposure">The exposure.</param>
     /// <param name="image">Linear light.</param>
     /// <returns>Stops in steps of a hundredth; 0 for an image that is black.</returns>
     public static float StopsFor(this Exposure exposure, IImageRows image)
     {
-        if (!exposure.IsAuto)
+        if (exposure.Rule == ExposureRule.Stops)
         {
             return exposure.Stops;
         }
 
+        Brightness brightness = new();
         float[] row = new float[3 * image.Width];
-        (double sum, long lit) = (0, 0);
         for (int y = 0; y < image.Height; y++)
         {
             image.ReadRow(y, row);
             for (int i = 0; i < row.Length; i += 3)
             {
-                float luminance = new Rgb(row[i], row[i + 1], row[i + 2]).Luminance;
-                if (luminance > 0 && float.IsFinite(luminance))
-                {
-                    sum += PortableMath.Log2(luminance);
-                    lit++;
-                }
+                brightness.Add(new Rgb(row[i], row[i + 1], row[i + 2]).Luminance);
             }
         }
 
-        double stops = lit > 0 ? PortableMath.Log2(MiddleGrey) - (sum / lit) : 0;
-        return (float)(Math.Round(Math.Clamp(stops, -Exposure.Limit, Exposure.Limit) * StepsPerStop) / StepsPerStop);
+        return (exposure.Rule == ExposureRule.Auto ? brightness.StopsToGrey : brightness.StopsToLimit) / (float)StepsPerStop;
+    }
+
+    /// <summary>How bright pixels are: the mean of their logarithms, and how many are how much too bright.</summary>
+    private sealed class Brightness
+    {
+        private readonly long[] _above = new long[(StepsPerStop * (int)Exposure.Limit) + 1];
+        private double _sum;
+        private long _lit;
+
+        // Both in steps.
+        public int StopsToGrey => _lit == 0 ? 0
+            : (int)Math.Round(StepsPerStop * Math.Clamp(PortableMath.Log2(MiddleGrey) - (_sum / _lit), -Exposure.Limit, Exposure.Limit));
+
+        public int StopsToLimit
+        {
+            get
+            {
+                int steps = _above.Length - 1;
+                for (long brighter = 0; steps > 0 && (brighter += _above[steps]) <= _lit / TooBright; steps--)
+                {
+                }
+
+                return -steps;
+            }
+        }
+
+        public void Add(float luminance)
+        {
+            if (luminance > 0 && float.IsFinite(luminance))
+            {
+                double stops = PortableMath.Log2(luminance);
+                _sum += stops;
+                _lit++;
+                if (stops > 0)
+                {
+                    // White is 1 but for rounding.
+                    _above[Math.Min((int)Math.Round(StepsPerStop * stops), _above.Length - 1)]++;
+                }
+            }
+        }
     }
 }

@@ -50,8 +50,11 @@ public sealed record ImageWriteOptions
     internal Action<int, Span<float>>? Alpha { get; init; }
 
     /// <summary>The options with the exposure and the tone map of a scene, where none are given.</summary>
-    public ImageWriteOptions For(RenderDescription render) =>
-        this with { ToneMap = ToneMap ?? render.ShownToneMap, Exposure = Exposure ?? render.Exposure };
+    public ImageWriteOptions For(RenderDescription render)
+    {
+        ToneMap map = ToneMap ?? render.ShownToneMap;
+        return this with { ToneMap = map, Exposure = Exposure ?? render.ExposureUnder(map) };
+    }
 
     /// <summary>The options with the exposure in stops, where an image decides on it.</summary>
     public ImageWriteOptions Exposed(IImageRows image) => this with { Exposure = (Exposure ?? default).StopsFor(image) };

@@ -82,7 +82,7 @@ public class ContentHash : IDisposable
 
     // Nothing for light as it is, as pictures of the scenes that were shown so have it.
     internal static string Tone(RenderDescription render) =>
-        (render.ShownToneMap, render.Exposure) == (ToneMap.Clamp, default) ? "" : $"-{render.ShownToneMap}-{render.Exposure}";
+        (render.ShownToneMap, render.ShownExposure) == (ToneMap.Clamp, default) ? "" : $"-{render.ShownToneMap}-{render.ShownExposure}";
 
     // Equal numbers may have other bits: 0 and −0.
     private static IEnumerable<string> Parts(object value) => value switch

@@ -172,7 +172,8 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
     {
         const int Width = 160, Samples = 16;
         RenderJob first = job with { Frames = new(job.Frames!.First, job.Frames.First, 1) };
-        if (!(job.Writing.Exposure ?? first.Describe()?.Render.Exposure ?? default).IsAuto)
+        Exposure asked = (first.Describe() is { } described ? job.Writing.For(described.Render) : job.Writing).Exposure ?? default;
+        if (asked.Rule == ExposureRule.Stops)
         {
             return job.Writing.Exposure;
         }
@@ -187,7 +188,7 @@ public sealed class FrameRun(RenderJob job, IJobWatch watch)
             },
         };
         return first.Load(Small).Scene is { } scene
-            ? Exposure.Auto.StopsFor(new RTracer(scene, new() { Threads = job.Threads }).Render().Film) : job.Writing.Exposure;
+            ? asked.StopsFor(new RTracer(scene, new() { Threads = job.Threads }).Render().Film) : job.Writing.Exposure;
     }
 
     private SceneDescription? Describe(RenderJob one)

@@ -92,8 +92,8 @@ public static class JobOptions
     /// <summary>Those of how pictures look.</summary>
     public static IReadOnlyList<JobOption> OfLooks { get; } =
     [
-        new("--exposure", "X|auto", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light); "
-            + "auto: as its brightness asks for. Replaces the scene's.",
+        new("--exposure", "X|auto|limited", $"{ImageFormat.Names(ImageFeatures.Display)}: stops by which the picture is made brighter (each doubles the light); "
+            + "auto: as its brightness asks for; limited: 0, or darker if it would be a white sheet. Replaces the scene's.",
             (j, w) => Written(j, o => o with { Exposure = W.Exposure(w) }),
             j => j.Writing.Exposure?.ToString()) { Use = JobOptionUse.Pictures, Feature = ImageFeatures.Display },
         new("--tonemap", string.Join('|', W.Of<ToneMap>()), $"{ImageFormat.Names(ImageFeatures.Display)}: how bright light becomes what a screen can show; "

@@ -24,9 +24,8 @@ public static class OptionWords
         : value >= minimum && value <= maximum ? value
         : throw new FormatException($"must be from {minimum} to {maximum}, but is {word}");
 
-    /// <summary>Reads an exposure: stops, or auto.</summary>
-    public static Exposure Exposure(string word) => word.Equals(Description.Exposure.AutoWord, StringComparison.OrdinalIgnoreCase)
-        ? Description.Exposure.Auto : (float)Number(word, -Description.Exposure.Limit, Description.Exposure.Limit);
+    /// <summary>Reads an exposure: stops, or a word.</summary>
+    public static Exposure Exposure(string word) => Description.Exposure.Named(word.ToLowerInvariant()) ?? (float)Number(word, -Description.Exposure.Limit, Description.Exposure.Limit);
 
     /// <summary>Reads a share, such as 50%.</summary>
     public static double Percentage(string word) => word.EndsWith('%') ? Number(word[..^1], 0.1, 10_000) / 100

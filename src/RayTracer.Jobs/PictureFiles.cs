@@ -142,7 +142,7 @@ public sealed class PictureFiles
 
         if (_sheets.Count > 0)
         {
-            Write(_sheets, StrategySheet.Draw(result.Strategies!, writing), writing with { Exposure = 0, ToneMap = ToneMap.Clamp }, new KeyValuePair<string, string>("Aov", "strategies"));
+            Write(_sheets, StrategySheet.Draw(result.Strategies!, writing.Exposed(result.Film)), writing with { Exposure = 0, ToneMap = ToneMap.Clamp }, new KeyValuePair<string, string>("Aov", "strategies"));
         }
 
         _layers.ForEach(l => Write(

@@ -8,6 +8,7 @@ namespace RayTracer.Studio;
 internal static class StateEndpoints
 {
     private static readonly ToneMap[] ToneMaps = Enum.GetValues<ToneMap>();
+    private static readonly ExposureRule[] ExposureRules = Enum.GetValues<ExposureRule>();
 
     /// <summary>Adds the requests.</summary>
     public static void MapState(this RouteGroupBuilder api, StudioSession session, LongPoll poll)
@@ -24,7 +25,7 @@ internal static class StateEndpoints
     {
         SessionState state = SessionState.Of(session);
         return new(
-            state.Version, state.Document, state.Selection, RenderState.Of(state.Render, state.Settings), new(state.Tone.Exposure.Stops, state.Tone.Exposure.IsAuto, state.Tone.ToneMap, ToneMaps),
+            state.Version, state.Document, state.Selection, RenderState.Of(state.Render, state.Settings), new(state.Stops, state.Tone.Exposure.Rule, state.Tone.ToneMap, ToneMaps, ExposureRules),
             state.Snapshots, state.Recovery, state.Notice, state.Jobs);
     }
 
@@ -36,8 +37,8 @@ internal sealed record StudioState(
     long Version, DocumentStatus Document, string? Selection, RenderState Render, ToneState Tone, IReadOnlyList<Snapshot> Snapshots,
     IReadOnlyList<RecoveryEntry> Recovery, Notice? Message, IReadOnlyList<Job> Jobs);
 
-/// <summary>The exposure and tone map of the screen, and the tone maps to choose from.</summary>
-internal sealed record ToneState(float Exposure, bool IsAuto, ToneMap ToneMap, IReadOnlyList<ToneMap> Choices);
+/// <summary>The exposure in stops, who decides on it, the tone map of the screen, and what there is to choose from.</summary>
+internal sealed record ToneState(float Exposure, ExposureRule Rule, ToneMap ToneMap, IReadOnlyList<ToneMap> Choices, IReadOnlyList<ExposureRule> Rules);
 
 /// <summary>The progress of the picture, as reported to pages.</summary>
 internal sealed record RenderState(

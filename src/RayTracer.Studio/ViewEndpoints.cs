@@ -17,7 +17,8 @@ internal static class ViewEndpoints
         view.MapPost("/tone", (ToneRequest tone) =>
         {
             Tone before = session.View.Tone;
-            session.View.Tone = new(tone.IsAuto == true ? Exposure.Auto : tone.Exposure ?? (tone.IsAuto == false ? default : before.Exposure), tone.ToneMap ?? before.ToneMap);
+            Exposure exposure = tone.Rule is { } rule ? new(rule == ExposureRule.Stops ? session.View.Stops : 0, rule) : before.Exposure;
+            session.View.Tone = new(tone.Exposure ?? exposure, tone.ToneMap ?? before.ToneMap);
         });
         view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, restart: request.Action == "restart"));
         view.MapPost("/snapshot", () => session.Snapshots.Capture());
@@ -35,7 +36,7 @@ internal static class ViewEndpoints
 
     internal sealed record HandlesRequest(string Pointer, GizmoKind Kind, float Length);
 
-    internal sealed record ToneRequest(float? Exposure, bool? IsAuto, ToneMap? ToneMap);
+    internal sealed record ToneRequest(float? Exposure, ExposureRule? Rule, ToneMap? ToneMap);
 
     /// <summary>The changes of the settings; what is null stays.</summary>
     internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, string? Map)

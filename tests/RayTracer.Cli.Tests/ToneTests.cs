@@ -37,6 +37,17 @@ public sealed class ToneTests : IDisposable
         Assert.InRange(blue / red, 0, 0.2);
     }
 
+    [Fact]
+    public void A_strong_lamp_makes_no_white_sheet()
+    {
+        byte[] limited = Pixels(Lit("", "[400, 200, 100]"));
+        Assert.Equal(limited, Pixels(Lit("", "[400, 200, 100]"), "--exposure", "limited"));
+        Assert.Equal(limited, Pixels(Lit("", "[800, 400, 200]")));
+        Assert.NotEqual(limited, Pixels(Lit("", "[400, 200, 100]"), "--exposure", "0"));
+        byte[] mild = Pixels(Lit("", "[0.5, 0.2, 0.1]"));
+        Assert.Equal(mild, Pixels(Lit("", "[0.5, 0.2, 0.1]"), "--exposure", "0"));
+    }
+
     [Theory]
     [InlineData("\"exposure\": 1.5", "--exposure", "1.5")]
     [InlineData("\"exposure\": \"auto\"", "--exposure", "auto")]

@@ -136,6 +136,10 @@ public sealed class ViewportTests
         viewport.ExposureText = "1.5";
         viewport.ToneMap = viewport.ToneMaps.First(t => t.Value == "Aces");
         await test.Until(() => test.Session.View.Tone == new Tone(1.5f, RayTracer.Description.ToneMap.Aces));
+        viewport.Rule = viewport.ExposureRules.First(r => r.Value == "Auto");
+        await test.Until(() => test.Session.View.Tone.Exposure == RayTracer.Description.Exposure.Auto && viewport.Exposure == test.Session.View.Stops);
+        viewport.Rule = viewport.ExposureRules.First(r => r.Value == "Stops");
+        await test.Until(() => test.Session.View.Tone.Exposure == (float)viewport.Exposure);
         viewport.Map = viewport.Maps.First(m => m.Value == "normal");
         await test.Until(() => test.Session.View.Settings.Map == ViewMap.Named("normal") && viewport.Map?.Value == "normal");
         viewport.Zoom = viewport.Zooms.First(z => z.Value == "200");

@@ -22,6 +22,16 @@ public class AutoExposureTests
     [Fact]
     public void A_black_picture_stays_as_it_is() => Assert.Equal(0, Exposure.Auto.StopsFor(Even(0, 0, 0)));
 
+    // A pixel in four may be as bright as it likes.
+    [Theory]
+    [InlineData(0, 0.5f, 1f, 1f, 90f)]
+    [InlineData(-3, 0f, 1f, 2f, 8f, 90f)]
+    [InlineData(-0.5f, 0.1f, 0.2f, 1.41421f, 2f)]
+    [InlineData(-100, float.MaxValue, float.MaxValue)]
+    [InlineData(0, 0f, 0f)]
+    public void A_limited_one_darkens_what_would_be_a_white_sheet(float stops, params float[] light) =>
+        Assert.Equal(stops, Exposure.Limited.StopsFor(Even(light)));
+
     [Fact]
     public void Stops_that_are_given_do_not_depend_on_the_picture() => Assert.Equal(1.5f, new Exposure(1.5f).StopsFor(Even(7, 0.1f)));
 

@@ -99,18 +99,17 @@ internal sealed class ExposureForm() : ParameterForm("exposure")
     public override bool Fits(RecordParameter parameter) => parameter.ValueType == typeof(Exposure);
 
     public override object? Read(RecordReader reader, RecordParameter parameter, JsonNode node) =>
-        node is { Kind: JsonKind.String, Text: Exposure.AutoWord } ? Exposure.Auto
-        : node.Kind == JsonKind.String ? reader.Unknown(
-            node, $"unknown value {Quotation.Of(node.Text)} for {Quotation.Of(parameter.Key)}", [Exposure.AutoWord], "expected a number or")
+        node.Kind == JsonKind.String ? Exposure.Named(node.Text) ?? reader.Unknown(
+            node, $"unknown value {Quotation.Of(node.Text)} for {Quotation.Of(parameter.Key)}", Exposure.Words, "expected a number or")
         : reader.Numbers.Number(parameter, node) is float stops ? (Exposure)stops : null;
 
     public override Json? Write(SceneWriter writer, object value) =>
-        (Exposure)value is { IsAuto: false, Stops: var stops } ? SceneWriter.Number(stops) : Exposure.AutoWord;
+        (Exposure)value is { Rule: ExposureRule.Stops, Stops: var stops } ? SceneWriter.Number(stops) : value.ToString()!;
 
     public override JsonObject Schema(RecordParameter parameter) =>
-        SceneSchema.AnyOf(SceneSchema.Number("number", parameter), new() { ["const"] = Exposure.AutoWord });
+        SceneSchema.AnyOf(SceneSchema.Number("number", parameter), new() { ["enum"] = new JsonArray([.. Exposure.Words.Select(w => (Json)w)]) });
 
-    public override string Words(RecordParameter parameter) => $"number or `\"{Exposure.AutoWord}\"`";
+    public override string Words(RecordParameter parameter) => $"number, {string.Join(" or ", Exposure.Words.Select(w => $"`\"{w}\"`"))}";
 
     public override object? Parse(RecordParameter parameter, JsonNode node) => node.Number;
 }

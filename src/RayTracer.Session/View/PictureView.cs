@@ -62,6 +62,17 @@ public sealed class PictureView : IDisposable
     /// <summary>The exposure and tone map that the user chose; null for the scene's.</summary>
     public Tone? GivenTone => _lock.Read(() => _tone);
 
+    /// <summary>By how many stops the screen is brighter than the light, whoever decides on it.</summary>
+    public float Stops
+    {
+        get
+        {
+            Exposure exposure = Tone.Exposure;
+            using FrameLease? frame = exposure.Rule == ExposureRule.Stops ? null : Frames.Borrow();
+            return frame is { Info.IsLight: true } ? exposure.StopsFor(frame.Picture) : exposure.Stops;
+        }
+    }
+
     /// <summary>The exposure and tone map of the screen. A change needs no rendering.</summary>
     /// <exception cref="SessionException">The exposure is out of range.</exception>
     public Tone Tone
@@ -70,7 +81,7 @@ public sealed class PictureView : IDisposable
 
         set
         {
-            if (!(value.Exposure.Stops is >= -Exposure.Limit and <= Exposure.Limit) || !Enum.IsDefined(value.ToneMap))
+            if (!(value.Exposure.Stops is >= -Exposure.Limit and <= Exposure.Limit) || !Enum.IsDefined(value.Exposure.Rule) || !Enum.IsDefined(value.ToneMap))
             {
                 throw new SessionException("The exposure must be from -100 to 100 stops, and the tone map an existing one.");
             }

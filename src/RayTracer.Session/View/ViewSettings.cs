@@ -55,7 +55,7 @@ public sealed record Tone(Exposure Exposure, ToneMap ToneMap)
     public ImageWriteOptions Writing => new() { Exposure = Exposure, ToneMap = ToneMap };
 
     /// <summary>That of a scene.</summary>
-    public static Tone Of(RenderDescription render) => new(render.Exposure, render.ShownToneMap);
+    public static Tone Of(RenderDescription render) => new(render.ShownExposure, render.ShownToneMap);
 
     /// <summary>Light as it is.</summary>
     public static Tone Plain { get; } = new(0, ToneMap.Clamp);

@@ -118,12 +118,19 @@ public sealed record RenderDescription
 
     /// <summary>The exposure of pictures for a display.</summary>
     [Parameter("By how many stops PNG and JPEG files are brighter than the light that was computed (each doubles it); \"auto\" makes the middle "
-        + "brightness of the picture a middle grey. The film does not depend on it.", Unit = "stops", Minimum = -100, Maximum = 100)]
-    public Exposure Exposure { get; init; }
+        + "brightness of the picture a middle grey; \"limited\" is 0, but darkens a picture of which more than a quarter would be brighter than a "
+        + "display (with \"clamp\" it is 0). The film does not depend on it.", Unit = "stops", Minimum = -100, Maximum = 100)]
+    public Exposure Exposure { get; init; } = Exposure.Limited;
+
+    /// <summary>The exposure under the scene's tone map.</summary>
+    public Exposure ShownExposure => ExposureUnder(ShownToneMap);
 
     /// <summary>The curve, or without one the integrator's.</summary>
     public ToneMap ShownToneMap =>
         ToneMap ?? (Integrator.Has(IntegratorTraits.SoftTone) ? Description.ToneMap.Soft : Description.ToneMap.Clamp);
+
+    /// <summary>The exposure under some tone map: of light that is shown as it is, no limited one.</summary>
+    public Exposure ExposureUnder(ToneMap map) => (Exposure.Rule, map) == (ExposureRule.Limited, Description.ToneMap.Clamp) ? 0 : Exposure;
 
     /// <summary>Selects the random numbers.</summary>
     [Parameter("Selects the random numbers: another seed gives the same picture with different noise.", Minimum = 0, Maximum = 4294967295)]

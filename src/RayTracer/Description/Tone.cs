@@ -25,23 +25,44 @@ public enum ToneMap
     Agx,
 }
 
+/// <summary>Who decides on the exposure of a picture.</summary>
+public enum ExposureRule
+{
+    /// <summary>Whoever names the stops.</summary>
+    Stops,
+
+    /// <summary>The picture, if it would be a white sheet: it is darkened until three quarters of what is lit are no brighter than a display.</summary>
+    Limited,
+
+    /// <summary>The picture: its middle brightness becomes that of a middle grey.</summary>
+    Auto,
+}
+
 /// <summary>The exposure of a picture for a display: so many stops, or as the picture itself asks for.</summary>
 /// <param name="Stops">Each doubles the light; 0 where the picture decides.</param>
-/// <param name="IsAuto">True where the picture decides: its middle brightness becomes that of a middle grey.</param>
-public readonly record struct Exposure(float Stops, bool IsAuto = false)
+/// <param name="Rule">Who decides.</param>
+public readonly record struct Exposure(float Stops, ExposureRule Rule = ExposureRule.Stops)
 {
     /// <summary>The most stops, and the fewest below 0.</summary>
     public const float Limit = 100;
 
-    /// <summary>The word for <see cref="Auto"/>.</summary>
-    public const string AutoWord = "auto";
-
     /// <summary>As the picture asks for.</summary>
-    public static Exposure Auto { get; } = new(0, IsAuto: true);
+    public static Exposure Auto { get; } = new(0, ExposureRule.Auto);
+
+    /// <summary>As it is, but no white sheet.</summary>
+    public static Exposure Limited { get; } = new(0, ExposureRule.Limited);
+
+    /// <summary>The words for those that are no stops.</summary>
+    public static IReadOnlyList<string> Words { get; } = [Auto.ToString(), Limited.ToString()];
 
     /// <summary>So many stops.</summary>
     public static implicit operator Exposure(float stops) => new(stops);
 
+    /// <summary>The exposure that a word stands for; null where it is none of <see cref="Words"/>.</summary>
+    /// <param name="word">The word, in lower case.</param>
+    public static Exposure? Named(string? word) => word == Words[0] ? Auto : word == Words[1] ? Limited : null;
+
     /// <inheritdoc/>
-    public override string ToString() => IsAuto ? AutoWord : Stops.ToString(CultureInfo.InvariantCulture);
+    public override string ToString() =>
+        Rule == ExposureRule.Stops ? Stops.ToString(CultureInfo.InvariantCulture) : Rule.ToString().ToLowerInvariant();
 }

@@ -66,6 +66,10 @@ public class ViewportWalks(ChromiumBrowser browser)
         await StudioWindow.Until("a frame is painted", async () => await w.Data("painted") > painted);
         Assert.Equal(samples, await w.Data("samples"));
         Assert.Equal(2, w.Session.View.Tone.Exposure);
+        await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Exposure is chosen", Exact = true }).SelectOptionAsync("auto");
+        ILocator stops = w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "Exposure", Exact = true });
+        await StudioWindow.Until("the automatic exposure is shown", async () => await stops.InputValueAsync() != "2");
+        Assert.Equal(Exposure.Auto, w.Session.View.Tone.Exposure);
         painted = await w.Data("painted");
         await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Tone map", Exact = true }).SelectOptionAsync("reinhard");
         await StudioWindow.Until("another is painted", async () => await w.Data("painted") > painted);

@@ -64,7 +64,7 @@ internal sealed partial class ViewportViewModel(SessionDispatcher dispatcher) : 
     /// <summary>Exposure in stops.</summary>
     public double Exposure
     {
-        get => _tone.Exposure.Stops;
+        get => _tone.Exposure.Rule == ExposureRule.Stops ? _tone.Exposure.Stops : _state?.Stops ?? 0;
         set => SetTone(_tone with { Exposure = (float)Math.Round(Math.Clamp(value, -20, 20), 3) });
     }
 
@@ -76,6 +76,24 @@ internal sealed partial class ViewportViewModel(SessionDispatcher dispatcher) : 
         {
             Exposure = Figures.Parse(value) ?? Exposure;
             OnPropertyChanged();
+        }
+    }
+
+    /// <summary>Who may decide on the exposure.</summary>
+    public IReadOnlyList<Choice> ExposureRules { get; } =
+        [.. Enum.GetValues<ExposureRule>().Select(r => new Choice(r.ToString(), SessionTexts.Of($"viewport.exposureRules.{r.ToString().ToLowerInvariant()}")))];
+
+    /// <summary>Who decides on the exposure.</summary>
+    public Choice? Rule
+    {
+        get => ExposureRules.First(r => r.Value == _tone.Exposure.Rule.ToString());
+        set
+        {
+            if (!IsReporting && value is not null)
+            {
+                ExposureRule rule = Enum.Parse<ExposureRule>(value.Value);
+                SetTone(_tone with { Exposure = new(rule == ExposureRule.Stops ? (float)Exposure : 0, rule) });
+            }
         }
     }
 
@@ -216,7 +234,7 @@ internal sealed partial class ViewportViewModel(SessionDispatcher dispatcher) : 
         {
             _tone = tone;
             _toning.Push(tone);
-            Report(nameof(Exposure), nameof(ExposureText), nameof(ToneMap));
+            Report(nameof(Exposure), nameof(ExposureText), nameof(Rule), nameof(ToneMap));
         }
     }
 }

@@ -68,6 +68,8 @@ export interface DocumentStatus {
   builtRevision: number;
 }
 
+export type ExposureRule = "stops" | "limited" | "auto";
+
 export interface FolderListing {
   path: string;
   parent: string | null;
@@ -290,9 +292,10 @@ export type ToneMap = "clamp" | "soft" | "reinhard" | "aces" | "agx";
 
 export interface ToneState {
   exposure: number;
-  isAuto: boolean;
+  rule: ExposureRule;
   toneMap: ToneMap;
   choices: ToneMap[];
+  rules: ExposureRule[];
 }
 
 export interface TypeCatalogue {
