@@ -12,7 +12,7 @@ namespace RayTracer.Cli;
 /// <summary>Renders a scene with several integrators, and says and draws how their errors fall.</summary>
 /// <param name="job">The scene with its settings.</param>
 /// <param name="reference">The name of the picture without noise.</param>
-/// <param name="time">How long each integrator renders.</param>
+/// <param name="time">The time for which each integrator renders.</param>
 /// <param name="streams">The streams to write to.</param>
 internal sealed class ConvergenceRun(RenderJob job, string reference, TimeSpan time, Streams streams)
 {
@@ -29,7 +29,7 @@ internal sealed class ConvergenceRun(RenderJob job, string reference, TimeSpan t
     /// <param name="integrators">The integrators, in their order.</param>
     /// <param name="picture">The picture without noise.</param>
     /// <param name="change">Changes the scene before it is built.</param>
-    /// <param name="known">What was already said about the scene.</param>
+    /// <param name="known">The diagnostics of the scene so far.</param>
     /// <param name="cancellation">Ends the rendering; what was measured stays.</param>
     public void Measure(
         IReadOnlyList<Integrator> integrators, Picture picture, Func<SceneDescription, SceneDescription> change, IEnumerable<Diagnostic> known, CancellationToken cancellation)

@@ -16,8 +16,8 @@ internal static class StrategySheet
     private const double HalfStop = 1.41421356;
 
     /// <summary>Draws the sheet.</summary>
-    /// <param name="film">What the ways bring.</param>
-    /// <param name="shown">How the picture is shown.</param>
+    /// <param name="film">The light of each way.</param>
+    /// <param name="shown">The exposure and tone map of the picture.</param>
     public static Picture Draw(StrategyFilm film, ImageWriteOptions shown)
     {
         IImageRows any = film.Layers.First().Image;

@@ -24,7 +24,7 @@ internal sealed class TransparentRows : IImageRows
     /// <summary>Returns what is written of a film's picture, and how: without what is behind everything, where that is asked for.</summary>
     /// <param name="image">The film, or a picture that was made of it.</param>
     /// <param name="film">The film, with <see cref="FilmPlane.Alpha"/> where that is needed.</param>
-    /// <param name="options">How it is written.</param>
+    /// <param name="options">The options of its file.</param>
     public static (IImageRows Image, ImageWriteOptions Options) Of(IImageRows image, Film film, ImageWriteOptions options)
     {
         if (!options.Transparent)

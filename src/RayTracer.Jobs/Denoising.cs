@@ -65,7 +65,7 @@ public sealed class Denoising(Scene scene, RenderOptions options)
     public Picture DenoiseWhole(Film film)
     {
         AovFilm features = new(film, HalfRender.Kinds);
-        new FirstHitPass(scene, options with { Samples = SamplesOf(film) }).Render(features);
+        HalfRender.Pass(scene, options with { Samples = SamplesOf(film) }).Render(features);
         return Denoiser.Denoise(new HalfRender(film, features), options.Threads);
     }
 

@@ -6,8 +6,8 @@ namespace RayTracer.Jobs;
 
 /// <summary>What was learned before a picture that is guided.</summary>
 /// <param name="Hash">Stands for what was learned.</param>
-/// <param name="Paths">How many paths that took; 0 where it was read from a file.</param>
-/// <param name="Seconds">How long that took.</param>
+/// <param name="Paths">The number of paths that it took; 0 where it was read from a file.</param>
+/// <param name="Seconds">The time that it took.</param>
 public sealed record GuideResult(string Hash, long Paths, double Seconds);
 
 /// <summary>The guide of a job with <c>--guide</c>: learned, or read from the file of <c>--guide-file</c>.</summary>

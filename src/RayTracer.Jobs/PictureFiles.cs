@@ -75,7 +75,7 @@ public sealed class PictureFiles
     public void CheckInputs() => Written.ToList().ForEach(AtomicFile.Check);
 
     /// <summary>Finds out whether a film knows what pictures of it shall lack.</summary>
-    /// <param name="options">How they are written.</param>
+    /// <param name="options">The options of their files.</param>
     /// <param name="planes">The film's planes.</param>
     /// <param name="path">Its file.</param>
     /// <exception cref="JobException">It does not.</exception>

@@ -145,7 +145,7 @@ public sealed record RenderJob
     public bool KeepsAlpha => Resumed?.Film.Planes.Contains(FilmPlane.Alpha) ?? (Alpha || Writing.Transparent);
 
     /// <summary>The planes of films in files beside the picture.</summary>
-    /// <param name="integrator">What computes it.</param>
+    /// <param name="integrator">The integrator that computes it.</param>
     public IReadOnlyList<FilmPlane> Planes(Integrator integrator) =>
         Resumed?.Film.KeptPlanes ?? FilmPlane.Needed(integrator, KeepsHalves, alpha: KeepsAlpha);
 

@@ -19,7 +19,7 @@ public static class Denoiser
     /// <summary>Denoises a picture.</summary>
     /// <param name="first">One half of the samples.</param>
     /// <param name="second">The other half; of the same size.</param>
-    /// <param name="threads">How many threads to use; 0 for one a core.</param>
+    /// <param name="threads">The number of threads; 0 for one a core.</param>
     /// <param name="progress">Takes how much is done, 0 to 1; may be null.</param>
     /// <param name="cancellation">Ends the work.</param>
     /// <returns>The mean of both halves, without most of its noise; where one has no samples, the mean of all there are.</returns>
@@ -35,7 +35,7 @@ public static class Denoiser
 
     /// <summary>Denoises a film whose halves are not known: its noise is estimated from its pixels alone, which is worse.</summary>
     /// <param name="whole">All samples.</param>
-    /// <param name="threads">How many threads to use; 0 for one a core.</param>
+    /// <param name="threads">The number of threads; 0 for one a core.</param>
     public static Picture Denoise(HalfRender whole, int threads = 0)
     {
         HalfPlanes planes = HalfPlanes.Of(whole);
@@ -46,7 +46,7 @@ public static class Denoiser
     /// <param name="picture">The picture.</param>
     /// <param name="albedo">The surfaces' colours; null where they are not known.</param>
     /// <param name="normal">The surfaces' normals; null where they are not known.</param>
-    /// <param name="threads">How many threads to use; 0 for one a core.</param>
+    /// <param name="threads">The number of threads; 0 for one a core.</param>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
     public static Picture Denoise(Picture picture, Picture? albedo, Picture? normal, int threads = 0)
     {

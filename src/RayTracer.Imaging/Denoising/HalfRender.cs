@@ -15,7 +15,7 @@ public sealed record HalfRender(Film Film, AovFilm Features)
 
     /// <summary>The two halves of a film's samples, with what their camera rays meet, which is found by rays of their own.</summary>
     /// <param name="scene">The scene that the film shows.</param>
-    /// <param name="options">How to compute it, and which samples the film holds.</param>
+    /// <param name="options">The options of the computation, and the samples that the film holds.</param>
     /// <param name="film">The film.</param>
     /// <param name="progress">Takes how much of the rays is traced, 0 to 1; may be null.</param>
     /// <exception cref="ArgumentException">The film has no <see cref="FilmPlane.Half"/>.</exception>
@@ -42,7 +42,7 @@ public sealed record HalfRender(Film Film, AovFilm Features)
 
                 if (sample > begin)
                 {
-                    new FirstHitPass(scene, options with { Samples = new(begin, sample) }).Render(features);
+                    Pass(scene, options with { Samples = new(begin, sample) }).Render(features);
                     done += sample - begin;
                     progress?.Report(Math.Min(1, done / whole));
                 }
@@ -51,6 +51,11 @@ public sealed record HalfRender(Film Film, AovFilm Features)
             return new(half, features);
         }
     }
+
+    /// <summary>Finds the features: what camera rays meet, through mirrors and clear glass.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="options">The options of the computation, and which samples count.</param>
+    public static FirstHitPass Pass(Scene scene, RenderOptions options) => new(scene, options) { SeesThrough = true };
 
     /// <summary>An empty half.</summary>
     /// <param name="width">Width in pixels.</param>

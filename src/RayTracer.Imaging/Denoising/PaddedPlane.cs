@@ -101,7 +101,7 @@ internal sealed unsafe class PaddedPlane
     }
 
     /// <summary>A plane of half the size: means over squares of four pixels.</summary>
-    /// <param name="weights">What each of them counts.</param>
+    /// <param name="weights">The weight of each of them.</param>
     /// <param name="least">The least that the weights of four are taken to be together: less makes the mean smaller.</param>
     public PaddedPlane Halved(PaddedPlane weights, float least)
     {

@@ -127,7 +127,7 @@ public sealed record InspectedPixel(int X, int Y, Rgb? Pixel, int Rendered, int 
 /// <param name="Sample">The sample's number in its pixel.</param>
 /// <param name="Radiance">The radiance that it brings.</param>
 /// <param name="Vertices">From the camera to its end.</param>
-/// <param name="Ways">Where light is traced too: how it came, the brightest first.</param>
+/// <param name="Ways">The ways in which light came, where it is traced too; the brightest first.</param>
 public sealed record InspectedPath(int Sample, Rgb Radiance, IReadOnlyList<InspectedVertex> Vertices, IReadOnlyList<InspectedWay> Ways);
 
 /// <summary>A path from a light to the camera, made of a part of each, for people.</summary>

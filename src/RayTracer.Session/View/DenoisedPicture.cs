@@ -43,7 +43,7 @@ public sealed class DenoisedPicture
             if (isTwice)
             {
                 first.Film.Merge(second.Film);
-                new FirstHitPass(wanted.Scene, Options(wanted, new(next / 4, next / 2))).Render(first.Features, cancellation);
+                HalfRender.Pass(wanted.Scene, Options(wanted, new(next / 4, next / 2))).Render(first.Features, cancellation);
             }
             else
             {
@@ -83,7 +83,7 @@ public sealed class DenoisedPicture
         half.Film.Clear();
         half.Features.Clear();
         new RTracer(wanted.Scene, Options(wanted, samples)).Render(half.Film, null, cancellation);
-        new FirstHitPass(wanted.Scene, Options(wanted, samples)).Render(half.Features, cancellation);
+        HalfRender.Pass(wanted.Scene, Options(wanted, samples)).Render(half.Features, cancellation);
     }
 
     private static RenderOptions Options(ViewportScene wanted, SampleRange samples) =>

@@ -7,7 +7,7 @@ namespace RayTracer.Study;
 
 /// <summary>Measures how the error of pictures falls with the time of rendering.</summary>
 /// <param name="reference">The picture without noise.</param>
-/// <param name="duration">How long each picture is rendered.</param>
+/// <param name="duration">The time for which each picture is rendered.</param>
 internal sealed class ConvergenceStudy(IImageRows reference, TimeSpan duration)
 {
     private static readonly TimeSpan s_longestWarmUp = TimeSpan.FromSeconds(2);

@@ -43,7 +43,7 @@ public sealed class Camera
     /// <param name="width">Width of the picture in pixels.</param>
     /// <param name="height">Height of the picture in pixels.</param>
     /// <param name="builder">Takes the diagnostics.</param>
-    /// <param name="margin">How far beyond the edges of the picture its pixels reach, by their filter; in pixels.</param>
+    /// <param name="margin">The distance by which its pixels reach beyond the edges of the picture, by their filter; in pixels.</param>
     public static Camera? Create(CameraDescription camera, int width, int height, SceneBuilder builder, float margin = 0)
     {
         Vector3 forward = (camera.LookAt - camera.Position).Unit();
@@ -129,7 +129,7 @@ public sealed class Camera
 
     /// <summary>Takes rays to where the camera is.</summary>
     /// <param name="time">Their times in seconds.</param>
-    /// <param name="origin">Where they start: in the camera's own space, then in the world.</param>
+    /// <param name="origin">Their origins: in the camera's own space, then in the world.</param>
     /// <param name="direction">Their unit directions: in the camera's own space, then in the world.</param>
     internal unsafe void Place(in FloatW time, ref Vec3W origin, ref Vec3W direction)
     {
@@ -144,7 +144,7 @@ public sealed class Camera
     /// <param name="x">Column, in pixels from the left edge.</param>
     /// <param name="y">Row, in pixels from the top edge.</param>
     /// <param name="time">The time in seconds.</param>
-    /// <param name="origin">Where the ray starts.</param>
+    /// <param name="origin">The ray's origin.</param>
     /// <param name="direction">Its unit direction.</param>
     internal void CentralRay(float x, float y, float time, out Vec3W origin, out Vec3W direction)
     {
@@ -159,7 +159,7 @@ public sealed class Camera
     /// <summary>Rays through points of the picture.</summary>
     /// <param name="x">Columns, in pixels from the left edge.</param>
     /// <param name="y">Rows, in pixels from the top edge.</param>
-    /// <param name="sampler">Where the lens's random numbers come from.</param>
+    /// <param name="sampler">The source of the lens's random numbers.</param>
     /// <param name="pixelKey">Keys of the pixels.</param>
     /// <param name="sample">Numbers of the samples.</param>
     /// <param name="origin">The points from which the rays start.</param>
@@ -183,7 +183,7 @@ public sealed class Camera
     /// </summary>
     /// <param name="point">The points.</param>
     /// <param name="time">Their times in seconds.</param>
-    /// <param name="sampler">Where the lens's random numbers come from.</param>
+    /// <param name="sampler">The source of the lens's random numbers.</param>
     /// <param name="pixelKey">Keys of pixels, not necessarily those that see the points.</param>
     /// <param name="sample">Numbers of the samples.</param>
     /// <param name="link">The connections.</param>
@@ -211,9 +211,9 @@ public sealed class Camera
     /// <summary>
     /// The density of the camera's rays along one of them, as of <see cref="CameraLinkW.Density"/>; only where <see cref="CanLink"/>.
     /// </summary>
-    /// <param name="origin">Where the ray starts, in the world.</param>
+    /// <param name="origin">The ray's origin in the world.</param>
     /// <param name="direction">Its unit direction in the world.</param>
-    /// <param name="distance">How far along the ray the density is asked for.</param>
+    /// <param name="distance">The distance along the ray at which the density is asked for.</param>
     /// <param name="time">The ray's time in seconds.</param>
     /// <param name="density">Rays per unit of area perpendicular to the ray, one for each pixel.</param>
     internal unsafe void Density(in Vec3W origin, in Vec3W direction, in FloatW distance, in FloatW time, out FloatW density)

@@ -31,7 +31,7 @@ public readonly record struct CameraView(CameraDescription Camera, Vector3 Forwa
 
     /// <summary>The upper left corner of the picture on a plane across the view, and the steps from pixel to pixel there.</summary>
     /// <param name="middle">The point of the plane in the viewing direction.</param>
-    /// <param name="shown">How much of the plane is shown by the extent of the whole picture that the field of view measures.</param>
+    /// <param name="shown">The part of the plane that is shown by the extent of the whole picture that the field of view measures.</param>
     public (Vector3 Corner, Vector3 StepX, Vector3 StepY) OnPlane(Vector3 middle, float shown)
     {
         (float width, float height, float middleX, float middleY) = Whole;

@@ -22,9 +22,9 @@ public abstract class InvertibleProjection : CameraProjection
     /// <summary>
     /// How dense rays are that belong to the same point of the lens, one for each pixel: rays per unit of area perpendicular to the ray.
     /// </summary>
-    /// <param name="origin">Where a ray starts, on the lens.</param>
+    /// <param name="origin">The ray's origin on the lens.</param>
     /// <param name="direction">Its unit direction.</param>
-    /// <param name="distance">How far along the ray the density is asked for.</param>
+    /// <param name="distance">The distance along the ray at which the density is asked for.</param>
     /// <param name="density">The density there.</param>
     public abstract void Density(in Vec3W origin, in Vec3W direction, in FloatW distance, out FloatW density);
 

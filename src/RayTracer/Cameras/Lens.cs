@@ -14,7 +14,7 @@ internal sealed class Lens(LensDescription lens, Vector3 right, Vector3 up)
     private readonly float _turn = (lens.Rotation / 360) - float.Floor(lens.Rotation / 360);
 
     /// <summary>Points of the lens, relative to its middle.</summary>
-    /// <param name="sampler">Where the random numbers come from.</param>
+    /// <param name="sampler">The source of the random numbers.</param>
     /// <param name="pixelKey">Keys of the pixels.</param>
     /// <param name="sample">Numbers of the samples.</param>
     /// <param name="shift">The points.</param>

@@ -38,7 +38,7 @@ internal sealed class PerspectiveProjection : InvertibleProjection
 
     /// <summary>Makes one.</summary>
     /// <param name="view">The camera.</param>
-    /// <param name="shown">How much of the plane in focus it shows over the extent that the field of view measures.</param>
+    /// <param name="shown">The part of the plane in focus that it shows over the extent that the field of view measures.</param>
     public PerspectiveProjection(in CameraView view, float shown)
     {
         (_eye, _forward, _focus) = (view.Camera.Position, view.Forward, view.Focus);

@@ -34,7 +34,7 @@ public abstract class Projection(string name) : NamedValue(name)
 
     /// <summary>Returns the height of the part of a plane across the view that fills a picture from its lower to its upper edge.</summary>
     /// <param name="camera">The camera.</param>
-    /// <param name="distance">How far away the plane is.</param>
+    /// <param name="distance">The distance of the plane.</param>
     /// <param name="aspect">Width of the picture over its height.</param>
     public abstract float HeightAt(CameraDescription camera, float distance, float aspect);
 

@@ -40,7 +40,7 @@ public enum ExposureRule
 
 /// <summary>The exposure of a picture for a display: so many stops, or as the picture itself asks for.</summary>
 /// <param name="Stops">Each doubles the light; 0 where the picture decides.</param>
-/// <param name="Rule">Who decides.</param>
+/// <param name="Rule">The one who decides.</param>
 public readonly record struct Exposure(float Stops, ExposureRule Rule = ExposureRule.Stops)
 {
     /// <summary>The most stops, and the fewest below 0.</summary>

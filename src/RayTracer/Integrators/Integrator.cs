@@ -60,7 +60,7 @@ public enum IntegratorTraits
 
 /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>
 /// <param name="name">The name in scene files, in camelCase.</param>
-/// <param name="traits">What it does of all that scenes may ask for; scenes are warned of the rest.</param>
+/// <param name="traits">Those of the things that scenes may ask for which it does; scenes are warned of the rest.</param>
 public abstract class Integrator(string name, IntegratorTraits traits) : NamedValue(name)
 {
     /// <summary>

@@ -13,7 +13,7 @@ namespace RayTracer.Rendering;
 /// heuristic); paths that carry little end at random, and the others make up for them (Arvo &amp; Kirk 1990).
 /// </summary>
 /// <param name="context">The context that it works in.</param>
-/// <param name="maxDepth">How many edges a path may have after the camera; below 0 for no limit.</param>
+/// <param name="maxDepth">The largest number of edges of a path after the camera; below 0 for no limit.</param>
 internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : InteriorShader(context)
 {
     private const float LargestSurvival = 0.95f;

@@ -46,7 +46,7 @@ internal sealed unsafe class Atmosphere
     private readonly float _sunCosine;
 
     /// <summary>Computes how much light is scattered more than once.</summary>
-    /// <param name="turbidity">How hazy the air is.</param>
+    /// <param name="turbidity">The haze of the air.</param>
     /// <param name="sunCosine">Cosine of the sun's angle from the zenith.</param>
     /// <param name="ground">The fraction of light that the ground reflects.</param>
     public Atmosphere(float turbidity, float sunCosine, float ground)

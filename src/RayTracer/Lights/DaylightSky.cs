@@ -16,7 +16,7 @@ internal sealed class DaylightSky
     private readonly Vector3 _toSun;
 
     /// <summary>Computes the light in the air.</summary>
-    /// <param name="turbidity">How hazy the air is: 2 is very clear, 10 hazy.</param>
+    /// <param name="turbidity">The haze of the air: 2 is very clear, 10 hazy.</param>
     /// <param name="toSun">Unit direction to the sun, not below the horizon; y is up.</param>
     /// <param name="ground">The colour of the ground.</param>
     public DaylightSky(float turbidity, Vector3 toSun, Rgb ground)

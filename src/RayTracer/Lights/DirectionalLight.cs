@@ -36,7 +36,7 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
 }
 
 /// <summary>Light from infinitely far away, along one direction.</summary>
-/// <param name="direction">Where it travels in its own space, of any length above zero.</param>
+/// <param name="direction">The direction of travel in its own space, of any length above zero.</param>
 /// <param name="irradiance">Irradiance on a surface that faces it: power per area.</param>
 /// <param name="motion">The motion of its space in the world.</param>
 internal sealed class DirectionalLight(Vector3 direction, Rgb irradiance, Motion motion) : PunctualLight(Vector3.Zero, direction.Unit(), motion)

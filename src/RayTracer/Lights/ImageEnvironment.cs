@@ -88,7 +88,7 @@ internal sealed unsafe class ImageEnvironment : EnvironmentLight
     /// <summary>Copies the picture's texels.</summary>
     /// <param name="picture">The picture. A picture of one row is the same from pole to pole.</param>
     /// <param name="scale">Factor on its colours; none may then be above <see cref="Brightest"/>.</param>
-    /// <param name="turn">How it is turned: a map that keeps angles.</param>
+    /// <param name="turn">Its rotation: a map that keeps angles.</param>
     public ImageEnvironment(Picture picture, float scale, in Transform turn)
     {
         (_width, _height) = (picture.Width, Math.Max(picture.Height, 2));

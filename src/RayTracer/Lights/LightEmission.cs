@@ -49,7 +49,7 @@ internal sealed class LightEmission
     }
 
     /// <summary>Chooses a light and a ray for each light path.</summary>
-    /// <param name="sampler">Where random numbers come from.</param>
+    /// <param name="sampler">The source of random numbers.</param>
     /// <param name="key">Keys of the paths.</param>
     /// <param name="sample">Numbers of the samples.</param>
     /// <param name="time">Times in seconds; used only where something moves.</param>

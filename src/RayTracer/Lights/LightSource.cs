@@ -35,7 +35,7 @@ public abstract class LightSource(int instance, int primitive)
     internal virtual bool CanEmit => false;
 
     /// <summary>The density, per steradian, with which <see cref="Sample"/> chooses the direction of a ray that meets this light.</summary>
-    /// <param name="hit">Where rays meet the light.</param>
+    /// <param name="hit">The points at which rays meet the light.</param>
     /// <param name="pdf">The density; zero where the light is seen from behind.</param>
     public abstract void Pdf(in LightHitW hit, out FloatW pdf);
 
@@ -68,7 +68,7 @@ public abstract class LightSource(int instance, int primitive)
     /// <summary>
     /// The densities with which <see cref="Emit"/> chooses the ray that travels from the light to a lit point: back along a ray that met the light.
     /// </summary>
-    /// <param name="hit">Where rays meet the light, or would meet it if it had an extent.</param>
+    /// <param name="hit">The points at which rays meet the light, or would meet it if it had an extent.</param>
     /// <param name="point">As <see cref="EmittedW.PointPdf"/>; zero where the ray cannot be chosen.</param>
     /// <param name="direction">As <see cref="EmittedW.DirectionPdf"/>.</param>
     internal virtual void EmissionPdf(in LightHitW hit, out FloatW point, out FloatW direction) => point = direction = 0f;

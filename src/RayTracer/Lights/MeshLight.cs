@@ -13,7 +13,7 @@ namespace RayTracer.Lights;
 /// while all others may.
 /// </summary>
 /// <param name="mesh">The table that the triangles are in.</param>
-/// <param name="luminaire">What they are made of.</param>
+/// <param name="luminaire">Their material.</param>
 /// <param name="choice">Chooses a triangle.</param>
 /// <param name="instances">The scene's instances; null where the light stands in the world itself.</param>
 /// <param name="instance">The instance in which it stands; 0 for the world itself.</param>

@@ -10,7 +10,7 @@ namespace RayTracer.Lights;
 /// </summary>
 /// <param name="position">The position in its space.</param>
 /// <param name="axis">A direction in the light's space.</param>
-/// <param name="motion">Where its own space is in the world. Sizes do not matter: only the position, and where the axis points.</param>
+/// <param name="motion">The place of its own space in the world. Sizes do not matter: only the position and the axis's direction.</param>
 public abstract unsafe class PunctualLight(Vector3 position, Vector3 axis, Motion motion) : LightSource(0, -1)
 {
     // Nearer than this, the square of the distance has no inverse in single precision.

@@ -18,7 +18,7 @@ public abstract record PunctualLightDescription : ShapeDescription
     public sealed override Shape? Build(SceneBuilder builder) => null;
 
     /// <summary>Reports why it cannot be built at a place.</summary>
-    /// <param name="place">Where its own space stands in the space that it is put into.</param>
+    /// <param name="place">The place of its own space in the space that it is put into.</param>
     /// <param name="builder">Takes the diagnostics.</param>
     public virtual void Check(in Transform place, SceneBuilder builder)
     {

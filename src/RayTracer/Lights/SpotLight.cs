@@ -92,11 +92,11 @@ internal sealed class SpotLight : PunctualLight
 
     /// <summary>Makes one.</summary>
     /// <param name="position">The position in its space.</param>
-    /// <param name="direction">Where it shines in its own space, of any length above zero.</param>
+    /// <param name="direction">The direction of its light in its own space, of any length above zero.</param>
     /// <param name="intensity">Radiant intensity within the beam: power per steradian.</param>
     /// <param name="cutoffAngle">Angle between the direction and the edge, in degrees.</param>
     /// <param name="beamWidth">Angle between the direction and where it begins to fall, in degrees.</param>
-    /// <param name="falloff">How it falls.</param>
+    /// <param name="falloff">The curve of its falloff.</param>
     /// <param name="motion">The motion of its space in the world.</param>
     public SpotLight(Vector3 position, Vector3 direction, Rgb intensity, float cutoffAngle, float beamWidth, SpotFalloff falloff, Motion motion)
         : base(position, direction.Unit(), motion)

@@ -14,7 +14,7 @@ public sealed record ConductorMaterialDescription : MetalDescription
 }
 
 /// <summary>A mirror of metal.</summary>
-/// <param name="fresnel">How much it reflects.</param>
+/// <param name="fresnel">Its reflectance.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
 internal sealed class ConductorMaterial(ConductorFresnel fresnel, Texture reflectance) : Material
 {

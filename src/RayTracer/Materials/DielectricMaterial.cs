@@ -68,13 +68,13 @@ public sealed record DielectricMaterialDescription : GlassDescription
 /// </summary>
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 0.</param>
 /// <param name="extinction">Extinction coefficient of the inside, per scene unit.</param>
-/// <param name="model">How the reflectance is computed.</param>
+/// <param name="model">The formula of the reflectance.</param>
 /// <param name="reflectedPart">Factor on what is reflected; null for 1.</param>
 /// <param name="refractedPart">Factor on what is refracted; null for 1.</param>
 /// <param name="interior">The medium inside besides; null for none.</param>
-/// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does
+/// <param name="dispersion">The dependence of the index on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does
 /// not.</param>
-/// <param name="nesting">How the inside goes with others that overlap it, whose extinction then counts in place of
+/// <param name="nesting">The priority of the inside over others that overlap it, whose extinction then counts in place of
 /// <paramref name="extinction"/>; null for an index relative to what is around.</param>
 internal sealed class DielectricMaterial(
     float refractiveIndex, Rgb extinction, FresnelModel model, Texture? reflectedPart = null, Texture? refractedPart = null, Medium? interior = null,

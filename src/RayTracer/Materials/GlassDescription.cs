@@ -45,8 +45,8 @@ public abstract record GlassDescription : MaterialDescription
 
     /// <summary>The inside's place among others; null without a priority.</summary>
     /// <param name="refractiveIndex">The index where it does not depend on the wavelength.</param>
-    /// <param name="dispersion">How it does; null where it does not.</param>
-    /// <param name="extinction">How the inside absorbs.</param>
+    /// <param name="dispersion">Its dispersion; null where there is none.</param>
+    /// <param name="extinction">The absorption of the inside.</param>
     protected Nesting? BuildNesting(float refractiveIndex, Dispersion? dispersion, Rgb extinction) =>
         Priority == 0 ? null : new(Priority, dispersion ?? Dispersion.None(refractiveIndex), extinction);
 

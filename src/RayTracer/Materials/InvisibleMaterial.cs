@@ -19,7 +19,7 @@ public sealed record InvisibleMaterialDescription : MaterialDescription
 }
 
 /// <summary>A boundary that changes no light.</summary>
-/// <param name="interior">What is behind it; null for empty space.</param>
+/// <param name="interior">The medium behind it; null for empty space.</param>
 internal sealed class InvisibleMaterial(Medium? interior) : Material
 {
     /// <inheritdoc/>

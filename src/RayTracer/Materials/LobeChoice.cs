@@ -7,8 +7,8 @@ namespace RayTracer.Materials;
 internal static class LobeChoice
 {
     /// <summary>The probability of the first lobe, in proportion to what the two send on; a half where that is nothing.</summary>
-    /// <param name="first">What the first lobe sends on, about.</param>
-    /// <param name="second">What the second lobe sends on, about.</param>
+    /// <param name="first">The share that the first lobe sends on, roughly.</param>
+    /// <param name="second">The share that the second lobe sends on, roughly.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatW Probability(RgbW first, RgbW second)
     {

@@ -53,7 +53,7 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
 /// <param name="texture">Colour of the light.</param>
 /// <param name="multiplier">Factor on the colour.</param>
 /// <param name="exponent">Exponent of the cosine.</param>
-/// <param name="inner">What answers for reflection; null is black.</param>
+/// <param name="inner">The material of reflection; null is black.</param>
 internal sealed class LuminaireMaterial(Texture texture, float multiplier, float exponent, Material? inner) : WrapperMaterial(inner ?? s_black)
 {
     private static readonly BlackMaterial s_black = new();

@@ -31,7 +31,7 @@ public sealed record MaskMaterialDescription : MaterialDescription
 /// <summary>Lets a share of the light straight through, and scatters the rest by another material.</summary>
 /// <param name="inner">The other material.</param>
 /// <param name="opacity">The share that meets it; its red channel counts.</param>
-/// <param name="interior">What fills the inside; null for nothing. What the other material says comes first.</param>
+/// <param name="interior">The medium inside; null for nothing. That of the other material comes first.</param>
 internal sealed class MaskMaterial(Material inner, Texture opacity, Medium? interior = null) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>

@@ -109,7 +109,7 @@ public abstract class Material
     /// What part of the light that comes along the ray goes through the surface, whether it is bent there or not: what weakened shadows are
     /// left with (report, section 4.3.1).
     /// </summary>
-    /// <param name="surface">Where a ray towards a light meets the surface.</param>
+    /// <param name="surface">The point at which a ray towards a light meets the surface.</param>
     /// <param name="transparency">The fraction.</param>
     public virtual void Transparency(in SurfaceW surface, out RgbW transparency) => transparency = default;
 

@@ -30,7 +30,7 @@ internal readonly struct Microfacets
     private readonly MicrofacetDistribution _distribution;
 
     /// <summary>Microfacets of a roughness.</summary>
-    /// <param name="distribution">How their normals are distributed.</param>
+    /// <param name="distribution">The distribution of their normals.</param>
     /// <param name="alphaU">Roughness along x: √2 times the root mean square of Beckmann slopes.</param>
     /// <param name="alphaV">Roughness along y.</param>
     public Microfacets(MicrofacetDistribution distribution, FloatW alphaU, FloatW alphaV)

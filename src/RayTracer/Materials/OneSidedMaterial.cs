@@ -17,7 +17,7 @@ public sealed record OneSidedMaterialDescription : MaterialDescription
 }
 
 /// <summary>Black from behind.</summary>
-/// <param name="inner">What is seen from outside.</param>
+/// <param name="inner">The material that is seen from outside.</param>
 internal sealed class OneSidedMaterial(Material inner) : WrapperMaterial(inner)
 {
     /// <inheritdoc/>

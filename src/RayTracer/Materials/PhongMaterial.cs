@@ -45,7 +45,7 @@ public sealed record PhongMaterialDescription : MaterialDescription
 /// Phong's model (report, section 4.2.5; Phong, Illumination for computer generated pictures, 1975) with the specular term k·(R·V)^n in place of BRDF · cosine,
 /// scaled so that k is the fraction of light in it; what would go below the surface is lost.
 /// </summary>
-/// <param name="ambient">What ambient light is multiplied by; null for the sum of the others.</param>
+/// <param name="ambient">The factor on ambient light; null for the sum of the others.</param>
 /// <param name="diffuse">Fraction of the light that is reflected alike in all directions.</param>
 /// <param name="specular">Fraction of the light that is reflected around the mirror direction.</param>
 /// <param name="exponent">Exponent of the lobe, at least 0.</param>

@@ -50,8 +50,8 @@ public sealed record RoughConductorMaterialDescription : MetalDescription
 /// microfacet reflects onto another is lost, or made up for by a factor that depends on the ray's angle (Turquin, Practical multiple scattering compensation for
 /// microfacet models, 2019, eq. 16).
 /// </summary>
-/// <param name="fresnel">How much they reflect.</param>
-/// <param name="roughness">How they are tilted.</param>
+/// <param name="fresnel">Their reflectance.</param>
+/// <param name="roughness">The width of their tilts.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
 /// <param name="multipleScattering">True if what microfacets reflect onto each other is made up for; then the roughness is the same
 /// everywhere.</param>

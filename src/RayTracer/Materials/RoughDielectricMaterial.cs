@@ -65,13 +65,13 @@ public sealed record RoughDielectricMaterialDescription : GlassDescription
 /// medium.
 /// </summary>
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 0 and not 1.</param>
-/// <param name="roughness">How the microfacets are tilted.</param>
+/// <param name="roughness">The width of the microfacets' tilts.</param>
 /// <param name="reflectance">Factor on what is reflected.</param>
 /// <param name="transmittance">Factor on what is refracted.</param>
 /// <param name="interior">The medium inside besides; null for none.</param>
-/// <param name="dispersion">How the index depends on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does
+/// <param name="dispersion">The dependence of the index on the wavelength, in place of <paramref name="refractiveIndex"/>; null where it does
 /// not.</param>
-/// <param name="nesting">How the inside goes with others that overlap it; null for an index relative to what is around.</param>
+/// <param name="nesting">The priority of the inside over others that overlap it; null for an index relative to what is around.</param>
 internal sealed class RoughDielectricMaterial(
     float refractiveIndex, Roughness roughness, Texture reflectance, Texture transmittance, Medium? interior = null, Dispersion? dispersion = null, Nesting? nesting = null) : Material
 {

@@ -32,7 +32,7 @@ public sealed record RoughPlasticMaterialDescription : CoatedDescription
 /// <param name="refractiveIndex">Index of the coat over that of the outside, at least 1.</param>
 /// <param name="nonlinear">True if the colour counts in each reflection inside, or only once.</param>
 /// <param name="reflectance">Factor on what the coat reflects.</param>
-/// <param name="distribution">How the microfacets' normals are distributed.</param>
+/// <param name="distribution">The distribution of the microfacets' normals.</param>
 /// <param name="alpha">Roughness of the coat.</param>
 internal sealed class RoughPlasticMaterial(Texture @base, float refractiveIndex, bool nonlinear, Texture reflectance, MicrofacetDistribution distribution, float alpha) : Material
 {

@@ -14,7 +14,7 @@ internal sealed unsafe class RoughTransmittance
     private readonly float* _into;
 
     /// <summary>Integrates.</summary>
-    /// <param name="distribution">How the microfacets' normals are distributed.</param>
+    /// <param name="distribution">The distribution of the microfacets' normals.</param>
     /// <param name="alpha">Roughness.</param>
     /// <param name="refractiveIndex">Index of the inside over that of the outside.</param>
     public RoughTransmittance(MicrofacetDistribution distribution, float alpha, float refractiveIndex)

@@ -5,7 +5,7 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>The roughness of a surface, which may vary over it.</summary>
-/// <param name="distribution">How the microfacets' normals are distributed.</param>
+/// <param name="distribution">The distribution of the microfacets' normals.</param>
 /// <param name="alphaU">Roughness along u; its red channel counts.</param>
 /// <param name="alphaV">Roughness along v; its red channel counts.</param>
 internal sealed class Roughness(MicrofacetDistribution distribution, Texture alphaU, Texture alphaV)
@@ -18,7 +18,7 @@ internal sealed class Roughness(MicrofacetDistribution distribution, Texture alp
 
     /// <summary>The roughness that a record describes.</summary>
     /// <param name="builder">Gives access to the textures.</param>
-    /// <param name="distribution">How the microfacets' normals are distributed.</param>
+    /// <param name="distribution">The distribution of the microfacets' normals.</param>
     /// <param name="alpha">Roughness in both directions.</param>
     /// <param name="alphaU">Roughness along u; null for the same.</param>
     /// <param name="alphaV">Roughness along v; null for the same.</param>

@@ -77,7 +77,7 @@ internal sealed unsafe class MediumTable
 
     /// <summary>The probability, as such a mean, with which they let paths come so far.</summary>
     /// <param name="stack">The stack.</param>
-    /// <param name="left">What is left of light so far (<see cref="Transmittance"/>).</param>
+    /// <param name="left">The part of the light that is left so far (<see cref="Transmittance"/>).</param>
     public FloatW MeanPassing(UIntW stack, in RgbW left) => ScattersAny(stack).Select((left.R + left.G + left.B) * (1f / 3f), 1f);
 
     /// <summary>Mean cosines of the angles of scattering.</summary>

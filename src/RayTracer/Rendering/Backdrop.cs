@@ -23,7 +23,7 @@ internal sealed unsafe class Backdrop : PathObserver
     private float* Light => Through + _room;
 
     /// <summary>Forgets all paths.</summary>
-    /// <param name="paths">How many there will be.</param>
+    /// <param name="paths">Their number.</param>
     public void Begin(int paths)
     {
         if (paths > _room)

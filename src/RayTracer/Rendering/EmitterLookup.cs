@@ -42,7 +42,7 @@ internal sealed unsafe class EmitterLookup
     /// <summary>The density, per steradian, with which the lights that were met are sampled in those directions.</summary>
     /// <param name="group">The group of hits.</param>
     /// <param name="instance">The instances that show it.</param>
-    /// <param name="hit">Where rays meet it.</param>
+    /// <param name="hit">The points at which rays meet it.</param>
     /// <param name="lanes">The lanes asked for.</param>
     /// <param name="pdf">The densities; zero where nothing is sampled.</param>
     public void Pdf(ShadingGroup group, UIntW instance, in LightHitW hit, MaskW lanes, out FloatW pdf) =>
@@ -53,7 +53,7 @@ internal sealed unsafe class EmitterLookup
     /// </summary>
     /// <param name="group">The group of hits.</param>
     /// <param name="instance">The instances that show it.</param>
-    /// <param name="hit">Where rays meet it.</param>
+    /// <param name="hit">The points at which rays meet it.</param>
     /// <param name="lanes">The lanes asked for.</param>
     /// <param name="emission">Starts those paths; null where nobody asks.</param>
     /// <param name="pdf">The densities; zero where nothing is sampled.</param>

@@ -342,7 +342,7 @@ public sealed partial class Film : IImageRows
     /// <param name="x">Column of the first pixel.</param>
     /// <param name="y">Row.</param>
     /// <param name="sums">The sums of each pixel, in their units.</param>
-    /// <param name="rest">What those do not hold of each pixel (<see cref="SumRest"/>); nothing where they hold all.</param>
+    /// <param name="rest">The part of each pixel that those do not hold (<see cref="SumRest"/>); nothing where they hold all.</param>
     /// <param name="samples">The number of samples of each pixel, those that were left out included.</param>
     /// <param name="isOfHalf">True if they are of <see cref="FilmPlane.Half"/>, and the film has that.</param>
     /// <param name="sign">1 to add, −1 to take away.</param>

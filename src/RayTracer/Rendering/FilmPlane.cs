@@ -50,7 +50,7 @@ public sealed class FilmPlane
     public static IReadOnlyList<FilmPlane> Known { get; } = [Half, Light, LightSquare, LightHalf, Alpha];
 
     /// <summary>Returns the planes that a film needs.</summary>
-    /// <param name="integrator">What computes its light.</param>
+    /// <param name="integrator">The integrator of its light.</param>
     /// <param name="halves">True if it keeps two halves of its samples.</param>
     /// <param name="noise">True if the noise of its pixels is wanted (<see cref="Film.MeanVariance"/>).</param>
     /// <param name="alpha">True if it shall know what is behind everything.</param>

@@ -7,7 +7,7 @@ namespace RayTracer.Rendering;
 internal static unsafe class NearestHits
 {
     /// <summary>Finds the nearest hit of each ray.</summary>
-    /// <param name="world">What they may meet.</param>
+    /// <param name="world">The things that they may meet.</param>
     /// <param name="paths">The rays.</param>
     /// <param name="hits">Room to work in.</param>
     public static void ClosestHit(this World world, PathStream paths, int* hits)

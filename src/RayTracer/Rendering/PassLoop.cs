@@ -9,7 +9,7 @@ namespace RayTracer.Rendering;
 /// as soon as all threads have handed over what they have, and the last is taken back.
 /// </summary>
 /// <param name="scene">The scene.</param>
-/// <param name="options">How to compute it.</param>
+/// <param name="options">The options of the computation.</param>
 /// <param name="film">Takes the samples.</param>
 /// <param name="cells">All cells.</param>
 /// <param name="cut">Cuts a pass into pieces, of all pixels that have such samples.</param>

@@ -75,7 +75,7 @@ internal abstract unsafe class PathObserver
     }
 
     /// <summary>Waiting rays to sources have been traced.</summary>
-    /// <param name="hits">What they have met, in the order of <see cref="Lit"/>; negative for nothing.</param>
+    /// <param name="hits">The things that they have met, in the order of <see cref="Lit"/>; negative for nothing.</param>
     public virtual void Settle(int* hits)
     {
     }

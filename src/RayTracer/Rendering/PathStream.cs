@@ -15,7 +15,7 @@ public sealed unsafe class PathStream
     private readonly PinnedBuffer<RayW> _packet = new(1);
 
     /// <summary>Makes an empty stream.</summary>
-    /// <param name="capacity">How many paths it can hold.</param>
+    /// <param name="capacity">The number of paths that it can hold.</param>
     internal PathStream(int capacity)
     {
         // Room for a whole register behind the last path, and columns that do not all start on the same cache set.

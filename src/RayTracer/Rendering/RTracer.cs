@@ -5,7 +5,7 @@ namespace RayTracer.Rendering;
 /// many as there are. Tiles are spread over threads; the film's exact sums make the result the same to the bit however that is done.
 /// </summary>
 /// <param name="scene">The scene to render.</param>
-/// <param name="options">How to compute it; null for the defaults.</param>
+/// <param name="options">The options of the computation; null for the defaults.</param>
 public sealed class RTracer(Scene scene, RenderOptions? options = null)
 {
     /// <summary>The longest edge of a tile.</summary>

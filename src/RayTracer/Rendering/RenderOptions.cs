@@ -57,7 +57,7 @@ public readonly record struct RenderProgress(long PathsDone, long PathsTotal, lo
 /// <param name="X">Column of the pixel.</param>
 /// <param name="Y">Row of the pixel.</param>
 /// <param name="Sample">Number of the sample.</param>
-/// <param name="Value">What it came to.</param>
+/// <param name="Value">The outcome.</param>
 public readonly record struct BadSample(int X, int Y, int Sample, Numerics.Rgb Value) : IComparable<BadSample>
 {
     /// <summary>Row by row, then by column and sample.</summary>

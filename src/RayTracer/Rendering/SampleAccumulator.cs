@@ -41,7 +41,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <summary>Prepares for the samples of a tile.</summary>
     /// <param name="film">The film.</param>
     /// <param name="tile">The tile.</param>
-    /// <param name="samples">How many samples of each pixel there will be.</param>
+    /// <param name="samples">The number of samples that each pixel will have.</param>
     public void Begin(Film film, in Tile tile, int samples)
     {
         (_film, _tile, _targets, _samples) = (film, tile, default, samples);
@@ -51,7 +51,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <summary>Prepares for the samples of single pixels.</summary>
     /// <param name="film">The film.</param>
     /// <param name="targets">The numbers of its pixels.</param>
-    /// <param name="samples">How many samples of each pixel there will be.</param>
+    /// <param name="samples">The number of samples that each pixel will have.</param>
     public void BeginPixels(Film film, ReadOnlyMemory<int> targets, int samples)
     {
         (_film, _targets, _samples) = (film, targets, samples);

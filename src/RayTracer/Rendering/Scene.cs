@@ -165,7 +165,7 @@ public sealed class Scene
     internal bool WeakensShadows { get; }
 
     /// <summary>Returns the media that a path is in after a boundary.</summary>
-    /// <param name="stack">What it is in.</param>
+    /// <param name="stack">The media that it is in.</param>
     /// <param name="interior">Number of what is inside the boundary.</param>
     /// <param name="crosses">The lanes in which the boundary is crossed.</param>
     /// <param name="enters">True if that is inwards.</param>
@@ -216,7 +216,7 @@ public sealed class Scene
     /// The same things seen by another camera, or rendered in another way; reports what is wrong and returns null. Takes no time.
     /// </summary>
     /// <param name="camera">The camera.</param>
-    /// <param name="render">How to render. Its shutter and its sampling of spheres have no effect: they are built in.</param>
+    /// <param name="render">The settings of the rendering. Its shutter and its sampling of spheres have no effect: they are built in.</param>
     /// <param name="builder">Takes the diagnostics.</param>
     public Scene? WithView(CameraDescription camera, RenderDescription render, SceneBuilder builder) =>
         View(camera, render with { Shutter = Render.Shutter, SphereLightSampling = Render.SphereLightSampling }, builder) is var (checkedRender, made)

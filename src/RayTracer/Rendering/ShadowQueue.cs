@@ -53,8 +53,8 @@ internal sealed unsafe class ShadowQueue
     /// <param name="distance">The distances to the light.</param>
     /// <param name="time">Their times in seconds; used only where something moves.</param>
     /// <param name="light">Number of the light.</param>
-    /// <param name="radiance">What they bring, if they are free.</param>
-    /// <param name="cosine">What that is multiplied by.</param>
+    /// <param name="radiance">The light that they bring, if they are free.</param>
+    /// <param name="cosine">The factor on that.</param>
     public void Add(
         uint lanes, in Vec3W origin, in UIntW instance, in Vec3W inner, in Vec3W direction, in FloatW distance, in FloatW time, int light,
         in RgbW radiance, in FloatW cosine) =>
@@ -62,9 +62,9 @@ internal sealed unsafe class ShadowQueue
 
     /// <summary>Says where the paths of the packet went.</summary>
     /// <param name="ended">The lanes that ended.</param>
-    /// <param name="firstFinished">Where among the finished paths the first of them is.</param>
+    /// <param name="firstFinished">The index of the first of them among the finished paths.</param>
     /// <param name="going">The lanes that have a next ray.</param>
-    /// <param name="firstNext">Where in the next stream the first of them is.</param>
+    /// <param name="firstNext">The index of the first of them in the next stream.</param>
     public void End(uint ended, int firstFinished, uint going, int firstNext)
     {
         uint* slots = _slots.Pointer + ((_packets - 1) * FloatW.Count);

@@ -43,9 +43,9 @@ internal sealed unsafe class SplatSums(int width, int height)
     public long Clamped => Interlocked.Read(ref _clamped);
 
     /// <summary>Adds splats. Any thread may at any time, but during <see cref="Commit"/> and <see cref="Drop"/>.</summary>
-    /// <param name="count">How many lanes are in use, from the first.</param>
+    /// <param name="count">The number of lanes in use, from the first.</param>
     /// <param name="pixel">The pixels' numbers, row by row.</param>
-    /// <param name="value">What they get.</param>
+    /// <param name="value">Their new value.</param>
     public void Add(int count, in UIntW pixel, in RgbW value)
     {
         long* red = stackalloc long[Channels * FloatW.Count];
@@ -76,7 +76,7 @@ internal sealed unsafe class SplatSums(int width, int height)
 
     /// <summary>Adds a splat, as <see cref="Add(int, in UIntW, in RgbW)"/> does.</summary>
     /// <param name="pixel">The pixel's number, row by row.</param>
-    /// <param name="value">What it gets.</param>
+    /// <param name="value">Its new value.</param>
     public void Add(uint pixel, Rgb value)
     {
         long first = (long)pixel * Channels;

@@ -67,7 +67,7 @@ internal sealed unsafe class Wavefront
     /// <summary>Follows the paths of some samples of single pixels; the accumulator has them then.</summary>
     /// <param name="film">The film that they are for.</param>
     /// <param name="pixels">The pixels' numbers in the picture, row by row.</param>
-    /// <param name="targets">Where each goes: numbers of pixels of the film.</param>
+    /// <param name="targets">The place of each: numbers of pixels of the film.</param>
     /// <param name="samples">The samples, at most <see cref="SampleAccumulator.MaxSamples"/>.</param>
     /// <param name="seed">Selects the random numbers, in the place of the scene's seed.</param>
     public void Follow(Film film, ReadOnlySpan<int> pixels, ReadOnlyMemory<int> targets, SampleRange samples, uint seed)

@@ -45,8 +45,8 @@ internal sealed unsafe class GridDistribution
     /// <param name="v">Second number: chooses the row.</param>
     /// <param name="column">The column.</param>
     /// <param name="row">The row.</param>
-    /// <param name="restU">Where the first number lies within the column's range, from 0 up to 1: as random again.</param>
-    /// <param name="restV">Where the second number lies within the row's range.</param>
+    /// <param name="restU">The first number's place within the column's range, from 0 up to 1: as random again.</param>
+    /// <param name="restV">The second number's place within the row's range.</param>
     /// <param name="probability">The probability of the choice.</param>
     public void Choose(in FloatW u, in FloatW v, out UIntW column, out UIntW row, out FloatW restU, out FloatW restV, out FloatW probability)
     {

@@ -17,7 +17,7 @@ public abstract class Sampler(int samplesPerPixel)
     /// <param name="pixelKey">Keys of the pixels (<see cref="Hash.PixelKey"/>).</param>
     /// <param name="sample">Numbers of the samples, from 0.</param>
     /// <param name="group">Numbers of the groups (<see cref="Dimensions"/>).</param>
-    /// <param name="points">What <see cref="Pair"/> needs.</param>
+    /// <param name="points">The state for <see cref="Pair"/>.</param>
     public abstract void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points);
 
     /// <summary>

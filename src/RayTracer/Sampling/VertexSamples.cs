@@ -7,7 +7,7 @@ namespace RayTracer.Sampling;
 /// The random numbers of one vertex of each lane's path. An object that is used again for every packet, not a struct: a struct
 /// with a reference in it would have the caller's whole stack frame cleared at every call.
 /// </summary>
-/// <param name="sampler">Where the numbers come from.</param>
+/// <param name="sampler">The source of the numbers.</param>
 public sealed unsafe class VertexSamples(Sampler sampler)
 {
     private const float LargestBelowOne = 0.99999994f;
@@ -55,7 +55,7 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     /// to be given to each of them by <see cref="Leave"/>.
     /// </summary>
     /// <param name="probability">That of the second part.</param>
-    /// <param name="rest">What is left of the number.</param>
+    /// <param name="rest">The rest of the number.</param>
     public MaskW Choose(in FloatW probability, out FloatW rest)
     {
         FloatW u = Choice();
@@ -95,7 +95,7 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         Pair(Dimensions.FirstLight + (uint)light, out u, out v);
 
     /// <summary>The two numbers that decide how far a path flies through a medium.</summary>
-    /// <param name="crossings">How many boundaries it has crossed since the vertex.</param>
+    /// <param name="crossings">The number of boundaries that it has crossed since the vertex.</param>
     /// <param name="u">First number.</param>
     /// <param name="v">Second number.</param>
     public void Flight(UIntW crossings, out FloatW u, out FloatW v)

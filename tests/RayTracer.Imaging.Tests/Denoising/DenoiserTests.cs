@@ -161,7 +161,7 @@ public class DenoiserTests
             HalfRender half = HalfRender.Create(width, height);
             RenderOptions options = new() { Samples = range, Crop = crop };
             new RTracer(scene, options).Render(half.Film);
-            new FirstHitPass(scene, options).Render(half.Features);
+            HalfRender.Pass(scene, options).Render(half.Features);
             return half;
         })];
     }

@@ -49,7 +49,7 @@ public class PairTests
     [Theory]
     [MemberData(nameof(Scenes))]
     public void A_scene_looks_like_an_equal_one_that_is_made_otherwise(int number) =>
-        Compare($"scene {number}", new(s_scenes.Rows[number], Samples: 4), seeds: TestSettings.Scale(12, 128));
+        Compare($"scene {number}", new(s_scenes.Rows[number], Samples: 4), seeds: TestSettings.Scale(12, 64));
 
     [Theory]
     [MemberData(nameof(FewFeatures))]

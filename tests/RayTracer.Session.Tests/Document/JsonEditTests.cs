@@ -77,7 +77,7 @@ public sealed class JsonEditTests
     {
         Random random = new(TestSettings.Seed + path.Length);
         JsonText text = JsonText.Of(ShippedScenes.Text(path));
-        for (int i = 0; i < TestSettings.Scale(30, 1000); i++)
+        for (int i = 0; i < TestSettings.Scale(30, 300); i++)
         {
             string[] pointers = [.. Pointers(text.Root, "").Where(p => p.Length > 0)];
             if (pointers.Length == 0)

@@ -54,7 +54,7 @@ public sealed class RenderLoopTests
         for (int i = 0; i < 2; i++)
         {
             new RTracer(shown.Scene, new() { Samples = ranges[i] }).Render(halves[i].Film);
-            new FirstHitPass(shown.Scene, new() { Samples = ranges[i] }).Render(halves[i].Features);
+            HalfRender.Pass(shown.Scene, new() { Samples = ranges[i] }).Render(halves[i].Features);
         }
 
         float[] expected = Denoiser.Denoise(halves[0], halves[1]).Picture.Pixels;

@@ -14,7 +14,7 @@ public class SamplerConvergenceTests
 {
     private const int Batches = 16;
     private static readonly int[] s_counts = [4, 16, 64, 256, 1024, 4096];
-    private static readonly int s_pixels = TestSettings.Scale(64, 512);
+    private static readonly int s_pixels = TestSettings.Scale(64, 256);
 
     public static TheoryData<SamplerKind, string> Cases()
     {

@@ -195,7 +195,7 @@ public class RayPropertyTests
             from exponent in Gen.Choose(-15, 15)
             from away in Gen.Elements(0, 0, 1, 30, 1000)
             select (seed, exponent, away);
-        Config config = Config.QuickThrowOnFailure.WithReplay((ulong)TestSettings.Seed, 1).WithMaxTest(TestSettings.Scale(1500, 50_000));
+        Config config = Config.QuickThrowOnFailure.WithReplay((ulong)TestSettings.Seed, 1).WithMaxTest(TestSettings.Scale(1500, 20_000));
         Check.One(config, Prop.ForAll(cases.ToArbitrary(), c =>
             check(new RandomShape(kind, c.Seed, MathF.ScaleB(1.37f, c.Exponent), c.Away))));
     }

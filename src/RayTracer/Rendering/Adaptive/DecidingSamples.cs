@@ -28,7 +28,7 @@ internal sealed class DecidingSamples
     /// <param name="scene">The scene.</param>
     /// <param name="blocks">The blocks.</param>
     /// <param name="cell">Edge of a cell in pixels.</param>
-    /// <param name="planes">What is kept of them beside their colours: <see cref="FilmPlane.Light"/>, if the light of paths from the lights counts.</param>
+    /// <param name="planes">The planes that are kept beside their colours: <see cref="FilmPlane.Light"/>, if the light of paths from the lights counts.</param>
     public DecidingSamples(Scene scene, Tile[] blocks, int cell, IReadOnlyList<FilmPlane> planes)
     {
         _seed = Hash.Mix((uint)scene.Render.Seed ^ SeedChange);
@@ -85,7 +85,7 @@ internal sealed class DecidingSamples
     /// <summary>Renders more samples.</summary>
     /// <param name="renderer">Renders them.</param>
     /// <param name="blocks">Of which blocks; all of them have the same number so far.</param>
-    /// <param name="level">How many samples of each deciding pixel there shall be.</param>
+    /// <param name="level">The number of samples that each deciding pixel shall have.</param>
     /// <param name="report">Told how many more paths and rays are done.</param>
     /// <param name="cancellation">Ends the work with an <see cref="OperationCanceledException"/>.</param>
     public void Advance(PixelRenderer renderer, int[] blocks, int level, Action<long, long> report, CancellationToken cancellation)

@@ -6,7 +6,7 @@ namespace RayTracer.Rendering;
 /// Renders samples of single pixels, wherever they are, on several threads. It keeps what the threads need from one call to the next.
 /// </summary>
 /// <param name="scene">The scene to render.</param>
-/// <param name="options">How to compute it.</param>
+/// <param name="options">The options of the computation.</param>
 internal sealed class PixelRenderer(Scene scene, RenderOptions options)
 {
     /// <summary>The most pixels that are rendered together.</summary>
@@ -42,7 +42,7 @@ internal sealed class PixelRenderer(Scene scene, RenderOptions options)
     /// <summary>Renders.</summary>
     /// <param name="film">Takes the samples.</param>
     /// <param name="pixels">The pixels' numbers in the picture, row by row.</param>
-    /// <param name="targets">Where each goes: numbers of pixels of the film, each at most once.</param>
+    /// <param name="targets">The place of each: numbers of pixels of the film, each at most once.</param>
     /// <param name="samples">Which samples of each.</param>
     /// <param name="seed">Selects the random numbers, in the place of the scene's seed.</param>
     /// <param name="report">Told, by the rendering threads, how many more paths and rays are done.</param>

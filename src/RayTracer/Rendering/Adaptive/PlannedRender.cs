@@ -5,7 +5,7 @@ namespace RayTracer.Rendering;
 /// is in a plain picture with that many samples, to the bit.
 /// </summary>
 /// <param name="scene">The scene.</param>
-/// <param name="options">How to compute it.</param>
+/// <param name="options">The options of the computation.</param>
 /// <param name="plan">The plan.</param>
 public sealed class PlannedRender(Scene scene, RenderOptions options, SamplePlan plan)
 {

@@ -9,11 +9,11 @@ namespace RayTracer.Rendering;
 /// the block's brightness (plus a tenth of the picture's, so that black corners do not count for everything). Cautious where samples are
 /// stratified.
 /// </param>
-/// <param name="Statistics">What was done to decide.</param>
+/// <param name="Statistics">The work of deciding.</param>
 public sealed record SamplePlan(Tile Area, IReadOnlyList<Tile> Blocks, IReadOnlyList<int> Samples, double Error, RenderStatistics Statistics)
 {
     /// <summary>The work that was done for a picture and to decide on it.</summary>
-    /// <param name="picture">What was done for the picture.</param>
+    /// <param name="picture">The work for the picture.</param>
     public RenderStatistics Add(RenderStatistics picture) => picture with
     {
         Paths = picture.Paths + Statistics.Paths,

@@ -7,7 +7,7 @@ namespace RayTracer.Rendering;
 /// doubled wherever several times as many seem to be wanted as there are. docs/adaptive-sampling.md tells why so, and what it gains.
 /// </summary>
 /// <param name="scene">The scene.</param>
-/// <param name="options">How to compute it; the crop is the part that counts.</param>
+/// <param name="options">The options of the computation; the crop is the part that counts.</param>
 /// <param name="goal">The goal.</param>
 public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal goal)
 {
@@ -151,6 +151,6 @@ public sealed class SamplePlanner(Scene scene, RenderOptions options, SampleGoal
 /// A column for each deciding pixel. In the upper row, its samples when it was last decided that more are needed; in the lower row, all
 /// that there are since.
 /// </param>
-/// <param name="Samples">How many samples each pixel has in the lower row, those that came to no finite number included.</param>
-/// <param name="Target">How many there shall be when it is decided again.</param>
+/// <param name="Samples">The number of samples of each pixel in the lower row, those that came to no finite number included.</param>
+/// <param name="Target">Their number when it is decided again.</param>
 public sealed record DecidingState(Film Film, int Samples, int Target);

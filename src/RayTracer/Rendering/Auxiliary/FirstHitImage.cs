@@ -16,7 +16,7 @@ public abstract record FirstHitImage : AuxiliaryImage
     public virtual double Nothing => 0;
 
     /// <summary>Takes the numbers of a sample.</summary>
-    /// <param name="hit">What its ray meets.</param>
+    /// <param name="hit">The thing that its ray meets.</param>
     /// <param name="values">Takes one number for each of <see cref="AuxiliaryImage.Letters"/>; zeros at first.</param>
     public abstract void Read(in FirstHit hit, Span<double> values);
 }

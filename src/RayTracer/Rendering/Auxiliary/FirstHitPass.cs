@@ -5,11 +5,14 @@ namespace RayTracer.Rendering;
 /// pictures without such images take no longer, and with them have the same bits.
 /// </summary>
 /// <param name="scene">The scene.</param>
-/// <param name="options">How to compute it, and which part; null for the defaults.</param>
+/// <param name="options">The options of the computation, and the part; null for the defaults.</param>
 public sealed class FirstHitPass(Scene scene, RenderOptions? options = null)
 {
     private const int LargestTile = 32;
     private readonly RenderOptions _options = options ?? new();
+
+    /// <summary>True to look through mirrors and clear glass, to the first surface that scatters most of the light to many directions.</summary>
+    public bool SeesThrough { get; init; }
 
     /// <summary>Adds the samples.</summary>
     /// <param name="film">Images of the scene's size.</param>
@@ -39,16 +42,28 @@ public sealed class FirstHitPass(Scene scene, RenderOptions? options = null)
         Parallel.ForEach(
             Tile.Cut(area, edge),
             parallel,
-            () => new FirstHits(scene, _options.StreamSize, edge * edge),
-            (tile, _, worker) =>
+            () => Worker(edge * edge),
+            (tile, _, add) =>
             {
                 for (int first = samples.First; first < samples.End; first += SampleAccumulator.MaxSamples)
                 {
-                    worker.Add(film, tile, new(first, Math.Min(samples.End, first + SampleAccumulator.MaxSamples)));
+                    add(film, tile, new(first, Math.Min(samples.End, first + SampleAccumulator.MaxSamples)));
                 }
 
-                return worker;
+                return add;
             },
             _ => { });
+    }
+
+    private Action<AovFilm, Tile, SampleRange> Worker(int pixels)
+    {
+        if (SeesThrough)
+        {
+            SeenThrough beyond = new(scene, _options.StreamSize, pixels);
+            return (film, tile, samples) => beyond.Add(film, tile, samples);
+        }
+
+        FirstHits first = new(scene, _options.StreamSize, pixels);
+        return (film, tile, samples) => first.Add(film, tile, samples);
     }
 }

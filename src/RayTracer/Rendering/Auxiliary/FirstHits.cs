@@ -107,7 +107,7 @@ internal sealed unsafe class FirstHits
         }
     }
 
-    private static Vector3 At(in Vec3W v, int lane) => new(v.X[lane], v.Y[lane], v.Z[lane]);
+    internal static Vector3 At(in Vec3W v, int lane) => new(v.X[lane], v.Y[lane], v.Z[lane]);
 
     // What a ray meets, but for the surface; and the number of its pixel in the picture.
     private FirstHit Hit(int ray, out long pixel)

@@ -12,7 +12,7 @@ namespace RayTracer.Rendering;
 /// (Müller, Gross &amp; Novák 2017, section 3.3). What is learned depends on the scene alone.
 /// </summary>
 /// <param name="scene">The scene.</param>
-/// <param name="options">How to compute it; crop and samples have no effect.</param>
+/// <param name="options">The options of the computation; crop and samples have no effect.</param>
 internal sealed class GuideLearning(Scene scene, RenderOptions options)
 {
     // Any number: it only has to make the seed another one.

@@ -10,7 +10,7 @@ namespace RayTracer.Rendering;
 /// of radiance times BSDF times cosine, without what was found by sampling lights from the point itself.
 /// </summary>
 /// <param name="sums">Takes the records; null where only the box of all points is wanted.</param>
-/// <param name="units">How many units of the sums one unit of radiance is.</param>
+/// <param name="units">The number of units of the sums in one unit of radiance.</param>
 internal sealed unsafe class GuideRecorder(GuideSums? sums, double units) : PathObserver
 {
     /// <summary>The most that a record counts, in units.</summary>

@@ -50,8 +50,8 @@ public sealed class PathTracing(Scene scene)
 
 /// <summary>A light path from the camera to its end.</summary>
 /// <param name="Sample">The sample's number in its pixel.</param>
-/// <param name="Radiance">What it brings; the film gets this times <see cref="Weight"/>.</param>
-/// <param name="Vertices">What it meets, in order.</param>
+/// <param name="Radiance">The light that it brings; the film gets this times <see cref="Weight"/>.</param>
+/// <param name="Vertices">The things that it meets, in order.</param>
 public sealed record TracedPath(int Sample, Rgb Radiance, IReadOnlyList<PathVertex> Vertices)
 {
     /// <summary>The weight that the pixel filter gives the radiance: 1, unless it has negative lobes.</summary>
@@ -67,8 +67,8 @@ public sealed record TracedPath(int Sample, Rgb Radiance, IReadOnlyList<PathVert
 /// <param name="LightVertices">The vertices from the light, that on the light included; 0 where the camera's path meets it.</param>
 /// <param name="CameraVertices">The vertices from the camera, that on the lens included.</param>
 /// <param name="IsMerge">True where the last vertices of both are taken for one; else an edge joins them.</param>
-/// <param name="Radiance">What it brings to the pixel.</param>
-/// <param name="Unweighted">What it would bring if no other way made such paths: <see cref="Radiance"/> is this, times the weight.</param>
+/// <param name="Radiance">The light that it brings to the pixel.</param>
+/// <param name="Unweighted">The light that it would bring if no other way made such paths: <see cref="Radiance"/> is this, times the weight.</param>
 public sealed record TracedWay(int LightVertices, int CameraVertices, bool IsMerge, Rgb Radiance, Rgb Unweighted)
 {
     /// <summary>The weight: what this way has of such paths.</summary>

@@ -6,7 +6,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Rendering;
 
 /// <summary>A shape or mesh of a scene where it stands in the world.</summary>
-/// <param name="Source">What it was made from, as <see cref="Scene.SourceOf"/> says.</param>
+/// <param name="Source">The thing that it was made from, as <see cref="Scene.SourceOf"/> says.</param>
 /// <param name="Shape">The shape, in coordinates of its own; null for a mesh.</param>
 /// <param name="Mesh">The mesh, in coordinates of its own; null for a shape.</param>
 /// <param name="Place">From those coordinates into the world.</param>

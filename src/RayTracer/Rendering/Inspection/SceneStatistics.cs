@@ -91,8 +91,8 @@ public sealed class SceneStatistics
 }
 
 /// <summary>A tree with which rays find what they meet.</summary>
-/// <param name="Holds">What it is built over: "triangles of the world", "triangles of object 1" or "instances".</param>
-/// <param name="Statistics">What it looks like, and its memory.</param>
+/// <param name="Holds">The name of the things in it: "triangles of the world", "triangles of object 1" or "instances".</param>
+/// <param name="Statistics">Its shape and its memory.</param>
 /// <param name="Build">Builds such a tree again, to measure how long that takes; the scene keeps its own.</param>
 public sealed record SceneTree(string Holds, BvhStatistics Statistics, Action Build)
 {

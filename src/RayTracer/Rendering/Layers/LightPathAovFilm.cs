@@ -129,7 +129,7 @@ public sealed class LightPathAovFilm
     /// <param name="layer">The layer's number among all that the scene has.</param>
     /// <param name="pixel">The pixel's number.</param>
     /// <param name="channel">The channel.</param>
-    /// <param name="units">How much.</param>
+    /// <param name="units">The amount.</param>
     internal void Add(int layer, long pixel, int channel, long units)
     {
         if (_place[layer] >= 0)

@@ -6,7 +6,7 @@ namespace RayTracer.Rendering;
 /// <summary>Light that a path brings to a pixel.</summary>
 /// <param name="From">The number of vertices from the light.</param>
 /// <param name="To">The number of vertices from the camera.</param>
-/// <param name="IsMerge">Whether the last of both are one.</param>
+/// <param name="IsMerge">True if the last of both are one.</param>
 /// <param name="LightPath">The number of the light path in its pass, where vertices are connected.</param>
 /// <param name="Point">The last vertex from the light, where there is one.</param>
 /// <param name="Light">The light with its weight.</param>

@@ -33,7 +33,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
 
     /// <summary>Makes one.</summary>
     /// <param name="context">The context that it works in.</param>
-    /// <param name="strategies">What it does.</param>
+    /// <param name="strategies">Its strategies.</param>
     public CameraSubpaths(ShaderContext context, Strategies strategies)
         : base(context)
     {

@@ -36,7 +36,7 @@ internal sealed class LightPass
 
     /// <summary>Prepares.</summary>
     /// <param name="scene">A scene whose integrator traces light.</param>
-    /// <param name="options">How to compute it.</param>
+    /// <param name="options">The options of the computation.</param>
     /// <param name="threads">The number of threads.</param>
     /// <param name="seed">Selects the random numbers.</param>
     public LightPass(Scene scene, RenderOptions options, int threads, uint seed)

@@ -28,7 +28,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
 
     /// <summary>Makes one.</summary>
     /// <param name="context">The context that it works in.</param>
-    /// <param name="strategies">What is done at the vertices.</param>
+    /// <param name="strategies">The work at the vertices.</param>
     /// <param name="splats">Takes the light of the picture.</param>
     /// <param name="area">The part of the picture that is wanted.</param>
     /// <param name="recorder">Records what reaches the camera; may be null.</param>

@@ -49,7 +49,7 @@ internal sealed unsafe class PhotonGrid
 
     /// <summary>Sorts vertices into cells.</summary>
     /// <param name="vertices">The vertices.</param>
-    /// <param name="radius">How far from a point they may be.</param>
+    /// <param name="radius">The greatest distance from a point.</param>
     public void Build(LightVertices vertices, float radius)
     {
         (_inverseWidth, _radius2) = (1 / (2 * radius), radius * radius);

@@ -21,7 +21,7 @@ internal sealed unsafe class StrategyRecorder(Scene scene, IArrivals arrivals)
     /// <summary>Light has arrived.</summary>
     /// <param name="lanes">The lanes.</param>
     /// <param name="owner">Numbers of the camera paths.</param>
-    /// <param name="ways">How the paths were made.</param>
+    /// <param name="ways">The ways by which the paths were made.</param>
     /// <param name="light">The light with its weight.</param>
     /// <param name="alone">The light without.</param>
     public void Add(uint lanes, in UIntW owner, in WaysW ways, in RgbW light, in RgbW alone)
@@ -35,7 +35,7 @@ internal sealed unsafe class StrategyRecorder(Scene scene, IArrivals arrivals)
 
     /// <summary>Rays wait that bring light; there is a call for each time that some are added.</summary>
     /// <param name="lanes">The lanes.</param>
-    /// <param name="ways">How the paths were made.</param>
+    /// <param name="ways">The ways by which the paths were made.</param>
     /// <param name="alone">The light without its weight.</param>
     public void Wait(uint lanes, in WaysW ways, in RgbW alone)
     {

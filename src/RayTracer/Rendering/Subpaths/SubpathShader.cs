@@ -153,10 +153,10 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
     /// <param name="group">The group of surfaces.</param>
     /// <param name="active">The lanes.</param>
     /// <param name="direction">Unit directions to what they end at.</param>
-    /// <param name="distance">How far it is.</param>
+    /// <param name="distance">Its distance.</param>
     /// <param name="light">The light that they end at; null for a point.</param>
     /// <param name="left">The fraction of the light that is left.</param>
-    /// <param name="passed">How likely a path would come through the media.</param>
+    /// <param name="passed">The probability that a path comes through the media.</param>
     protected void Follow(ShadingGroup group, MaskW active, Vec3W direction, FloatW distance, LightSource? light, out RgbW left, out FloatW passed)
     {
         ref VertexW at = ref At;

@@ -74,8 +74,8 @@ internal struct SubpathSumsW
 
 /// <summary>The one heuristic by which all ways to make a path are weighed, and its constants in a pass.</summary>
 /// <param name="cameraPaths">The number of camera paths of the pass, one of each pixel.</param>
-/// <param name="perLightPath">How many of them there are for each light path, and for each one that is connected with a light path.</param>
-/// <param name="mergeRadius">How near to one another vertices are merged; 0 where none are.</param>
+/// <param name="perLightPath">The number of them for each light path, and for each one that is connected with a light path.</param>
+/// <param name="mergeRadius">The greatest distance at which vertices are merged; 0 where none are.</param>
 /// <param name="isInMedium">True for vertices in media, which are never merged.</param>
 internal sealed class PathWeights(float cameraPaths, int perLightPath, float mergeRadius, bool isInMedium = false)
 {

@@ -74,7 +74,7 @@ public class LightPathTests(ITestOutputHelper output)
         LightPathScene.All.Where((s, i) => integrator == "light" ? s.IsMatt : integrator != "vcm" || TestSettings.Thorough || i % 3 == 0);
 
     // Light tracing is quick, and noisy.
-    private static int SamplesOf(LightPathScene scene, string integrator) => (integrator == "light" ? 3 : 1) * TestSettings.Scale(1, 4) * scene.Samples;
+    private static int SamplesOf(LightPathScene scene, string integrator) => (integrator == "light" ? 3 : 1) * TestSettings.Scale(1, 2) * scene.Samples;
 
     private static BlockEstimate Whole(ImageSamples images) => images.Estimate(new(0, 0, images.Width, images.Height), 1);
 

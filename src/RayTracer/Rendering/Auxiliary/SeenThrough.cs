@@ -1,0 +1,163 @@
+using RayTracer.Materials;
+using RayTracer.Numerics;
+using RayTracer.Sampling;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Traces the camera rays of tiles as <see cref="FirstHits"/> does, but through mirrors and clear glass, to the first surface that scatters most of the light
+/// to many directions: that is what a denoiser sees in a reflection. Each thread has its own.
+/// </summary>
+internal sealed unsafe class SeenThrough : InteriorShader
+{
+    // A path that is still between mirrors ends there.
+    private const uint MostMirrors = 8;
+
+    // Per steradian: of lobes that are at most some two degrees wide, in which things are still made out.
+    private const float LeastDensity = 500;
+    private readonly RayGenerator _generator;
+    private readonly Stages _stages;
+
+    // Chooses what is more likely: chance would only be noise of the features.
+    private readonly VertexSamples _middle = new(new Middle());
+    private AovFilm _film = null!;
+    private Tile _tile;
+
+    public SeenThrough(Scene scene, int streamSize, int maxTilePixels)
+        : base(new(scene, null!, null, null))
+    {
+        _generator = new(scene, maxTilePixels);
+        _stages = new(scene, streamSize, this);
+    }
+
+    /// <summary>Adds some samples of every pixel of a tile.</summary>
+    /// <param name="film">The images; no other thread may use the tile's pixels.</param>
+    /// <param name="tile">The pixels.</param>
+    /// <param name="samples">The samples, at most <see cref="SampleAccumulator.MaxSamples"/>.</param>
+    public void Add(AovFilm film, in Tile tile, SampleRange samples)
+    {
+        (_film, _tile) = (film, tile);
+        _generator.Begin(tile, samples);
+        _stages.Follow(_generator, samples);
+    }
+
+    /// <inheritdoc/>
+    internal override void Miss(PathStream stream, uint* members, int count)
+    {
+        for (int i = 0; i < count; i++)
+        {
+            FirstHit nothing = Hit(stream, (int)members[i], out long pixel) with { Primitive = 0 };
+            _film.Count(pixel, isHit: false);
+            _film.Add(pixel, nothing, isDescribed: false);
+        }
+    }
+
+    /// <summary>Media hide nothing.</summary>
+    internal override void SampleMedia(PathStream stream)
+    {
+    }
+
+    /// <inheritdoc/>
+    protected override void Carry(PathStream stream, PathStream next, uint* index, uint going)
+    {
+    }
+
+    /// <inheritdoc/>
+    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    {
+        ref PacketW packet = ref Packet;
+        ref SurfaceW surface = ref packet.Surface;
+        Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
+        packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
+        MaskW unreal = Scene.HasMedia && group.Traits.IsBoundary ? active : MaskW.None;
+        if (Scene.HasNesting && group.IsNested)
+        {
+            UIntW beyond = Scene.Cross(packet.Media, group.Interior, MaskW.All, ~ComesFromInside(surface));
+            unreal = active & IsUnreal(packet.Media, beyond);
+            surface.ExteriorIndex = Scene.Media.Index(ComesFromInside(surface).Select(beyond, packet.Media), surface.Wavelength);
+        }
+
+        Cross(group, surface, stream, next, index, unreal);
+        active = active.Except(unreal);
+        MaskW through = GoThrough(group, ref packet, stream, next, index, active);
+        group.Material.Albedo(surface, out RgbW albedo);
+        albedo *= stream.PickThroughput(index);
+        for (uint rest = active.Except(through).Bits; rest != 0; rest &= rest - 1)
+        {
+            int lane = System.Numerics.BitOperations.TrailingZeroCount(rest);
+            FirstHit hit = Hit(stream, (int)index[lane], out long pixel) with
+            {
+                Point = FirstHits.At(surface.Point, lane),
+                Normal = FirstHits.At(surface.Facing, lane),
+                Albedo = new(albedo.R[lane], albedo.G[lane], albedo.B[lane]),
+            };
+            _film.Count(pixel, isHit: true);
+            _film.Add(pixel, hit, isDescribed: false);
+            _film.Add(pixel, hit, isDescribed: true);
+        }
+    }
+
+    // Sends on what a mirror reflects or glass lets through, whichever is more, and returns those lanes.
+    private MaskW GoThrough(ShadingGroup group, ref PacketW packet, PathStream stream, PathStream next, uint* index, MaskW active)
+    {
+        ref SurfaceW surface = ref packet.Surface;
+        UIntW path = UIntW.Pick(stream.Path, index);
+        UIntW vertex = UIntW.Pick(stream.State, index) & PathState.VertexMask;
+        _middle.Begin(0u, 0u, 0u);
+        group.Material.Scatter(surface, _middle, out packet.Scatter);
+        MaskW isClear = packet.Scatter.Delta;
+        if (group.Traits.HasDensity)
+        {
+            group.Material.Pdf(surface, packet.Scatter.Direction, out FloatW pdf);
+            isClear |= pdf > LeastDensity;
+        }
+
+        MaskW through = (active & isClear & (vertex < MostMirrors)).Except(packet.Scatter.Absorbed).Except(Dropped(surface, packet.Scatter.Direction));
+        uint going = through.Bits;
+        if (going == 0)
+        {
+            return through;
+        }
+
+        if (Scene.IsTimed)
+        {
+            next.SetTime(going, FloatW.Pick(stream.Time, index));
+        }
+
+        if (Scene.TracksInteriors)
+        {
+            next.SetMedia(going, MediaAlong(Scene, surface, packet.Scatter.Direction, group.Interior, packet.Media), 0f);
+        }
+
+        next.Append(
+            going, Leave(surface, packet.Scatter.Direction), packet.Scatter.Direction, stream.PickThroughput(index) * packet.Scatter.Weight, default, path, vertex + 1u);
+        if (group.IsInstanced)
+        {
+            next.SetStart(going, surface.Instance, LeaveInside(surface, packet.Scatter.Direction));
+        }
+
+        return through;
+    }
+
+    // What a ray meets, but for the surface; and the number of its pixel in the picture.
+    private FirstHit Hit(PathStream stream, int ray, out long pixel)
+    {
+        int path = (int)stream.Path[ray];
+        (int x, int y) = _tile.Pixel(path / Samples.Count);
+        pixel = ((long)y * _film.Width) + x;
+        return new()
+        {
+            Sample = (uint)(Samples.First + (path % Samples.Count)),
+            Primitive = stream.Primitive[ray] + 1,
+            Distance = stream.Distance[ray],
+            Direction = new(stream.DirectionX[ray], stream.DirectionY[ray], stream.DirectionZ[ray]),
+        };
+    }
+
+    private sealed class Middle() : Sampler(1)
+    {
+        public override void Begin(in UIntW pixelKey, in UIntW sample, in UIntW group, out SamplePoints points) => points = default;
+
+        public override void Pair(in SamplePoints points, uint pair, out FloatW u, out FloatW v) => u = v = 0.5f;
+    }
+}
