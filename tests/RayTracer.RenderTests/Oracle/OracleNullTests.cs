@@ -21,7 +21,7 @@ public class OracleNullTests(ITestOutputHelper output)
     {
         string path = ProjectFolder.PathOf("tests", "RayTracer.RenderTests", "Oracle", "scenes", name + ".json");
         Scene scene = SceneFile.Read(path);
-        int runs = TestSettings.Scale(10, 50);
+        int runs = TestSettings.Scale(10, 30);
         List<double> ofRuns = [];
         List<double> ofBlocks = [];
         for (int run = 0; run < runs; run++)
