@@ -109,20 +109,30 @@ internal sealed unsafe class FirstHits
 
     internal static Vector3 At(in Vec3W v, int lane) => new(v.X[lane], v.Y[lane], v.Z[lane]);
 
-    // What a ray meets, but for the surface; and the number of its pixel in the picture.
-    private FirstHit Hit(int ray, out long pixel)
+    /// <summary>What a ray meets, but for the surface.</summary>
+    /// <param name="rays">The rays of a tile.</param>
+    /// <param name="ray">The ray's index.</param>
+    /// <param name="tile">The tile.</param>
+    /// <param name="samples">Its samples.</param>
+    /// <param name="width">Width of the picture in pixels.</param>
+    /// <param name="pixel">The number of the ray's pixel in the picture.</param>
+    internal static FirstHit Hit(PathStream rays, int ray, in Tile tile, SampleRange samples, int width, out long pixel)
     {
-        int path = (int)_rays.Path[ray];
-        (int x, int y) = _tile.Pixel(path / _samples.Count);
-        pixel = ((long)y * _film.Width) + x;
-        uint primitive = _rays.Primitive[ray];
+        int path = (int)rays.Path[ray];
+        (int x, int y) = tile.Pixel(path / samples.Count);
+        pixel = ((long)y * width) + x;
         return new()
         {
-            Sample = (uint)(_samples.First + (path % _samples.Count)),
-            Primitive = primitive == _scene.World.Count ? 0 : primitive + 1,
-            Distance = _rays.Distance[ray],
-            Direction = new(_rays.DirectionX[ray], _rays.DirectionY[ray], _rays.DirectionZ[ray]),
-            Cost = _costs[ray],
+            Sample = (uint)(samples.First + (path % samples.Count)),
+            Primitive = rays.Primitive[ray] + 1,
+            Distance = rays.Distance[ray],
+            Direction = new(rays.DirectionX[ray], rays.DirectionY[ray], rays.DirectionZ[ray]),
         };
+    }
+
+    private FirstHit Hit(int ray, out long pixel)
+    {
+        FirstHit hit = Hit(_rays, ray, _tile, _samples, _film.Width, out pixel);
+        return hit with { Primitive = hit.Primitive > _scene.World.Count ? 0 : hit.Primitive, Cost = _costs[ray] };
     }
 }

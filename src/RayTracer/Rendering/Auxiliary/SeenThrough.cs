@@ -139,20 +139,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
         return through;
     }
 
-    // What a ray meets, but for the surface; and the number of its pixel in the picture.
-    private FirstHit Hit(PathStream stream, int ray, out long pixel)
-    {
-        int path = (int)stream.Path[ray];
-        (int x, int y) = _tile.Pixel(path / Samples.Count);
-        pixel = ((long)y * _film.Width) + x;
-        return new()
-        {
-            Sample = (uint)(Samples.First + (path % Samples.Count)),
-            Primitive = stream.Primitive[ray] + 1,
-            Distance = stream.Distance[ray],
-            Direction = new(stream.DirectionX[ray], stream.DirectionY[ray], stream.DirectionZ[ray]),
-        };
-    }
+    private FirstHit Hit(PathStream stream, int ray, out long pixel) => FirstHits.Hit(stream, ray, _tile, Samples, _film.Width, out pixel);
 
     private sealed class Middle() : Sampler(1)
     {
