@@ -105,6 +105,7 @@ internal static class CommandLine
     {
         Command command = new(v.Name, v.Summary);
         v.Build(command, streams);
+        LanesOption.AddTo(command);
         LimitOptions.AddTo(command);
         return VerbHelp.Of(PluginOption.AddTo(command), Synopsis, v.Example);
     })];
@@ -131,6 +132,7 @@ internal static class CommandLine
             if (name == verb)
             {
                 build(command, streams);
+                LanesOption.AddTo(command);
                 PluginOption.AddTo(command);
                 LimitOptions.AddTo(command);
             }

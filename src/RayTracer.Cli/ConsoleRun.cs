@@ -16,6 +16,10 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
     private readonly StageTimes _stages = new(display.Verbose ? streams : null);
     private ProgressDisplay? _progress;
     private RenderJob? _job;
+    private Action? _warn;
+
+    /// <summary>Warns of what is doubtful about the command; called once, when the program will not start again with wider registers.</summary>
+    public Action? Warn { get; init; }
 
     /// <inheritdoc/>
     public bool ShowsPasses => display.Preview && streams.HasTerminal;
@@ -24,16 +28,14 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
     /// <returns>One of <see cref="ExitStatus"/>.</returns>
     public int Run(RenderJob job)
     {
-        if (display.Preview && !streams.HasTerminal)
-        {
-            streams.Warn("--preview: standard error is not a terminal that can show pictures, so nothing is shown");
-        }
-
         if (FrameFiles.AreSeveral(job))
         {
+            WideVectors.EnableFor(long.MaxValue);
+            WarnOfCommand();
             return new ConsoleFrames(job, display, streams).Run();
         }
 
+        _warn = WarnOfCommand;
         using StopSignals signals = new(streams);
         return Run(job, new(job.WithCheckpoint(), this), () => signals.Status, signals.Token).Status;
     }
@@ -74,14 +76,21 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
         return (ended() is not 0 and var status ? status : !result.IsWritten ? ExitStatus.InputOutput : result.IsNoisy(job) ? ExitStatus.Noisy : ExitStatus.Fine, result);
     }
 
-    /// <inheritdoc/>
-    public void Warn(string message) => streams.Warn(message);
+    void IJobWatch.Warn(string message) => streams.Warn(message);
 
     /// <inheritdoc/>
     public void Fail(string message) => streams.Fail(message);
 
     /// <inheritdoc/>
     public void Read(IReadOnlyList<Diagnostic> diagnostics) => streams.Read(diagnostics, display.Quiet);
+
+    /// <inheritdoc/>
+    public void Begin(SceneDescription scene)
+    {
+        WideVectors.EnableFor((long)scene.Render.Width * scene.Render.Height * scene.Render.SamplesPerPixel);
+        _warn?.Invoke();
+        _warn = null;
+    }
 
     /// <inheritdoc/>
     public void End(JobStage stage) => _stages.End(stage);
@@ -92,6 +101,16 @@ internal sealed class ConsoleRun(Display display, Streams streams) : IJobWatch
             new PreviewDisplay(streams.Error, TerminalPicture.Of(Environment.GetEnvironmentVariable), TerminalSize.Current, _job!.Writing.For(render)) { Limit = Limit })
         : display.Quiet || _job?.Pixel is not null ? null
         : ProgressDisplay.Start(streams, Limit);
+
+    private void WarnOfCommand()
+    {
+        if (display.Preview && !streams.HasTerminal)
+        {
+            streams.Warn("--preview: standard error is not a terminal that can show pictures, so nothing is shown");
+        }
+
+        Warn?.Invoke();
+    }
 
     // It is the rendering's, which is the first that is shown.
     private TimeSpan? Limit => _progress is null ? _job?.Time : null;

@@ -1,5 +1,3 @@
-using RayTracer.Jobs;
-
 namespace RayTracer.Cli;
 
 /// <summary>The command <c>raytracer</c>.</summary>
@@ -7,11 +5,7 @@ internal static class Program
 {
     private static int Main(string[] args)
     {
-        if (args is ["render" or "sweep" or "resume" or "verify" or "bench" or "reproduce", ..])
-        {
-            WideVectors.Enable(args);
-        }
-
+        LanesOption.Obey(args);
         return CommandLine.Run(args, new(Console.Out, new UnfailingWriter(Console.Error), HasTerminal: Streams.IsTerminal(
             Console.IsErrorRedirected, Environment.GetEnvironmentVariable("TERM"))));
     }

@@ -2,6 +2,7 @@ using System.Text.Json.Nodes;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Jobs;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 
 namespace RayTracer.Cli;
@@ -113,6 +114,7 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
         }
 
         json["threads"] = result.Threads;
+        json["lanes"] = FloatW.Count;
         json["loadSeconds"] = stages[JobStage.Load];
         json["buildSeconds"] = stages[JobStage.Build];
         json["renderSeconds"] = result.Seconds;

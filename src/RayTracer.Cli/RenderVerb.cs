@@ -31,19 +31,22 @@ internal sealed class RenderVerb
         command.SetAction(result =>
         {
             (RenderJob job, Display display) = (verb.Job(result), verb._display.Of(result));
-            verb._options.WarnOfUnused(result, job.Outputs, streams, isSeen: display.Preview);
-            if (job.Checkpoint is null && verb._options.Has(result, "--checkpoint-interval"))
-            {
-                streams.Warn("--checkpoint-interval has no effect: there are no checkpoints without --checkpoint FILE");
-            }
-
-            if (job.FramesPerSecond is not null && !FrameFiles.MakeAnimation(job))
-            {
-                streams.Warn("--fps has no effect: it is for animated PNGs (-o FILE.png or FILE.apng), and none is written");
-            }
-
-            return new ConsoleRun(display, streams).Run(job);
+            return new ConsoleRun(display, streams) { Warn = () => verb.WarnOfUnused(result, job, display, streams) }.Run(job);
         });
+    }
+
+    private void WarnOfUnused(ParseResult result, RenderJob job, Display display, Streams streams)
+    {
+        _options.WarnOfUnused(result, job.Outputs, streams, isSeen: display.Preview);
+        if (job.Checkpoint is null && _options.Has(result, "--checkpoint-interval"))
+        {
+            streams.Warn("--checkpoint-interval has no effect: there are no checkpoints without --checkpoint FILE");
+        }
+
+        if (job.FramesPerSecond is not null && !FrameFiles.MakeAnimation(job))
+        {
+            streams.Warn("--fps has no effect: it is for animated PNGs (-o FILE.png or FILE.apng), and none is written");
+        }
     }
 
     private RenderJob Job(ParseResult result)

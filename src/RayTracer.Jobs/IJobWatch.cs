@@ -39,6 +39,11 @@ public interface IJobWatch
     /// <summary>Takes what there is to say about the scene.</summary>
     void Read(IReadOnlyList<Diagnostic> diagnostics);
 
+    /// <summary>Takes the settings of a scene that was read, with as many samples as pixels may come to, before it is built.</summary>
+    void Begin(SceneDescription scene)
+    {
+    }
+
     /// <summary>Takes the end of a stage.</summary>
     void End(JobStage stage)
     {

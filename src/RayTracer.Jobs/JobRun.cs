@@ -72,13 +72,17 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
     // Called when the scene file has been read, before the scene is built.
     private SceneDescription Described(SceneDescription scene)
     {
-        watch.End(JobStage.Load);
         RenderDescription render = scene.Render;
         SceneSetting? Given(string path) => job.Settings.LastOrDefault(s => s.Path == path);
-        return (Given(RenderJob.SamplesPath) ?? Given("render.sampler")) is { } changed
-            && render.Sampler.Complaint(render.SamplesPerPixel) is { } complaint
-            ? throw new JobException(JobFault.Request, $"{JobOptions.Given(changed)}: {complaint}")
-            : _decision.Widen(Change?.Invoke(scene) ?? scene);
+        if ((Given(RenderJob.SamplesPath) ?? Given("render.sampler")) is { } changed && render.Sampler.Complaint(render.SamplesPerPixel) is { } complaint)
+        {
+            throw new JobException(JobFault.Request, $"{JobOptions.Given(changed)}: {complaint}");
+        }
+
+        scene = _decision.Widen(Change?.Invoke(scene) ?? scene);
+        watch.Begin(scene);
+        watch.End(JobStage.Load);
+        return scene;
     }
 
     private JobResult Render(LoadedJob loaded, JobFilms films)

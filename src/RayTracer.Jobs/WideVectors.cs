@@ -2,6 +2,7 @@ using System.Numerics;
 using System.Reflection;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 using System.Text;
 
 namespace RayTracer.Jobs;
@@ -12,11 +13,24 @@ namespace RayTracer.Jobs;
 /// </summary>
 public static unsafe partial class WideVectors
 {
-    /// <summary>The runtime's setting; where the user has set it, it is left alone.</summary>
+    /// <summary>The runtime's setting, in decimal; where the user has set it, it is left alone.</summary>
     public const string Variable = "DOTNET_MaxVectorTBitWidth";
 
-    // Decimal, unlike other settings of the runtime: with 200 it gives 4 lanes, with 400 it gives 8.
-    private const string Width = "512";
+    // Of older Xeons the runtime says that they prefer 256 bits, since a core that uses 512 may lower its clock; renders gain all the same.
+    private const string Preference = "DOTNET_PreferredVectorBitWidth";
+
+    // A restart takes as long as some 5 million such paths save.
+    private const long FewestPaths = 4_000_000;
+
+    // Of a program that may still be replaced.
+    private static string[]? s_args;
+
+    /// <summary>The number of lanes that the processor's registers have; 0 where it is not known how to make them that wide.</summary>
+    public static int Widest => !CanReplace ? 0
+        : Vector512.IsHardwareAccelerated || (Avx512F.IsSupported && Avx512BW.VL.IsSupported && Avx512DQ.VL.IsSupported) ? 16
+        : Vector256.IsHardwareAccelerated ? 8 : 0;
+
+    private static bool CanReplace => (OperatingSystem.IsLinux() || OperatingSystem.IsMacOS()) && Environment.ProcessPath is not null;
 
     /// <summary>
     /// Replaces the process, which must have only just started, if that helps; returns where it does not, or cannot be done.
@@ -24,15 +38,42 @@ public static unsafe partial class WideVectors
     /// <param name="args">The words after the program's name.</param>
     public static void Enable(string[] args)
     {
-        if (Vector512.IsHardwareAccelerated && Vector<float>.Count == 8
-            && (OperatingSystem.IsLinux() || OperatingSystem.IsMacOS())
-            && Environment.GetEnvironmentVariable(Variable) is null
-            && Environment.ProcessPath is { } program)
+        if (Widest == 16 && Vector<float>.Count == 8 && Environment.GetEnvironmentVariable(Variable) is null && Environment.GetEnvironmentVariable(Preference) is null)
+        {
+            Enable(args, 16);
+        }
+    }
+
+    /// <summary>Replaces the process, which must have only just started, if it has another number of lanes.</summary>
+    /// <param name="args">The words after the program's name.</param>
+    /// <param name="lanes">The number of lanes: 8, or 16 where <see cref="Widest"/> is that.</param>
+    public static void Enable(string[] args, int lanes)
+    {
+        string width = $"{32 * lanes}";
+        if (Vector<float>.Count != lanes && CanReplace && Environment.GetEnvironmentVariable(Variable) != width)
         {
             RemoveSockets();
 
-            // If this returns, the process could not be replaced, and goes on with narrower vectors.
-            Replace(program, args);
+            // If this returns, the process could not be replaced, and goes on with the vectors that it has.
+            Replace(Environment.ProcessPath!, args, width);
+        }
+    }
+
+    /// <summary>Leaves the replacement to <see cref="EnableFor"/>, which knows how much there is to do.</summary>
+    /// <param name="args">The words after the program's name.</param>
+    public static void Postpone(string[] args) => s_args = args;
+
+    /// <summary>
+    /// Replaces the process if that was postponed and is worth it; nothing may have been written yet. A short render is over before the
+    /// program has started again.
+    /// </summary>
+    /// <param name="paths">The number of paths to render.</param>
+    public static void EnableFor(long paths)
+    {
+        if (s_args is { } args && paths >= FewestPaths)
+        {
+            s_args = null;
+            Enable(args);
         }
     }
 
@@ -58,7 +99,7 @@ public static unsafe partial class WideVectors
         }
     }
 
-    private static void Replace(string program, string[] args)
+    private static void Replace(string program, string[] args, string width)
     {
         bool isHosted = Path.GetFileNameWithoutExtension(program) == "dotnet";
         string[] words = isHosted ? [program, Assembly.GetEntryAssembly()!.Location, .. args] : [program, .. args];
@@ -71,7 +112,7 @@ public static unsafe partial class WideVectors
         argv[words.Length] = null;
 
         // setenv, because the runtime keeps its own copy of the environment, which a new program does not get.
-        if (SetEnvironment(Native(Variable), Native(Width), 1) == 0)
+        if (SetEnvironment(Native(Variable), Native(width), 1) == 0 && SetEnvironment(Native(Preference), Native(width), 1) == 0)
         {
             _ = Execute(Native(program), argv);
         }

@@ -170,6 +170,26 @@ public sealed class ProcessTests : IDisposable
         Assert.Equal(Hash(null), Hash("256"));
     }
 
+    [LinuxFact]
+    public void The_number_of_lanes_is_the_users_choice_and_short_renders_keep_what_the_program_starts_with()
+    {
+        if (!Vector256.IsHardwareAccelerated || Vector<float>.Count < 8)
+        {
+            return;
+        }
+
+        JsonElement Render(params string[] more) => JsonDocument.Parse(Finish(Start(null, ["render", _scene, "--json", .. more])).Output).RootElement;
+        int widest = WideVectors.Widest;
+        JsonElement[] renders = [Render("--lanes", "8"), Render($"--lanes={widest}"), Render("--width", "24"), Render("--width", "24", "--spp", "20000")];
+        Assert.Equal([8, widest, 8, widest], renders.Select(r => r.GetProperty("lanes").GetInt32()));
+        Assert.Single(renders[..3].Select(r => r.GetProperty("filmHash").GetString()).Distinct());
+
+        // No warning is printed twice.
+        (int status, _, string error) = Finish(Start("render", _scene, "-o", _folder["a.png"], "--width", "24", "--spp", "20000", "--checkpoint-interval", "5m", "--preview"));
+        Assert.Equal(0, status);
+        Assert.Equal(2, error.Split('\n').Count(line => line.Contains("warning", StringComparison.Ordinal)));
+    }
+
     internal static string Program { get; } = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raytracer.exe" : "raytracer");
 
     internal static Process Start(params string[] args) => Start(null, args);

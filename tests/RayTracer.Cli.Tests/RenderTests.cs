@@ -9,7 +9,7 @@ public sealed class RenderTests : IDisposable
 {
     private static readonly string[] Fields =
     [
-        "width", "height", "samplesPerPixel", "threads", "loadSeconds", "buildSeconds", "renderSeconds", "writeSeconds", "totalSeconds", "peakMemoryBytes", "paths", "closestHitRays",
+        "width", "height", "samplesPerPixel", "threads", "lanes", "loadSeconds", "buildSeconds", "renderSeconds", "writeSeconds", "totalSeconds", "peakMemoryBytes", "paths", "closestHitRays",
         "shadowRays", "raysPerSecond", "filmHash", "nonFiniteSamples", "cancelled", "outputs",
     ];
 

@@ -38,6 +38,8 @@ public sealed class UsageTests : IDisposable
     [InlineData("render SCENE -o a.png --exposure NaN", "--exposure NaN: must be from -100 to 100, but is NaN")]
     [InlineData("render SCENE -o a.png --sampler jitterd", "unknown value \"jitterd\" (did you mean \"jittered\"?), expected one of sobol, jittered")]
     [InlineData("render SCENE -o a.png --tonemap 3", "unknown value \"3\", expected one of clamp, soft, reinhard, aces, agx")]
+    [InlineData("render SCENE -o a.png --lanes 4", "--lanes 4: 8 or 16 is expected")]
+    [InlineData("check SCENE --lanes 8", "unknown option \"--lanes\"")]
     [InlineData("render SCENE -o a.png --bit-depth 12", "expected one of 8, 16")]
     [InlineData("render SCENE -o a.jpg --quality 0", "--quality 0: must be from 1 to 100, but is 0")]
     [InlineData("render SCENE -o a.jpg --chroma ful", "unknown value \"ful\" (did you mean \"full\"?), expected one of full, half")]

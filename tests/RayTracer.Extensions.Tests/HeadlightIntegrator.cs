@@ -13,7 +13,7 @@ public sealed class HeadlightIntegrator() : Integrator("headlight", IntegratorTr
 
     private sealed unsafe class Shader(ShaderContext context) : SurfaceShader(context)
     {
-        protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+        protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, in MaskW active)
         {
             Describe(Scene, group, stream, index, group.Traits.UsesUv, out SurfaceW surface);
             group.Material.Albedo(surface, out RgbW albedo);

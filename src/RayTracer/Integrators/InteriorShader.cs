@@ -61,7 +61,7 @@ internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceSh
     protected abstract void Carry(PathStream stream, PathStream next, uint* index, uint going);
 
     /// <summary>A boundary: paths have no vertex there, only other media behind it.</summary>
-    protected void Cross(ShadingGroup group, in SurfaceW surface, PathStream stream, PathStream next, uint* index, MaskW active)
+    protected void Cross(ShadingGroup group, in SurfaceW surface, PathStream stream, PathStream next, uint* index, in MaskW active)
     {
         uint going = active.Bits;
         if (going == 0)
@@ -111,7 +111,7 @@ internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceSh
         (left.B * FloatW.Load(stream.ThroughputB + i)).Store(stream.ThroughputB + i);
     }
 
-    private void SampleMedium(PathStream stream, int i, UIntW media, MaskW inside)
+    private void SampleMedium(PathStream stream, int i, in UIntW media, in MaskW inside)
     {
         MaskW used = MaskW.First(stream.Count - i);
         BeginVertex(used.Select(UIntW.Load(stream.Path + i), 0u), UIntW.Load(stream.State + i) & PathState.VertexMask);

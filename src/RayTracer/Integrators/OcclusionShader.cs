@@ -15,7 +15,7 @@ internal sealed unsafe class OcclusionShader(ShaderContext context) : SurfaceSha
 
     protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving) => arriving = Numerics.Rgb.White;
 
-    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, in MaskW active)
     {
         UIntW path = UIntW.Pick(stream.Path, index);
         MaskW isSecond = ~UIntW.Equal(UIntW.Pick(stream.State, index) & PathState.DepthMask, 0u);

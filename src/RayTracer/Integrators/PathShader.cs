@@ -55,7 +55,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
     /// <inheritdoc/>
     protected override void Carry(PathStream stream, PathStream next, uint* index, uint going) => next.SetPdf(going, FloatW.Pick(stream.Pdf, index));
 
-    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, in MaskW active)
     {
         if (Scene.HasMedia && group.Traits.IsBoundary)
         {
@@ -75,14 +75,15 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         vertex = state & PathState.VertexMask;
         packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
         BeginVertex(path, vertex);
-        Observer?.BeginPacket(stream, index, active);
+        MaskW lanes = active;
+        Observer?.BeginPacket(stream, index, lanes);
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
         UIntW around = 0u;
         if (Scene.HasNesting && group.IsNested)
         {
             UIntW beyond = Scene.Cross(packet.Media, group.Interior, MaskW.All, ~ComesFromInside(surface));
-            Cross(group, surface, stream, next, index, active & IsUnreal(packet.Media, beyond));
-            active = active.Except(IsUnreal(packet.Media, beyond));
+            Cross(group, surface, stream, next, index, lanes & IsUnreal(packet.Media, beyond));
+            lanes = lanes.Except(IsUnreal(packet.Media, beyond));
             around = ComesFromInside(surface).Select(beyond, packet.Media);
         }
 
@@ -93,21 +94,21 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         Material material = guided ?? group.Material;
         if (group.Traits.Emits && _maxDepth > 0)
         {
-            AddEmission(group, surface, stream, index, active, active.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
+            AddEmission(group, surface, stream, index, lanes, lanes.Except(~UIntW.Equal(state & PathState.CountsEmission, 0u)), packet.Time, throughput, ref radiance);
         }
 
         if (group.Traits.Disperses)
         {
-            Disperse(state, ref surface, ref throughput);
+            Disperse(UIntW.Equal(state & PathState.HasWavelength, 0u), ref surface, ref throughput);
         }
 
         if (Scene.HasNesting && group.IsNested)
         {
-            surface.ExteriorIndex = Scene.Media.Index(around, surface.Wavelength);
+            Scene.Media.Index(around, surface.Wavelength, out surface.ExteriorIndex);
         }
 
         // A path of so many edges may have one more: the ray to a light, or the next one.
-        MaskW goesOn = active & (vertex + 1u < _maxDepth);
+        MaskW goesOn = lanes & (vertex + 1u < _maxDepth);
         if (group.Traits.HasDensity)
         {
             if (_queue is { IsFull: true })
@@ -124,10 +125,10 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         MaskW alive = goesOn.Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
         alive = alive.Except(Dropped(surface, scatter.Direction));
         FloatW brightest = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
-        alive = Survive(vertex, alive, guided is null ? brightest : GuidedMaterial.Survival, ref throughput);
-        Observer?.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe: false);
+        Survive(vertex, guided is null ? brightest : GuidedMaterial.Survival, ref alive, ref throughput);
+        Observer?.Scattered(stream, index, lanes, alive, material, surface, scatter, isByLobe: false);
         uint going = alive.Bits;
-        uint ended = active.Bits & ~going;
+        uint ended = lanes.Bits & ~going;
         if (_queue is not null && group.Traits.HasDensity)
         {
             _queue.End(ended, Finished.Count, going, next.Count);
@@ -155,7 +156,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
     }
 
     // A vertex in a medium.
-    private void ScatterPacket(PathStream stream, PathStream next, uint* index, MaskW active)
+    private void ScatterPacket(PathStream stream, PathStream next, uint* index, in MaskW active)
     {
         UIntW path = UIntW.Pick(stream.Path, index);
         UIntW state = UIntW.Pick(stream.State, index);
@@ -176,7 +177,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         Vertex.Direction(out FloatW u, out FloatW v);
         Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
-        alive = Survive(vertex, alive, FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B)), ref throughput);
+        Survive(vertex, FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B)), ref alive, ref throughput);
         Observer?.ScatteredInMedium(stream, index, active, alive, point, pdf);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
@@ -233,7 +234,8 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 
         if (Scene.TracksInteriors)
         {
-            next.SetMedia(going, MediumStack.Scattered(MediaAlong(Scene, surface, scatter.Direction, group.Interior, packet.Media)), 0f);
+            MediaAlong(Scene, surface, scatter.Direction, group.Interior, packet.Media, out UIntW media);
+            next.SetMedia(going, MediumStack.Scattered(media), 0f);
         }
 
         UIntW emission = group.Traits.HasDensity && _lights.Count > 0 ? scatter.Delta.Select((UIntW)PathState.CountsEmission, 0u) : PathState.CountsEmission;
@@ -247,27 +249,27 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
     }
 
     // Ends paths at random, and makes those that survive brighter, so that the mean stays.
-    private MaskW Survive(UIntW vertex, MaskW alive, FloatW most, ref RgbW throughput)
+    private void Survive(in UIntW vertex, in FloatW most, ref MaskW alive, ref RgbW throughput)
     {
         MaskW asked = alive & (vertex + 1u > (uint)Scene.Render.RouletteDepth);
         if (!asked.Any)
         {
-            return alive;
+            return;
         }
 
         // Written so that a path whose throughput is not a number survives, and is counted at its end.
         FloatW survival = (most < LargestSurvival).Select(most, LargestSurvival);
         throughput *= asked.Select(1f / survival, 1f);
-        return alive.Except(asked & (Vertex.Roulette() >= survival));
+        alive = alive.Except(asked & (Vertex.Roulette() >= survival));
     }
 
     // Light of the surface itself: in full where no light could have been sampled for it, and weighted else.
     private void AddEmission(
-        ShadingGroup group, in SurfaceW surface, PathStream stream, uint* index, MaskW active, MaskW shared, FloatW time, in RgbW throughput, ref RgbW radiance)
+        ShadingGroup group, in SurfaceW surface, PathStream stream, uint* index, in MaskW active, in MaskW counts, in FloatW time, in RgbW throughput, ref RgbW radiance)
     {
         FloatW cosine = CosineOfEmission(surface);
         group.Material.Emission(cosine, surface.U, surface.V, out RgbW emitted);
-        shared &= cosine > 0f;
+        MaskW shared = counts & (cosine > 0f);
         if (shared.Any)
         {
             FloatW travelled = Scene.TracksInteriors ? FloatW.Pick(stream.Travelled, index) : 0f;

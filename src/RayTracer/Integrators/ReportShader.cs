@@ -17,7 +17,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
 
     internal override void Flush(PathStream next) => _queue?.Flush(Finished, next);
 
-    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, in MaskW active)
     {
         // Random numbers first: their long chain of multiplications then overlaps with the description of the surface.
         ref PacketW packet = ref Packet;
@@ -46,7 +46,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
 
         if (group.Traits.Disperses)
         {
-            Disperse(state, ref surface, ref throughput);
+            Disperse(UIntW.Equal(state & PathState.HasWavelength, 0u), ref surface, ref throughput);
         }
 
         if (!Scene.Ambient.IsBlack)
@@ -122,7 +122,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
     }
 
     private void AddEmission(
-        ShadingGroup group, PathStream stream, uint* index, MaskW active, in SurfaceW surface, in RgbW throughput, UIntW state, ref RgbW radiance)
+        ShadingGroup group, PathStream stream, uint* index, in MaskW active, in SurfaceW surface, in RgbW throughput, in UIntW state, ref RgbW radiance)
     {
         MaskW counts = ~UIntW.Equal(state & PathState.CountsEmission, 0u);
         group.Material.Emission(CosineOfEmission(surface), surface.U, surface.V, out RgbW emitted);

@@ -221,7 +221,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     /// <param name="next">Takes the paths that have a next ray.</param>
     /// <param name="index">Indices of the packet's paths in the stream.</param>
     /// <param name="active">The lanes in use.</param>
-    protected abstract void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active);
+    protected abstract void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, in MaskW active);
 
     /// <summary>The radiance that arrives where rays meet nothing.</summary>
     protected virtual void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving)
@@ -242,13 +242,17 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     /// <summary>
     /// Gives paths their wavelengths at a surface that disperses light: from the first one on, they have the colour of a single wavelength.
     /// </summary>
-    private protected virtual void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput)
+    /// <param name="first">The lanes of paths that have none yet.</param>
+    /// <param name="surface">The surface, which gets the wavelengths.</param>
+    /// <param name="throughput">The paths' throughput.</param>
+    private protected virtual void Disperse(in MaskW first, ref SurfaceW surface, ref RgbW throughput)
     {
         Scene.Wavelengths!.Sample(Vertex.Wavelength(), out surface.Wavelength, out RgbW weight);
-        throughput = UIntW.Equal(state & PathState.HasWavelength, 0u).Select(throughput * weight, throughput);
+        throughput = first.Select(throughput * weight, throughput);
     }
 
     /// <summary>The part of a path's state after a surface that marks it as standing for a single wavelength.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private protected UIntW WavelengthAfter(ShadingGroup group, UIntW state) => Scene.Wavelengths is null ? 0u
         : group.Traits.Disperses ? PathState.HasWavelength : state & PathState.HasWavelength;
 
@@ -329,21 +333,23 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         return FloatW.Max(FloatW.Min(cosine, 1f), -1f);
     }
 
-    /// <summary>The media of a ray that leaves a surface, by those of the ray that came.</summary>
+    /// <summary>Finds the media of a ray that leaves a surface, by those of the ray that came.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="surface">The surface.</param>
     /// <param name="direction">The ray's direction.</param>
     /// <param name="interior">Number of the medium inside; 0 for none.</param>
     /// <param name="media">The media of the ray that came.</param>
-    internal static UIntW MediaAlong(Scene scene, in SurfaceW surface, in Vec3W direction, uint interior, UIntW media)
+    /// <param name="along">The media of the ray that leaves.</param>
+    internal static void MediaAlong(Scene scene, in SurfaceW surface, in Vec3W direction, uint interior, in UIntW media, out UIntW along)
     {
         if (interior == 0)
         {
-            return media;
+            along = media;
+            return;
         }
 
         FloatW outwards = Vec3W.Dot(direction, surface.Normal);
-        return scene.Cross(media, interior, outwards * Vec3W.Dot(surface.Incoming, surface.Normal) > 0f, outwards < 0f);
+        along = scene.Cross(media, interior, outwards * Vec3W.Dot(surface.Incoming, surface.Normal) > 0f, outwards < 0f);
     }
 
     /// <summary>

@@ -12,7 +12,7 @@ internal abstract unsafe class ViewShader(ShaderContext context, bool usesUv) : 
 
     protected override void Arrive(PathStream stream, uint* index, in Vec3W direction, out RgbW arriving) => arriving = default;
 
-    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, in MaskW active)
     {
         UIntW path = UIntW.Pick(stream.Path, index);
         Describe(Scene, group, stream, index, group.Traits.UsesUv || usesUv, out SurfaceW surface);

@@ -107,7 +107,7 @@ internal sealed unsafe class LightSelection
     /// <param name="normal">Unit normals on the side that is lit; zero where light from all sides counts.</param>
     /// <param name="light">Numbers of the lights.</param>
     /// <param name="probability">The probability.</param>
-    public void Probability(in Vec3W point, in Vec3W normal, UIntW light, out FloatW probability)
+    public void Probability(in Vec3W point, in Vec3W normal, in UIntW light, out FloatW probability)
     {
         FloatW near = NearShare(point, normal);
         FloatW far = FloatW.Gather(_strengthsFar.Pointer, light);

@@ -43,13 +43,14 @@ internal sealed unsafe class MediumTable
     /// <summary>The priorities by number.</summary>
     public float* Priorities => _priorities.Pointer;
 
-    /// <summary>Refractive indices of the innermost ones, relative to empty space; 1 where they have none.</summary>
+    /// <summary>Finds refractive indices of the innermost ones, relative to empty space; 1 where they have none.</summary>
     /// <param name="stack">The stack.</param>
     /// <param name="wavelength">Wavelengths in µm; used only where an index depends on them.</param>
-    public FloatW Index(UIntW stack, FloatW wavelength)
+    /// <param name="index">The indices.</param>
+    public void Index(in UIntW stack, in FloatW wavelength, out FloatW index)
     {
         UIntW innermost = MediumStack.Innermost(stack);
-        FloatW index = 1f;
+        index = 1f;
         for (int i = 0; i < _interiors.Count; i++)
         {
             MaskW here = UIntW.Equal(innermost, (uint)i + 1u);
@@ -58,8 +59,6 @@ internal sealed unsafe class MediumTable
                 index = here.Select(nesting.Index.Index(wavelength), index);
             }
         }
-
-        return index;
     }
 
     /// <summary>The part of it that is scattered.</summary>

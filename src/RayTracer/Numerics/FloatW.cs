@@ -154,7 +154,8 @@ public readonly unsafe struct FloatW
 
     /// <summary>The magnitude of <paramref name="a"/> with the sign of <paramref name="sign"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatW CopySign(FloatW a, FloatW sign) => new(Vector.CopySign(a.V, sign.V));
+    public static FloatW CopySign(FloatW a, FloatW sign) =>
+        new(Vector.ConditionalSelect(Vector.AsVectorSingle(new Vector<uint>(0x80000000u)), sign.V, a.V));
 
     /// <summary>The same bits read as unsigned integers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -172,7 +173,24 @@ public readonly unsafe struct FloatW
     /// the machine.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public UIntW ToIntInRange() => new(Vector.AsVectorUInt32(Vector.ConvertToInt32Native(V)));
+    public UIntW ToIntInRange() => new(Vector<float>.Count == 8 && Avx.IsSupported
+        ? Avx.ConvertToVector256Int32WithTruncation(V.AsVector256()).AsUInt32().AsVector()
+        : Vector.AsVectorUInt32(Vector.ConvertToInt32Native(V)));
+
+    /// <summary>The numbers in double precision: those of the first half of the lanes, and of the second.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal void Widen(out Vector<double> low, out Vector<double> high)
+    {
+        if (Vector<float>.Count == 8 && Avx.IsSupported)
+        {
+            low = Avx.ConvertToVector256Double(V.AsVector256().GetLower()).AsVector();
+            high = Avx.ConvertToVector256Double(V.AsVector256().GetUpper()).AsVector();
+        }
+        else
+        {
+            Vector.Widen(V, out low, out high);
+        }
+    }
 
     /// <summary>Loads as many floats as there are lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -180,7 +198,7 @@ public readonly unsafe struct FloatW
 
     /// <summary>Stores all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(float* to) => V.Store(to);
+    public void Store(float* to) => Unsafe.WriteUnaligned(to, V);
 
     /// <summary>
     /// table[index[0]], table[index[1]] … for indices that lie in memory and grow, but for those of lanes that do not count, at the end.
@@ -246,12 +264,12 @@ public readonly unsafe struct FloatW
         {
             Vector512<float> v = V.AsVector512();
             uint low = bits & 0xff;
-            Avx2.PermuteVar8x32(v.GetLower(), CompressTable.Permutation(low)).Store(to);
-            Avx2.PermuteVar8x32(v.GetUpper(), CompressTable.Permutation(bits >> 8)).Store(to + BitOperations.PopCount(low));
+            Unsafe.WriteUnaligned(to, Avx2.PermuteVar8x32(v.GetLower(), CompressTable.Permutation(low)));
+            Unsafe.WriteUnaligned(to + BitOperations.PopCount(low), Avx2.PermuteVar8x32(v.GetUpper(), CompressTable.Permutation(bits >> 8)));
         }
         else if (Vector<float>.Count == 8 && Avx2.IsSupported)
         {
-            Avx2.PermuteVar8x32(V.AsVector256(), CompressTable.Permutation(bits)).Store(to);
+            Unsafe.WriteUnaligned(to, Avx2.PermuteVar8x32(V.AsVector256(), CompressTable.Permutation(bits)));
         }
         else
         {

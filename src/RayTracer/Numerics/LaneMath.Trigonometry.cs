@@ -36,9 +36,10 @@ public static partial class LaneMath
         if (large.Any)
         {
             // Copies: a variable whose address is taken would live in memory on the fast path too.
+            (FloatW original, MaskW affected) = (angle, large);
             FloatW reduced = r;
             UIntW ofReduced = quadrant;
-            ReduceLarge(angle, large, ref reduced, ref ofReduced);
+            ReduceLarge(original, affected, ref reduced, ref ofReduced);
             r = reduced;
             quadrant = ofReduced;
         }
@@ -103,7 +104,7 @@ public static partial class LaneMath
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private static unsafe void ReduceLarge(FloatW angle, MaskW large, ref FloatW r, ref UIntW quadrant)
+    private static unsafe void ReduceLarge(in FloatW angle, in MaskW large, ref FloatW r, ref UIntW quadrant)
     {
         float* rs = stackalloc float[FloatW.Count];
         uint* quadrants = stackalloc uint[FloatW.Count];

@@ -93,7 +93,7 @@ public readonly unsafe struct UIntW
     public MaskW TopDigit
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get => new(Vector.ShiftRightArithmetic(Vector.AsVectorInt32(V), 31));
+        get => new(Vector.AsVectorInt32(V) >> 31);
     }
 
     /// <summary>Bit 0 becomes bit 31 and so on: the digits of an index become those of a fraction.</summary>
@@ -135,7 +135,7 @@ public readonly unsafe struct UIntW
 
     /// <summary>Stores all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(uint* to) => V.Store(to);
+    public void Store(uint* to) => Unsafe.WriteUnaligned(to, V);
 
     /// <summary>table[index[0]], table[index[1]] … for indices that lie in memory.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

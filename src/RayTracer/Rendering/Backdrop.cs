@@ -37,18 +37,18 @@ internal sealed unsafe class Backdrop : PathObserver
 
     /// <inheritdoc/>
     public override void Scattered(
-        PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter, bool isByLobe)
+        PathStream stream, uint* index, in MaskW active, in MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter, bool isByLobe)
     {
         MaskW passes = scatter.Delta & (Vec3W.Dot(scatter.Direction, surface.Facing) < 0f);
         Mark(UIntW.Pick(stream.Path, index), alive.Except(passes));
     }
 
     /// <inheritdoc/>
-    public override void ScatteredInMedium(PathStream stream, uint* index, MaskW active, MaskW alive, in Vec3W point, in FloatW pdf) =>
+    public override void ScatteredInMedium(PathStream stream, uint* index, in MaskW active, in MaskW alive, in Vec3W point, in FloatW pdf) =>
         Mark(UIntW.Pick(stream.Path, index), alive);
 
     /// <inheritdoc/>
-    public override void Missed(PathStream stream, uint* index, MaskW lanes, in RgbW arriving)
+    public override void Missed(PathStream stream, uint* index, in MaskW lanes, in RgbW arriving)
     {
         RgbW throughput = stream.PickThroughput(index);
         RgbW light = throughput * arriving;

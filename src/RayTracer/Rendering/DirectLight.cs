@@ -35,6 +35,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     /// </summary>
     /// <param name="pdf">Density of that way.</param>
     /// <param name="other">Density of the other.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatW Weight(FloatW pdf, FloatW other)
     {
         FloatW ratio = other / pdf;
@@ -171,7 +172,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     // What arrives from a chosen point of a light, unless something is in the way.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Connect(
-        in SurfaceW surface, Material? material, ref LitW lit, int light, in ShapeSampleW sample, MaskW lanes, in RgbW brought,
+        in SurfaceW surface, Material? material, ref LitW lit, int light, in ShapeSampleW sample, in MaskW lanes, in RgbW brought,
         ref RgbW arriving)
     {
         ref RgbW radiance = ref lit.Radiance;
@@ -224,7 +225,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         ShadowRays += BitOperations.PopCount(wanted);
         if (_transmittance is not null)
         {
-            UIntW there = SurfaceShader.MediaAlong(scene, surface, sample.Direction, lit.Interior, lit.Media);
+            SurfaceShader.MediaAlong(scene, surface, sample.Direction, lit.Interior, lit.Media, out UIntW there);
             _transmittance.Trace(wanted, origin, lit.Instance, lit.Inner, towards, distance, there, lit.Time, _lights[light], out RgbW part);
             arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
             observer?.Lit(light, free, radiance * part * cosine, isWaiting: false);

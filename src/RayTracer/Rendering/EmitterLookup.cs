@@ -45,7 +45,7 @@ internal sealed unsafe class EmitterLookup
     /// <param name="hit">The points at which rays meet it.</param>
     /// <param name="lanes">The lanes asked for.</param>
     /// <param name="pdf">The densities; zero where nothing is sampled.</param>
-    public void Pdf(ShadingGroup group, UIntW instance, in LightHitW hit, MaskW lanes, out FloatW pdf) =>
+    public void Pdf(ShadingGroup group, in UIntW instance, in LightHitW hit, in MaskW lanes, out FloatW pdf) =>
         Densities(group, instance, hit, lanes, null, out pdf, out _);
 
     /// <summary>
@@ -58,7 +58,7 @@ internal sealed unsafe class EmitterLookup
     /// <param name="emission">Starts those paths; null where nobody asks.</param>
     /// <param name="pdf">The densities; zero where nothing is sampled.</param>
     /// <param name="emitted">Their density, of light, point and direction; zero where none starts.</param>
-    public void Densities(ShadingGroup group, UIntW instance, in LightHitW hit, MaskW lanes, LightEmission? emission, out FloatW pdf, out FloatW emitted)
+    public void Densities(ShadingGroup group, in UIntW instance, in LightHitW hit, in MaskW lanes, LightEmission? emission, out FloatW pdf, out FloatW emitted)
     {
         (pdf, emitted) = (0f, 0f);
         uint rest = lanes.Bits;

@@ -15,7 +15,7 @@ internal abstract unsafe class PathObserver
     }
 
     /// <summary>Paths meet surfaces, or are scattered by a medium.</summary>
-    public virtual void BeginPacket(PathStream stream, uint* index, MaskW lanes)
+    public virtual void BeginPacket(PathStream stream, uint* index, in MaskW lanes)
     {
     }
 
@@ -26,7 +26,7 @@ internal abstract unsafe class PathObserver
     /// <param name="lanes">The lanes in use.</param>
     /// <param name="light">The light that is added.</param>
     /// <param name="radiance">All that the paths have gathered.</param>
-    public virtual void Emitted(ShadingGroup group, PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance)
+    public virtual void Emitted(ShadingGroup group, PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance)
     {
     }
 
@@ -36,7 +36,7 @@ internal abstract unsafe class PathObserver
     /// <param name="lanes">The lanes in use.</param>
     /// <param name="light">The light that is added.</param>
     /// <param name="radiance">All that the paths have gathered.</param>
-    public virtual void Brightened(PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance)
+    public virtual void Brightened(PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance)
     {
     }
 
@@ -62,7 +62,7 @@ internal abstract unsafe class PathObserver
     /// <param name="lanes">The lanes that it reaches.</param>
     /// <param name="radiance">The light that arrives, before the weight.</param>
     /// <param name="isWaiting">The rays to the source are still to be traced.</param>
-    public virtual void Lit(int light, MaskW lanes, in RgbW radiance, bool isWaiting)
+    public virtual void Lit(int light, in MaskW lanes, in RgbW radiance, bool isWaiting)
     {
     }
 
@@ -70,7 +70,7 @@ internal abstract unsafe class PathObserver
     /// <param name="light">The source.</param>
     /// <param name="lanes">The lanes that it reaches.</param>
     /// <param name="radiance">The light that is added.</param>
-    public virtual void LitInMedium(int light, MaskW lanes, in RgbW radiance)
+    public virtual void LitInMedium(int light, in MaskW lanes, in RgbW radiance)
     {
     }
 
@@ -92,7 +92,7 @@ internal abstract unsafe class PathObserver
     /// Light is not looked for where the matt part was chosen, so that what is found otherwise is not that part's (report).
     /// </param>
     public virtual void Scattered(
-        PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
+        PathStream stream, uint* index, in MaskW active, in MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
         bool isByLobe)
     {
     }
@@ -104,12 +104,12 @@ internal abstract unsafe class PathObserver
     /// <param name="alive">Those that have a next ray.</param>
     /// <param name="point">The points.</param>
     /// <param name="pdf">Densities of the next rays' directions.</param>
-    public virtual void ScatteredInMedium(PathStream stream, uint* index, MaskW active, MaskW alive, in Vec3W point, in FloatW pdf)
+    public virtual void ScatteredInMedium(PathStream stream, uint* index, in MaskW active, in MaskW alive, in Vec3W point, in FloatW pdf)
     {
     }
 
     /// <summary>Paths go straight through a boundary.</summary>
-    public virtual void Crossed(PathStream stream, uint* index, MaskW active, in SurfaceW surface)
+    public virtual void Crossed(PathStream stream, uint* index, in MaskW active, in SurfaceW surface)
     {
     }
 
@@ -118,7 +118,7 @@ internal abstract unsafe class PathObserver
     /// <param name="index">Indices of a packet of them.</param>
     /// <param name="lanes">The lanes in use.</param>
     /// <param name="arriving">The light of what is behind everything.</param>
-    public virtual void Missed(PathStream stream, uint* index, MaskW lanes, in RgbW arriving)
+    public virtual void Missed(PathStream stream, uint* index, in MaskW lanes, in RgbW arriving)
     {
     }
 

@@ -20,21 +20,21 @@ internal sealed unsafe class PathObservers(PathObserver first, PathObserver seco
     }
 
     /// <inheritdoc/>
-    public override void BeginPacket(PathStream stream, uint* index, MaskW lanes)
+    public override void BeginPacket(PathStream stream, uint* index, in MaskW lanes)
     {
         first.BeginPacket(stream, index, lanes);
         second.BeginPacket(stream, index, lanes);
     }
 
     /// <inheritdoc/>
-    public override void Emitted(ShadingGroup group, PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance)
+    public override void Emitted(ShadingGroup group, PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance)
     {
         first.Emitted(group, stream, index, lanes, light, radiance);
         second.Emitted(group, stream, index, lanes, light, radiance);
     }
 
     /// <inheritdoc/>
-    public override void Brightened(PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance)
+    public override void Brightened(PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance)
     {
         first.Brightened(stream, index, lanes, light, radiance);
         second.Brightened(stream, index, lanes, light, radiance);
@@ -55,14 +55,14 @@ internal sealed unsafe class PathObservers(PathObserver first, PathObserver seco
     }
 
     /// <inheritdoc/>
-    public override void Lit(int light, MaskW lanes, in RgbW radiance, bool isWaiting)
+    public override void Lit(int light, in MaskW lanes, in RgbW radiance, bool isWaiting)
     {
         first.Lit(light, lanes, radiance, isWaiting);
         second.Lit(light, lanes, radiance, isWaiting);
     }
 
     /// <inheritdoc/>
-    public override void LitInMedium(int light, MaskW lanes, in RgbW radiance)
+    public override void LitInMedium(int light, in MaskW lanes, in RgbW radiance)
     {
         first.LitInMedium(light, lanes, radiance);
         second.LitInMedium(light, lanes, radiance);
@@ -77,28 +77,28 @@ internal sealed unsafe class PathObservers(PathObserver first, PathObserver seco
 
     /// <inheritdoc/>
     public override void Scattered(
-        PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter, bool isByLobe)
+        PathStream stream, uint* index, in MaskW active, in MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter, bool isByLobe)
     {
         first.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe);
         second.Scattered(stream, index, active, alive, material, surface, scatter, isByLobe);
     }
 
     /// <inheritdoc/>
-    public override void ScatteredInMedium(PathStream stream, uint* index, MaskW active, MaskW alive, in Vec3W point, in FloatW pdf)
+    public override void ScatteredInMedium(PathStream stream, uint* index, in MaskW active, in MaskW alive, in Vec3W point, in FloatW pdf)
     {
         first.ScatteredInMedium(stream, index, active, alive, point, pdf);
         second.ScatteredInMedium(stream, index, active, alive, point, pdf);
     }
 
     /// <inheritdoc/>
-    public override void Crossed(PathStream stream, uint* index, MaskW active, in SurfaceW surface)
+    public override void Crossed(PathStream stream, uint* index, in MaskW active, in SurfaceW surface)
     {
         first.Crossed(stream, index, active, surface);
         second.Crossed(stream, index, active, surface);
     }
 
     /// <inheritdoc/>
-    public override void Missed(PathStream stream, uint* index, MaskW lanes, in RgbW arriving)
+    public override void Missed(PathStream stream, uint* index, in MaskW lanes, in RgbW arriving)
     {
         first.Missed(stream, index, lanes, arriving);
         second.Missed(stream, index, lanes, arriving);

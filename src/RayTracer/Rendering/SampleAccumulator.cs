@@ -63,7 +63,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <param name="pixels">The pixels' numbers in the tile.</param>
     /// <param name="samples">The samples' numbers, for the list of bad ones.</param>
     /// <param name="radiance">The samples.</param>
-    public void Add(int count, UIntW pixels, UIntW samples, in RgbW radiance)
+    public void Add(int count, in UIntW pixels, in UIntW samples, in RgbW radiance)
     {
         long* red = _units.Pointer;
         long* green = red + FloatW.Count;
@@ -99,7 +99,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static void ToChannelUnits(FloatW value, long* units)
     {
-        Vector.Widen(value.V, out Vector<double> low, out Vector<double> high);
+        value.Widen(out Vector<double> low, out Vector<double> high);
         ToNearest(low * Film.ChannelUnits).Store(units);
         ToNearest(high * Film.ChannelUnits).Store(units + Vector<double>.Count);
     }
@@ -128,7 +128,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void ToSquareUnits(FloatW value, long* units)
     {
-        Vector.Widen(value.V, out Vector<double> low, out Vector<double> high);
+        value.Widen(out Vector<double> low, out Vector<double> high);
         ToNearest(low * low * Film.SquareUnits).Store(units);
         ToNearest(high * high * Film.SquareUnits).Store(units + Vector<double>.Count);
     }
@@ -138,6 +138,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private static Vector<long> ToNearest(Vector<double> units) => Vector.ConvertToInt64Native(Vector.Round(units));
 
     // Squares of such samples fit 64 times into 64 bits. False for NaN.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static MaskW IsOrdinary(FloatW channel) => FloatW.Abs(channel) < OrdinaryLimit;
 
     private void AddUnusual(int pixel, int sample, Rgb value)

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Acceleration;
 using RayTracer.Cameras;
 using RayTracer.Description;
@@ -169,7 +170,15 @@ public sealed class Scene
     /// <param name="interior">Number of what is inside the boundary.</param>
     /// <param name="crosses">The lanes in which the boundary is crossed.</param>
     /// <param name="enters">True if that is inwards.</param>
-    internal unsafe UIntW Cross(UIntW stack, uint interior, MaskW crosses, MaskW enters) => HasNesting
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal UIntW Cross(UIntW stack, uint interior, MaskW crosses, MaskW enters)
+    {
+        Cross(stack, interior, crosses, enters, out UIntW crossed);
+        return crossed;
+    }
+
+    // No register is passed by value, which code that is compiled ahead cannot do.
+    private unsafe void Cross(in UIntW stack, uint interior, in MaskW crosses, in MaskW enters, out UIntW crossed) => crossed = HasNesting
         ? MediumStack.CrossByPriority(stack, interior, crosses, enters, Media.Priorities)
         : MediumStack.Cross(stack, interior, crosses, enters);
 

@@ -105,12 +105,15 @@ internal sealed unsafe class SobolSampler : Sampler
         second = both >> 16;
         if (_digits > LowDigits)
         {
-            PlaceHigh(reversed, isFirst, ref first, ref second);
+            // Copies, as what is passed by reference stays in memory.
+            (UIntW rest, MaskW chosen) = (reversed, isFirst);
+            PlaceHigh(rest, chosen, ref first, ref second);
         }
     }
 
-    private void PlaceHigh(UIntW reversed, MaskW isFirst, ref UIntW first, ref UIntW second)
+    private void PlaceHigh(in UIntW rest, in MaskW isFirst, ref UIntW first, ref UIntW second)
     {
+        UIntW reversed = rest;
         for (int k = LowDigits; k < _digits; k++, reversed += reversed)
         {
             first ^= reversed.TopDigit.Select(isFirst.Select((UIntW)s_columns[0][k], s_columns[2][k]), 0u);

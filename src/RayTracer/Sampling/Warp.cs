@@ -19,6 +19,7 @@ public static class Warp
     }
 
     /// <summary>Pdf of <see cref="CosineHemisphere"/> at the given cosine with z, per steradian.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatW CosineHemispherePdf(FloatW cosine) => FloatW.Max(cosine, 0f) * (1f / float.Pi);
 
     /// <summary>A direction in the cosine-power lobe around z: pdf = (n+1)/2π · cosⁿ (Lafortune &amp; Willems 1994).</summary>

@@ -10,6 +10,7 @@ public static class AreaSample
     /// <param name="distance">Distance to the point.</param>
     /// <param name="cosine">Cosine between the normal there and the way back.</param>
     /// <param name="area">The area.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatW Pdf(FloatW distance, FloatW cosine, FloatW area) => (cosine > 0f).Select(distance * distance / (cosine * area), 0f);
 
     /// <summary>A light sample from the vector to a point that was chosen uniformly by area.</summary>

@@ -63,7 +63,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
     }
 
     /// <inheritdoc/>
-    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, in MaskW active)
     {
         ref PacketW packet = ref Packet;
         ref SurfaceW surface = ref packet.Surface;
@@ -74,15 +74,15 @@ internal sealed unsafe class SeenThrough : InteriorShader
         {
             UIntW beyond = Scene.Cross(packet.Media, group.Interior, MaskW.All, ~ComesFromInside(surface));
             unreal = active & IsUnreal(packet.Media, beyond);
-            surface.ExteriorIndex = Scene.Media.Index(ComesFromInside(surface).Select(beyond, packet.Media), surface.Wavelength);
+            Scene.Media.Index(ComesFromInside(surface).Select(beyond, packet.Media), surface.Wavelength, out surface.ExteriorIndex);
         }
 
         Cross(group, surface, stream, next, index, unreal);
-        active = active.Except(unreal);
-        MaskW through = GoThrough(group, ref packet, stream, next, index, active);
+        MaskW lanes = active.Except(unreal);
+        MaskW through = GoThrough(group, ref packet, stream, next, index, lanes);
         group.Material.Albedo(surface, out RgbW albedo);
         albedo *= stream.PickThroughput(index);
-        for (uint rest = active.Except(through).Bits; rest != 0; rest &= rest - 1)
+        for (uint rest = lanes.Except(through).Bits; rest != 0; rest &= rest - 1)
         {
             int lane = System.Numerics.BitOperations.TrailingZeroCount(rest);
             FirstHit hit = Hit(stream, (int)index[lane], out long pixel) with
@@ -126,7 +126,8 @@ internal sealed unsafe class SeenThrough : InteriorShader
 
         if (Scene.TracksInteriors)
         {
-            next.SetMedia(going, MediaAlong(Scene, surface, packet.Scatter.Direction, group.Interior, packet.Media), 0f);
+            MediaAlong(Scene, surface, packet.Scatter.Direction, group.Interior, packet.Media, out UIntW media);
+            next.SetMedia(going, media, 0f);
         }
 
         next.Append(

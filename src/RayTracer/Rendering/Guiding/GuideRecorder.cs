@@ -33,7 +33,7 @@ internal sealed unsafe class GuideRecorder(GuideSums? sums, double units) : Path
 
     /// <inheritdoc/>
     public override void Scattered(
-        PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
+        PathStream stream, uint* index, in MaskW active, in MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
         bool isByLobe)
     {
         ref LanesW lanes = ref *_lanes.Pointer;

@@ -24,7 +24,7 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
     public IEnumerable<TracedPath> Paths() => _paths.Select((p, i) => new TracedPath(_samples.First + i, p.Radiance, p.Vertices));
 
     /// <inheritdoc/>
-    public override void Missed(PathStream stream, uint* index, MaskW lanes, in RgbW arriving)
+    public override void Missed(PathStream stream, uint* index, in MaskW lanes, in RgbW arriving)
     {
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
@@ -34,20 +34,20 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void BeginPacket(PathStream stream, uint* index, MaskW lanes) =>
+    public override void BeginPacket(PathStream stream, uint* index, in MaskW lanes) =>
         Gathered(stream, index, lanes, stream.PickRadiance(index), true);
 
     /// <inheritdoc/>
-    public override void Emitted(ShadingGroup group, PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance) =>
+    public override void Emitted(ShadingGroup group, PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance) =>
         Gathered(stream, index, lanes, radiance, true);
 
     /// <inheritdoc/>
-    public override void Brightened(PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance) =>
+    public override void Brightened(PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance) =>
         Gathered(stream, index, lanes, radiance, false);
 
     /// <inheritdoc/>
     public override void Scattered(
-        PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
+        PathStream stream, uint* index, in MaskW active, in MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
         bool isByLobe)
     {
         material.Pdf(surface, scatter.Direction, out FloatW pdf);
@@ -76,7 +76,7 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void ScatteredInMedium(PathStream stream, uint* index, MaskW active, MaskW alive, in Vec3W point, in FloatW pdf)
+    public override void ScatteredInMedium(PathStream stream, uint* index, in MaskW active, in MaskW alive, in Vec3W point, in FloatW pdf)
     {
         for (uint rest = active.Bits; rest != 0; rest &= rest - 1)
         {
@@ -92,7 +92,7 @@ internal sealed unsafe class PathRecorder(Scene scene) : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void Crossed(PathStream stream, uint* index, MaskW active, in SurfaceW surface)
+    public override void Crossed(PathStream stream, uint* index, in MaskW active, in SurfaceW surface)
     {
         for (uint rest = active.Bits; rest != 0; rest &= rest - 1)
         {

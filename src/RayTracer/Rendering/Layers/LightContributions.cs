@@ -69,7 +69,7 @@ internal sealed unsafe class LightContributions : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void BeginPacket(PathStream stream, uint* index, MaskW lanes)
+    public override void BeginPacket(PathStream stream, uint* index, in MaskW lanes)
     {
         _path = UIntW.Pick(stream.Path, index);
         _hasFirst = false;
@@ -80,7 +80,7 @@ internal sealed unsafe class LightContributions : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void Emitted(ShadingGroup group, PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance)
+    public override void Emitted(ShadingGroup group, PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance)
     {
         UIntW instance = group.IsInstanced ? UIntW.Pick(stream.Instance, index) : 0u;
         UIntW primitive = UIntW.Pick(stream.Primitive, index);
@@ -96,7 +96,7 @@ internal sealed unsafe class LightContributions : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void Missed(PathStream stream, uint* index, MaskW lanes, in RgbW arriving)
+    public override void Missed(PathStream stream, uint* index, in MaskW lanes, in RgbW arriving)
     {
         UIntW path = UIntW.Pick(stream.Path, index);
         RgbW light = stream.PickThroughput(index) * arriving;
@@ -112,7 +112,7 @@ internal sealed unsafe class LightContributions : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void Brightened(PathStream stream, uint* index, MaskW lanes, in RgbW light, in RgbW radiance)
+    public override void Brightened(PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance)
     {
         // Ambient light stands in for light that comes by many ways, and what it meets first counts as matt.
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
@@ -143,7 +143,7 @@ internal sealed unsafe class LightContributions : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void Lit(int light, MaskW lanes, in RgbW radiance, bool isWaiting)
+    public override void Lit(int light, in MaskW lanes, in RgbW radiance, bool isWaiting)
     {
         RgbW all = _weight * radiance;
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
@@ -169,7 +169,7 @@ internal sealed unsafe class LightContributions : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void LitInMedium(int light, MaskW lanes, in RgbW radiance)
+    public override void LitInMedium(int light, in MaskW lanes, in RgbW radiance)
     {
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
@@ -197,7 +197,7 @@ internal sealed unsafe class LightContributions : PathObserver
 
     /// <inheritdoc/>
     public override void Scattered(
-        PathStream stream, uint* index, MaskW active, MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
+        PathStream stream, uint* index, in MaskW active, in MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter,
         bool isByLobe)
     {
         MaskW straight = scatter.Delta & (scatter.Direction.X >= surface.Incoming.X) & (scatter.Direction.X <= surface.Incoming.X)
@@ -223,7 +223,7 @@ internal sealed unsafe class LightContributions : PathObserver
     }
 
     /// <inheritdoc/>
-    public override void ScatteredInMedium(PathStream stream, uint* index, MaskW active, MaskW alive, in Vec3W point, in FloatW pdf)
+    public override void ScatteredInMedium(PathStream stream, uint* index, in MaskW active, in MaskW alive, in Vec3W point, in FloatW pdf)
     {
         for (uint rest = alive.Bits; rest != 0; rest &= rest - 1)
         {

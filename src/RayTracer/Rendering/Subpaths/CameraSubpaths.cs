@@ -210,7 +210,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
     private static FloatW Share(FloatW others) => 1f / (others + 1f);
 
     // Light of the surface itself: in full where the camera sees it straight, or no other way could have found it.
-    private void AddEmission(ShadingGroup group, PathStream stream, uint* index, MaskW active)
+    private void AddEmission(ShadingGroup group, PathStream stream, uint* index, in MaskW active)
     {
         ref VertexW at = ref At;
         FloatW cosine = CosineOfEmission(at.Surface);

@@ -142,7 +142,12 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
         RgbW value = camera.Throughput * bsdf * (InteriorShader.Cosine(surface, direction) * pass.Weights.PerLightPath);
         FloatW sum = camera.Sums.Connected(reversePdf, pass.Weights.At(group));
         FloatW cosine = InteriorShader.Meeting(surface, direction);
-        UIntW media = scene.TracksInteriors ? SurfaceShader.MediaAlong(scene, surface, direction, group.Interior, camera.Media) : 0u;
+        UIntW media = 0u;
+        if (scene.TracksInteriors)
+        {
+            SurfaceShader.MediaAlong(scene, surface, direction, group.Interior, camera.Media, out media);
+        }
+
         Vec3W start = SurfaceShader.Leave(surface, direction);
         Vec3W inner = group.IsInstanced ? SurfaceShader.LeaveInside(surface, direction) : default;
         for (uint lanes = active.Bits; lanes != 0; lanes &= lanes - 1)
@@ -183,7 +188,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
         surface.Wavelength = group.Traits.Disperses ? end.Wavelength : surface.Wavelength;
         if (scene.HasNesting && group.IsNested)
         {
-            surface.ExteriorIndex = scene.Media.Index(InteriorShader.Around(scene, group, surface, UIntW.Load(_room.Media)), surface.Wavelength);
+            scene.Media.Index(InteriorShader.Around(scene, group, surface, UIntW.Load(_room.Media)), surface.Wavelength, out surface.ExteriorIndex);
         }
 
         MaskW active = MaskW.First(chosen.Length);

@@ -110,7 +110,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         Adjoint.Scatter(group.Material, ref surface, Vertex, out scatter, out pdf, out reversePdf);
 
     // The colour of the wavelength is left to the whole path, for both of its ends may have it.
-    private protected override void Disperse(UIntW state, ref SurfaceW surface, ref RgbW throughput) =>
+    private protected override void Disperse(in MaskW first, ref SurfaceW surface, ref RgbW throughput) =>
         Scene.Wavelengths!.Sample(Wavelength(), out surface.Wavelength, out _);
 
     // The first vertex: the other ways are a camera path that asks the light, and one that meets it.

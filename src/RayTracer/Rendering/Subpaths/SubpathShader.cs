@@ -58,7 +58,7 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
     }
 
     /// <inheritdoc/>
-    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, MaskW active)
+    protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, in MaskW active)
     {
         ref VertexW at = ref At;
         at.Path = UIntW.Pick(stream.Path, index);
@@ -66,13 +66,14 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
         at.Number = at.State & PathState.VertexMask;
         BeginVertex(at.Path, at.Number);
         DescribeVertex(Scene, group, stream, index, out at.Surface);
+        MaskW lanes = active;
         if (Scene.TracksInteriors)
         {
             at.Media = UIntW.Pick(stream.Media, index);
             MaskW crossed = Unreal(group);
-            Cross(group, at.Surface, stream, next, index, active & crossed);
-            active = active.Except(crossed);
-            if (!active.Any)
+            Cross(group, at.Surface, stream, next, index, lanes & crossed);
+            lanes = lanes.Except(crossed);
+            if (!lanes.Any)
             {
                 return;
             }
@@ -94,20 +95,20 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
 
         if (group.Traits.Disperses)
         {
-            Disperse(at.State, ref at.Surface, ref at.Throughput);
+            Disperse(UIntW.Equal(at.State & PathState.HasWavelength, 0u), ref at.Surface, ref at.Throughput);
             at.State |= PathState.HasWavelength;
         }
 
         if (Scene.HasNesting && group.IsNested)
         {
-            at.Surface.ExteriorIndex = Scene.Media.Index(Around(Scene, group, at.Surface, at.Media), at.Surface.Wavelength);
+            Scene.Media.Index(Around(Scene, group, at.Surface, at.Media), at.Surface.Wavelength, out at.Surface.ExteriorIndex);
         }
 
-        MaskW goesOn = Visit(group, stream, index, active);
+        MaskW goesOn = Visit(group, stream, index, lanes);
         MaskW alive = goesOn.Any ? GoOn(group, goesOn, next) : MaskW.None;
         if (Observer is not null)
         {
-            Report(group, stream, index, active, goesOn, alive);
+            Report(group, stream, index, lanes, goesOn, alive);
         }
     }
 
@@ -160,7 +161,7 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
     protected void Follow(ShadingGroup group, MaskW active, Vec3W direction, FloatW distance, LightSource? light, out RgbW left, out FloatW passed)
     {
         ref VertexW at = ref At;
-        UIntW media = MediaAlong(Scene, at.Surface, direction, group.Interior, at.Media);
+        MediaAlong(Scene, at.Surface, direction, group.Interior, at.Media, out UIntW media);
         UIntW instance = group.IsInstanced ? at.Surface.Instance : 0u;
         at.Start = Leave(at.Surface, direction);
         at.Inner = LeaveInside(at.Surface, direction);
@@ -223,7 +224,8 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
 
         if (Scene.TracksInteriors)
         {
-            next.SetMedia(going, MediumStack.Scattered(MediaAlong(Scene, at.Surface, scatter.Direction, group.Interior, at.Media)), 0f);
+            MediaAlong(Scene, at.Surface, scatter.Direction, group.Interior, at.Media, out UIntW media);
+            next.SetMedia(going, MediumStack.Scattered(media), 0f);
         }
 
         UIntW scattered = group.IsOfMedia ? 0u : scatter.Delta.Select((UIntW)0u, PathState.HasScattered);
