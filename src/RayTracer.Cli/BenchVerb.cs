@@ -29,19 +29,21 @@ internal static class BenchVerb
         command.Arguments.Add(scenes);
         command.AddOptions(repeat, json);
         IntegratorBench integrators = new(command);
+        BenchAgainst builds = new(command);
         JobOptionSet settings = new(command, [JobOptions.Find("--spp")!, JobOptions.Set]);
         VerboseOption verbose = new(command);
         command.SetAction(result =>
         {
             (string[] paths, IReadOnlyList<SceneSetting> given, StageTimes stages) = (result.GetValue(scenes)!, settings.Given(result).Settings, verbose.Times(result, streams));
-            return integrators.IsWanted(result, repeat) ? integrators.Run(result, paths, given, result.GetValue(json), stages, streams)
+            return builds.IsWanted(result) ? builds.Run(result, Scenes(paths), given, result.GetValue(json), streams)
+                : integrators.IsWanted(result, repeat) ? integrators.Run(result, paths, given, result.GetValue(json), stages, streams)
                 : Run(paths, given, (int)(repeat.Value(result) ?? 3), result.GetValue(json), stages, streams);
         });
     }
 
     private static int Run(string[] scenes, IReadOnlyList<SceneSetting> settings, int repeat, bool json, StageTimes stages, Streams streams)
     {
-        IReadOnlyList<string> paths = scenes.Length > 0 ? scenes : ReportScenes.FindMeasured();
+        IReadOnlyList<string> paths = Scenes(scenes);
         List<Measurement> all = [];
         if (!json)
         {
@@ -77,6 +79,8 @@ internal static class BenchVerb
         stages.EndAll();
         return ExitStatus.Fine;
     }
+
+    private static IReadOnlyList<string> Scenes(string[] given) => given.Length > 0 ? given : ReportScenes.FindMeasured();
 
     private static Measurement Best(string path, Scene scene, int threads, int repeat)
     {

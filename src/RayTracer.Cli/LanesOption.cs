@@ -35,6 +35,9 @@ internal static class LanesOption
         }
     }
 
+    /// <summary>The number of lanes that was asked for; null where none was.</summary>
+    public static string? Given(ParseResult result) => result.GetValue<string?>(Name);
+
     /// <summary>Starts the program again if the words ask for another number of lanes, or it gains by one.</summary>
     /// <param name="args">The words after the program's name.</param>
     public static void Obey(string[] args)

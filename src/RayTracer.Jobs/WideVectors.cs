@@ -17,7 +17,8 @@ public static unsafe partial class WideVectors
     public const string Variable = "DOTNET_MaxVectorTBitWidth";
 
     // Of older Xeons the runtime says that they prefer 256 bits, since a core that uses 512 may lower its clock; renders gain all the same.
-    private const string Preference = "DOTNET_PreferredVectorBitWidth";
+    /// <summary>The runtime's setting of how wide registers it prefers, in decimal.</summary>
+    public const string Preference = "DOTNET_PreferredVectorBitWidth";
 
     // A restart takes as long as some 5 million such paths save.
     private const long FewestPaths = 4_000_000;

@@ -31,10 +31,6 @@ public sealed class InstructionSetTests : IDisposable
             settings.Add("DOTNET_MaxVectorTBitWidth=512", "");
             settings.Add("DOTNET_EnableAVX512=0 DOTNET_PreferredVectorBitWidth=128", "avx512=False");
             settings.Add("DOTNET_EnableAVX2=0 DOTNET_TieredCompilation=1", "avx2=False");
-            settings.Add("DOTNET_PreferredVectorBitWidth=128", "");
-            settings.Add("DOTNET_EnableAVX512=0", "avx512=False");
-            settings.Add("DOTNET_EnableAVX2=0", "avx2=False");
-            settings.Add("DOTNET_TieredCompilation=1", "");
             settings.Add("DOTNET_TieredCompilation=1 DOTNET_TieredPGO=0", "");
         }
 

@@ -18,7 +18,7 @@ public class OracleTests(ITestOutputHelper output)
     private static readonly string s_report = ProjectFolder.PathOf("scenes", "report");
 
     /// <summary>Side of the square of samples in each pixel of a batch.</summary>
-    private static int SamplesPerSide => TestSettings.Scale(4, 10);
+    private static int SamplesPerSide => TestSettings.Scale(4, 8);
 
     public static TheoryData<string> OwnScenes() => [.. Directory.GetFiles(s_own, "*.json").Select(f => Path.GetFileNameWithoutExtension(f)).Order(StringComparer.Ordinal)];
 
