@@ -1,6 +1,7 @@
 using System.Security.Cryptography;
 using System.Text;
 using RayTracer.Imaging;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 
@@ -99,14 +100,16 @@ public sealed class Gallery : IDisposable
             throw new SessionException($"{Path.GetFileName(path)} cannot be rendered: {string.Join("; ", load.Diagnostics.Select(d => d.Message))}");
         }
 
-        (Film film, RenderStatistics statistics) = new RTracer(scene, new RenderOptions { Threads = 1 }).Render(cancellation: cancellation);
-        if (statistics.Cancelled)
+        Film film = new(scene.Render.Width, scene.Render.Height, FilmPlane.Needed(scene.Render.Integrator, halves: true));
+        RenderOptions options = new() { Threads = 1 };
+        if (new RTracer(scene, options).Render(film, cancellation: cancellation).Cancelled)
         {
             throw new OperationCanceledException(cancellation);
         }
 
         using MemoryStream png = new();
-        PngWriter.Write(png, film);
+        Textures.IImageRows picture = new Denoising(scene, options).Denoise(film, null)?.Picture ?? (Textures.IImageRows)film;
+        PngWriter.Write(png, new ImageWriteOptions().For(scene.Render).Shown(picture));
         return png.ToArray();
     }
 
@@ -115,6 +118,7 @@ public sealed class Gallery : IDisposable
         using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         hash.AppendData(File.ReadAllBytes(path));
         hash.AppendData(typeof(RTracer).Module.ModuleVersionId.ToByteArray());
+        hash.AppendData(typeof(Gallery).Module.ModuleVersionId.ToByteArray());
         hash.AppendData([ThumbnailSamples]);
         return Convert.ToHexStringLower(hash.GetHashAndReset());
     }
@@ -137,7 +141,8 @@ public sealed class Gallery : IDisposable
 
     private IEnumerable<GalleryGroup> FindGroups(string folder)
     {
-        (string Folder, string Title)[] known = [("report", "The report's scenes"), ("primer", "Primer"), ("meshes", "Meshes and motion")];
+        (string Folder, string Title)[] known =
+            [("gallery", "Gallery"), ("primer", "Primer"), ("report", "The report's scenes"), ("meshes", "Meshes and motion")];
         IEnumerable<(string Folder, string Title)> others = Directory.EnumerateDirectories(folder).Select(d => Path.GetFileName(d))
             .Where(d => d != "broken" && !d.StartsWith('.') && !known.Any(k => k.Folder == d)).Order(StringComparer.Ordinal).Select(d => (d, Words(d)));
         foreach ((string name, string title) in known.Concat(others).Append(("", "More")))

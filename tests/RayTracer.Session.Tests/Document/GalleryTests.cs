@@ -13,7 +13,7 @@ public sealed class GalleryTests
         using SessionFolder folder = new();
         using Gallery gallery = new(folder.User);
         Assert.Equal(ShippedScenes.Paths, gallery.Groups.SelectMany(g => g.Items).Select(i => i.Id).Order(StringComparer.Ordinal));
-        Assert.Equal(["The report's scenes", "Primer", "Meshes and motion"], gallery.Groups.Take(3).Select(g => g.Title));
+        Assert.Equal(["Gallery", "Primer", "The report's scenes", "Meshes and motion"], gallery.Groups.Take(4).Select(g => g.Title));
         GalleryItem sphere = gallery.Groups[1].Items[0];
         Assert.Equal(("primer/01-sphere.json", "Sphere", "A sphere on a plane, under a sky that shines alike from everywhere."), (sphere.Id, sphere.Name, sphere.Summary));
         Assert.All(gallery.Groups.SelectMany(g => g.Items), i => Assert.False(string.IsNullOrWhiteSpace(i.Summary), i.Id));

@@ -49,6 +49,10 @@ describe("the picture's place on the stage", () => {
     expect(place(picture, stage, null, { x: 50, y: 50 })).toEqual({ scale: 1, left: 12, top: 212 });
   });
 
+  test("has a size before there is a picture", () => {
+    expect(place({ width: 0, height: 0 }, stage, null, { x: 0, y: 0 }).scale).toBe(1);
+  });
+
   test("follows zoom and shift", () => {
     expect(place(picture, stage, 2, { x: 10, y: -20 })).toEqual({ scale: 2, left: -178, top: 92 });
   });

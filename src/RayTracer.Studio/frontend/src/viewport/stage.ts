@@ -28,7 +28,8 @@ export interface Placement {
 
 export function place(picture: { width: number; height: number }, stage: { width: number; height: number }, zoom: number | null, shift: Point): Placement {
   const fitting = Math.min((stage.width - 2 * margin) / picture.width, (stage.height - 2 * margin) / picture.height);
-  const scale = zoom ?? Math.max(fitting, 0.01);
+  // Before the first picture there is no size to fit.
+  const scale = zoom ?? (Number.isFinite(fitting) ? Math.max(fitting, 0.01) : 1);
   const offset = zoom === null ? { x: 0, y: 0 } : shift;
   return {
     scale,
