@@ -16,11 +16,13 @@ public static unsafe partial class WideVectors
     /// <summary>The runtime's setting, in decimal; where the user has set it, it is left alone.</summary>
     public const string Variable = "DOTNET_MaxVectorTBitWidth";
 
-    // Of older Xeons the runtime says that they prefer 256 bits, since a core that uses 512 may lower its clock; renders gain all the same.
-    /// <summary>The runtime's setting of how wide registers it prefers, in decimal.</summary>
+    /// <summary>
+    /// The runtime's setting of how wide registers it prefers, in decimal: 256 on older Xeons, as a core that uses 512 may lower its clock.
+    /// Renders gain all the same.
+    /// </summary>
     public const string Preference = "DOTNET_PreferredVectorBitWidth";
 
-    // A restart takes as long as some 5 million such paths save.
+    // Fewer paths do not gain by wider registers what the restart takes (decision 006).
     private const long FewestPaths = 4_000_000;
 
     // Of a program that may still be replaced.
