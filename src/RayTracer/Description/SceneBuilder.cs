@@ -175,10 +175,10 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
 
         foreach (ShapeDescription light in description.Lights)
         {
-            int before = assembler.World.CountLights();
+            (int, int, int, int) before = assembler.World.Counts;
             int complaints = _complaints.Count;
             assembler.Add(light);
-            if (assembler.World.CountLights() == before && _complaints.Count == complaints)
+            if (!assembler.World.ShinesBeyond(before) && _complaints.Count == complaints)
             {
                 Error(light, nameof(ShapeDescription.Material), "a shape under \"lights\" must shine: its material must be a luminaire");
             }

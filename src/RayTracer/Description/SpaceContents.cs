@@ -23,11 +23,14 @@ internal sealed class SpaceContents
     /// <summary>True where there is anything besides instances that rays can meet.</summary>
     public bool HasSurfaces => Shapes.Count + Meshes.Count > 0;
 
-    /// <summary>Number of things that shine.</summary>
-    public int CountLights() => Shapes.Count(s => s.Material.Traits.Emits)
-        + Lights.Count
-        + Meshes.Sum(m => m.Materials.Count(material => material.Traits.Emits))
-        + Instances.Sum(i => i.Contents.Shapes.Count(s => s.Material.Traits.Emits) + i.Contents.Meshes.Sum(m => m.Materials.Count(material => material.Traits.Emits)));
+    /// <summary>How many things of each kind there are.</summary>
+    public (int Shapes, int Meshes, int Instances, int Lights) Counts => (Shapes.Count, Meshes.Count, Instances.Count, Lights.Count);
+
+    /// <summary>Returns whether something shines that was added when there was this much already.</summary>
+    public bool ShinesBeyond((int Shapes, int Meshes, int Instances, int Lights) before) => Lights.Count > before.Lights
+        || Shapes.Skip(before.Shapes).Any(s => s.Material.Traits.Emits)
+        || Meshes.Skip(before.Meshes).Any(m => m.Materials.Any(material => material.Traits.Emits))
+        || Instances.Skip(before.Instances).Any(i => i.Contents.ShinesBeyond(default));
 }
 
 /// <summary>A mesh in a space.</summary>
