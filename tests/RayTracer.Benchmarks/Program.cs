@@ -4,14 +4,19 @@ using RayTracer.Benchmarks.Denoising;
 using RayTracer.Benchmarks.Embree;
 using RayTracer.Benchmarks.Mitsuba;
 using RayTracer.Benchmarks.Precision;
+using RayTracer.Benchmarks.Standing;
 using RayTracer.Benchmarks.Studio;
 
-// "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle tree with Embree, "mitsuba SCENE.xml SAMPLES…" whole renders
-// with Mitsuba; "studio [SCENE]" measures how quickly the Studio follows a hand; "images FILE…" compares reading PNG and JPEG files with the
-// common libraries' own commands; "denoiser [SCENE…]" measures what the denoiser gains on scenes that are hard for it, "precision" what
-// single precision gains over double, and loses; anything else goes to BenchmarkDotNet ("--filter *").
+// "scenes FOLDER" writes the scenes that builds are compared on; "ratios [SCENE…]" compares whole renders in one run, "embree" the triangle
+// tree with Embree, "mitsuba SCENE.xml SAMPLES…" whole renders with Mitsuba; "studio [SCENE]" measures how quickly the Studio follows a hand;
+// "images FILE…" compares reading PNG and JPEG files with the common libraries' own commands; "denoiser [SCENE…]" measures what the denoiser
+// gains on scenes that are hard for it, "precision" what single precision gains over double, and loses; anything else goes to BenchmarkDotNet
+// ("--filter *").
 switch (args)
 {
+    case ["scenes", var folder]:
+        StandingScenes.Write(folder);
+        return 0;
     case ["ratios", .. var scenes]:
         return Ratios.Run(scenes);
     case ["embree", .. var options]:
