@@ -197,6 +197,7 @@ internal sealed partial class BenchAgainst
             // This program may have been started again with registers that the user did not ask for.
             start.Environment.Remove(WideVectors.Variable);
             start.Environment.Remove(WideVectors.Preference);
+            start.Environment.Remove(WideVectors.Tiers);
             if (lanes is not null)
             {
                 start.Environment[WideVectors.Variable] = start.Environment[WideVectors.Preference] = $"{32 * int.Parse(lanes)}";

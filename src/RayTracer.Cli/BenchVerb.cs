@@ -30,12 +30,14 @@ internal static class BenchVerb
         command.AddOptions(repeat, json);
         IntegratorBench integrators = new(command);
         BenchAgainst builds = new(command);
+        StageBench profile = new(command);
         JobOptionSet settings = new(command, [JobOptions.Find("--spp")!, JobOptions.Set]);
         VerboseOption verbose = new(command);
         command.SetAction(result =>
         {
             (string[] paths, IReadOnlyList<SceneSetting> given, StageTimes stages) = (result.GetValue(scenes)!, settings.Given(result).Settings, verbose.Times(result, streams));
-            return builds.IsWanted(result) ? builds.Run(result, Scenes(paths), given, result.GetValue(json), streams)
+            return profile.IsWanted(result) ? StageBench.Run(Scenes(paths), given, result.GetValue(json), streams)
+                : builds.IsWanted(result) ? builds.Run(result, Scenes(paths), given, result.GetValue(json), streams)
                 : integrators.IsWanted(result, repeat) ? integrators.Run(result, paths, given, result.GetValue(json), stages, streams)
                 : Run(paths, given, (int)(repeat.Value(result) ?? 3), result.GetValue(json), stages, streams);
         });

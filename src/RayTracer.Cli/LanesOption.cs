@@ -53,7 +53,7 @@ internal static class LanesOption
         {
             if (Complaint(wanted) is null)
             {
-                WideVectors.Enable(args, int.Parse(wanted));
+                WideVectors.Enable(args, int.Parse(wanted), isLong: verb != "render" || !MayBeShort(args));
             }
         }
         else if (verb == "render" && MayBeShort(args))

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Shapes;
 
@@ -31,6 +32,10 @@ public static class BitVersions
             r => Name(r) is "instance" or "model" && !ReferenceEquals(((ShapeDescription)r).Material, ShapeDescription.DefaultMaterial))),
         new("instances, and shapes that are placed or move", 23, (_, records) => records.Any(r => r is ModelDescription or InstanceDescription
             || (r is ShapeDescription shape && (shape.Transform.Count > 0 || shape.Motion.Count > 0)))),
+        new("paths that may end at random", 26, (scene, _) => scene.Render.Integrator.Has(IntegratorTraits.PathLimit)),
+        new("an environment of one colour", 26, (scene, _) => scene.Render.Integrator.Has(IntegratorTraits.SampledEnvironment) && scene.Environment is ConstantEnvironmentDescription),
+        new("coats", 26, (scene, records) => scene.Render.Integrator.Has(IntegratorTraits.Light) && records.Any(r => Name(r) == "diffuseSpecular")),
+        new("samples that share camera rays", 26, (scene, records) => MaySplit(scene) && !records.Any(r => Name(r) is "mesh" or "model" or "instance")),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 
@@ -40,6 +45,9 @@ public static class BitVersions
         object[] records = [.. RecordType.WithParts(scene).Select(p => p.Record)];
         return [.. All.Where(v => v.IsIn(scene, records))];
     }
+
+    private static bool MaySplit(SceneDescription scene) => scene.Render is { Splitting: > 1 } render && render.Integrator.Has(IntegratorTraits.Splits)
+        && render.Sampler != SamplerKind.Independent && (!render.Sampler.DependsOnCount || render.SamplesPerPixel >= 64);
 
     private static bool HasPriority(object record) => record is GlassDescription { Priority: > 0 };
 

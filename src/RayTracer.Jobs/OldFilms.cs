@@ -120,7 +120,7 @@ public static class OldFilms
             return Of(scene);
         }
 
-        private static readonly string[] s_later = ["mergeRadius"];
+        private static readonly string[] s_later = ["mergeRadius", "splitting"];
 
         private protected override bool Counts(RecordParameter parameter, object? value) => !s_later.Contains(parameter.Key) || base.Counts(parameter, value);
 

@@ -8,8 +8,8 @@ using System.Text;
 namespace RayTracer.Jobs;
 
 /// <summary>
-/// Makes <see cref="Vector{T}"/> 512 bits wide where the processor is. The runtime reads the setting only when it starts, so
-/// the process replaces itself by the same program with the setting in its environment.
+/// Makes <see cref="Vector{T}"/> 512 bits wide where the processor is, and has long renders compile their code once, in full (decision 007). The runtime
+/// reads both settings only when it starts, so the process replaces itself by the same program with them in its environment.
 /// </summary>
 public static unsafe partial class WideVectors
 {
@@ -22,7 +22,10 @@ public static unsafe partial class WideVectors
     /// </summary>
     public const string Preference = "DOTNET_PreferredVectorBitWidth";
 
-    // Fewer paths do not gain by wider registers what the restart takes (decision 006).
+    /// <summary>The runtime's setting of whether code is compiled in tiers, in digits; where the user has set it, it is left alone.</summary>
+    public const string Tiers = "DOTNET_TieredCompilation";
+
+    // Fewer paths do not gain by wider registers, and code that is compiled once, what the restart takes (decision 006).
     private const long FewestPaths = 4_000_000;
 
     // Of a program that may still be replaced.
@@ -33,32 +36,33 @@ public static unsafe partial class WideVectors
         : Vector512.IsHardwareAccelerated || (Avx512F.IsSupported && Avx512BW.VL.IsSupported && Avx512DQ.VL.IsSupported) ? 16
         : Vector256.IsHardwareAccelerated ? 8 : 0;
 
+    // In programs that are compiled ahead, what runs often is optimised by the second tier alone.
+    private static bool MayLeaveTiers => AppContext.TryGetSwitch("System.Runtime.TieredCompilation", out bool isTiered) && isTiered
+        && !(AppContext.TryGetSwitch("RayTracer.IsCompiledAhead", out bool isAhead) && isAhead) && Environment.GetEnvironmentVariable(Tiers) is null;
+
     private static bool CanReplace => (OperatingSystem.IsLinux() || OperatingSystem.IsMacOS()) && Environment.ProcessPath is not null;
 
     /// <summary>
-    /// Replaces the process, which must have only just started, if that helps; returns where it does not, or cannot be done.
+    /// Replaces the process, which must have only just started, if that helps a long render; returns where it does not, or cannot be done.
     /// </summary>
     /// <param name="args">The words after the program's name.</param>
-    public static void Enable(string[] args)
-    {
-        if (Widest == 16 && Vector<float>.Count == 8 && Environment.GetEnvironmentVariable(Variable) is null && Environment.GetEnvironmentVariable(Preference) is null)
-        {
-            Enable(args, 16);
-        }
-    }
+    public static void Enable(string[] args) =>
+        Enable(args, Environment.GetEnvironmentVariable(Variable) is null && Environment.GetEnvironmentVariable(Preference) is null ? Widest : 0, isLong: true);
 
     /// <summary>Replaces the process, which must have only just started, if it has another number of lanes.</summary>
     /// <param name="args">The words after the program's name.</param>
-    /// <param name="lanes">The number of lanes: 8, or 16 where <see cref="Widest"/> is that.</param>
-    public static void Enable(string[] args, int lanes)
+    /// <param name="lanes">The number of lanes: 8, 16 where <see cref="Widest"/> is that, or 0 for those that it has.</param>
+    /// <param name="isLong">True if code is to be compiled once, in full.</param>
+    public static void Enable(string[] args, int lanes, bool isLong)
     {
-        string width = $"{32 * lanes}";
-        if (Vector<float>.Count != lanes && CanReplace && Environment.GetEnvironmentVariable(Variable) != width)
+        lanes = lanes == 0 ? Vector<float>.Count : lanes;
+        bool leavesTiers = isLong && MayLeaveTiers;
+        if (CanReplace && (leavesTiers || (Vector<float>.Count != lanes && Environment.GetEnvironmentVariable(Variable) != $"{32 * lanes}")))
         {
             RemoveSockets();
 
-            // If this returns, the process could not be replaced, and goes on with the vectors that it has.
-            Replace(Environment.ProcessPath!, args, width);
+            // If this returns, the process could not be replaced, and goes on with what it has.
+            Replace(Environment.ProcessPath!, args, $"{32 * lanes}", leavesTiers);
         }
     }
 
@@ -102,7 +106,7 @@ public static unsafe partial class WideVectors
         }
     }
 
-    private static void Replace(string program, string[] args, string width)
+    private static void Replace(string program, string[] args, string width, bool leavesTiers)
     {
         bool isHosted = Path.GetFileNameWithoutExtension(program) == "dotnet";
         string[] words = isHosted ? [program, Assembly.GetEntryAssembly()!.Location, .. args] : [program, .. args];
@@ -115,7 +119,8 @@ public static unsafe partial class WideVectors
         argv[words.Length] = null;
 
         // setenv, because the runtime keeps its own copy of the environment, which a new program does not get.
-        if (SetEnvironment(Native(Variable), Native(width), 1) == 0 && SetEnvironment(Native(Preference), Native(width), 1) == 0)
+        if (SetEnvironment(Native(Variable), Native(width), 1) == 0 && SetEnvironment(Native(Preference), Native(width), 1) == 0
+            && (!leavesTiers || SetEnvironment(Native(Tiers), Native("0"), 1) == 0))
         {
             _ = Execute(Native(program), argv);
         }

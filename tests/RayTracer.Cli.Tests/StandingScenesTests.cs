@@ -38,7 +38,7 @@ public sealed class StandingScenesTests : IDisposable
         [
             "boulder.ply df3d17e35464601df68b19e1c63bd61655dd2e363d2a757e28fa9854aa009bf0",
             "million.ply 16e38b73273beaf36d63240c2e8c383f2c8d9731f21757d374c717291db16da9",
-            "ten-thousand-lamps.json 0cfa92c6d02d3a44b9eca9c53dd00d899a4e0240ff7b1eaf0e271b6deba61a31",
+            "ten-thousand-lamps.json 55b48eeff9cedb48f68ad4fdcf996b5f7fcb3802462483b703a52e05521ac682",
             "thousand-instances.json 7b33ac304bad01c8aa99bc3702326f12f2f04156df2abc3010a625bb9b16652e",
         ],
         new[] { "boulder.ply", "million.ply", "ten-thousand-lamps.json", "thousand-instances.json" }

@@ -56,6 +56,9 @@ public enum IntegratorTraits
 
     /// <summary>Paths can learn where light comes from, and be guided there.</summary>
     Guides = 1 << 15,
+
+    /// <summary>Samples may share their camera rays.</summary>
+    Splits = 1 << 16,
 }
 
 /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>

@@ -17,9 +17,13 @@ namespace RayTracer.Rendering;
 internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : InteriorShader(context)
 {
     private const float LargestSurvival = 0.95f;
+
+    // How many times what a path carries it survives: less noise for more time. Measured on the Cornell box, fog, glossy balls and a room; 1 is the usual choice.
+    private const float Leniency = 4;
     private readonly ShadowQueue? _queue = context.Queue;
-    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer);
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer, context.Clock);
     private readonly EmitterLookup _lights = new(context.Scene);
+    private readonly EnvironmentLight? _environment = context.Scene.SampledEnvironment;
     private readonly GuidedMaterials? _guided = context.Scene.Guide is { } guide ? new(guide) : null;
     private readonly uint _maxDepth = (uint)(maxDepth < 0 ? RenderDescription.LongestPath : maxDepth);
 
@@ -37,9 +41,9 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 
         base.Arrive(stream, index, direction, out arriving);
         MaskW shared = UIntW.Equal(UIntW.Pick(stream.State, index) & PathState.CountsEmission, 0u);
-        if (Scene.Environment is not null && shared.Any)
+        if (_environment is { } environment && shared.Any)
         {
-            Scene.Environment.Pdf(direction, out FloatW pdf);
+            environment.Pdf(direction, out FloatW pdf);
             if (Scene.LightSelection is not null)
             {
                 // The last of the lights.
@@ -47,6 +51,8 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
                 Scene.LightSelection.Probability(from, stream.PickNormal(index), (uint)_lights.Count - 1u, out FloatW probability);
                 pdf *= probability;
             }
+
+            pdf *= Points(UIntW.Pick(stream.State, index));
 
             arriving *= shared.Select(DirectLight.Weight(FloatW.Pick(stream.Pdf, index), pdf), 1f);
         }
@@ -74,10 +80,13 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         UIntW state = UIntW.Pick(stream.State, index);
         vertex = state & PathState.VertexMask;
         packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
+        Vertex.SharesLights = group.Traits.Specular == SpecularLobe.None;
         BeginVertex(path, vertex);
         MaskW lanes = active;
         Observer?.BeginPacket(stream, index, lanes);
+        Clock?.Enter(Stage.Describe);
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
+        Clock?.Enter(Stage.Shade);
         UIntW around = 0u;
         if (Scene.HasNesting && group.IsNested)
         {
@@ -109,23 +118,69 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 
         // A path of so many edges may have one more: the ray to a light, or the next one.
         MaskW goesOn = lanes & (vertex + 1u < _maxDepth);
-        if (group.Traits.HasDensity)
+        if (!Splits)
         {
-            if (_queue is { IsFull: true })
-            {
-                _queue.Flush(Finished, next);
-            }
-
-            _directLight.Add(surface, group, material, packet.Media, Vertex, packet.Time, goesOn, throughput, ref radiance);
+            Light(group, material, goesOn, next);
+            Continue(group, guided, stream, next, index, state, lanes, goesOn);
+            return;
         }
 
+        if (Vertex.SharesLights)
+        {
+            Light(group, material, goesOn, next);
+        }
+
+        (RgbW arrived, RgbW gathered) = (throughput, radiance);
+        for (int way = 0; way < SamplesOfPath; way++)
+        {
+            MaskW turned = lanes;
+            TurnTo(way, ref turned);
+            (throughput, vertex) = (arrived, 0u);
+            if (!Vertex.SharesLights)
+            {
+                radiance = gathered;
+                Light(group, material, goesOn & turned, next);
+            }
+
+            Continue(group, guided, stream, next, index, state, turned, goesOn & turned);
+        }
+    }
+
+    private void Light(ShadingGroup group, Material material, in MaskW lanes, PathStream next)
+    {
+        if (!group.Traits.HasDensity)
+        {
+            return;
+        }
+
+        if (_queue is { IsFull: true })
+        {
+            _queue.Flush(Finished, next);
+        }
+
+        ref PacketW packet = ref Packet;
+        Clock?.Enter(Stage.Light);
+        _directLight.Add(packet.Surface, group, material, packet.Media, Vertex, packet.Time, lanes, packet.Throughput, ref packet.Radiance);
+        Clock?.Enter(Stage.Shade);
+    }
+
+    // The choice of the next ray, and the end of those that have none.
+    private void Continue(
+        ShadingGroup group, GuidedMaterial? guided, PathStream stream, PathStream next, uint* index, in UIntW state, in MaskW lanes, in MaskW goesOn)
+    {
+        ref PacketW packet = ref Packet;
+        ref SurfaceW surface = ref packet.Surface;
+        ref RgbW throughput = ref packet.Throughput;
+        Material material = guided ?? group.Material;
         ref ScatterW scatter = ref packet.Scatter;
+        Clock?.Enter(Stage.Scatter);
         material.Scatter(surface, Vertex, out scatter);
+        Clock?.Enter(Stage.Shade);
         throughput *= scatter.Weight;
         MaskW alive = goesOn.Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
         alive = alive.Except(Dropped(surface, scatter.Direction));
         FloatW brightest = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
-        Survive(vertex, guided is null ? brightest : GuidedMaterial.Survival, ref alive, ref throughput);
+        Survive(packet.Vertex, guided is null ? brightest * Leniency : GuidedMaterial.Survival, ref alive, ref throughput);
         Observer?.Scattered(stream, index, lanes, alive, material, surface, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = lanes.Bits & ~going;
@@ -136,12 +191,12 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 
         if (ended != 0)
         {
-            Finished.Append(ended, radiance, path);
+            Finished.Append(ended, packet.Radiance, packet.Path);
         }
 
         if (going != 0)
         {
-            vertex |= WavelengthAfter(group, state);
+            packet.Vertex |= WavelengthAfter(group, state);
             GoOn(group, guided, ref packet, going, next);
         }
     }
@@ -173,11 +228,14 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 
         MaskW alive = active & (vertex + 1u < _maxDepth);
         alive = alive.Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
+        Clock?.Enter(Stage.Light);
         _directLight.AddInMedium(point, incoming, anisotropy, media, Vertex, time, alive, throughput, ref radiance);
+        Clock?.Enter(Stage.Scatter);
         Vertex.Direction(out FloatW u, out FloatW v);
         Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
-        Survive(vertex, FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B)), ref alive, ref throughput);
+        Clock?.Enter(Stage.Shade);
+        Survive(vertex, FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B)) * Leniency, ref alive, ref throughput);
         Observer?.ScatteredInMedium(stream, index, active, alive, point, pdf);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
@@ -249,7 +307,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
     }
 
     // Ends paths at random, and makes those that survive brighter, so that the mean stays.
-    private void Survive(in UIntW vertex, in FloatW most, ref MaskW alive, ref RgbW throughput)
+    private void Survive(in UIntW vertex, in FloatW chance, ref MaskW alive, ref RgbW throughput)
     {
         MaskW asked = alive & (vertex + 1u > (uint)Scene.Render.RouletteDepth);
         if (!asked.Any)
@@ -258,10 +316,13 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         }
 
         // Written so that a path whose throughput is not a number survives, and is counted at its end.
-        FloatW survival = (most < LargestSurvival).Select(most, LargestSurvival);
+        FloatW survival = (chance < LargestSurvival).Select(chance, LargestSurvival);
         throughput *= asked.Select(1f / survival, 1f);
         alive = alive.Except(asked & (Vertex.Roulette() >= survival));
     }
+
+    // The number of points of a light that were sampled at the vertex from which paths come.
+    private FloatW Points(in UIntW state) => UIntW.Equal(state & PathState.VertexMask, 1u).Select((float)Scene.PointsOfFirst, 1f);
 
     // Light of the surface itself: in full where no light could have been sampled for it, and weighted else.
     private void AddEmission(
@@ -284,6 +345,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
                 Primitive = UIntW.Pick(stream.Primitive, index),
             };
             _lights.Pdf(group, Scene.World.Instances is null ? 0u : UIntW.Pick(stream.Instance, index), hit, shared, out FloatW lightPdf);
+            lightPdf *= Points(UIntW.Pick(stream.State, index));
             emitted *= shared.Select(DirectLight.Weight(FloatW.Pick(stream.Pdf, index), lightPdf), 1f);
         }
 
@@ -293,7 +355,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 }
 
 /// <summary>Path tracing.</summary>
-internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.PathLimit | IntegratorTraits.Guides) : Integrator(
+internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.PathLimit | IntegratorTraits.Guides | IntegratorTraits.Splits) : Integrator(
     name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment
         | IntegratorTraits.LitGloss | IntegratorTraits.SoftTone | more)
 {

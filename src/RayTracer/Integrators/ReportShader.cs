@@ -11,7 +11,7 @@ namespace RayTracer.Rendering;
 internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader(context)
 {
     private readonly ShadowQueue? _queue = context.Queue;
-    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer);
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer, context.Clock);
 
     internal override long ShadowRays => _directLight.ShadowRays;
 
@@ -32,7 +32,9 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
         packet.Vertex = diffuseDepth + specularDepth;
         BeginVertex(path, packet.Vertex);
         Observer?.BeginPacket(stream, index, active);
+        Clock?.Enter(Stage.Describe);
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
+        Clock?.Enter(Stage.Shade);
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
         radiance = stream.PickRadiance(index);
@@ -56,21 +58,56 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
             Observer?.Brightened(stream, index, active, throughput * response * Scene.Ambient, radiance);
         }
 
-        // Light from the sources.
-        if (group.Traits.IsLit)
+        Light(group, active, next);
+        if (!Splits)
         {
-            material.Brdf(surface, out RgbW brdf);
-            if (_queue is { IsFull: true })
-            {
-                _queue.Flush(Finished, next);
-            }
-
-            _directLight.Add(surface, group, shared: null, 0u, Vertex, packet.Time, active, throughput * brdf, ref radiance);
+            Continue(group, stream, next, index, state, active);
+            return;
         }
 
-        // The next ray.
+        RgbW arrived = throughput;
+        for (int way = 0; way < SamplesOfPath; way++)
+        {
+            MaskW turned = active;
+            TurnTo(way, ref turned);
+            throughput = arrived;
+            Continue(group, stream, next, index, state, turned);
+        }
+    }
+
+    // Light from the sources.
+    private void Light(ShadingGroup group, in MaskW lanes, PathStream next)
+    {
+        if (!group.Traits.IsLit)
+        {
+            return;
+        }
+
+        if (_queue is { IsFull: true })
+        {
+            _queue.Flush(Finished, next);
+        }
+
+        ref PacketW packet = ref Packet;
+        group.Material.Brdf(packet.Surface, out RgbW brdf);
+        Clock?.Enter(Stage.Light);
+        _directLight.Add(packet.Surface, group, shared: null, 0u, Vertex, packet.Time, lanes, packet.Throughput * brdf, ref packet.Radiance);
+        Clock?.Enter(Stage.Shade);
+    }
+
+    // The next ray.
+    private void Continue(ShadingGroup group, PathStream stream, PathStream next, uint* index, in UIntW state, in MaskW active)
+    {
+        ref PacketW packet = ref Packet;
+        ref SurfaceW surface = ref packet.Surface;
+        ref RgbW throughput = ref packet.Throughput;
+        Material material = group.Material;
+        UIntW diffuseDepth = state & PathState.DepthMask;
+        UIntW specularDepth = (state >> PathState.SpecularShift) & PathState.DepthMask;
         ref ScatterW scatter = ref packet.Scatter;
+        Clock?.Enter(Stage.Scatter);
         material.Scatter(surface, Vertex, out scatter);
+        Clock?.Enter(Stage.Shade);
         throughput *= scatter.Weight;
         UIntW limit = scatter.Specular.Select((UIntW)(uint)Scene.Render.MaxSpecularDepth, (uint)Scene.Render.MaxDiffuseDepth);
         MaskW goesOn = scatter.Specular.Select(specularDepth, diffuseDepth) < limit;
@@ -93,7 +130,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
 
         if (ended != 0)
         {
-            Finished.Append(ended, radiance, path);
+            Finished.Append(ended, packet.Radiance, packet.Path);
         }
 
         if (going != 0)
@@ -113,7 +150,7 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
                 next.SetTime(going, packet.Time);
             }
 
-            next.Append(going, packet.Origin, scatter.Direction, throughput, radiance, path, ((state & 0xffffu) + step) | emission | WavelengthAfter(group, state));
+            next.Append(going, packet.Origin, scatter.Direction, throughput, packet.Radiance, packet.Path, ((state & 0xffffu) + step) | emission | WavelengthAfter(group, state));
             if (group.IsInstanced)
             {
                 next.SetStart(going, surface.Instance, LeaveInside(surface, scatter.Direction));
@@ -135,7 +172,8 @@ internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader
 internal sealed class ReportIntegrator()
     : Integrator(
         "report",
-        IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.AmbientLight | IntegratorTraits.WeakenedShadows | IntegratorTraits.BounceLimits)
+        IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.AmbientLight | IntegratorTraits.WeakenedShadows | IntegratorTraits.BounceLimits
+            | IntegratorTraits.Splits)
 {
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new ReportShader(context);
 }

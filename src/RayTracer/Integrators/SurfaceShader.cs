@@ -25,6 +25,9 @@ public sealed class ShaderContext
     // Sees what happens to the paths; null where nobody asks.
     internal PathObserver? Observer { get; }
 
+    // Measures the stages; null where nobody looks.
+    internal StageClock? Clock { get; init; }
+
     // The light paths of the pass; null where the integrator traces none.
     internal LightPass? Light { get; }
 }
@@ -50,12 +53,20 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
 
     private protected PathObserver? Observer { get; } = context.Observer;
 
+    private protected StageClock? Clock { get; } = context.Clock;
+
     /// <summary>The random numbers of the vertex that is shaded.</summary>
-    protected VertexSamples Vertex { get; } = new(context.Scene.Sampler) { SharedKey = context.Scene.SharedKey };
+    protected VertexSamples Vertex { get; } = new(context.Scene.Sampler) { SharedKey = context.Scene.SharedKey, Splitting = context.Scene.Splitting };
 
     private protected SampleRange Samples { get; private set; }
 
     private protected PathSource Source { get; private set; } = null!;
+
+    /// <summary>The paths of a stream are rays that samples share (<see cref="Splitting"/>): they are numbered by <see cref="PathSource.Rays"/>.</summary>
+    internal bool Splits { get; set; }
+
+    /// <summary>As how many samples a path of the stream goes on.</summary>
+    private protected int SamplesOfPath => Splits ? Scene.Splitting!.Ways : 1;
 
     /// <summary>Room for what is known of the packet that is shaded.</summary>
     private protected ref PacketW Packet => ref *_packet.Pointer;
@@ -87,7 +98,23 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
             FloatW fault = Vec3W.Dot(direction, direction) * 0f;
             radiance += new RgbW(fault, fault, fault);
             Observer?.Missed(stream, index, active, arriving);
-            Finished.Append(active.Bits, radiance, path);
+            End(active, radiance);
+        }
+    }
+
+    // Ends the paths of the packet, or all the samples that share its rays.
+    private void End(in MaskW active, in RgbW radiance)
+    {
+        if (Splits)
+        {
+            SplitPath(Packet.Path);
+        }
+
+        for (int way = 0; way < SamplesOfPath; way++)
+        {
+            MaskW lanes = active;
+            TurnTo(way, ref lanes);
+            Finished.Append(lanes.Bits, radiance, Packet.Path);
         }
     }
 
@@ -235,8 +262,37 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     /// <param name="vertex">Numbers of the vertices on them, from 0.</param>
     protected virtual void BeginVertex(in UIntW path, in UIntW vertex)
     {
+        if (Splits)
+        {
+            SplitPath(path);
+            Vertex.BeginRays(UIntW.Gather(Source.PixelKeys, Packet.Pixel), Packet.Ray);
+            return;
+        }
+
         PathNumber.Split(path, Samples, out UIntW pixel, out UIntW sample);
         Vertex.Begin(UIntW.Gather(Source.PixelKeys, pixel), sample, vertex);
+    }
+
+    /// <summary>Turns a packet of rays to one of the samples that share each, if they are such rays.</summary>
+    /// <param name="way">Number of the sample among those that share the ray.</param>
+    /// <param name="lanes">Lanes in use; those stay where there is such a sample.</param>
+    private protected void TurnTo(int way, ref MaskW lanes)
+    {
+        if (!Splits)
+        {
+            return;
+        }
+
+        UIntW sample = Scene.Splitting!.FirstOf(Packet.Ray) + (uint)way;
+        lanes = lanes.Except(sample < (uint)Samples.First) & (sample < (uint)Samples.End) & Scene.Splitting.Has(Packet.Ray, way);
+        Packet.Path = (Packet.Pixel * (uint)Samples.Count) + sample - (uint)Samples.First;
+        Vertex.Turn(sample);
+    }
+
+    private void SplitPath(in UIntW path)
+    {
+        PathNumber.Split(path, Source.Rays!.Value, out UIntW pixel, out UIntW ray);
+        (Packet.Pixel, Packet.Ray) = (pixel, ray);
     }
 
     /// <summary>
@@ -386,6 +442,8 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         public RgbW Radiance;
         public RgbW Arriving;
         public UIntW Path;
+        public UIntW Pixel;
+        public UIntW Ray;
         public UIntW Vertex;
         public UIntW Media;
         public FloatW Time;

@@ -11,15 +11,16 @@ namespace RayTracer.Rendering;
 
 /// <summary>
 /// Light that arrives straight from the sources: one point of every light for every hit (report, listing 6.4), or, where there are many
-/// lights, of one that is chosen.
+/// lights, of one that is chosen; and several where paths first meet the scene (<see cref="Scene.PointsOfFirst"/>).
 /// </summary>
-internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathObserver? observer)
+internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathObserver? observer, StageClock? clock)
 {
     // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
     private const int Batch = 8;
     private readonly LightSource[] _lights = [.. scene.SampledLights];
     private readonly LightSelection? _selection = scene.LightSelection;
+    private readonly int _points = scene.PointsOfFirst;
     private readonly Transmittance? _transmittance = scene.TracksInteriors || scene.WeakensShadows ? new(scene) : null;
 
     // Where registers are whole cache lines, as on the stack they are not.
@@ -83,23 +84,22 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         arriving = default;
         queue?.Begin(weight);
         observer?.BeginLights(weight);
-        if (_selection is not null)
+        lit.Share = _points > 1 ? samples.IsFirst.Select(1f / _points, 1f) : 1f;
+        for (int point = 0; point < _points; point++)
         {
-            AddChosen(surface, shared, ref lit, lit.From, samples, active, ref arriving);
-        }
-
-        for (int first = 0; first < _lights.Length && _selection is null; first += Batch)
-        {
-            int count = Math.Min(Batch, _lights.Length - first);
-            for (int i = 0; i < count; i++)
+            MaskW lanes = point == 0 ? active : active & samples.IsFirst;
+            if (!lanes.Any)
             {
-                samples.Light(first + i, out lit.U, out lit.V);
-                _lights[first + i].Sample(lit.From, lit.U, lit.V, time, out _samples.Pointer[i], out _radiance.Pointer[i]);
+                break;
             }
 
-            for (int i = 0; i < count; i++)
+            if (_selection is null)
             {
-                Connect(surface, shared, ref lit, first + i, _samples.Pointer[i], active, _radiance.Pointer[i], ref arriving);
+                AddAll(surface, shared, ref lit, point, samples, lanes, ref arriving);
+            }
+            else
+            {
+                AddChosen(surface, shared, ref lit, point, samples, lanes, ref arriving);
             }
         }
 
@@ -142,54 +142,121 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
                 ShadowRays += BitOperations.PopCount(lit.Bits);
                 FloatW phase = HenyeyGreenstein.Evaluate(Vec3W.Dot(incoming, sample.Direction), anisotropy);
                 FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf / probability);
+                clock?.Enter(Stage.Shadow);
                 _transmittance!.Trace(lit.Bits, point, 0u, default, sample.Direction, sample.Distance, media, time, _lights[i], out RgbW part);
+                clock?.Enter(Stage.Light);
                 radiance = RgbW.MultiplyAdd(weight * light * (share / probability), part, radiance);
                 observer?.LitInMedium(i, lit, weight * light * (share / probability) * part);
             }
         }
     }
 
-    // One light of many for each lane, those of the same light together.
-    private void AddChosen(
-        in SurfaceW surface, Material? material, ref LitW lit, in Vec3W from, VertexSamples samples, in MaskW active, ref RgbW arriving)
+    // A point of every light. Those without extent have only one.
+    private void AddAll(in SurfaceW surface, Material? material, ref LitW lit, int point, VertexSamples samples, in MaskW active, ref RgbW arriving)
     {
-        Vec3W normal = lit.Transmits ? default : surface.Facing;
-        _selection!.Choose(from, normal, samples.LightChoice(), out UIntW chosen, out FloatW probability);
-        samples.Light(0, out FloatW u, out FloatW v);
-        FloatW inverse = 1f / probability;
-        MaskW rest = active & (probability > 0f);
-        while (rest.Any)
+        for (int first = 0; first < _lights.Length; first += Batch)
         {
-            int light = (int)chosen[BitOperations.TrailingZeroCount(rest.Bits)];
-            MaskW same = rest & UIntW.Equal(chosen, (uint)light);
-            _lights[light].Sample(from, u, v, lit.Time, out ShapeSampleW sample, out RgbW radiance);
-            sample.InversePdf *= inverse;
-            Connect(surface, material, ref lit, light, sample, same, radiance * inverse, ref arriving);
-            rest = rest.Except(same);
+            int count = Math.Min(Batch, _lights.Length - first);
+            for (int i = 0; i < count; i++)
+            {
+                samples.Light((point * _lights.Length) + first + i, out lit.U, out lit.V);
+                _lights[first + i].Sample(lit.From, lit.U, lit.V, lit.Time, out _samples.Pointer[i], out _radiance.Pointer[i]);
+            }
+
+            for (int i = 0; i < count; i++)
+            {
+                bool isDelta = _points > 1 && _lights[first + i].IsDelta;
+                if (isDelta && point > 0)
+                {
+                    continue;
+                }
+
+                if (_points > 1 && !isDelta)
+                {
+                    _samples.Pointer[i].InversePdf *= lit.Share;
+                    _radiance.Pointer[i] *= lit.Share;
+                }
+
+                ref ShapeSampleW sample = ref _samples.Pointer[i];
+                Face(surface, material, ref lit, sample, active, _lights[first + i].IsDelta ? MaskW.All : MaskW.None, _radiance.Pointer[i]);
+                Trace(surface, ref lit, first + i, sample, lit.Free, ref arriving);
+            }
         }
     }
 
-    // What arrives from a chosen point of a light, unless something is in the way.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Connect(
-        in SurfaceW surface, Material? material, ref LitW lit, int light, in ShapeSampleW sample, in MaskW lanes, in RgbW brought,
-        ref RgbW arriving)
+    // One light of many for each lane; those of the same light together.
+    private void AddChosen(in SurfaceW surface, Material? material, ref LitW lit, int point, VertexSamples samples, MaskW active, ref RgbW arriving)
     {
-        ref RgbW radiance = ref lit.Radiance;
+        // Several points take one from each part of the lights.
+        FloatW choice = FloatW.Min((samples.LightChoice() + point) * lit.Share, VertexSamples.LargestBelowOne);
+        _selection!.Choose(lit.From, lit.Transmits ? default : surface.Facing, choice, out UIntW chosen, out FloatW probability);
+        samples.Light(point, out FloatW u, out FloatW v);
+        FloatW inverse = lit.Share / probability;
+        ref ShapeSampleW sample = ref _samples.Pointer[0];
+        ref RgbW radiance = ref _radiance.Pointer[0];
+        (sample, radiance) = (default, default);
+        MaskW delta = MaskW.None;
+        active &= probability > 0f;
+        for (MaskW rest = active; rest.Any;)
+        {
+            int light = First(chosen, rest, out MaskW same);
+            rest = rest.Except(same);
+            _lights[light].Sample(lit.From, u, v, lit.Time, out _samples.Pointer[1], out _radiance.Pointer[1]);
+            ref ShapeSampleW one = ref _samples.Pointer[1];
+            sample.Direction = same.Select(one.Direction, sample.Direction);
+            sample.Distance = same.Select(one.Distance, sample.Distance);
+            sample.InversePdf = same.Select(one.InversePdf, sample.InversePdf);
+            radiance = same.Select(_radiance.Pointer[1], radiance);
+            delta = _lights[light].IsDelta ? delta | same : delta;
+        }
+
+        sample.InversePdf *= inverse;
+        Face(surface, material, ref lit, sample, active, delta, radiance * inverse);
+        if (_transmittance is null && queue is null && observer is null && scene.Primitives.HasTree)
+        {
+            ShadowRays += BitOperations.PopCount(lit.Free.Bits);
+            int* own = stackalloc int[FloatW.Count];
+            for (int lane = 0; lane < FloatW.Count; lane++)
+            {
+                own[lane] = _lights[(int)chosen[lane]].OwnPrimitive;
+            }
+
+            clock?.Enter(Stage.Shadow);
+            scene.Primitives.OccludeEach(
+                lit.LeavesByDirection ? lit.Start : lit.Origin, lit.LeavesByDirection ? lit.Towards : sample.Direction, lit.LeavesByDirection ? lit.Distance : sample.Distance, own, ref lit.Free);
+            clock?.Enter(Stage.Light);
+            arriving = RgbW.MultiplyAdd(lit.Radiance, lit.Free.Select(lit.Cosine, 0f), arriving);
+            return;
+        }
+
+        for (MaskW rest = lit.Free; rest.Any;)
+        {
+            int light = First(chosen, rest, out MaskW same);
+            rest = rest.Except(same);
+            Trace(surface, ref lit, light, sample, same, ref arriving);
+        }
+    }
+
+    // A light that was chosen, and all the lanes that it was chosen for.
+    private static int First(in UIntW chosen, in MaskW among, out MaskW same)
+    {
+        uint light = chosen[BitOperations.TrailingZeroCount(among.Bits)];
+        same = among & UIntW.Equal(chosen, light);
+        return (int)light;
+    }
+
+    // What a chosen point of a light brings if nothing is in the way, and the shadow ray that asks.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Face(in SurfaceW surface, Material? material, ref LitW lit, in ShapeSampleW sample, in MaskW lanes, in MaskW delta, in RgbW brought)
+    {
         ref FloatW cosine = ref lit.Cosine;
         ref MaskW free = ref lit.Free;
-        radiance = brought;
+        lit.Radiance = brought;
         cosine = Vec3W.Dot(sample.Direction, surface.Facing);
         free = lanes & (sample.InversePdf > 0f);
-        ref readonly Vec3W origin = ref lit.Origin;
-        ref readonly Vec3W towards = ref sample.Direction;
-        ref readonly FloatW distance = ref sample.Distance;
         if (lit.LeavesByDirection)
         {
             Aim(surface, sample, ref lit);
-            origin = ref lit.Start;
-            towards = ref lit.Towards;
-            distance = ref lit.Distance;
         }
 
         if (lit.Transmits)
@@ -213,35 +280,49 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
 
         if (material is not null && free.Any)
         {
-            Scatter(surface, material, light, sample, ref free, ref radiance);
+            Scatter(surface, material, sample, delta, ref free, ref lit.Radiance);
         }
+    }
 
+    // Adds what arrives from a light, unless something is in the way.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Trace(in SurfaceW surface, ref LitW lit, int light, in ShapeSampleW sample, MaskW free, ref RgbW arriving)
+    {
         uint wanted = free.Bits;
         if (wanted == 0)
         {
             return;
         }
 
+        ref RgbW radiance = ref lit.Radiance;
+        ref FloatW cosine = ref lit.Cosine;
+        ref readonly Vec3W origin = ref lit.LeavesByDirection ? ref lit.Start : ref lit.Origin;
+        ref readonly Vec3W towards = ref lit.LeavesByDirection ? ref lit.Towards : ref sample.Direction;
+        ref readonly FloatW distance = ref lit.LeavesByDirection ? ref lit.Distance : ref sample.Distance;
         ShadowRays += BitOperations.PopCount(wanted);
+        clock?.Enter(Stage.Shadow);
         if (_transmittance is not null)
         {
             SurfaceShader.MediaAlong(scene, surface, sample.Direction, lit.Interior, lit.Media, out UIntW there);
             _transmittance.Trace(wanted, origin, lit.Instance, lit.Inner, towards, distance, there, lit.Time, _lights[light], out RgbW part);
+            clock?.Enter(Stage.Light);
             arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
             observer?.Lit(light, free, radiance * part * cosine, isWaiting: false);
             return;
         }
 
-        scene.Primitives.Occlude(origin, towards, distance, _lights[light].OwnPrimitive, ref free);
+        lit.Unblocked = free;
+        scene.Primitives.Occlude(origin, towards, distance, _lights[light].OwnPrimitive, ref lit.Unblocked);
+        clock?.Enter(Stage.Light);
         if (queue is not null)
         {
-            queue.Add(free.Bits, origin, lit.Instance, lit.Inner, towards, distance, lit.Time, light, radiance, cosine);
-            observer?.Lit(light, free, radiance * cosine, isWaiting: true);
+            queue.Add(lit.Unblocked.Bits, origin, lit.Instance, lit.Inner, towards, distance, lit.Time, light, radiance, cosine);
+            observer?.Lit(light, lit.Unblocked, radiance * cosine, isWaiting: true);
             return;
         }
 
-        arriving = RgbW.MultiplyAdd(radiance, free.Select(cosine, 0f), arriving);
-        observer?.Lit(light, free, radiance * cosine, isWaiting: false);
+        arriving = RgbW.MultiplyAdd(radiance, lit.Unblocked.Select(cosine, 0f), arriving);
+        observer?.Lit(light, lit.Unblocked, radiance * cosine, isWaiting: false);
     }
 
     // The shadow ray, which starts on the light's side of the surface. The sample is seen from the surface itself: a ray of its direction
@@ -267,7 +348,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     }
 
     // The part of a light's sample that the surface scatters, and that scattered rays leave.
-    private void Scatter(in SurfaceW surface, Material material, int light, in ShapeSampleW sample, ref MaskW free, ref RgbW radiance)
+    private void Scatter(in SurfaceW surface, Material material, in ShapeSampleW sample, in MaskW delta, ref MaskW free, ref RgbW radiance)
     {
         ref RgbW bsdf = ref _lit.Pointer->Bsdf;
         ref FloatW pdf = ref _lit.Pointer->Pdf;
@@ -275,10 +356,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         free = free.Except((bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f));
         observer?.Split(surface, material, sample.Direction, bsdf);
         radiance *= bsdf;
-        if (!_lights[light].IsDelta)
-        {
-            radiance *= Weight(1f, pdf * sample.InversePdf);
-        }
+        radiance *= delta.Select(1f, Weight(1f, pdf * sample.InversePdf));
     }
 
     // Lit points, beside their surfaces.
@@ -293,12 +371,14 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         public UIntW Instance;
         public FloatW Distance;
         public FloatW U, V;
+        public FloatW Share;
         public RgbW Arriving;
         public RgbW Radiance;
         public RgbW Bsdf;
         public FloatW Pdf;
         public FloatW Cosine;
         public MaskW Free;
+        public MaskW Unblocked;
         public UIntW Media;
         public FloatW Time;
 

@@ -105,13 +105,17 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
 
         bool hasHalf = film.Planes.Contains(FilmPlane.Half);
         int end = _light is not null ? first + 1 : hasHalf ? FilmPlane.EndOfTurn(first) : _samples.End;
-        SampleRange range = new(first, Math.Min(Math.Min(end, _samples.End), first + NextCount(first - _samples.First)));
+        SampleRange range = new(first, Math.Min(Math.Min(end, _samples.End), EndOfRay(first, first + NextCount(first - _samples.First))));
         PassItem[] items = [.. cut(range)];
         Array.ForEach(items, item => item.Plan());
         _pass = new(range, items, (_pass?.Number ?? 0) + 1, hasHalf && FilmPlane.IsOfHalf(first));
         _began = Stopwatch.GetTimestamp();
         return true;
     }
+
+    // Samples that share a ray go together, as far as there is room for them.
+    private int EndOfRay(int first, int end) =>
+        scene.Splitting?.EndOf(end) is { } all && all - first <= SampleAccumulator.MaxSamples ? all : end;
 
     // As many samples as there are, or as take a moment: many short passes would cost time. Powers of two in all for as long as possible,
     // which low-discrepancy points like.
@@ -137,7 +141,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
             try
             {
                 LightContributions? Observer() => options.Layers is { } layers ? new(scene, layers) : null;
-                Render(workers[i] ??= new(scene, options.StreamSize, LargestItem, Observer(), _light, film.Planes.Contains(FilmPlane.Alpha)));
+                Render(workers[i] ??= new(scene, options.StreamSize, LargestItem, Observer(), _light, film.Planes.Contains(FilmPlane.Alpha), options.Clock));
             }
             catch (Exception e)
             {
@@ -215,7 +219,9 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
             return false;
         }
 
+        options.Clock?.Enter(Stage.Film);
         item.HandOver(worker, pass.IsOfHalf);
+        options.Clock?.Enter(Stage.Rest);
         return true;
     }
 

@@ -16,21 +16,34 @@ internal abstract unsafe class PathSource
     /// <summary>The number of paths.</summary>
     public abstract int Total { get; }
 
-    /// <summary>Fills a stream up with new paths, as long as there are any.</summary>
-    public abstract void Fill(PathStream stream);
+    /// <summary>The rays of the pixels, where samples share them (<see cref="Splitting"/>); null where each new path is that of a sample.</summary>
+    public virtual SampleRange? Rays => null;
+
+    /// <summary>Adds new paths to a stream, as long as there are any.</summary>
+    /// <param name="stream">The stream.</param>
+    /// <param name="room">How many paths it may have then.</param>
+    public abstract void Fill(PathStream stream, int room);
 }
 
 /// <summary>Starts the paths of a tile: pixel by pixel, all samples of a pixel in a row.</summary>
-internal sealed unsafe class RayGenerator(Scene scene, int maxPixels) : PathSource
+/// <param name="scene">The scene.</param>
+/// <param name="maxPixels">The most pixels of a tile.</param>
+/// <param name="splits">True if samples that share a ray are followed together up to what it meets.</param>
+internal sealed unsafe class RayGenerator(Scene scene, int maxPixels, bool splits = false) : PathSource
 {
     private readonly PinnedBuffer<float> _x = new(maxPixels);
     private readonly PinnedBuffer<float> _y = new(maxPixels);
     private readonly PinnedBuffer<uint> _key = new(maxPixels);
     private readonly PinnedBuffer<uint> _number = new(maxPixels);
     private readonly PinnedBuffer<StartW> _start = new(1);
+    private readonly Splitting? _splitting = splits ? scene.Splitting : null;
     private SampleRange _samples;
+    private SampleRange? _rays;
     private int _issued;
     private int _total;
+
+    /// <inheritdoc/>
+    public override SampleRange? Rays => _rays;
 
     /// <inheritdoc/>
     public override uint* PixelKeys => _key.Pointer;
@@ -44,9 +57,7 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels) : PathSour
     /// <summary>Prepares for a tile.</summary>
     public void Begin(in Tile tile, SampleRange samples)
     {
-        _samples = samples;
-        _issued = 0;
-        _total = tile.Pixels * samples.Count;
+        Begin(tile.Pixels, samples);
         uint seed = (uint)scene.Render.Seed;
         int i = 0;
         for (int y = tile.Y; y < tile.Y + tile.Height; y++)
@@ -67,9 +78,7 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels) : PathSour
     /// <param name="seed">Selects the random numbers, in the place of the scene's seed.</param>
     public void Begin(ReadOnlySpan<int> pixels, SampleRange samples, uint seed)
     {
-        _samples = samples;
-        _issued = 0;
-        _total = pixels.Length * samples.Count;
+        Begin(pixels.Length, samples);
         for (int i = 0; i < pixels.Length; i++)
         {
             (int y, int x) = int.DivRem(pixels[i], scene.Render.Width);
@@ -81,23 +90,29 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels) : PathSour
     }
 
     /// <inheritdoc/>
-    public override void Fill(PathStream stream)
+    public override void Fill(PathStream stream, int room)
     {
         ref StartW start = ref *_start.Pointer;
         start.Throughput = Rgb.White;
         start.State = PathState.CountsEmission;
-        while (_issued < _total && stream.Count < stream.Capacity)
+        Sampler sampler = scene.Splitting?.Sampler ?? scene.Sampler;
+        while (_issued < _total && stream.Count < room)
         {
-            int count = Math.Min(Math.Min(FloatW.Count, _total - _issued), stream.Capacity - stream.Count);
+            int count = Math.Min(Math.Min(FloatW.Count, _total - _issued), room - stream.Count);
             start.Path = UIntW.Iota + (uint)_issued;
-            PathNumber.Split(start.Path, _samples, out UIntW pixel, out start.Sample);
+            PathNumber.Split(start.Path, _rays ?? _samples, out UIntW pixel, out start.Sample);
             pixel = MaskW.First(count).Select(pixel, 0u);
             start.Key = UIntW.Gather(_key.Pointer, pixel);
-            scene.Sampler.Begin(start.Key, start.Sample, Dimensions.Pixel, out start.Points);
-            scene.Sampler.Pair(start.Points, 0, out start.X, out start.Y);
+            if (_rays is null && scene.Splitting is not null)
+            {
+                start.Sample = scene.Splitting.RayOf(start.Sample);
+            }
+
+            sampler.Begin(start.Key, start.Sample, Dimensions.Pixel, out start.Points);
+            sampler.Pair(start.Points, 0, out start.X, out start.Y);
             scene.Filter?.Place(ref start.X, ref start.Y);
             scene.Camera.GenerateRays(
-                FloatW.Gather(_x.Pointer, pixel) + start.X, FloatW.Gather(_y.Pointer, pixel) + start.Y, scene.Sampler, start.Key, start.Sample, out start.Origin, out start.Direction);
+                FloatW.Gather(_x.Pointer, pixel) + start.X, FloatW.Gather(_y.Pointer, pixel) + start.Y, sampler, start.Key, start.Sample, out start.Origin, out start.Direction);
             uint lanes = MaskW.First(count).Bits;
             if (scene.IsTimed || scene.Camera.IsPlaced)
             {
@@ -122,9 +137,18 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels) : PathSour
     /// <param name="sample">Numbers of the samples.</param>
     public static FloatW Weight(Scene scene, in UIntW key, in UIntW sample)
     {
-        scene.Sampler.Begin(key, sample, Dimensions.Pixel, out SamplePoints points);
-        scene.Sampler.Pair(points, 0, out FloatW u, out FloatW v);
+        Sampler sampler = scene.Splitting?.Sampler ?? scene.Sampler;
+        sampler.Begin(key, scene.Splitting is { } splitting ? splitting.RayOf(sample) : sample, Dimensions.Pixel, out SamplePoints points);
+        sampler.Pair(points, 0, out FloatW u, out FloatW v);
         return scene.Filter!.Weight(u, v);
+    }
+
+    private void Begin(int pixels, SampleRange samples)
+    {
+        _samples = samples;
+        _rays = _splitting is null ? null : new(_splitting.RayOf(samples.First), _splitting.RayOf(samples.End - 1) + 1);
+        _issued = 0;
+        _total = pixels * (_rays ?? samples).Count;
     }
 
     // Gives paths their times, and takes the camera to where it is then.

@@ -10,7 +10,7 @@ public sealed record RenderOptions
     public int TileSize { get; init; }
 
     /// <summary>Number of paths that a thread follows at a time, 1 to 65,536.</summary>
-    public int StreamSize { get; init; } = 1024;
+    public int StreamSize { get; init; } = 4096;
 
     /// <summary>The part of the picture to render; null is all of it. The film always has the whole picture's size.</summary>
     public Tile? Crop { get; init; }
@@ -32,6 +32,9 @@ public sealed record RenderOptions
     /// still finish the one before.
     /// </summary>
     public Func<SampleRange, TimeSpan>? AfterPass { get; init; }
+
+    /// <summary>Measures the stages, with one thread; null where nobody looks.</summary>
+    internal StageClock? Clock { get; init; }
 
     /// <summary>How long a pass may take even if it more than doubles the samples.</summary>
     internal TimeSpan ShortestPass { get; init; } = TimeSpan.FromSeconds(1);

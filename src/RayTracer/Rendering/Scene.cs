@@ -46,6 +46,8 @@ public sealed class Scene
         Lights = LightList.Create(World);
         environment?.World = World;
         LightSelection = SelectLights();
+        Splitting = CanSplit() ? Splitting.Of(render.Splitting, render.Sampler, Sampler) : null;
+        PointsOfFirst = CountPoints();
     }
 
     // The same things seen in another way.
@@ -72,6 +74,8 @@ public sealed class Scene
         CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = other.Lights;
         LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
+        Splitting = CanSplit() ? Splitting.Of(render.Splitting, render.Sampler, Sampler) : null;
+        PointsOfFirst = CountPoints();
     }
 
     private Scene(Scene other, RenderDescription render, PathGuide? guide)
@@ -85,6 +89,9 @@ public sealed class Scene
 
     /// <summary>The source of random numbers.</summary>
     public Sampler Sampler { get; }
+
+    /// <summary>The samples that share a camera ray; null where each has its own.</summary>
+    internal Splitting? Splitting { get; }
 
     /// <summary>Places samples around the middle of their pixel; null for the mean over the pixel's own square.</summary>
     internal PixelFilter? Filter { get; }
@@ -107,8 +114,14 @@ public sealed class Scene
     /// <summary>
     /// The sources that the integrator samples for light: those of the scene, and where it traces paths, the environment behind it.
     /// </summary>
-    internal IReadOnlyList<LightSource> SampledLights =>
-        Environment is not null && Render.Integrator.Has(IntegratorTraits.SampledEnvironment) ? [.. Lights, Environment] : Lights;
+    internal IReadOnlyList<LightSource> SampledLights => SampledEnvironment is { } environment ? [.. Lights, environment] : Lights;
+
+    /// <summary>
+    /// The environment, where the integrator samples it for light. One of a single colour is found as well by the rays that surfaces scatter, and needs no others; but
+    /// paths that come from lights start there.
+    /// </summary>
+    internal EnvironmentLight? SampledEnvironment => Render.Integrator.Has(IntegratorTraits.SampledEnvironment)
+        && (Environment is not ConstantEnvironment || Render.Integrator.Has(IntegratorTraits.TracesLight)) ? Environment : null;
 
     /// <summary>Those shapes packed by kind.</summary>
     public IReadOnlyList<ShapeBatch> Batches { get; }
@@ -143,6 +156,12 @@ public sealed class Scene
     /// Chooses one light for each point; null where all of them are sampled at each: in the report, and where they are few.
     /// </summary>
     internal LightSelection? LightSelection { get; }
+
+    /// <summary>
+    /// The number of points of each light, or of lights that are chosen, where paths first meet the scene: most of the noise comes from there, and a shadow ray is
+    /// less work than a path (decision 019).
+    /// </summary>
+    internal int PointsOfFirst { get; }
 
     /// <summary>Gives paths wavelengths; null where no surface disperses light.</summary>
     internal Wavelengths? Wavelengths { get; }
@@ -262,11 +281,21 @@ public sealed class Scene
         Render.Integrator.Has(IntegratorTraits.WeakenedShadows) && Render.WeakenedShadows,
         Render.Integrator.Has(IntegratorTraits.LiteralNormals) && Render.ShadingNormals == ShadingNormals.Literal);
 
+    // Not where much of the noise comes from the camera's ray itself (lenses, motion, the fine shapes of meshes), from the choice of lights, or from all that
+    // there is (direct light alone); nor where something happens to the ray on its way, or paths differ from the start.
+    private bool CanSplit() => Render.Integrator.Has(IntegratorTraits.Splits) && World.IsPlain && !Camera.HasLens && !IsTimed
+        && SampledEnvironment is null && LightSelection is null && !TracksInteriors && Wavelengths is null
+        && (Render.Integrator.Has(IntegratorTraits.BounceLimits) ? Render.MaxDiffuseDepth > 0 : Render.MaxDepth is < 0 or > 2);
+
     private bool HasInterior(Predicate<Interior> which) => Array.Exists(_interiors, which);
 
     private LightSelection? SelectLights() => SampledLights.Count > MostLightsOfPoint && Render.Integrator.Has(IntegratorTraits.SampledEnvironment)
         ? new(SampledLights, (Render.Shutter.X, Render.Shutter.Y))
         : null;
+
+    private int CountPoints() => TracksInteriors || Splitting is not null || !Render.Integrator.Has(IntegratorTraits.SampledEnvironment) ? 1
+        : LightSelection is not null ? 4
+        : SampledLights.Any(l => !l.IsDelta) ? 2 : 1;
 
     // Checks how a scene is to be seen.
     private static (RenderDescription Render, Camera Camera)? View(CameraDescription camera, RenderDescription render, SceneBuilder builder)

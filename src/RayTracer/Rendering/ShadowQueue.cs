@@ -25,7 +25,7 @@ internal sealed unsafe class ShadowQueue
     public ShadowQueue(Scene scene, PathObserver? observer)
     {
         _observer = observer;
-        _lightsOfPoint = scene.LightSelection is null ? scene.SampledLights.Count : 1;
+        _lightsOfPoint = scene.PointsOfFirst * (scene.LightSelection is null ? scene.SampledLights.Count : 1);
         _rays = new(scene, Math.Max(LeastRays, _lightsOfPoint * FloatW.Count));
         _weights = new(3L * MaxPackets * FloatW.Count);
         _arrived = new(3L * MaxPackets * FloatW.Count);

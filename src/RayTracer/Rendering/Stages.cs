@@ -9,12 +9,14 @@ namespace RayTracer.Rendering;
 /// <param name="scene">The scene.</param>
 /// <param name="streamSize">The number of paths that are followed together.</param>
 /// <param name="shader">Shades.</param>
-internal sealed unsafe class Stages(Scene scene, int streamSize, SurfaceShader shader)
+/// <param name="clock">Measures the stages; null where nobody looks.</param>
+internal sealed unsafe class Stages(Scene scene, int streamSize, SurfaceShader shader, StageClock? clock = null)
 {
     private readonly GroupMembers _members = new(scene, streamSize);
     private readonly PinnedBuffer<int> _hits = new(scene.World.RoomForHits(streamSize));
     private PathStream _current = new(streamSize);
     private PathStream _next = new(streamSize);
+    private PathStream? _rays;
 
     /// <summary>Number of rays whose nearest hit was looked for.</summary>
     public long Rays { get; private set; }
@@ -29,27 +31,69 @@ internal sealed unsafe class Stages(Scene scene, int streamSize, SurfaceShader s
         _current.Count = 0;
         while (true)
         {
-            source.Fill(_current);
+            if (source.Rays is null)
+            {
+                clock?.Enter(Stage.Generate);
+                source.Fill(_current, _current.Capacity);
+            }
+            else
+            {
+                FollowRays(source, afterStep);
+            }
+
             if (_current.Count == 0)
             {
                 break;
             }
 
-            scene.World.ClosestHit(_current, _hits.Pointer);
-            Rays += _current.Count;
-            shader.SampleMedia(_current);
-            _members.Sort(_current);
-            Shade();
+            _next.Count = 0;
+            Step(_current, _next);
+            clock?.Enter(Stage.Film);
             afterStep?.Invoke(_next);
             (_current, _next) = (_next, _current);
         }
 
         shader.End();
+        clock?.Enter(Stage.Rest);
     }
 
-    private void Shade()
+    // The samples that share camera rays part where those meet the scene, and join the other paths. Few rays would make sparse packets.
+    private void FollowRays(PathSource source, Action<PathStream>? afterStep)
     {
-        _next.Count = 0;
+        int ways = scene.Splitting!.Ways;
+        int most = Math.Max(_current.Capacity / ways, 1);
+        int room = (_current.Capacity - _current.Count) / ways;
+        while (room >= most / 2 || _current.Count == 0)
+        {
+            _rays ??= new(most);
+            _rays.Count = 0;
+            clock?.Enter(Stage.Generate);
+            source.Fill(_rays, room);
+            if (_rays.Count == 0)
+            {
+                return;
+            }
+
+            shader.Splits = true;
+            Step(_rays, _current);
+            shader.Splits = false;
+            clock?.Enter(Stage.Film);
+            afterStep?.Invoke(_current);
+            room = (_current.Capacity - _current.Count) / ways;
+        }
+    }
+
+    // All rays of a stream meet the scene and are shaded; paths that go on are added to another.
+    private void Step(PathStream stream, PathStream next)
+    {
+        clock?.Enter(Stage.Intersect);
+        scene.World.ClosestHit(stream, _hits.Pointer);
+        Rays += stream.Count;
+        clock?.Enter(Stage.Shade);
+        shader.SampleMedia(stream);
+        clock?.Enter(Stage.Sort);
+        _members.Sort(stream);
+        clock?.Enter(Stage.Shade);
         for (int group = 0; group < _members.Count; group++)
         {
             uint* members = _members.Of(group, out int count);
@@ -60,18 +104,19 @@ internal sealed unsafe class Stages(Scene scene, int streamSize, SurfaceShader s
 
             if (group == scene.Groups.Length)
             {
-                shader.Miss(_current, members, count);
+                shader.Miss(stream, members, count);
             }
             else if (group > scene.Groups.Length)
             {
-                shader.Scatter(_current, _next, members, count);
+                shader.Scatter(stream, next, members, count);
             }
             else
             {
-                shader.Shade(scene.Groups[group], _current, _next, members, count);
+                shader.Shade(scene.Groups[group], stream, next, members, count);
             }
         }
 
-        shader.Flush(_next);
+        clock?.Enter(Stage.Shadow);
+        shader.Flush(next);
     }
 }

@@ -1,12 +1,14 @@
+using System.Numerics;
 using RayTracer.Lights;
+using RayTracer.Materials;
 using RayTracer.Media;
 using RayTracer.Numerics;
 
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// What media, or in the report transparent things, leave of the light on its way from a light to where it is scattered, through boundaries that do not change its direction, that priorities make unreal, or where the report does not mind it. Each thread has
-/// its own.
+/// What media, or in the report transparent things, leave of the light on its way from a light to where it is scattered, through boundaries that do not
+/// change its direction, that priorities make unreal, or where the report does not mind it. Each thread has its own.
 /// </summary>
 /// <param name="scene">A scene in which paths track what they are in, or transparent things weaken shadows.</param>
 internal sealed unsafe class Transmittance(Scene scene)
@@ -59,11 +61,7 @@ internal sealed unsafe class Transmittance(Scene scene)
         {
             scene.World.ClosestHit(_rays, _hits.Pointer);
             _next.Count = 0;
-            for (uint i = 0; i < _rays.Count; i++)
-            {
-                Step(i, light, arrived);
-            }
-
+            Step(light, arrived);
             (_rays, _next) = (_next, _rays);
         }
 
@@ -71,70 +69,104 @@ internal sealed unsafe class Transmittance(Scene scene)
         passed = FloatW.Load(arrived + 48);
     }
 
-    // Takes a ray to what it meets: the light, something that stops it, or a boundary, which it crosses.
-    private void Step(uint ray, LightSource? light, float* arrived)
+    // Takes the rays, which fit in a packet, to what they meet: the light, something that stops them, or a boundary, which they cross.
+    private void Step(LightSource? light, float* arrived)
     {
-        uint* index = stackalloc uint[16];
-        new Span<uint>(index, 16).Fill(ray);
-        float left = _rays.Travelled[ray];
-        float met = _rays.Distance[ray];
-        int primitive = (int)_rays.Primitive[ray];
-        bool isLight = light is not null && primitive == light.Primitive && (scene.World.Instances is null || _rays.Instance[ray] == (uint)light.Instance);
-        bool isThere = isLight || met >= left * Reached;
-        ShadingGroup? group = isThere ? null : scene.Groups[scene.GroupOfPrimitive[primitive]];
-        bool isBoundary = scene.HasMedia && group is { Traits.IsBoundary: true };
-        bool isTransparent = scene.WeakensShadows && group is { Traits.IsTransparent: true };
-        if (group is not null && !isBoundary && !isTransparent && !(scene.HasNesting && group.IsNested))
-        {
-            return;
-        }
-
-        UIntW media = UIntW.Pick(_rays.Media, index);
-        RgbW transmittance = _rays.PickThroughput(index);
-        FloatW passed = FloatW.Pick(_rays.Passed, index);
+        MaskW used = MaskW.First(_rays.Count);
+        UIntW media = used.Select(UIntW.Load(_rays.Media), 0u);
+        FloatW way = FloatW.Min(FloatW.Load(_rays.Distance), FloatW.Load(_rays.Travelled));
+        RgbW left = new(FloatW.Load(_rays.ThroughputR), FloatW.Load(_rays.ThroughputG), FloatW.Load(_rays.ThroughputB));
         if (scene.HasMedia)
         {
-            RgbW part = MediumTable.Transmittance(scene.Media.Extinction(media), float.Min(met, left));
-            transmittance *= part;
-            passed *= scene.Media.MeanPassing(media, part);
+            RgbW part = MediumTable.Transmittance(scene.Media.Extinction(media), way);
+            left *= part;
+            (FloatW.Load(_rays.Passed) * scene.Media.MeanPassing(media, part)).Store(_rays.Passed);
         }
 
         if (scene.HasNesting)
         {
-            transmittance *= MediumTable.Transmittance(scene.Media.Absorption(media), float.Min(met, left));
+            left *= MediumTable.Transmittance(scene.Media.Absorption(media), way);
         }
 
-        if (group is null)
+        left.R.Store(_rays.ThroughputR);
+        left.G.Store(_rays.ThroughputG);
+        left.B.Store(_rays.ThroughputB);
+        uint* index = stackalloc uint[16];
+        for (uint rest = used.Bits & ~Arrive(light, arrived); rest != 0;)
         {
-            uint lane = _rays.Path[ray];
-            (arrived[lane], arrived[16 + lane], arrived[32 + lane], arrived[48 + lane]) = (transmittance.R[0], transmittance.G[0], transmittance.B[0], passed[0]);
+            // Those that meet surfaces of the same group go on together.
+            int number = GroupOf(BitOperations.TrailingZeroCount(rest));
+            uint same = 0;
+            int count = 0;
+            for (uint among = rest; among != 0; among &= among - 1)
+            {
+                int ray = BitOperations.TrailingZeroCount(among);
+                if (GroupOf(ray) == number)
+                {
+                    same |= 1u << ray;
+                    index[count++] = (uint)ray;
+                }
+            }
+
+            rest &= ~same;
+            new Span<uint>(index + count, 16 - count).Fill(index[0]);
+            Cross(scene.Groups[number], index, MaskW.First(count));
+        }
+    }
+
+    private int GroupOf(int ray) => scene.GroupOfPrimitive[(int)_rays.Primitive[ray]];
+
+    // Those that have reached the light.
+    private uint Arrive(LightSource? light, float* arrived)
+    {
+        uint there = 0;
+        for (int ray = 0; ray < _rays.Count; ray++)
+        {
+            bool isLight = light is not null && (int)_rays.Primitive[ray] == light.Primitive && (scene.World.Instances is null || _rays.Instance[ray] == (uint)light.Instance);
+            if (isLight || _rays.Distance[ray] >= _rays.Travelled[ray] * Reached)
+            {
+                there |= 1u << ray;
+                uint lane = _rays.Path[ray];
+                (arrived[lane], arrived[16 + lane], arrived[32 + lane], arrived[48 + lane]) =
+                    (_rays.ThroughputR[ray], _rays.ThroughputG[ray], _rays.ThroughputB[ray], _rays.Passed[ray]);
+            }
+        }
+
+        return there;
+    }
+
+    private void Cross(ShadingGroup group, uint* index, MaskW lanes)
+    {
+        bool isBoundary = scene.HasMedia && group.Traits.IsBoundary;
+        bool isTransparent = scene.WeakensShadows && group.Traits.IsTransparent;
+        if (!isBoundary && !isTransparent && !(scene.HasNesting && group.IsNested))
+        {
             return;
         }
 
-        SurfaceShader.Describe(scene, group, _rays, index, group.Traits.UsesUv, out Materials.SurfaceW surface);
+        SurfaceShader.Describe(scene, group, _rays, index, group.Traits.UsesUv, out SurfaceW surface);
+        RgbW transmittance = _rays.PickThroughput(index);
         if (isTransparent)
         {
             group.Material.Transparency(surface, out RgbW through);
             transmittance *= through;
         }
 
+        UIntW media = UIntW.Pick(_rays.Media, index);
         UIntW beyond = scene.Cross(media, group.Interior, MaskW.All, ~SurfaceShader.ComesFromInside(surface));
-        if (!isBoundary && !isTransparent && !SurfaceShader.IsUnreal(media, beyond).Any)
-        {
-            return;
-        }
-
+        lanes = isBoundary || isTransparent ? lanes : lanes & SurfaceShader.IsUnreal(media, beyond);
         FloatW time = scene.IsTimed ? FloatW.Pick(_rays.Time, index) : 0f;
+        FloatW length = FloatW.Pick(_rays.Travelled, index);
         Vec3W start = SurfaceShader.Leave(surface, surface.Incoming);
 
         // The start is beside the ray: from there, the same direction and the rest of the length would end behind a light that is near.
         Vec3W direction = surface.Incoming;
-        FloatW rest = left - met;
-        DirectLight.TurnTo(Vec3W.MultiplyAdd(direction, left, _rays.PickOrigin(index) - start), ref direction, ref rest);
-        Append(_next, 1u, start, direction, transmittance, passed, UIntW.Pick(_rays.Path, index), beyond, rest, time);
+        FloatW rest = length - FloatW.Pick(_rays.Distance, index);
+        DirectLight.TurnTo(Vec3W.MultiplyAdd(direction, length, _rays.PickOrigin(index) - start), ref direction, ref rest);
+        Append(_next, lanes.Bits, start, direction, transmittance, FloatW.Pick(_rays.Passed, index), UIntW.Pick(_rays.Path, index), beyond, rest, time);
         if (group.IsInstanced)
         {
-            _next.SetStart(1u, surface.Instance, SurfaceShader.LeaveInside(surface, surface.Incoming));
+            _next.SetStart(lanes.Bits, surface.Instance, SurfaceShader.LeaveInside(surface, surface.Incoming));
         }
     }
 

@@ -25,18 +25,22 @@ internal sealed unsafe class Wavefront
     /// <param name="observer">Sees what happens to the paths; null where nobody asks.</param>
     /// <param name="light">The light paths of the pass, where the integrator traces such.</param>
     /// <param name="seesBackdrop">True for films with <see cref="FilmPlane.Alpha"/>.</param>
+    /// <param name="clock">Measures the stages; null where nobody looks.</param>
     public Wavefront(
-        Scene scene, int streamSize, int maxTilePixels, PathObserver? observer = null, LightPass? light = null, bool seesBackdrop = false)
+        Scene scene, int streamSize, int maxTilePixels, PathObserver? observer = null, LightPass? light = null, bool seesBackdrop = false, StageClock? clock = null)
     {
+        streamSize = Math.Max(streamSize, scene.Splitting?.Ways ?? 1);
         _backdrop = seesBackdrop ? new() : null;
         observer = PathObservers.Of(_backdrop, observer);
         _observer = observer;
-        _generator = new(scene, maxTilePixels);
+
+        // An observer sees every sample by itself.
+        _generator = new(scene, maxTilePixels, splits: observer is null);
         _accumulator = new(maxTilePixels);
         _finished = new(scene, streamSize, _generator, _accumulator, observer, _backdrop);
         bool queues = !scene.World.IsPlain && scene.SampledLights.Count > 0 && !scene.TracksInteriors && !scene.WeakensShadows;
-        _shader = scene.Render.Integrator.CreateShader(new(scene, _finished, queues ? new(scene, observer) : null, observer, light));
-        _stages = new(scene, streamSize, _shader);
+        _shader = scene.Render.Integrator.CreateShader(new(scene, _finished, queues ? new(scene, observer) : null, observer, light) { Clock = clock });
+        _stages = new(scene, streamSize, _shader, clock);
         _afterStep = next =>
         {
             _observer?.EndStep(_finished, next);

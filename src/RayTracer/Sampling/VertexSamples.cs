@@ -10,11 +10,23 @@ namespace RayTracer.Sampling;
 /// <param name="sampler">The source of the numbers.</param>
 public sealed unsafe class VertexSamples(Sampler sampler)
 {
-    private const float LargestBelowOne = 0.99999994f;
+    /// <summary>The largest number below one.</summary>
+    internal const float LargestBelowOne = 0.99999994f;
+
 
     // Registers that lie across two cache lines are slow to store and load: the runtime aligns neither its stack nor its objects.
     private readonly PinnedBuffer<VertexW> _vertex = new(1);
     private bool _hasRest;
+
+    // Some lanes are at first vertices that samples share; all are, and their samples come later.
+    private bool _shares;
+    private bool _isOfRays;
+
+    /// <summary>The samples that share the camera's ray; null where none do.</summary>
+    internal Splitting? Splitting { get; init; }
+
+    /// <summary>True if those samples share the points of the lights, too, by which the first vertex is lit. To be set before a vertex begins.</summary>
+    internal bool SharesLights { get; set; } = true;
 
     /// <summary>The key of the wavelengths of all paths of a sample; null where each path has its own.</summary>
     internal uint? SharedKey { get; init; }
@@ -32,7 +44,38 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         at.Group = (vertex * Dimensions.GroupsPerVertex) + Dimensions.FirstVertex;
         sampler.Begin(at.PixelKey, at.Sample, at.Group, out at.Points);
         _hasRest = false;
+        _shares = _isOfRays = false;
+        if (Splitting is not null && SharesLights)
+        {
+            Share(vertex);
+        }
     }
+
+    /// <summary>Turns to the first vertices of rays that samples share, for the numbers of their lights; <see cref="Turn"/> has those of each sample.</summary>
+    /// <param name="pixelKey">Keys of the pixels.</param>
+    /// <param name="ray">Numbers of the rays.</param>
+    internal void BeginRays(in UIntW pixelKey, in UIntW ray)
+    {
+        ref VertexW at = ref *_vertex.Pointer;
+        at.PixelKey = pixelKey;
+        at.Group = Dimensions.FirstVertex;
+        at.Ray = ray;
+        _shares = _isOfRays = SharesLights;
+        Splitting!.Sampler.Begin(at.PixelKey, at.Ray, at.Group, out at.RayPoints);
+    }
+
+    /// <summary>Turns to one of the samples that share each ray.</summary>
+    /// <param name="sample">Numbers of the samples.</param>
+    internal void Turn(in UIntW sample)
+    {
+        ref VertexW at = ref *_vertex.Pointer;
+        at.Sample = sample;
+        sampler.Begin(at.PixelKey, at.Sample, at.Group, out at.Points);
+        _hasRest = false;
+    }
+
+    /// <summary>The lanes at the first vertices of their paths.</summary>
+    internal MaskW IsFirst => UIntW.Equal(_vertex.Pointer->Group, Dimensions.FirstVertex);
 
     /// <summary>The two numbers that choose the direction of scattering.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -91,8 +134,18 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     /// <param name="u">First number.</param>
     /// <param name="v">Second number.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Light(int light, out FloatW u, out FloatW v) =>
-        Pair(Dimensions.FirstLight + (uint)light, out u, out v);
+    public void Light(int light, out FloatW u, out FloatW v)
+    {
+        uint pair = Dimensions.FirstLight + (uint)light;
+        if (_shares)
+        {
+            SharedPair(pair, out u, out v);
+        }
+        else
+        {
+            Pair(pair, out u, out v);
+        }
+    }
 
     /// <summary>The two numbers that decide how far a path flies through a medium.</summary>
     /// <param name="crossings">The number of boundaries that it has crossed since the vertex.</param>
@@ -126,6 +179,29 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         v = at.V;
     }
 
+    private void SharedPair(uint pair, out FloatW u, out FloatW v)
+    {
+        ref VertexW at = ref *_vertex.Pointer;
+        Splitting!.Sampler.Pair(at.RayPoints, pair, out u, out v);
+        if (!_isOfRays)
+        {
+            sampler.Pair(at.Points, pair, out at.U, out at.V);
+            (u, v) = (at.OfRay.Select(u, at.U), at.OfRay.Select(v, at.V));
+        }
+    }
+
+    private void Share(in UIntW vertex)
+    {
+        ref VertexW at = ref *_vertex.Pointer;
+        at.OfRay = UIntW.Equal(vertex, 0u);
+        _shares = at.OfRay.Any;
+        if (_shares)
+        {
+            at.Ray = Splitting!.RayOf(at.Sample);
+            Splitting.Sampler.Begin(at.PixelKey, at.Ray, at.Group, out at.RayPoints);
+        }
+    }
+
     private void Decisions(uint pair, out FloatW u, out FloatW v)
     {
         ref VertexW at = ref *_vertex.Pointer;
@@ -143,6 +219,9 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         public UIntW Group;
         public SamplePoints Points;
         public SamplePoints Decisions;
+        public SamplePoints RayPoints;
+        public MaskW OfRay;
+        public UIntW Ray;
         public UIntW Next;
         public FloatW U, V;
         public FloatW Rest;

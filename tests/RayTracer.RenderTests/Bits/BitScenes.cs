@@ -22,6 +22,7 @@ internal static class BitScenes
     public const string LampBehindPane = "lamp-behind-pane";
 
     private const string Everything = "everything-";
+    private const string Split = "split/";
     private const string LightPath = "light-paths-";
 
     // The same in fog, with a lamp in milk that overlaps with the ball.
@@ -126,7 +127,7 @@ internal static class BitScenes
 
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, LampBehindPane, .. Folders.SelectMany(In)];
+        [.. Report, .. Samplers, .. Splitting, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, LampBehindPane, .. Folders.SelectMany(In)];
 
     /// <summary>Names of scenes that are guided.</summary>
     public static string[] Guided => ["guided/screen"];
@@ -145,6 +146,9 @@ internal static class BitScenes
 
     /// <summary>The scene of everything, with each sampler.</summary>
     public static string[] Samplers => [.. new[] { "independent", "jittered", "regular", "sobol" }.Select(s => Everything + s)];
+
+    /// <summary>Scenes of so many samples that some share their camera's rays: by both kinds of samplers, and by both integrators.</summary>
+    public static string[] Splitting => [Split + "cornell", Split + "report/scene2", Split + "materials/10-principled"];
 
     /// <summary>Names of the scenes of meshes, instances and motion.</summary>
     public static IReadOnlyList<string> Meshes => In("meshes");
@@ -173,6 +177,8 @@ internal static class BitScenes
         : name == WrappedBoundaries ? TestScenes.Build(Clouds)
         : name == MeshLamps ? TestScenes.Build(Walls)
         : name == LampBehindPane ? TestScenes.Build(Pane)
+        : name.StartsWith(Split, StringComparison.Ordinal)
+            ? SceneRuns.Load(ProjectFolder.PathOf("scenes", name[Split.Length..] + ".json"), d => d with { Render = Small(d, 24, 24).Render with { SamplesPerPixel = 64 } })
         : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));
 
     /// <summary>Loads a scene of <see cref="LightPaths"/>.</summary>

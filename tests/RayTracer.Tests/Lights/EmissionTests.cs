@@ -156,7 +156,7 @@ public class EmissionTests
     [InlineData("""{ "type": "sphere", "center": [0, 0, 0.3] }""", 1)]
     public void Infinite_surfaces_stop_light_before_it_starts(string shape, int arrives)
     {
-        Scene scene = TestScenes.Build($$"""{ "render": { "integrator": "path" }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 2 }, {{shape}}], "environment": { "type": "constant" } }""");
+        Scene scene = TestScenes.Build($$"""{ "render": { "integrator": "light" }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 2 }, {{shape}}], "environment": { "type": "constant" } }""");
         int seen = 0;
         Trace(scene, 1 << 10, (in EmittedW ray, in FloatW _, int lane) =>
         {
@@ -172,7 +172,7 @@ public class EmissionTests
     [Fact]
     public void Where_nothing_has_an_end_no_light_comes_from_afar()
     {
-        Scene scene = TestScenes.Build("""{ "render": { "integrator": "path" }, "shapes": [{ "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0] }], "environment": { "type": "constant" } }""");
+        Scene scene = TestScenes.Build("""{ "render": { "integrator": "light" }, "shapes": [{ "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0] }], "environment": { "type": "constant" } }""");
         Trace(scene, 64, (in EmittedW ray, in FloatW _, int lane) => Assert.False(Bit(ray.Exists, lane)));
         Trace(TestScenes.Build("""{ "shapes": [{ "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0] }] }"""), 64, (in EmittedW ray, in FloatW _, int lane) => Assert.False(Bit(ray.Exists, lane)));
     }
@@ -183,7 +183,7 @@ public class EmissionTests
         string lamps = string.Join(",\n", Enumerable.Range(0, 3000).Select(i => string.Create(CultureInfo.InvariantCulture, $$"""
             { "type": "point", "position": [{{(i * 7 % 13) - 6}}, 0, 0], "intensity": [0, {{(i == 7 ? 0 : Math.Pow(10, (i % 7) - 4))}}, 0] }
             """)));
-        Scene scene = TestScenes.Build($$"""{ "render": { "integrator": "path" }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 0.5, "material": { "type": "luminaire", "color": [0, 900, 0] } }], "lights": [{{lamps}}], "environment": { "type": "constant", "radiance": [0, 20, 0] } }""");
+        Scene scene = TestScenes.Build($$"""{ "render": { "integrator": "light" }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 0.5, "material": { "type": "luminaire", "color": [0, 900, 0] } }], "lights": [{{lamps}}], "environment": { "type": "constant", "radiance": [0, 20, 0] } }""");
         LightEmission emission = new(scene);
         int lights = scene.SampledLights.Count;
         Assert.Equal(3002, lights);
@@ -284,7 +284,7 @@ public class EmissionTests
             .Replace("SPOTS", """ "material": { "type": "luminaire", "multiplier": 2, "exponent": 3.5 } """, StringComparison.Ordinal);
         bool isEnvironment = name.Contains("sky", StringComparison.Ordinal) || name.Contains("environment", StringComparison.Ordinal);
         Scene scene = TestScenes.Build($$"""
-            { "render": { "integrator": "path", "shutter": [0, 1] }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 2 }],
+            { "render": { "integrator": "light", "shutter": [0, 1] }, "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 2 }],
               "{{(isEnvironment ? "environment" : "lights")}}": {{(isEnvironment ? json : $"[{json}]")}} }
             """);
         LightSource light = Assert.Single(scene.SampledLights);

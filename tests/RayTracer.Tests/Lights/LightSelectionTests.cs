@@ -127,7 +127,7 @@ public class LightSelectionTests
         }
 
         Assert.Equal(1, mean, 0.02);
-        Assert.True(chosen < even / 8, $"variances {chosen} and {even}");
+        Assert.True(chosen < even / 100, $"variances {chosen} and {even}");
     }
 
     /// <summary>A scene of many small lamps at the knots of a crooked grid over a floor, of different strengths.</summary>

@@ -127,7 +127,7 @@ public class MaterialTests
     [InlineData(1.0)]
     [InlineData(0.5)]
     [InlineData(0.02)]
-    public void Coat_is_chosen_with_Schlicks_probability_and_the_rest_is_lit(double cosine)
+    public void Coat_is_seen_by_Schlicks_share_and_chosen_by_its_root_and_the_rest_is_lit(double cosine)
     {
         const double r0 = 0.05;
         double reflectance = r0 + ((1 - r0) * Math.Pow(1 - cosine, 5));
@@ -135,9 +135,16 @@ public class MaterialTests
             new DiffuseMaterial(new SolidTexture(new(0.5f, 0.5f, 0.5f))), new PhongMetalMaterial(new SolidTexture(Rgb.White), 1e6f), (float)r0);
         (SurfaceW surface, _) = Surface(cosine, inside: false);
         material.Prepare(ref surface);
-        int coat = 0;
-        ForEachScatter(material, surface, Count, s => coat += s.Specular.Any ? 1 : 0);
-        Assert.Equal(reflectance, (double)coat / Count, 1e-4);
+        (int coat, double seen, double rest) = (0, 0, 0);
+        ForEachScatter(material, surface, Count, s =>
+        {
+            coat += s.Specular.Any ? 1 : 0;
+            seen += s.Specular.Any ? s.Weight.G[0] : 0;
+            rest += s.Specular.Any ? 0 : s.Weight.G[0];
+        });
+        Assert.Equal(Math.Sqrt(reflectance), (double)coat / Count, 1e-4);
+        Assert.Equal(reflectance, seen / Count, 1e-4);
+        Assert.Equal(0.5 * (1 - reflectance), rest / Count, 1e-4);
         material.Brdf(surface, out RgbW brdf);
         Assert.Equal(0.5 / Math.PI * (1 - reflectance), brdf.G[0], 5);
         material.AmbientResponse(surface, out RgbW ambient);

@@ -35,8 +35,8 @@ internal sealed class InstanceTree
             _table.Meet(instance, ray, time, ref hit);
         }
 
-        Nearest search = new(_table, ray, time, hit);
-        BoxTraversal.Follow(_tree, ray, hit.Distance, ref search);
+        Nearest search = new(this, ray, time, hit);
+        SingleRayTraversal.Follow<ClosestSearch, Nearest>(_tree, ray, hit.Distance, ref search, out _);
         hit = search.Hit;
     }
 
@@ -45,15 +45,15 @@ internal sealed class InstanceTree
     /// </summary>
     public long Cost(in SpaceRay ray, float time, in InstanceHit hit)
     {
-        Counting search = new(_table, ray, time, hit);
+        Nearest search = new(this, ray, time, hit) { Counts = true };
         float distance = hit.Distance;
         foreach (int instance in _endless)
         {
-            search.Visit(instance - 1, ref distance);
+            search.Meet(instance, ref distance);
         }
 
-        BoxTraversal.Follow(_tree, ray, distance, ref search);
-        return search.Cost;
+        SingleRayTraversal.Follow<CountingSearch, Nearest>(_tree, ray, distance, ref search, out long visited);
+        return search.Cost + visited;
     }
 
     /// <summary>Returns whether any instance stands in the way of a ray.</summary>
@@ -67,49 +67,50 @@ internal sealed class InstanceTree
             }
         }
 
-        Any search = new(_table, ray, time, distance, skipped, skip);
-        return BoxTraversal.Follow(_tree, ray, distance, ref search);
+        Any search = new(this, ray, time, skipped, skip);
+        return SingleRayTraversal.Follow<AnySearch, Any>(_tree, ray, distance, ref search, out _);
     }
 
-    private struct Nearest(InstanceTable table, SpaceRay ray, float time, InstanceHit hit) : IBoxSearch
+    // The number of the instance in a leaf.
+    private int Instance(uint leaf) => _tree.Order[BvhNode.LeafFirst(leaf)] + 1;
+
+    private struct Nearest(InstanceTree tree, SpaceRay ray, float time, InstanceHit hit) : ILeaves
     {
         public InstanceHit Hit = hit;
 
-        public bool Visit(int thing, ref float distance)
+        public long Cost;
+
+        public bool Counts { get; init; }
+
+        public readonly unsafe void Prefetch(BvhNode* nodes, uint reference)
         {
-            table.Meet(thing + 1, ray, time, ref Hit);
+        }
+
+        public bool Meet(uint leaf, ref float distance) => Meet(tree.Instance(leaf), ref distance);
+
+        public bool Meet(int instance, ref float distance)
+        {
+            if (Counts)
+            {
+                Cost += tree._table.CostOf(instance, ray, time, distance);
+            }
+
+            tree._table.Meet(instance, ray, time, ref Hit);
             distance = Hit.Distance;
-            return false;
-        }
-
-        public readonly void Enter()
-        {
+            return true;
         }
     }
 
-    private struct Counting(InstanceTable table, SpaceRay ray, float time, InstanceHit hit) : IBoxSearch
+    private readonly struct Any(InstanceTree tree, SpaceRay ray, float time, int skipped, int skip) : ILeaves
     {
-        private InstanceHit _hit = hit;
-
-        public long Cost { get; private set; }
-
-        public bool Visit(int thing, ref float distance)
+        public unsafe void Prefetch(BvhNode* nodes, uint reference)
         {
-            Cost += table.CostOf(thing + 1, ray, time, distance);
-            table.Meet(thing + 1, ray, time, ref _hit);
-            distance = _hit.Distance;
-            return false;
         }
 
-        public void Enter() => Cost++;
-    }
-
-    private readonly struct Any(InstanceTable table, SpaceRay ray, float time, float limit, int skipped, int skip) : IBoxSearch
-    {
-        public bool Visit(int thing, ref float distance) => table.IsMet(thing + 1, ray, time, limit, thing + 1 == skipped ? skip : -1);
-
-        public void Enter()
+        public bool Meet(uint leaf, ref float distance)
         {
+            int instance = tree.Instance(leaf);
+            return tree._table.IsMet(instance, ray, time, distance, instance == skipped ? skip : -1);
         }
     }
 }

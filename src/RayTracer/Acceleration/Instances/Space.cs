@@ -201,7 +201,7 @@ internal sealed class Space
 /// <summary>A ray in the coordinates of a space.</summary>
 /// <param name="Origin">The point from which it starts.</param>
 /// <param name="Direction">Its direction, of any length, in which distances are measured.</param>
-internal readonly unsafe record struct SpaceRay(Vector3 Origin, Vector3 Direction)
+internal readonly record struct SpaceRay(Vector3 Origin, Vector3 Direction)
 {
     /// <summary>In the world: the instance from whose surface it starts; 0 for none.</summary>
     public int StartInstance { get; init; }
@@ -215,25 +215,4 @@ internal readonly unsafe record struct SpaceRay(Vector3 Origin, Vector3 Directio
     /// <param name="lane">Which of them.</param>
     public static SpaceRay Of(in Vec3W origin, in Vec3W direction, int lane) => new(
         new(origin.X[lane], origin.Y[lane], origin.Z[lane]), new(direction.X[lane], direction.Y[lane], direction.Z[lane]));
-
-    /// <summary>The ray as a stream of one.</summary>
-    /// <param name="self">This ray, where it stays.</param>
-    /// <param name="distance">The largest distance at which hits count.</param>
-    /// <param name="primitive">Takes the hit.</param>
-    public RayStream AsStream(SpaceRay* self, float* distance, int* primitive)
-    {
-        float* numbers = (float*)self;
-        return new()
-        {
-            OriginX = numbers,
-            OriginY = numbers + 1,
-            OriginZ = numbers + 2,
-            DirectionX = numbers + 3,
-            DirectionY = numbers + 4,
-            DirectionZ = numbers + 5,
-            Distance = distance,
-            Primitive = primitive,
-            Count = 1,
-        };
-    }
 }

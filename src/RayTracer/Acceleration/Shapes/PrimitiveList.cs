@@ -38,6 +38,9 @@ internal sealed unsafe class PrimitiveList
     /// <summary>Number of primitives.</summary>
     public int Count { get; }
 
+    /// <summary>True where the shapes are in a tree, but for those without end.</summary>
+    public bool HasTree => _tree is not null;
+
     /// <summary>Memory of the tree; 0 without one.</summary>
     public long TreeBytes => _tree?.MemoryBytes ?? 0;
 
@@ -99,6 +102,24 @@ internal sealed unsafe class PrimitiveList
         }
     }
 
+    /// <summary>
+    /// As <see cref="Occlude"/>, with a primitive for each lane that does not count; only where there is a tree, which all primitives are in that have an end.
+    /// </summary>
+    /// <param name="origin">The points from which the rays start.</param>
+    /// <param name="direction">Unit directions.</param>
+    /// <param name="distance">The distance over which the rays must be free.</param>
+    /// <param name="skips">The primitives, which have ends; −1 for none.</param>
+    /// <param name="free">The rays to look at; cleared where they are not free.</param>
+    public void OccludeEach(in Vec3W origin, in Vec3W direction, in FloatW distance, int* skips, ref MaskW free)
+    {
+        foreach (ref readonly Loop loop in _loops.AsSpan())
+        {
+            loop.Batch.Occlude(loop.First, loop.End, origin, direction, distance, -1, ref free);
+        }
+
+        OccludeInTree(origin, direction, distance, skips, ref free);
+    }
+
     // The runs of shapes that the tree leaves out.
     private static IEnumerable<Loop> LoopsAround(ReadOnlySpan<int> members, ShapeBatch[] batches)
     {
@@ -148,12 +169,19 @@ internal sealed unsafe class PrimitiveList
     [MethodImpl(MethodImplOptions.NoInlining)]
     private void OccludeInTree(in Vec3W origin, in Vec3W direction, in FloatW distance, int skip, ref MaskW free)
     {
+        int* skips = stackalloc int[FloatW.Count];
+        new Span<int>(skips, FloatW.Count).Fill(skip);
+        OccludeInTree(origin, direction, distance, skips, ref free);
+    }
+
+    private void OccludeInTree(in Vec3W origin, in Vec3W direction, in FloatW distance, int* skips, ref MaskW free)
+    {
         int* blocked = stackalloc int[FloatW.Count];
         MaskW.None.V.Store(blocked);
         for (uint left = free.Bits; left != 0; left &= left - 1)
         {
             int lane = BitOperations.TrailingZeroCount(left);
-            blocked[lane] = _tree!.AnyHit(SpaceRay.Of(origin, direction, lane), distance[lane], skip) ? -1 : 0;
+            blocked[lane] = _tree!.AnyHit(SpaceRay.Of(origin, direction, lane), distance[lane], skips[lane]) ? -1 : 0;
         }
 
         free = free.Except(new(Vector.Load(blocked)));

@@ -46,8 +46,8 @@ internal sealed class ShapeTree
     /// <param name="primitive">The primitive hit so far.</param>
     public void ClosestHit(in SpaceRay ray, float limit, ref float distance, ref uint primitive)
     {
-        Nearest search = new(_batches, ray, limit, distance, primitive);
-        BoxTraversal.Follow(_tree, ray, distance, ref search);
+        Nearest search = new(this, ray, limit, distance, primitive);
+        SingleRayTraversal.Follow<ClosestSearch, Nearest>(_tree, ray, distance, ref search, out _);
         (distance, primitive) = (search.Distance, search.Primitive);
     }
 
@@ -57,23 +57,24 @@ internal sealed class ShapeTree
     /// <param name="skip">A primitive that does not count; −1 for none.</param>
     public bool AnyHit(in SpaceRay ray, float distance, int skip)
     {
-        Any search = new(_batches, ray, distance, skip);
-        return BoxTraversal.Follow(_tree, ray, distance, ref search);
+        Any search = new(this, ray, skip);
+        return SingleRayTraversal.Follow<AnySearch, Any>(_tree, ray, distance, ref search, out _);
     }
 
-    // The batch of a shape, whose number becomes that in the batch.
-    private static ShapeBatch BatchOf(ShapeBatch[] batches, ref int shape)
+    // The batch of the shape in a leaf, and its number in the batch.
+    private ShapeBatch BatchOf(uint leaf, out int shape)
     {
+        shape = _tree.Order[BvhNode.LeafFirst(leaf)];
         int batch = 0;
-        for (; shape >= batches[batch].Count; batch++)
+        for (; shape >= _batches[batch].Count; batch++)
         {
-            shape -= batches[batch].Count;
+            shape -= _batches[batch].Count;
         }
 
-        return batches[batch];
+        return _batches[batch];
     }
 
-    private struct Nearest(ShapeBatch[] batches, in SpaceRay ray, float limit, float distance, uint primitive) : IBoxSearch
+    private struct Nearest(ShapeTree tree, in SpaceRay ray, float limit, float distance, uint primitive) : ILeaves
     {
         private readonly Vec3W _origin = ray.Origin;
         private readonly Vec3W _direction = ray.Direction;
@@ -82,10 +83,14 @@ internal sealed class ShapeTree
 
         public uint Primitive = primitive;
 
-        public bool Visit(int thing, ref float distance)
+        public readonly unsafe void Prefetch(BvhNode* nodes, uint reference)
+        {
+        }
+
+        public bool Meet(uint leaf, ref float distance)
         {
             // An equally near hit must be seen, for its number may be lower; but not one at the limit.
-            ShapeBatch batch = BatchOf(batches, ref thing);
+            ShapeBatch batch = tree.BatchOf(leaf, out int thing);
             FloatW t = float.Min(float.BitIncrement(Distance), limit);
             UIntW hit = uint.MaxValue;
             batch.ClosestHit(thing, thing + 1, _origin, _direction, ref t, ref hit);
@@ -95,29 +100,25 @@ internal sealed class ShapeTree
                 distance = Distance;
             }
 
-            return false;
-        }
-
-        public readonly void Enter()
-        {
+            return true;
         }
     }
 
-    private readonly struct Any(ShapeBatch[] batches, in SpaceRay ray, float limit, int skip) : IBoxSearch
+    private readonly struct Any(ShapeTree tree, in SpaceRay ray, int skip) : ILeaves
     {
         private readonly Vec3W _origin = ray.Origin;
         private readonly Vec3W _direction = ray.Direction;
 
-        public bool Visit(int thing, ref float distance)
+        public unsafe void Prefetch(BvhNode* nodes, uint reference)
         {
-            ShapeBatch batch = BatchOf(batches, ref thing);
-            MaskW free = MaskW.All;
-            batch.Occlude(thing, thing + 1, _origin, _direction, limit, skip, ref free);
-            return !free.Any;
         }
 
-        public void Enter()
+        public bool Meet(uint leaf, ref float distance)
         {
+            ShapeBatch batch = tree.BatchOf(leaf, out int thing);
+            MaskW free = MaskW.All;
+            batch.Occlude(thing, thing + 1, _origin, _direction, distance, skip, ref free);
+            return !free.Any;
         }
     }
 }

@@ -80,7 +80,8 @@ internal unsafe ref struct BlockTraversal<TSearch>(BvhNode* nodes, float* triang
     private void FollowAlone(in PendingVisit visit)
     {
         int ray = BitOperations.TrailingZeroCount(visit.Rays);
-        if (SingleRayTraversal.Follow<TSearch>(_nodes, _triangles, &_workspace->Rays, ray, visit.Reference, &_workspace->Single))
+        TriangleLeaves<TSearch> leaves = new(_triangles, &_workspace->Rays, ray, &_workspace->Single);
+        if (SingleRayTraversal.Follow<TSearch, TriangleLeaves<TSearch>>(_nodes, &_workspace->Rays, ray, visit.Reference, &_workspace->Single, ref leaves))
         {
             _alive &= ~visit.Rays;
         }

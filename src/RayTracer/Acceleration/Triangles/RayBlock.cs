@@ -105,6 +105,53 @@ internal unsafe struct RayBlock
         return count == Size ? alive : alive & ((1ul << count) - 1);
     }
 
+    /// <summary>Takes one ray, as the first of the block.</summary>
+    /// <param name="block">The block to fill.</param>
+    /// <param name="ray">The ray.</param>
+    /// <param name="distance">The largest distance at which hits count.</param>
+    /// <param name="bounds">The tree's bounds.</param>
+    /// <returns>True if it can hit something.</returns>
+    public static bool Load(RayBlock* block, in SpaceRay ray, float distance, in Box4 bounds)
+    {
+        Vector128<float> origin = ray.Origin.AsVector128();
+        Vector128<float> direction = ray.Direction.AsVector128();
+        Vector128<float> sizes = Vector128.Abs(direction);
+        int major = sizes[0] >= sizes[1] && sizes[0] >= sizes[2] ? 0 : sizes[1] >= sizes[2] ? 1 : 2;
+        (float largest, float along) = (sizes[major], direction[major]);
+        block->Major[0] = major;
+        block->ShearX[0] = direction[TriangleLeaf.MinorX(major)] / along;
+        block->ShearY[0] = direction[TriangleLeaf.MinorY(major)] / along;
+        block->Scale[0] = 1f / along;
+        block->Distance[0] = distance;
+        block->Primitive[0] = -1;
+
+        // The operations and their order are those of many rays.
+        Vector128<float> far = Vector128.Abs(origin);
+        Vector128<float> reaches = far + Lanes8.Max(Vector128.Abs(bounds.Lower - origin), Vector128.Abs(bounds.Upper - origin));
+        float reach = 0f;
+        for (int axis = 0; axis < 3; axis++)
+        {
+            reach = reach > reaches[axis] ? reach : reaches[axis];
+        }
+
+        block->Slack[0] = reach * TriangleSlack;
+        Vector128<float> slack = Vector128.Create(reach * BoxSlack);
+        Vector128<float> least = Vector128.Create(largest * (1f / (1L << 40)));
+        Vector128<float> inverse = Vector128<float>.One / (Lanes8.Max(sizes, least) | (direction & Vector128.Create(-0f)));
+        Vector128<float> lower = -((origin + slack) * inverse);
+        Vector128<float> upper = -((origin - slack) * inverse);
+        for (int axis = 0; axis < 3; axis++)
+        {
+            block->Origin[axis * Size] = origin[axis];
+            block->Inverse[axis * Size] = inverse[axis];
+            block->LowerShift[axis * Size] = lower[axis];
+            block->UpperShift[axis * Size] = upper[axis];
+        }
+
+        Vector128<float> nothing = direction * 0f;
+        return largest > 1f / LargestOrigin && largest < LargestOrigin && far[0] + far[1] + far[2] + nothing[0] + nothing[1] + nothing[2] < LargestOrigin && distance > 0f;
+    }
+
     private static void Copy(float* from, float* to) => new ReadOnlySpan<float>(from, Size).CopyTo(new(to, Size));
 
     /// <summary>Takes rays one by one; the last one fills its register.</summary>

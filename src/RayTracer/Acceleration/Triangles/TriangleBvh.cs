@@ -101,25 +101,18 @@ internal sealed unsafe class TriangleBvh
     private (float Distance, int Primitive, long Cost) TraceOne<TSearch>(Vector3 origin, Vector3 direction, float distance)
         where TSearch : ISearch
     {
-        int primitive = -1;
-        RayStream ray = new()
+        RayBlock rays;
+        TraversalStack stack;
+        stack.Cost = 0;
+        if (!RayBlock.Load(&rays, new(origin, direction), distance, _tree.Bounds))
         {
-            OriginX = &origin.X,
-            OriginY = &origin.Y,
-            OriginZ = &origin.Z,
-            DirectionX = &direction.X,
-            DirectionY = &direction.Y,
-            DirectionZ = &direction.Z,
-            Distance = &distance,
-            Primitive = &primitive,
-            Count = 1,
-        };
-        byte* memory = stackalloc byte[sizeof(BlockWorkspace) + 64];
-        BlockWorkspace* workspace = Align(memory);
-        workspace->Single.Cost = 0;
-        TraceSingly<TSearch>(ray, workspace);
+            return (distance, -1, 0);
+        }
+
+        TriangleLeaves<TSearch> leaves = new((float*)_triangles.Pointer, &rays, 0, &stack);
+        bool any = SingleRayTraversal.Follow<TSearch, TriangleLeaves<TSearch>>(_tree.Nodes, &rays, 0, 0, &stack, ref leaves);
         GC.KeepAlive(this);
-        return (distance, primitive, workspace->Single.Cost);
+        return TSearch.EndsAtAnyHit ? (distance, any ? 0 : -1, stack.Cost) : (rays.Distance[0], rays.Primitive[0], stack.Cost);
     }
 
     private void Trace<TSearch>(in RayStream rays, TraversalMode mode)
@@ -165,7 +158,8 @@ internal sealed unsafe class TriangleBvh
             for (ulong left = alive; left != 0; left &= left - 1)
             {
                 int ray = BitOperations.TrailingZeroCount(left);
-                bool any = SingleRayTraversal.Follow<TSearch>(_tree.Nodes, (float*)_triangles.Pointer, block, ray, 0, &workspace->Single);
+                TriangleLeaves<TSearch> leaves = new((float*)_triangles.Pointer, block, ray, &workspace->Single);
+                bool any = SingleRayTraversal.Follow<TSearch, TriangleLeaves<TSearch>>(_tree.Nodes, block, ray, 0, &workspace->Single, ref leaves);
                 hit |= any ? 1ul << ray : 0;
             }
 

@@ -246,3 +246,35 @@ internal static unsafe class TriangleLeaf
         return Lanes8.Bits(hit);
     }
 }
+
+/// <summary>The leaves of a tree of triangles, as one ray of a block meets them; its hit is stored there.</summary>
+/// <param name="triangles">The triangles of all leaves.</param>
+/// <param name="rays">The block.</param>
+/// <param name="ray">Which of its rays.</param>
+/// <param name="stack">Counts.</param>
+internal readonly unsafe struct TriangleLeaves<TSearch>(float* triangles, RayBlock* rays, int ray, TraversalStack* stack) : ILeaves
+    where TSearch : ISearch
+{
+    private readonly int _major = rays->Major[ray];
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Prefetch(BvhNode* nodes, uint reference) => TriangleLeaf.Prefetch(nodes, triangles, reference);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Meet(uint leaf, ref float distance)
+    {
+        int count = BvhNode.LeafCount(leaf);
+        if (TSearch.Counts)
+        {
+            stack->Cost += count;
+        }
+
+        if (!TriangleLeaf.Intersect<TSearch>(triangles + ((nint)BvhNode.LeafFirst(leaf) * TriangleLeaf.Rows), count, rays, ray, _major))
+        {
+            return false;
+        }
+
+        distance = TSearch.EndsAtAnyHit ? distance : rays->Distance[ray];
+        return true;
+    }
+}

@@ -38,7 +38,7 @@ internal sealed unsafe class FirstHits
         while (true)
         {
             _rays.Count = 0;
-            _generator.Fill(_rays);
+            _generator.Fill(_rays, _rays.Capacity);
             if (_rays.Count == 0)
             {
                 return;

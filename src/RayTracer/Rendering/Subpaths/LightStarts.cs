@@ -73,12 +73,12 @@ internal sealed unsafe class LightStarts(Scene scene, LightInteriors? interiors)
     }
 
     /// <inheritdoc/>
-    public override void Fill(PathStream stream)
+    public override void Fill(PathStream stream, int room)
     {
         ref EmittedW ray = ref *_ray.Pointer;
-        while (_issued < _total && stream.Count < stream.Capacity)
+        while (_issued < _total && stream.Count < room)
         {
-            int count = Math.Min(Math.Min(FloatW.Count, _total - _issued), stream.Capacity - stream.Count);
+            int count = Math.Min(Math.Min(FloatW.Count, _total - _issued), room - stream.Count);
             UIntW key = UIntW.Load(_keys.Pointer + _issued);
             FloatW time = scene.IsTimed ? scene.Time(key, (uint)_sample) : scene.Render.Shutter.X;
             _emission.Start(scene.Sampler, key, UIntW.Load(_samples.Pointer + _issued), time, MaskW.First(count), out UIntW light, out ray);

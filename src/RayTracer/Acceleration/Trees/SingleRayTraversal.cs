@@ -5,21 +5,54 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Acceleration;
 
-/// <summary>One ray through a tree of triangles: eight boxes or eight triangles at a time, nearer children first.</summary>
+/// <summary>What is in the leaves of a tree, as one ray meets it.</summary>
+internal unsafe interface ILeaves
+{
+    /// <summary>Asks for the memory of a node or leaf that will be visited soon.</summary>
+    void Prefetch(BvhNode* nodes, uint reference);
+
+    /// <summary>Meets a ray with what is in a leaf.</summary>
+    /// <param name="leaf">Refers to the leaf.</param>
+    /// <param name="distance">The largest distance at which hits count.</param>
+    /// <returns>True if there is a hit, for any hit.</returns>
+    bool Meet(uint leaf, ref float distance);
+}
+
+/// <summary>One ray through a tree: eight boxes at a time, nearer children first.</summary>
 internal static unsafe class SingleRayTraversal
 {
+    /// <summary>Leads a ray through a tree over boxes.</summary>
+    /// <param name="tree">The tree.</param>
+    /// <param name="ray">The ray.</param>
+    /// <param name="distance">The largest distance at which hits count.</param>
+    /// <param name="leaves">What is in the boxes.</param>
+    /// <param name="visited">The number of nodes visited, where that is counted.</param>
+    /// <returns>True if there is a hit, for any hit.</returns>
+    public static bool Follow<TSearch, TLeaves>(WideBvh tree, in SpaceRay ray, float distance, ref TLeaves leaves, out long visited)
+        where TSearch : ISearch
+        where TLeaves : struct, ILeaves
+    {
+        RayBlock block;
+        TraversalStack stack;
+        stack.Cost = 0;
+        bool isMet = tree.Count > 0 && RayBlock.Load(&block, ray, distance, tree.Bounds) && Follow<TSearch, TLeaves>(tree.Nodes, &block, 0, 0, &stack, ref leaves);
+        visited = stack.Cost;
+        return isMet;
+    }
+
     /// <summary>Follows a ray.</summary>
     /// <param name="nodes">The tree's nodes.</param>
-    /// <param name="triangles">The tree's leaves.</param>
-    /// <param name="rays">The rays: one of them is traced, and its hit is stored there.</param>
+    /// <param name="rays">The rays, of which one is traced.</param>
     /// <param name="ray">Which one.</param>
     /// <param name="start">Node or leaf to begin with.</param>
     /// <param name="stack">Memory to work with.</param>
+    /// <param name="leaves">The tree's leaves.</param>
     /// <returns>True if there is a hit, for any hit.</returns>
     /// <remarks>Long, because a call in the loop would cost more than what is in it.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    public static bool Follow<TSearch>(BvhNode* nodes, float* triangles, RayBlock* rays, int ray, uint start, TraversalStack* stack)
+    public static bool Follow<TSearch, TLeaves>(BvhNode* nodes, RayBlock* rays, int ray, uint start, TraversalStack* stack, ref TLeaves leaves)
         where TSearch : ISearch
+        where TLeaves : struct, ILeaves
     {
         const int size = RayBlock.Size;
         float* constants = rays->Inverse + ray;
@@ -46,7 +79,6 @@ internal static unsafe class SingleRayTraversal
         Vector256<int> shifts = negativeZ ? Vector256.Create(21, 18, 15, 12, 9, 6, 3, 0) : Vector256.Create(0, 3, 6, 9, 12, 15, 18, 21);
         int backward = negativeZ ? 7 : 0;
         float distance = rays->Distance[ray];
-        int major = rays->Major[ray];
         uint* pending = stack->Reference;
         float* entries = stack->Entry;
         int depth = 0;
@@ -113,23 +145,12 @@ internal static unsafe class SingleRayTraversal
                 }
 
                 depth += BitOperations.PopCount(hits);
-                TriangleLeaf.Prefetch(nodes, triangles, pending[depth - 1]);
+                leaves.Prefetch(nodes, pending[depth - 1]);
             }
 
-            int count = BvhNode.LeafCount(current);
-            if (TSearch.Counts)
+            if (leaves.Meet(current, ref distance) && TSearch.EndsAtAnyHit)
             {
-                stack->Cost += count;
-            }
-
-            if (TriangleLeaf.Intersect<TSearch>(triangles + ((nint)BvhNode.LeafFirst(current) * TriangleLeaf.Rows), count, rays, ray, major))
-            {
-                if (TSearch.EndsAtAnyHit)
-                {
-                    return true;
-                }
-
-                distance = rays->Distance[ray];
+                return true;
             }
 
         next:
