@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using RayTracer.Description;
 using RayTracer.Lights;
 using RayTracer.Materials;
@@ -322,6 +323,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
     }
 
     // The number of points of a light that were sampled at the vertex from which paths come.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private FloatW Points(in UIntW state) => UIntW.Equal(state & PathState.VertexMask, 1u).Select((float)Scene.PointsOfFirst, 1f);
 
     // Light of the surface itself: in full where no light could have been sampled for it, and weighted else.

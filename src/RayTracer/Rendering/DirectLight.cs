@@ -185,7 +185,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     }
 
     // One light of many for each lane; those of the same light together.
-    private void AddChosen(in SurfaceW surface, Material? material, ref LitW lit, int point, VertexSamples samples, MaskW active, ref RgbW arriving)
+    private void AddChosen(in SurfaceW surface, Material? material, ref LitW lit, int point, VertexSamples samples, in MaskW among, ref RgbW arriving)
     {
         // Several points take one from each part of the lights.
         FloatW choice = FloatW.Min((samples.LightChoice() + point) * lit.Share, VertexSamples.LargestBelowOne);
@@ -196,7 +196,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         ref RgbW radiance = ref _radiance.Pointer[0];
         (sample, radiance) = (default, default);
         MaskW delta = MaskW.None;
-        active &= probability > 0f;
+        MaskW active = among & (probability > 0f);
         for (MaskW rest = active; rest.Any;)
         {
             int light = First(chosen, rest, out MaskW same);
@@ -286,7 +286,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
 
     // Adds what arrives from a light, unless something is in the way.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Trace(in SurfaceW surface, ref LitW lit, int light, in ShapeSampleW sample, MaskW free, ref RgbW arriving)
+    private void Trace(in SurfaceW surface, ref LitW lit, int light, in ShapeSampleW sample, in MaskW free, ref RgbW arriving)
     {
         uint wanted = free.Bits;
         if (wanted == 0)

@@ -135,7 +135,7 @@ internal sealed unsafe class Transmittance(Scene scene)
         return there;
     }
 
-    private void Cross(ShadingGroup group, uint* index, MaskW lanes)
+    private void Cross(ShadingGroup group, uint* index, in MaskW among)
     {
         bool isBoundary = scene.HasMedia && group.Traits.IsBoundary;
         bool isTransparent = scene.WeakensShadows && group.Traits.IsTransparent;
@@ -154,7 +154,7 @@ internal sealed unsafe class Transmittance(Scene scene)
 
         UIntW media = UIntW.Pick(_rays.Media, index);
         UIntW beyond = scene.Cross(media, group.Interior, MaskW.All, ~SurfaceShader.ComesFromInside(surface));
-        lanes = isBoundary || isTransparent ? lanes : lanes & SurfaceShader.IsUnreal(media, beyond);
+        MaskW lanes = isBoundary || isTransparent ? among : among & SurfaceShader.IsUnreal(media, beyond);
         FloatW time = scene.IsTimed ? FloatW.Pick(_rays.Time, index) : 0f;
         FloatW length = FloatW.Pick(_rays.Travelled, index);
         Vec3W start = SurfaceShader.Leave(surface, surface.Incoming);
