@@ -1,5 +1,4 @@
 using RayTracer.Description;
-using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Shapes;
 
@@ -32,8 +31,10 @@ public static class BitVersions
             r => Name(r) is "instance" or "model" && !ReferenceEquals(((ShapeDescription)r).Material, ShapeDescription.DefaultMaterial))),
         new("instances, and shapes that are placed or move", 23, (_, records) => records.Any(r => r is ModelDescription or InstanceDescription
             || (r is ShapeDescription shape && (shape.Transform.Count > 0 || shape.Motion.Count > 0)))),
-        new("paths that may end at random", 26, (scene, _) => scene.Render.Integrator.Has(IntegratorTraits.PathLimit)),
-        new("an environment of one colour", 26, (scene, _) => scene.Render.Integrator.Has(IntegratorTraits.SampledEnvironment) && scene.Environment is ConstantEnvironmentDescription),
+        new("lights that camera paths sample", 26, (scene, _) =>
+            scene.Render.Integrator.Has(IntegratorTraits.SampledEnvironment) && !scene.Render.Integrator.Has(IntegratorTraits.TracesLight)),
+        new("many things, some of which may be lights", 26, (scene, records) => scene.Render.Integrator.Has(IntegratorTraits.TracesLight)
+            && (records.Count(r => r is ShapeDescription) > 8 || records.Any(r => Name(r) is "instance" or "model"))),
         new("coats", 26, (scene, records) => scene.Render.Integrator.Has(IntegratorTraits.Light) && records.Any(r => Name(r) == "diffuseSpecular")),
         new("samples that share camera rays", 26, (scene, records) => MaySplit(scene) && !records.Any(r => Name(r) is "mesh" or "model" or "instance")),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),

@@ -24,7 +24,7 @@ public sealed class OldFilmTests : IDisposable
     [Theory]
     [InlineData("frame.rtfilm", "samples that share camera rays")]
     [InlineData("carries.exr", "samples that share camera rays")]
-    [InlineData("picture.png", "paths that may end at random")]
+    [InlineData("picture.png", "lights that camera paths sample")]
     public void Those_whose_bits_are_others_now_are_not_and_the_reason_is_given(string file, string kind)
     {
         string reason = $"was rendered before a fault was mended: the bits of scenes with {kind} are others now";

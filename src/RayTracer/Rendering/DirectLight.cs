@@ -165,20 +165,20 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
 
             for (int i = 0; i < count; i++)
             {
-                bool isDelta = _points > 1 && _lights[first + i].IsDelta;
+                bool isDelta = _lights[first + i].IsDelta;
                 if (isDelta && point > 0)
                 {
                     continue;
                 }
 
-                if (_points > 1 && !isDelta)
+                if (!isDelta && _points > 1)
                 {
                     _samples.Pointer[i].InversePdf *= lit.Share;
                     _radiance.Pointer[i] *= lit.Share;
                 }
 
                 ref ShapeSampleW sample = ref _samples.Pointer[i];
-                Face(surface, material, ref lit, sample, active, _lights[first + i].IsDelta ? MaskW.All : MaskW.None, _radiance.Pointer[i]);
+                Face(surface, material, ref lit, sample, active, isDelta ? MaskW.All : MaskW.None, _radiance.Pointer[i]);
                 Trace(surface, ref lit, first + i, sample, lit.Free, ref arriving);
             }
         }
