@@ -36,8 +36,14 @@ internal static class BenchVerb
         command.SetAction(result =>
         {
             (string[] paths, IReadOnlyList<SceneSetting> given, StageTimes stages) = (result.GetValue(scenes)!, settings.Given(result).Settings, verbose.Times(result, streams));
-            return profile.IsWanted(result) ? StageBench.Run(Scenes(paths), given, result.GetValue(json), streams)
-                : builds.IsWanted(result) ? builds.Run(result, Scenes(paths), given, result.GetValue(json), streams)
+            if (profile.IsWanted(result))
+            {
+                return builds.IsWanted(result) || integrators.IsWanted(result, repeat) || repeat.Value(result) is not null
+                    ? throw new CommandException(ExitStatus.Usage, "--stages does not go with --against, --integrators or --repeat")
+                    : StageBench.Run(Scenes(paths), given, result.GetValue(json), streams);
+            }
+
+            return builds.IsWanted(result) ? builds.Run(result, Scenes(paths), given, result.GetValue(json), streams)
                 : integrators.IsWanted(result, repeat) ? integrators.Run(result, paths, given, result.GetValue(json), stages, streams)
                 : Run(paths, given, (int)(repeat.Value(result) ?? 3), result.GetValue(json), stages, streams);
         });

@@ -33,6 +33,13 @@ public sealed class StageBenchTests : IDisposable
         Assert.Equal(100, shares.Sum(), 0.6);
     }
 
+    [Theory]
+    [InlineData("--against", "folder")]
+    [InlineData("--integrators", "path")]
+    [InlineData("--repeat", "2")]
+    public void They_are_measured_alone(params string[] words) =>
+        CliRun.Refused(ExitStatus.Usage, "--stages does not go with", ["bench", "--stages", .. words]);
+
     [Fact]
     public void A_clock_leaves_out_what_its_readings_take()
     {

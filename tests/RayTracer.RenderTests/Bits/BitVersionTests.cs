@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Jobs;
 
 namespace RayTracer.RenderTests.Bits;
@@ -14,5 +15,19 @@ public class BitVersionTests
     {
         int changes = File.ReadLines(HashList.Path).Count(l => l.StartsWith("# ", StringComparison.Ordinal) && l.Split(". ")[0][2..].All(char.IsAsciiDigit));
         Assert.Equal(Enumerable.Range(First + 1, changes - First).Except(s_newScenes), BitVersions.All.Select(v => v.Version).Distinct().Order());
+    }
+
+    // Direct light alone has other bits by the points of its lights; light paths, only where one of many lights is chosen.
+    [Theory]
+    [InlineData("path", true)]
+    [InlineData("volPath", true)]
+    [InlineData("direct", true)]
+    [InlineData("report", false)]
+    [InlineData("vcm", false)]
+    [InlineData("ao", false)]
+    public void Integrators_of_other_bits_have_their_number(string integrator, bool isOther)
+    {
+        SceneDescription scene = new() { Render = new() { Integrator = Integrator.Known.Find(integrator)!, Splitting = 1 } };
+        Assert.Equal(isOther, BitVersions.Of(scene).Any(v => v.Version == 26));
     }
 }
