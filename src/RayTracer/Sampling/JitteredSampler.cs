@@ -16,6 +16,7 @@ internal class JitteredSampler : Sampler
     private readonly uint _bits;
     private readonly int _half;
     private readonly int _root;
+    private readonly bool _isPowerOf2;
 
     /// <summary>Makes a sampler of n×n cells.</summary>
     /// <param name="samplesPerPixel">The number of samples that a pixel will have: a square.</param>
@@ -28,6 +29,7 @@ internal class JitteredSampler : Sampler
         _count = (uint)samplesPerPixel;
         _bits = BitOperations.RoundUpToPowerOf2(_count) - 1;
         _half = Math.Max(1, BitOperations.PopCount(_bits) / 2);
+        _isPowerOf2 = _bits == _count - 1;
     }
 
     /// <summary>The square root of a square; null of any other number.</summary>
@@ -65,6 +67,14 @@ internal class JitteredSampler : Sampler
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private protected void Cell(UIntW cell, out FloatW column, out FloatW row)
     {
+        if (_isPowerOf2)
+        {
+            // The root of a power of two that is a square has half of its digits.
+            row = (cell >> BitOperations.TrailingZeroCount(_root)).ToFloat();
+            column = (cell & (uint)(_root - 1)).ToFloat();
+            return;
+        }
+
         // The quotient in floats may be one off where there are millions of cells; the remainder decides.
         UIntW quotient = (cell.ToFloat() * (1f / _root)).ToIntInRange();
         UIntW remainder = cell - (quotient * (uint)_root);
@@ -84,25 +94,33 @@ internal class JitteredSampler : Sampler
     /// (Kensler, Correlated multi-jittered sampling, Pixar technical memo 13-01, 2013, describes such cycle walking).
     /// </summary>
     /// <remarks>What takes a second walk is no longer uniform, for the key is the same; so, as Kensler does, the cells are turned by a random number at last.</remarks>
-    private UIntW Permute(UIntW i, UIntW key)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private UIntW Permute(UIntW i, UIntW key) => _isPowerOf2 ? Walk(i, key) : WalkToCell(i, key);
+
+    // What lanes that are not in use hold becomes a cell by the last mask.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private UIntW Walk(UIntW i, UIntW key)
+    {
+        // Digits are cut off where a shift would bring them down.
+        UIntW x = ((i + key) * (key >> 7 | 1u)) & _bits;
+        x ^= x >> _half;
+        x = (x * (key >> 19 | 1u)) & _bits;
+        x ^= x >> _half;
+        return ((x * 0x6935fa69u) ^ (key >> 13)) & _bits;
+    }
+
+    private UIntW WalkToCell(in UIntW start, in UIntW key)
     {
         // From a number that is no cell (a lane that is not in use) the walk might never arrive.
-        i = (i < _count).Select(i, 0u);
+        UIntW i = (start < _count).Select(start, 0u);
         MaskW outside = MaskW.All;
         do
         {
-            UIntW x = (i + key) & _bits;
-            x = (x * (key >> 7 | 1u)) & _bits;
-            x ^= x >> _half;
-            x = (x * (key >> 19 | 1u)) & _bits;
-            x ^= x >> _half;
-            x = (x * 0x6935fa69u) & _bits;
-            x = (x ^ (key >> 13)) & _bits;
-            i = outside.Select(x, i);
+            i = outside.Select(Walk(i, key), i);
             outside &= i > (_count - 1);
         }
         while (outside.Any);
-        return _bits == _count - 1 ? i : Turn(i, key);
+        return Turn(i, key);
     }
 
     /// <summary>Adds a random number of cells, modulo their number.</summary>
