@@ -52,7 +52,7 @@ internal sealed class MitsubaDielectrics(MitsubaTextures textures)
     {
         PlasticMaterialDescription smooth = new()
         {
-            Color = textures.Read(bsdf, "diffuse_reflectance", 0.5f),
+            Color = textures.Read(bsdf, "diffuse_reflectance", new Rgb(0.5f, 0.5f, 0.5f)),
             RefractiveIndex = RelativeIndex(bsdf, Polypropylene),
             Nonlinear = bsdf.Boolean("nonlinear", false),
             SpecularReflectance = textures.Read(bsdf, "specular_reflectance", Rgb.White),

@@ -19,9 +19,12 @@ internal static class MitsubaIntegrators
                 render = render with { Integrator = Integrator.Path, MaxDepth = 2 };
                 break;
             case "aov":
-                return Aov(integrator, render);
+                integrator.Ignore("aovs");
+                return Inner(integrator, render, "auxiliary images are chosen with --aov, not in the scene");
+            case "moment":
+                return Inner(integrator, render, "the squares of samples are not written: the noise of a picture is an auxiliary image, --aov error");
             default:
-                integrator.UnknownType("integrators", "path", "direct", "volpath", "volpathmis", "aov");
+                integrator.UnknownType("integrators", "path", "direct", "volpath", "volpathmis", "aov", "moment");
                 return render;
         }
 
@@ -47,10 +50,10 @@ internal static class MitsubaIntegrators
         return int.Min(depth, RenderDescription.LongestPath);
     }
 
-    private static RenderDescription Aov(MitsubaObject integrator, RenderDescription render)
+    // The integrator within one that writes further images.
+    private static RenderDescription Inner(MitsubaObject integrator, RenderDescription render, string warning)
     {
-        integrator.Ignore("aovs");
-        integrator.Log.Warn(integrator.TypePlace, "auxiliary images are chosen with --aov, not in the scene");
+        integrator.Log.Warn(integrator.TypePlace, warning);
         RenderDescription inner = integrator.Only("integrator") is { } nested ? Read(nested, render) : render;
         integrator.Finish();
         return inner;

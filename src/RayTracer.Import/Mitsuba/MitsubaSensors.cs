@@ -72,17 +72,14 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
     private CameraDescription Perspective(MitsubaObject sensor)
     {
         CameraDescription camera = Placed(sensor, out _);
-        if (sensor.Text("focal_length") is { } focal)
+        string? focal = sensor.Text("focal_length");
+        FieldOfViewAxis axis = sensor.Choice("fov_axis", FieldOfViewAxis.Horizontal, s_axes);
+        if (focal is not null || !sensor.Has("fov"))
         {
-            return camera with { FieldOfView = FieldOfView(focal, sensor), FieldOfViewAxis = FieldOfViewAxis.Diagonal };
+            return camera with { FieldOfView = FieldOfView(focal ?? "50mm", sensor), FieldOfViewAxis = FieldOfViewAxis.Diagonal };
         }
 
-        if (!sensor.Has("fov"))
-        {
-            reading.Log.Error(sensor.Place, $"{sensor.Describe()} needs \"fov\", or \"focal_length\"");
-        }
-
-        return camera with { FieldOfView = sensor.Float("fov", 40, 0.001f, 179), FieldOfViewAxis = sensor.Choice("fov_axis", FieldOfViewAxis.Horizontal, s_axes) };
+        return camera with { FieldOfView = sensor.Float("fov", 40, 0.001f, 179), FieldOfViewAxis = axis };
     }
 
     // The axis meets the film beside its middle: the film is a part of a larger one, whose middle it meets.

@@ -1,6 +1,7 @@
 using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
+using RayTracer.Scenes;
 using RayTracer.Textures;
 
 namespace RayTracer.Import;
@@ -32,7 +33,9 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <param name="standard">The value where none is given.</param>
     /// <param name="maximum">The most that is allowed.</param>
     public TextureDescription Read(MitsubaObject thing, string name, float standard, float maximum = 1) =>
-        thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, new Rgb(standard, standard, standard), maximum: maximum));
+        thing.Child("texture", name) is { } texture
+            ? AsNumber(Read(texture), texture.Place)
+            : Solid(MitsubaColors.Read(thing, name, new Rgb(standard, standard, standard), maximum: maximum));
 
     /// <summary>The texture that a thing is.</summary>
     public TextureDescription Read(MitsubaObject texture)
@@ -50,6 +53,14 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
 
         return made;
     }
+
+    // Where a number is asked of it, Mitsuba's checkerboard has its two textures in each other's place.
+    private TextureDescription AsNumber(TextureDescription texture, SourcePlace place) => texture switch
+    {
+        CheckerTextureDescription checker => reading.At(place, checker with { Even = AsNumber(checker.Odd, place), Odd = AsNumber(checker.Even, place) }),
+        PlacedTextureDescription placed => reading.At(place, placed with { Texture = AsNumber(placed.Texture, place) }),
+        _ => texture,
+    };
 
     /// <summary>The same colour everywhere.</summary>
     public static TextureDescription Solid(Rgb color) => new SolidTextureDescription { Color = color };

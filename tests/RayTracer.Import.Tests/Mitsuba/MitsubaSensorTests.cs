@@ -10,6 +10,25 @@ public class MitsubaSensorTests
     private const string Film = """<film type="hdrfilm"><integer name="width" value="30"/><integer name="height" value="20"/><rfilter type="box"/></film>""";
 
     [Fact]
+    public void A_sensor_without_an_angle_has_a_lens_of_50_millimetres()
+    {
+        CameraDescription standard = TestScene.Of("", $"""<sensor type="perspective">{Film}</sensor>""").Camera;
+        Assert.Equal(TestScene.Of("", $"""<sensor type="perspective"><string name="focal_length" value="50mm"/>{Film}</sensor>""").Camera, standard);
+        Assert.Equal((FieldOfViewAxis.Diagonal, 46.793f), (standard.FieldOfViewAxis, float.Round(standard.FieldOfView, 3)));
+    }
+
+    [Theory]
+    [InlineData("moment")]
+    [InlineData("aov")]
+    public void Of_an_integrator_that_writes_further_images_the_inner_one_counts(string type)
+    {
+        using TestScene scene = new();
+        SceneReadResult read = MitsubaReader.Read(scene.Write("scene.xml", $"""<integrator type="{type}"><integrator type="path"><integer name="max_depth" value="3"/></integrator></integrator>"""));
+        Assert.Equal(Severity.Warning, Assert.Single(read.Diagnostics).Severity);
+        Assert.Equal((Integrator.Path, 3), (read.Description!.Render.Integrator, read.Description.Render.MaxDepth));
+    }
+
+    [Fact]
     public void Cameras_look_along_z_of_their_frame_and_measure_the_width()
     {
         CameraDescription camera = TestScene.Of("", $"""

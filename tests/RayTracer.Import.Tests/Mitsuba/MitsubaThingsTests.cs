@@ -26,6 +26,32 @@ public class MitsubaThingsTests
     }
 
     [Fact]
+    public void A_checkerboard_that_is_a_number_has_its_fields_in_the_opposite_places()
+    {
+        SceneDescription scene = TestScene.Of("""
+            <texture type="checkerboard" id="fields"><float name="color0" value="0.25"/><texture type="checkerboard" name="color1"><float name="color0" value="0.5"/><float name="color1" value="0.75"/></texture></texture>
+            <shape type="sphere"><bsdf type="blendbsdf"><ref id="fields" name="weight"/><bsdf type="diffuse"><ref id="fields" name="reflectance"/></bsdf><bsdf type="null"/></bsdf></shape>
+            """);
+        MixMaterialDescription blend = Assert.IsType<MixMaterialDescription>(scene.Shapes[0].Material);
+        CheckerTextureDescription color = Assert.IsType<CheckerTextureDescription>(scene.Textures["fields"]);
+        CheckerTextureDescription number = Assert.IsType<CheckerTextureDescription>(blend.Weight);
+        CheckerTextureDescription inner = Assert.IsType<CheckerTextureDescription>(number.Even);
+        Assert.Equal(color.Even, number.Odd);
+        Assert.Equal(((CheckerTextureDescription)color.Odd).Even, inner.Odd);
+        Assert.Equal(((CheckerTextureDescription)color.Odd).Odd, inner.Even);
+    }
+
+    [Fact]
+    public void The_diffuse_reflectance_of_a_plastic_is_a_color()
+    {
+        SceneDescription scene = TestScene.Of("""
+            <texture type="checkerboard" id="fields"/>
+            <shape type="sphere"><bsdf type="plastic"><ref id="fields" name="diffuse_reflectance"/></bsdf></shape>
+            """);
+        Assert.Contains("Even = SolidTextureDescription", scene.Shapes[0].Material!.ToString(), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Mirrored_and_turned_rectangles_keep_their_front_and_their_uv()
     {
         IReadOnlyList<ShapeDescription> shapes = TestScene.Of("""
