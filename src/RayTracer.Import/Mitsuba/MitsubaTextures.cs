@@ -58,7 +58,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     private TextureDescription AsNumber(TextureDescription texture, SourcePlace place) => texture switch
     {
         CheckerTextureDescription checker => reading.At(place, checker with { Even = AsNumber(checker.Odd, place), Odd = AsNumber(checker.Even, place) }),
-        PlacedTextureDescription placed => reading.At(place, placed with { Texture = AsNumber(placed.Texture, place) }),
+        PlacedTextureDescription { Texture: CheckerTextureDescription checker } placed => reading.At(place, placed with { Texture = AsNumber(checker, place) }),
         _ => texture,
     };
 

@@ -42,13 +42,14 @@ public class MitsubaThingsTests
     }
 
     [Fact]
-    public void The_diffuse_reflectance_of_a_plastic_is_a_color()
+    public void The_diffuse_reflectance_of_a_plastic_is_a_color_and_no_number()
     {
         SceneDescription scene = TestScene.Of("""
             <texture type="checkerboard" id="fields"/>
             <shape type="sphere"><bsdf type="plastic"><ref id="fields" name="diffuse_reflectance"/></bsdf></shape>
             """);
-        Assert.Contains("Even = SolidTextureDescription", scene.Shapes[0].Material!.ToString(), StringComparison.Ordinal);
+        MaterialDescription material = Assert.IsType<OneSidedMaterialDescription>(scene.Shapes[0].Material).Material;
+        Assert.Equal(scene.Textures["fields"], Assert.IsType<PlasticMaterialDescription>(material).Color);
     }
 
     [Fact]
