@@ -8,12 +8,13 @@ namespace RayTracer.Session;
 /// <param name="Settings">The user's settings of the picture.</param>
 /// <param name="Tone">The exposure and tone map of the screen.</param>
 /// <param name="Stops">By how many stops the screen is brighter than the light, whoever decides on it.</param>
+/// <param name="View">Through which camera the picture is seen.</param>
 /// <param name="Snapshots">Earlier pictures, the oldest first.</param>
 /// <param name="Recovery">Texts that were not saved.</param>
 /// <param name="Notice">The newest message; null before there was one.</param>
 /// <param name="Jobs">The jobs that run beside the user's work.</param>
 public sealed record SessionState(
-    long Version, DocumentStatus Document, string? Selection, RenderStatus Render, ViewSettings Settings, Tone Tone, float Stops, IReadOnlyList<Snapshot> Snapshots,
+    long Version, DocumentStatus Document, string? Selection, RenderStatus Render, ViewSettings Settings, Tone Tone, float Stops, ViewStatus View, IReadOnlyList<Snapshot> Snapshots,
     IReadOnlyList<RecoveryEntry> Recovery, Notice? Notice, IReadOnlyList<Job> Jobs)
 {
     /// <summary>The state of a session.</summary>
@@ -23,7 +24,8 @@ public sealed record SessionState(
         long version = session.Changes.Version;
         PictureView view = session.View;
         return new(
-            version, session.Document.Status, session.Selection.Pointer, view.Loop.Status, view.Settings, view.Tone, view.Stops, session.Snapshots.All,
+            version, session.Document.Status, session.Selection.Pointer, view.Loop.Status, view.Settings, view.Tone, view.Stops,
+            new(view.IsSceneCamera, session.Bookmarks.All), session.Snapshots.All,
             session.Recovery.Entries, session.Notices.Newest, session.Jobs.Running);
     }
 }

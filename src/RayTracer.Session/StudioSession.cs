@@ -19,11 +19,13 @@ public sealed class StudioSession : IDisposable
     public StudioSession(UserFolders? folders = null, string? scenes = null, TimeProvider? time = null)
     {
         Importers.Register();
+        folders ??= UserFolders.OfUser();
         _document = new(folders, scenes, time);
         Edits = new(Document, Selection, Notices);
         Jobs = new(Notices);
         View = new(Document);
         Camera = new(Document, View);
+        Bookmarks = new(Document, View, folders);
         Snapshots = new(View, time ?? TimeProvider.System);
         Handles = new(Edits, View);
         Pictures = new(Document, View, Jobs);
@@ -37,6 +39,7 @@ public sealed class StudioSession : IDisposable
         Recovery.Changed += Changes.Advance;
         View.Changed += Changes.Advance;
         Snapshots.Changed += Changes.Advance;
+        Bookmarks.Changed += Changes.Advance;
         View.Refused += message => Notices.Post("error", message.TrimEnd('.'));
         Files.Opened += Begin;
         View.Loop.Failed += message => Notices.Post("error", message.TrimEnd('.'));
@@ -74,6 +77,9 @@ public sealed class StudioSession : IDisposable
 
     /// <summary>Moves the camera.</summary>
     public CameraController Camera { get; }
+
+    /// <summary>Views to return to.</summary>
+    public ViewBookmarks Bookmarks { get; }
 
     /// <summary>Earlier pictures.</summary>
     public SnapshotList Snapshots { get; }

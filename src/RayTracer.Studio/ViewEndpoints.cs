@@ -13,6 +13,10 @@ internal static class ViewEndpoints
     {
         RouteGroupBuilder view = api.MapGroup("/view");
         view.MapPost("/camera", (CameraMove move) => session.Camera.Move(move));
+        view.MapPost("/camera/write", () => Results.Json(new { revision = session.Camera.Write() }));
+        view.MapPost("/bookmark/add", (BookmarkRequest request) => session.Bookmarks.Add(request.Name));
+        view.MapPost("/bookmark/show", (BookmarkRequest request) => session.Camera.Look(session.Bookmarks.Pose(request.Id)));
+        view.MapPost("/bookmark/remove", (BookmarkRequest request) => session.Bookmarks.Remove(request.Id));
         view.MapPost("/focus", (PixelRequest at) => Results.Json(new { distance = session.Camera.Focus(at.X, at.Y), revision = session.Document.Revision }));
         view.MapPost("/tone", (ToneRequest tone) =>
         {
@@ -33,6 +37,8 @@ internal static class ViewEndpoints
     }
 
     internal sealed record PixelRequest(float X, float Y);
+
+    internal sealed record BookmarkRequest(int Id, string? Name);
 
     internal sealed record HandlesRequest(string Pointer, GizmoKind Kind, float Length);
 

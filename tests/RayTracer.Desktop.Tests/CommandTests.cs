@@ -69,6 +69,8 @@ public sealed class CommandTests
             ["pause"] = () => test.Until(() => view.Settings.Mode is RenderMode.Paused or RenderMode.Running),
             ["stop"] = () => test.Until(() => view.Settings.Mode == RenderMode.Stopped),
             ["home"] = () => test.Until(() => main.Dispatcher.Idle.IsCompleted),
+            ["setCamera"] = () => test.Until(() => main.Dispatcher.Idle.IsCompleted),
+            ["frame"] = () => test.Until(() => !test.Session.View.IsSceneCamera),
             ["fit"] = () => Holds(main.Viewport.Stage.Zoom is null),
             ["actualSize"] = () => Holds(Math.Abs(main.Viewport.Stage.Zoom!.Value - 1) < 1e-9),
             ["zoomIn"] = () => Holds(main.Viewport.Stage.Zoom > 1.4),

@@ -104,6 +104,8 @@ internal sealed class CommandTable
         ["stop"] = () => Render(main, RenderMode.Stopped),
         ["restart"] = () => main.Dispatcher.Do(s => s.View.Change(v => v with { Mode = RenderMode.Running }, restart: true)),
         ["home"] = main.Viewport.Camera.Home,
+        ["setCamera"] = () => main.Dispatcher.Do(s => s.Camera.Write()),
+        ["frame"] = () => main.Dispatcher.Do(s => s.Camera.Move(new(CameraMoveKind.Frame, Pointer: s.Selection.Pointer is { } p && SceneThings.IsSeen(p) ? p : null))),
         ["fit"] = main.Viewport.Fit,
         ["actualSize"] = main.Viewport.ActualSize,
         ["zoomIn"] = () => main.Viewport.ZoomBy(Sqrt2),

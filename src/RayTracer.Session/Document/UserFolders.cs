@@ -18,6 +18,9 @@ public sealed class UserFolders(string state, string cache, string home)
     /// <summary>The file that lists what was opened lately.</summary>
     public string RecentFile => Path.Combine(Make(state), "recent.json");
 
+    /// <summary>The file of the views that are kept.</summary>
+    public string ViewsFile => Path.Combine(Make(state), "views.json");
+
     /// <summary>Pictures of the gallery.</summary>
     public string Thumbnails => Make(Path.Combine(cache, "thumbnails"));
 

@@ -14,12 +14,12 @@ internal sealed record FilmScene(string File, string? Text)
     /// <param name="camera">The camera that the film is rendered with.</param>
     /// <param name="place">The document's name and folder.</param>
     /// <param name="film">The film's whole path.</param>
-    /// <exception cref="SessionException">The text does not have the camera yet.</exception>
+    /// <exception cref="SessionException">The text does not have the camera.</exception>
     public static FilmScene Of(ViewportScene shown, CameraDescription camera, DocumentPlace place, string film)
     {
         if (!DescriptionEquality.Same(camera, shown.Description.Camera))
         {
-            throw Changing();
+            throw new SessionException("A film is of a scene's camera, not of a view beside it: set the scene's camera to the view first.", SessionFault.Refused);
         }
 
         string file = Path.GetFullPath(place.Path ?? Path.Combine(place.Folder, place.Name));

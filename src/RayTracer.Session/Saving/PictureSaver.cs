@@ -36,19 +36,29 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         };
     }
 
-    /// <summary>Writes the picture so far to the file of its job, beside the user's work.</summary>
+    /// <summary>
+    /// Writes the picture so far to the file of its job, beside the user's work. Where another camera than the scene's is looked through, the
+    /// job is rendered, with the scene's camera.
+    /// </summary>
     /// <param name="job">The job.</param>
     /// <param name="overwrite">True if a file that is there already may be replaced.</param>
+    /// <param name="asSeen">True to write what is seen all the same.</param>
     /// <returns>The job's number.</returns>
     /// <exception cref="SessionException">There is no picture, or there is such a file.</exception>
     /// <exception cref="JobException">What is requested does not go together with the file.</exception>
     /// <exception cref="ImageWriteException">It cannot be written there.</exception>
-    public async Task<int> Save(RenderJob job, bool overwrite)
+    public async Task<int> Save(RenderJob job, bool overwrite, bool asSeen = false)
     {
         string full = _jobs.Whole(job.Outputs[0]);
         bool isFilm = FilmFile.IsNamed(full);
         job = job with { Outputs = [full] };
         ViewJobs.Check(job, overwrite);
+        if (!asSeen && !view.IsSceneCamera)
+        {
+            RenderJob shown = _jobs.Shown(full);
+            return _jobs.Render($"rendering {Path.GetFileName(full)}", job with { Scene = shown.Scene, Text = shown.Text, IsOfSequence = shown.IsOfSequence }, $"wrote {full}");
+        }
+
         TakenFilm taken = await Take(isFilm).ConfigureAwait(false);
         FilmScene? scene = isFilm ? SceneOf(taken.Shown, full) : null;
         FilmHeader? header = scene is null ? null : Header(taken.Shown, scene);

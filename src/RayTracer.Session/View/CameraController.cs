@@ -1,48 +1,84 @@
+using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Numerics;
+using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
-/// <summary>Moves the camera of a document: seen at once, and written to the text at the end of the gesture, as one step to undo.</summary>
+/// <summary>
+/// Moves the camera that the picture is seen through. Looking around changes no text; the scene's camera is put there on request, as one
+/// step to undo.
+/// </summary>
 /// <param name="document">The document.</param>
 /// <param name="view">Shows it.</param>
 public sealed class CameraController(SceneDocument document, PictureView view)
 {
+    // A plane in focus is as good as exact within this part of its distance.
+    private const float FocusPrecision = 1e-3f;
+    private (string? Gesture, Vector3? Pivot) _orbit;
+
     /// <summary>Moves the camera.</summary>
     /// <exception cref="SessionException">There is nothing to be seen, or it cannot be seen from there.</exception>
-    /// <exception cref="SessionException">The text is no JSON at the moment.</exception>
     public void Move(CameraMove move)
     {
         ViewportScene shown = view.RequireShown();
-        CameraDescription camera = Moved(shown, move);
-        if (!view.TrySetCamera(camera))
+        Look(move.Kind == CameraMoveKind.Home ? null : CameraPose.Of(Moved(shown, move)));
+    }
+
+    /// <summary>Looks from somewhere else.</summary>
+    /// <param name="pose">From where; null for the scene's camera.</param>
+    /// <exception cref="SessionException">There is nothing to be seen, or it cannot be seen from there.</exception>
+    public void Look(CameraPose? pose)
+    {
+        if (!view.TryLookFrom(pose))
         {
             throw new SessionException("The camera cannot be there.");
         }
-
-        if (move.End)
-        {
-            Write(camera, "camera", move.Gesture);
-        }
     }
 
-    /// <summary>Focuses on what is seen at a pixel.</summary>
+    /// <summary>Puts the scene's camera where the view is.</summary>
+    /// <returns>The revision of the text then.</returns>
+    /// <exception cref="SessionException">There is nothing to be seen, or the text is no JSON at the moment.</exception>
+    public int Write()
+    {
+        ViewportScene shown = view.RequireShown();
+        CameraDescription camera = Precision.Round(shown).On(shown.Camera);
+        CameraDescription written = document.Read.Description?.Camera ?? new();
+        return document.Change("camera", null, text =>
+        {
+            text = Set(text, "/camera/position", written.Position, camera.Position);
+            text = Set(text, "/camera/lookAt", written.LookAt, camera.LookAt);
+            text = Set(text, "/camera/up", written.Up, camera.Up);
+            text = Set(text, "/camera/fieldOfView", written.FieldOfView, camera.FieldOfView);
+            return Set(text, "/camera/viewSize", written.ViewSize, camera.ViewSize);
+        });
+    }
+
+    /// <summary>Focuses the scene's camera on what is seen at a pixel.</summary>
     /// <param name="x">Column.</param>
     /// <param name="y">Row.</param>
     /// <returns>The distance of the plane in focus.</returns>
-    /// <exception cref="SessionException">Nothing is seen there, or the camera has no lens.</exception>
+    /// <exception cref="SessionException">Nothing is seen there, the camera has no lens, or it looks away.</exception>
     /// <exception cref="SessionException">The text is no JSON at the moment.</exception>
     public float Focus(float x, float y)
     {
         ViewportScene shown = view.RequireShown();
-        if (shown.Camera.Projection.LensComplaint is not null)
+        CameraDescription camera = shown.Description.Camera;
+        if (camera.Projection.LensComplaint is not null)
         {
             throw new SessionException("This camera has no lens: everything is sharp.");
         }
 
-        float distance = Picking.DepthAt(shown, x, y) ?? throw new SessionException("There is nothing to focus on: the ray meets nothing.", SessionFault.Missing);
-        CameraDescription camera = shown.Camera with { Lens = shown.Camera.Lens with { FocusDistance = distance } };
-        view.TrySetCamera(camera);
-        Write(camera, "focus", null);
+        Vector3 seen = Picking.At(shown, x, y).Position
+            ?? throw new SessionException("There is nothing to focus on: the ray meets nothing.", SessionFault.Missing);
+        float exact = (Local(shown).Point(seen) - camera.Position).Dot(CameraMotion.Axes(camera).Forward);
+        float distance = Precision.Round(exact, FocusPrecision * exact);
+        if (!(distance > 0))
+        {
+            throw new SessionException("The scene's camera looks away from there: nothing behind it can be in focus.");
+        }
+
+        document.Change("focus", null, text => Set(text, "/camera/lens/focusDistance", camera.Lens.FocusDistance, distance));
         return distance;
     }
 
@@ -51,13 +87,15 @@ public sealed class CameraController(SceneDocument document, PictureView view)
         CameraDescription camera = shown.Camera;
         return move.Kind switch
         {
-            CameraMoveKind.Orbit => CameraMotion.Orbit(camera, move.Dx, move.Dy),
+            CameraMoveKind.Orbit => CameraMotion.Orbit(camera, move.Dx, move.Dy, Pivot(shown, move)),
             CameraMoveKind.Pan => CameraMotion.Pan(camera, move.Dx, move.Dy, shown.Aspect),
             CameraMoveKind.Zoom => CameraMotion.Zoom(camera, move.Dy),
             CameraMoveKind.Dolly => CameraMotion.Dolly(camera, move.Dy),
             CameraMoveKind.Translate => CameraMotion.Translate(camera, move.Dx, move.Dy, move.Dz),
             CameraMoveKind.Rotate => CameraMotion.Rotate(camera, move.Dx, move.Dy),
-            CameraMoveKind.Home => view.Home ?? camera,
+            CameraMoveKind.Frame => Framed(shown, move.Pointer),
+            CameraMoveKind.Along when new Vector3(move.Dx, move.Dy, move.Dz) is var from && from.Norm() > 0 => CameraFraming.Along(camera, Local(shown).Vector(from)),
+            CameraMoveKind.Along => throw new SessionException("A direction has a length."),
             _ => camera with
             {
                 Position = move.Position ?? camera.Position,
@@ -68,21 +106,33 @@ public sealed class CameraController(SceneDocument document, PictureView view)
         };
     }
 
-    // Only what differs from the text is written.
-    private void Write(CameraDescription camera, string label, string? gesture)
+    // What was under the pointer when the gesture began, or the point looked at where there was nothing.
+    private Vector3? Pivot(ViewportScene shown, CameraMove move)
     {
-        CameraDescription written = document.Read.Description?.Camera ?? new();
-        int revision = document.Change(label, gesture, text =>
+        if (move.Around is not { } pixel)
         {
-            text = Set(text, "/camera/position", written.Position, camera.Position);
-            text = Set(text, "/camera/lookAt", written.LookAt, camera.LookAt);
-            text = Set(text, "/camera/up", written.Up, camera.Up);
-            text = Set(text, "/camera/fieldOfView", written.FieldOfView, camera.FieldOfView);
-            text = Set(text, "/camera/viewSize", written.ViewSize, camera.ViewSize);
-            return Set(text, "/camera/lens/focusDistance", written.Lens.FocusDistance, camera.Lens.FocusDistance);
-        });
-        view.Release(revision);
+            return move.Gesture is not null && move.Gesture == _orbit.Gesture ? _orbit.Pivot : null;
+        }
+
+        if (_orbit.Gesture != move.Gesture || move.Gesture is null)
+        {
+            _orbit = (move.Gesture, Picking.At(shown, pixel.X, pixel.Y).Position is { } seen ? Local(shown).Point(seen) : null);
+        }
+
+        return _orbit.Pivot;
     }
+
+    private static CameraDescription Framed(ViewportScene shown, string? pointer)
+    {
+        (Vector3 middle, float radius) = pointer is null ? shown.Extent : Gizmo.Of(shown, pointer) is var box ? (box.Center, box.Radius) : default;
+        Transform local = Local(shown);
+        float scale = local.Vector(Vector3.UnitX).Norm();
+        return CameraFraming.Frame(shown.Camera, local.Point(middle), MathF.Max(radius * scale, 1e-4f), shown.Aspect);
+    }
+
+    // From the world to the coordinates in which the camera's numbers are.
+    private static Transform Local(ViewportScene shown) =>
+        TransformEdit.Map(SceneValue.At(shown.Good.Read.Root!, "/camera/transform")).Inverse();
 
     private static JsonText Set(JsonText text, string pointer, object before, object after) =>
         before.Equals(after) ? text : text.Set(pointer, JsonValues.Of(SceneValue.At(text.Root, pointer)!.Parameter!, after));

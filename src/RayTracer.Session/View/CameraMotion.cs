@@ -17,11 +17,18 @@ public static class CameraMotion
     // The nearest that the view comes to straight up and down, where right and left have no meaning.
     private const float LeastDegreesToPole = 0.5f;
 
-    /// <summary>Turns the camera around the point that it looks at; its distance and what is up stay.</summary>
-    public static CameraDescription Orbit(CameraDescription camera, float dx, float dy)
+    /// <summary>Turns the camera around a point; what is up stays.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="dx">To the right.</param>
+    /// <param name="dy">Downwards.</param>
+    /// <param name="pivot">The point; null for the one looked at.</param>
+    public static CameraDescription Orbit(CameraDescription camera, float dx, float dy, Vector3? pivot = null)
     {
         Vector3 arm = camera.Position - camera.LookAt;
-        return camera with { Position = camera.LookAt + Turned(camera, arm, -dx * DegreesOfHeight, -dy * DegreesOfHeight) };
+        Transform turn = Turn(camera, arm, -dx * DegreesOfHeight, -dy * DegreesOfHeight);
+        Vector3 around = pivot ?? camera.LookAt;
+        Vector3 lookAt = pivot is null ? camera.LookAt : around + turn.Vector(camera.LookAt - around);
+        return camera with { LookAt = lookAt, Position = lookAt + Scaled(turn.Vector(arm), arm.Norm()) };
     }
 
     /// <summary>Turns the camera where it stands.</summary>
@@ -29,7 +36,7 @@ public static class CameraMotion
     {
         Vector3 view = camera.LookAt - camera.Position;
         float degrees = camera.Projection.DegreesOfHeight(camera);
-        return camera with { LookAt = camera.Position + Turned(camera, view, -dx * degrees, dy * degrees) };
+        return camera with { LookAt = camera.Position + Scaled(Turn(camera, view, -dx * degrees, dy * degrees).Vector(view), view.Norm()) };
     }
 
     /// <summary>Moves the camera across its view, so that what lies in the distance of the point looked at goes with the hand.</summary>
@@ -89,14 +96,15 @@ public static class CameraMotion
 
     private static float Factor(float dy) => LaneMath.Pow(2, dy * DoublingsOfHeight);
 
+    private static Vector3 Scaled(Vector3 v, float length) => v * (length / v.Norm());
+
     // Turns an arm about what is up, and tilts it, but not over the pole.
-    private static Vector3 Turned(CameraDescription camera, Vector3 arm, float aroundDegrees, float tiltDegrees)
+    private static Transform Turn(CameraDescription camera, Vector3 arm, float aroundDegrees, float tiltDegrees)
     {
         Vector3 up = camera.Up.Unit();
         Vector3 across = up.Cross(arm).Unit();
         float toPole = LaneMath.Acos(float.Clamp(arm.Unit().Dot(up), -1, 1)) * (180 / float.Pi);
         float tilt = float.Clamp(toPole + tiltDegrees, LeastDegreesToPole, 180 - LeastDegreesToPole) - toPole;
-        Vector3 turned = (Transform.Rotation(up, aroundDegrees) * Transform.Rotation(across, tilt)).Vector(arm);
-        return turned * (arm.Norm() / turned.Norm());
+        return Transform.Rotation(up, aroundDegrees) * Transform.Rotation(across, tilt);
     }
 }

@@ -18,10 +18,6 @@ public static class Picking
             ? new(shown.PointerOf(hit.Name), hit.Distance, hit.Position, hit.Normal, shown.MaterialOf(hit.Name))
             : new(null, null, null, null, null);
 
-    /// <summary>The depth, along the viewing direction, of the surface in the middle of a pixel; null where there is none.</summary>
-    public static float? DepthAt(ViewportScene shown, float x, float y) =>
-        Hit(shown, x, y) is { } hit ? shown.Scene.Camera.Depth(MathF.Floor(x) + 0.5f, MathF.Floor(y) + 0.5f, hit.Distance) : null;
-
     /// <summary>The pixels in which a thing, or one within it, is what is seen first.</summary>
     /// <param name="shown">The scene.</param>
     /// <param name="pointer">The thing.</param>

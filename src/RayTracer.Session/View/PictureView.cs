@@ -16,9 +16,7 @@ public sealed class PictureView : IDisposable
     private ViewSettings _settings = new();
     private Tone? _tone;
 
-    // The camera in the user's hand, and the revision whose text has it.
-    private CameraDescription? _movedCamera;
-    private int _movedUntil;
+    private readonly ViewCamera _camera = new();
     private long _pictures;
 
     // The film that the picture goes on with, of which place it is, and which picture that is: 0 before the scene is built.
@@ -53,8 +51,8 @@ public sealed class PictureView : IDisposable
     /// <summary>The scene that is shown; null where there is none.</summary>
     public ViewportScene? Shown => _lock.Read(() => _shown);
 
-    /// <summary>The camera that the document had when it was opened; null where there is nothing to be seen.</summary>
-    public CameraDescription? Home { get; private set; }
+    /// <summary>Returns whether the picture is seen through the scene's own camera, as it is rendered to files.</summary>
+    public bool IsSceneCamera => Shown is not { } shown || CameraPose.Of(shown.Camera) == CameraPose.Of(shown.Description.Camera);
 
     /// <summary>The user's settings.</summary>
     public ViewSettings Settings => _lock.Read(() => _settings);
@@ -162,35 +160,27 @@ public sealed class PictureView : IDisposable
 
     private static string ScenePath(string folder) => Path.Combine(folder, "scene.json");
 
-    /// <summary>Shows another camera, which the text does not have yet.</summary>
+    /// <summary>Looks through a camera of the user's, which the text does not have.</summary>
+    /// <param name="pose">Its pose; null for the scene's camera.</param>
     /// <returns>True if the scene can be seen from there; if not, nothing has changed.</returns>
     /// <exception cref="SessionException">What was seen is no longer open, and the new scene is still being read.</exception>
-    internal bool TrySetCamera(CameraDescription camera)
+    internal bool TryLookFrom(CameraPose? pose)
     {
         lock (_lock)
         {
             GoodScene good = _document.Content.LastGood ?? throw new SessionException("The scene is still being read.", SessionFault.Missing);
-            CameraDescription? before = _movedCamera;
-            (_movedCamera, _movedUntil) = (camera, int.MaxValue);
-            if (Show(good, restart: false))
+            CameraDescription scenes = good.Read.Description!.Camera;
+            CameraPose? before = _camera.Own;
+            _camera.Set(pose, scenes);
+            if (!Show(good, restart: false))
             {
-                return true;
+                _camera.Set(before, scenes);
+                return false;
             }
-
-            _movedCamera = before;
-            return false;
-        }
-    }
-
-    /// <summary>The camera in the user's hand goes into the text: the text counts again from a revision on.</summary>
-    internal void Release(int revision)
-    {
-        lock (_lock)
-        {
-            _movedUntil = revision;
         }
 
-        Follow();
+        Changed?.Invoke();
+        return true;
     }
 
     /// <inheritdoc/>
@@ -242,10 +232,10 @@ public sealed class PictureView : IDisposable
             {
                 if (_place != _document.Place || _shown is null)
                 {
-                    (_place, Home, _movedCamera, _tone) = (_document.Place, good.Read.Description!.Camera, null, null);
+                    (_place, _tone) = (_document.Place, null);
+                    _camera.Set(null, good.Read.Description!.Camera);
                 }
 
-                _movedCamera = good.Revision >= _movedUntil ? null : _movedCamera;
                 Show(good, restart: false);
             }
             else if (content.Revision == _document.Revision)
@@ -304,7 +294,7 @@ public sealed class PictureView : IDisposable
     private ViewportScene? Seen(GoodScene good)
     {
         SceneDescription description = good.Read.Description!;
-        CameraDescription camera = _movedCamera ?? description.Camera;
+        CameraDescription camera = _camera.Of(description.Camera);
         RenderDescription render = description.Render;
         if (_settings.Samples is { } samples && render.Sampler.Complaint(samples) is null)
         {

@@ -35,6 +35,29 @@ public sealed class PictureSaverTests
     }
 
     [Fact]
+    public async Task Beside_the_scenes_camera_the_cameras_picture_is_written_unless_the_view_is_asked_for()
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.OpenShipped("report/scene1.json", 40, 4);
+        string scenes = Film(shown);
+        test.Session.Camera.Move(new(CameraMoveKind.Orbit, 0.2f));
+        await test.Done();
+        string path = Path.Combine(test.Folder, "a.png");
+        await Save(test, path, 8);
+        Assert.Equal(scenes, new Dictionary<string, string>(ImageFile.ReadText(path))["FilmHash"]);
+        await test.Session.Pictures.Save(test.Session.Pictures.Job(path, 8), overwrite: true, asSeen: true);
+        await test.Until(() => test.Session.Jobs.Running.Count == 0 ? test : null);
+        Assert.Equal(Film(test.Session.View.Shown!), new Dictionary<string, string>(ImageFile.ReadText(path))["FilmHash"]);
+        Assert.NotEqual(Film(shown), Film(test.Session.View.Shown!));
+        string film = Path.Combine(test.Folder, "a.rtfilm");
+        await Assert.ThrowsAsync<SessionException>(() => test.Session.Pictures.Save(test.Session.Pictures.Job(film), overwrite: true, asSeen: true));
+        await Save(test, film, null);
+        Assert.True(File.Exists(film));
+
+        static string Film(ViewportScene shown) => new RTracer(shown.Scene).Render().Film.ComputeHash();
+    }
+
+    [Fact]
     public async Task Layers_go_into_an_exr_and_beside_a_png()
     {
         using TestSession test = new();

@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Session;
 
 namespace RayTracer.Session.Tests;
@@ -15,43 +16,126 @@ public sealed class CameraControllerTests
         """;
 
     [Fact]
-    public async Task A_gesture_is_seen_at_once_and_written_at_its_end_as_one_step()
+    public async Task Looking_around_is_seen_at_once_and_changes_no_text()
+    {
+        using TestSession test = new();
+        ViewportScene opened = await test.Open(Scene);
+        string before = test.Session.Document.Text;
+        for (int i = 0; i < 5; i++)
+        {
+            test.Session.Camera.Move(new(CameraMoveKind.Orbit, 0.1f, 0.02f, Gesture: "g", End: i == 4));
+        }
+
+        Assert.NotEqual(opened.Camera.Position, test.Session.View.Shown!.Camera.Position);
+        Assert.False(test.Session.View.IsSceneCamera);
+        Assert.Equal(before, test.Session.Document.Text);
+        Assert.False(test.Session.Document.Status.CanUndo);
+        Assert.DoesNotContain("--set", test.Session.Pictures.Command(), StringComparison.Ordinal);
+
+        test.Session.Camera.Move(new(CameraMoveKind.Home));
+        Assert.True(test.Session.View.IsSceneCamera);
+        Assert.Equal(opened.Camera, test.Session.View.Shown!.Camera);
+    }
+
+    [Fact]
+    public async Task The_scenes_camera_is_set_to_the_view_as_one_step_with_no_more_digits_than_are_seen()
     {
         using TestSession test = new();
         await test.Open(Scene);
         string before = test.Session.Document.Text;
-        for (int i = 0; i < 5; i++)
-        {
-            test.Session.Camera.Move(new(CameraMoveKind.Orbit, 0.1f, 0.02f, Gesture: "g"));
-            Assert.Equal(before, test.Session.Document.Text);
-        }
+        test.Session.Camera.Move(new(CameraMoveKind.Orbit, 0.123456f, 0.0345678f));
+        CameraFrame seen = CameraFrame.Of(test.Session.View.Shown!);
 
-        var seen = test.Session.View.Shown!.Camera;
-        long picture = test.Session.View.Shown.Picture;
-        test.Session.Camera.Move(new(CameraMoveKind.Orbit, Gesture: "g", End: true));
+        test.Session.Camera.Write();
         await test.Session.Document.WhenBuilt();
-        Assert.Equal(seen.Position, test.Session.Document.Read.Description!.Camera.Position);
+        await test.Until(() => test.Session.View.Shown!.Good.Revision == test.Session.Document.Revision ? test.Session.View.Shown : null);
+
+        Assert.True(test.Session.View.IsSceneCamera);
         Assert.Contains("a comment that stays", test.Session.Document.Text, StringComparison.Ordinal);
         Assert.Contains("\"lookAt\": [0, 0.5, 0]", test.Session.Document.Text, StringComparison.Ordinal);
+        Assert.Matches("""
+            "position": \[-?\d(\.\d{1,3})?, -?\d(\.\d{1,3})?, -?\d(\.\d{1,3})?\]
+            """.Trim(), test.Session.Document.Text);
+        foreach (Vector3 corner in new Vector3[] { new(-1, 0, 0), new(1, 1, 0), new(0, 0.5f, 0.5f) })
+        {
+            Assert.True(Vector2.Distance(seen.Project(corner)!.Value, CameraFrame.Of(test.Session.View.Shown!).Project(corner)!.Value) < 0.2f);
+        }
 
-        // The text now says what is seen already: nothing is rendered again.
-        await test.Until(() => test.Session.View.Shown!.Good.Revision == test.Session.Document.Revision ? test.Session.View.Shown : null);
-        Assert.Equal(picture, test.Session.View.Shown!.Picture);
         test.Session.Document.Undo();
         Assert.Equal(before, test.Session.Document.Text);
         Assert.False(test.Session.Document.Status.CanUndo);
     }
 
     [Fact]
-    public async Task Home_is_where_the_camera_was_when_the_document_was_opened()
+    public async Task A_view_ends_when_the_scenes_camera_is_put_elsewhere_and_keeps_its_place_when_only_the_lens_changes()
     {
         using TestSession test = new();
-        ViewportScene shown = await test.Open(Scene);
-        test.Session.Camera.Move(new(CameraMoveKind.Translate, 0.3f, 0.1f, 0.2f, "a", End: true));
-        await test.Session.Document.WhenBuilt();
-        test.Session.Camera.Move(new(CameraMoveKind.Home, Gesture: "b", End: true));
-        Assert.Equal(shown.Camera.Position, test.Session.Document.Read.Description!.Camera.Position);
-        Assert.Equal(shown.Camera.LookAt, test.Session.Document.Read.Description!.Camera.LookAt);
+        await test.Open(Scene);
+        test.Session.Camera.Move(new(CameraMoveKind.Dolly, 0, 0.2f));
+        Vector3 eye = test.Session.View.Shown!.Camera.Position;
+        await Edit(test, t => t.Set("/camera/lens/apertureRadius", 0.1));
+        Assert.Equal((eye, 0.1f), (test.Session.View.Shown!.Camera.Position, test.Session.View.Shown.Camera.Lens.ApertureRadius));
+        await Edit(test, t => t.Set("/camera/fieldOfView", 50));
+        Assert.True(test.Session.View.IsSceneCamera);
+    }
+
+    [Fact]
+    public async Task An_orbit_turns_around_what_was_under_the_pointer_when_it_began()
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.Open(Scene.Replace("[0, 0.5, 0], \"radius\": 0.5", "[1.2, 0.5, 0], \"radius\": 0.5", StringComparison.Ordinal));
+        Vector2 pixel = CameraFrame.Of(shown).Project(new(1.2f, 0.5f, 0.5f))!.Value;
+        Vector3 point = Picking.At(shown, pixel.X, pixel.Y).Position!.Value;
+        for (int i = 0; i < 4; i++)
+        {
+            test.Session.Camera.Move(new(CameraMoveKind.Orbit, 0.1f, 0.05f, Gesture: "g", Around: pixel));
+        }
+
+        Vector2 there = CameraFrame.Of(test.Session.View.Shown!).Project(point)!.Value;
+        Assert.True(Vector2.Distance(there, pixel) < 1.5f, $"{there} is not {pixel}");
+        Assert.Equal((shown.Camera.Position - point).Length(), (test.Session.View.Shown!.Camera.Position - point).Length(), 1e-3f);
+    }
+
+    [Fact]
+    public async Task What_is_framed_fills_the_picture_and_axes_are_looked_along()
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.Open(Scene.Replace("[0, 0.5, 0], \"radius\": 0.5", "[7, -2, 30], \"radius\": 0.01", StringComparison.Ordinal));
+        test.Session.Camera.Move(new(CameraMoveKind.Frame, Pointer: "/shapes/0"));
+        int covered = Picking.Mask(test.Session.View.Shown!, "/shapes/0").Runs.Where((_, i) => i % 2 == 1).Sum();
+        Assert.InRange(covered / 2400.0, 0.1, 0.6);
+
+        foreach (Vector3 from in new[] { Vector3.UnitX, -Vector3.UnitY, Vector3.UnitZ })
+        {
+            test.Session.Camera.Move(new(CameraMoveKind.Along, from.X, from.Y, from.Z));
+            Assert.True(Vector3.Dot(CameraFrame.Of(test.Session.View.Shown!).Forward, from) < -0.99999f);
+        }
+
+        Assert.Throws<SessionException>(() => test.Session.Camera.Move(new(CameraMoveKind.Along)));
+        Assert.Throws<SessionException>(() => test.Session.Camera.Move(new(CameraMoveKind.Frame, Pointer: "/shapes/5")));
+        Assert.Equal(shown.Camera.Up, test.Session.View.Shown!.Camera.Up);
+    }
+
+    [Fact]
+    public async Task Views_are_kept_for_a_scenes_next_time()
+    {
+        using TestSession test = new();
+        await test.Open(Scene);
+        test.Session.Camera.Move(new(CameraMoveKind.Dolly, 0, 0.2f));
+        Vector3 eye = test.Session.View.Shown!.Camera.Position;
+        test.Session.Bookmarks.Add(null);
+        test.Session.Camera.Move(new(CameraMoveKind.Home));
+        ViewBookmark kept = Assert.Single(test.Session.Bookmarks.All);
+        test.Session.Camera.Look(test.Session.Bookmarks.Pose(kept.Id));
+        Assert.Equal(eye.Z, test.Session.View.Shown!.Camera.Position.Z, 0.05f);
+        test.Session.Files.Save(Path.Combine(test.Folder, "kept.json"), overwrite: true);
+        test.Session.Bookmarks.Add("from the door");
+        await test.Open(Scene);
+        Assert.DoesNotContain("from the door", test.Session.Bookmarks.All.Select(b => b.Name));
+        test.Session.Files.Open(Path.Combine(test.Folder, "kept.json"), discard: true);
+        Assert.Contains("from the door", test.Session.Bookmarks.All.Select(b => b.Name));
+        test.Session.Bookmarks.Remove(test.Session.Bookmarks.All[^1].Id);
+        Assert.Throws<SessionException>(() => test.Session.Bookmarks.Remove(99));
     }
 
     [Fact]

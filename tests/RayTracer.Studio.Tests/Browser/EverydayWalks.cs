@@ -179,7 +179,8 @@ public class EverydayWalks(ChromiumBrowser browser)
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere", new() { HasTouch = true });
         await w.Painted();
-        string before = w.Session.Document.Text;
+        float Distance() => (w.Session.View.Shown!.Camera.Position - w.Session.View.Shown.Camera.LookAt).Length();
+        float before = Distance();
         (float x, float y) = await w.Point(0.5, 0.5);
         ICDPSession touch = await w.Page.Context.NewCDPSessionAsync(w.Page);
         async Task Fingers(string kind, float apart) => await touch.SendAsync("Input.dispatchTouchEvent", new()
@@ -194,6 +195,6 @@ public class EverydayWalks(ChromiumBrowser browser)
         }
 
         await Fingers("touchEnd", 0);
-        await w.Text("the camera is nearer", t => t != before);
+        await StudioWindow.Until("the view is nearer", () => Task.FromResult(Distance() < before));
     }
 }

@@ -18,6 +18,7 @@ public class SavingWalks(ChromiumBrowser browser)
         await w.Painted();
         string before = w.Session.Document.Text;
         await w.Drag(0.5, 0.5, 0.6, 0.5);
+        await w.Button("Set camera").ClickAsync();
         await w.Text("the camera has moved", t => t != before);
         await w.Page.Keyboard.PressAsync("Control+Shift+s");
         ILocator dialog = w.Page.GetByRole(AriaRole.Dialog);

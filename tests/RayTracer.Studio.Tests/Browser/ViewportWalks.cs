@@ -1,6 +1,7 @@
 using Microsoft.Playwright;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Session;
 using static Microsoft.Playwright.Assertions;
 
 namespace RayTracer.Studio.Tests.Browser;
@@ -12,19 +13,32 @@ namespace RayTracer.Studio.Tests.Browser;
 public class ViewportWalks(ChromiumBrowser browser)
 {
     [SkippableFact]
-    public async Task A_drag_orbits_the_camera_and_is_one_step_of_undo()
+    public async Task Looking_around_edits_nothing_and_the_scenes_camera_follows_on_request()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
         await w.Painted();
         await w.Shot("scene-2", isShown: true);
         string before = w.Session.Document.Text;
+        ILocator chip = w.Page.GetByRole(AriaRole.Group, new() { Name = "Your view, not the scene's camera" });
+        await Expect(chip).ToHaveCountAsync(0);
 
         await w.Drag(0.5, 0.5, 0.62, 0.45);
 
-        await w.Text("the camera stands elsewhere", t => t != before);
+        await Expect(chip).ToBeVisibleAsync();
         await w.Painted();
+        await w.Shot("own-view", isShown: true);
+        Assert.Equal(before, w.Session.Document.Text);
+        await Expect(w.Button("Undo")).ToHaveAttributeAsync("aria-disabled", "true");
+        await chip.GetByRole(AriaRole.Button, new() { Name = "Back to the camera" }).ClickAsync();
+        await Expect(chip).ToHaveCountAsync(0);
+        Assert.True(w.Session.View.IsSceneCamera);
+
+        await w.Drag(0.5, 0.5, 0.62, 0.45);
+        await chip.GetByRole(AriaRole.Button, new() { Name = "Set camera" }).ClickAsync();
+        await w.Text("the scene's camera stands elsewhere", t => t != before);
+        await Expect(chip).ToHaveCountAsync(0);
         string after = w.Session.Document.Text;
-        Assert.Equal(Without(before, "position"), Without(after, "position"));
+        Assert.Equal(Without(before, "\"camera\""), Without(after, "\"camera\""));
         await w.Page.Keyboard.PressAsync("Control+z");
         await w.Text("undo puts it back", t => t == before);
         await w.Page.Keyboard.PressAsync("Control+Shift+z");
@@ -32,23 +46,49 @@ public class ViewportWalks(ChromiumBrowser browser)
     }
 
     [SkippableFact]
-    public async Task Keys_and_the_wheel_move_the_camera()
+    public async Task Keys_and_the_wheel_move_the_view()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
         await w.Painted();
+        string text = w.Session.Document.Text;
         await w.Stage.FocusAsync();
-        foreach (string key in new[] { "ArrowRight", "Shift+ArrowUp", "+", "w" })
+        foreach (string key in new[] { "ArrowRight", "Shift+ArrowUp", "+", "w", "x", "Shift+Y", "f" })
         {
-            string before = w.Session.Document.Text;
-            await w.Page.Keyboard.PressAsync(key, new() { Delay = 60 });
-            await w.Text($"{key} moves the camera", t => t != before);
+            await Moves(w, key, () => w.Page.Keyboard.PressAsync(key, new() { Delay = 60 }));
         }
 
-        string far = w.Session.Document.Text;
         (float x, float y) = await w.Point(0.5, 0.5);
         await w.Page.Mouse.MoveAsync(x, y);
-        await w.Page.Mouse.WheelAsync(0, -300);
-        await w.Text("the camera is nearer", t => t != far);
+        await Moves(w, "the wheel", () => w.Page.Mouse.WheelAsync(0, -300));
+        await Moves(w, "Home", () => w.Page.Keyboard.PressAsync("Home"));
+        Assert.True(w.Session.View.IsSceneCamera);
+        Assert.Equal(text, w.Session.Document.Text);
+    }
+
+    [SkippableFact]
+    public async Task A_view_is_kept_and_returned_to_and_exported_beside_the_cameras()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        await w.Drag(0.5, 0.5, 0.7, 0.4);
+        ILocator menu = w.Page.GetByRole(AriaRole.Button, new() { Name = "Camera", Exact = true });
+        await menu.ClickAsync();
+        await w.Page.GetByRole(AriaRole.Menuitem, new() { NameRegex = new("^Keep this view") }).ClickAsync();
+        CameraPose kept = CameraPose.Of(w.Session.View.Shown!.Camera);
+        await w.Page.Keyboard.PressAsync("Home");
+        await StudioWindow.Until("the scene's camera is looked through", () => Task.FromResult(w.Session.View.IsSceneCamera));
+        await menu.ClickAsync();
+        await w.Shot("camera-menu");
+        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "View 1", Exact = true }).ClickAsync();
+        await StudioWindow.Until("the view is back", () => Task.FromResult(!w.Session.View.IsSceneCamera));
+        Assert.Equal(kept.Position.X, w.Session.View.Shown!.Camera.Position.X, 0.01f);
+
+        await w.Page.Keyboard.PressAsync("Control+e");
+        ILocator from = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Seen from" });
+        await Expect(w.Page.GetByRole(AriaRole.Button, new() { Name = "Download" })).ToHaveAttributeAsync("aria-disabled", "true");
+        await w.Shot("export-own-view");
+        await from.SelectOptionAsync("view");
+        await Expect(w.Page.GetByRole(AriaRole.Button, new() { Name = "Download" })).Not.ToHaveAttributeAsync("aria-disabled", "true");
     }
 
     [ThoroughFact]
@@ -128,6 +168,13 @@ public class ViewportWalks(ChromiumBrowser browser)
         Assert.Equal(8.0 * w.Session.View.RequireShown().Scene.Render.Width, enlarged, 1.0);
         await w.Button("Fit picture to window").ClickAsync();
         Assert.Equal(fitted, (await w.Canvas.BoundingBoxAsync())!.Width, 1.0);
+    }
+
+    private static async Task Moves(StudioWindow w, string what, Func<Task> act)
+    {
+        CameraPose before = CameraPose.Of(w.Session.View.Shown!.Camera);
+        await act();
+        await StudioWindow.Until($"{what} moves the view", () => Task.FromResult(CameraPose.Of(w.Session.View.Shown!.Camera) != before));
     }
 
     // Frames painted and samples shown, once a stopped picture's last frame has come.

@@ -92,7 +92,14 @@ public sealed class ApiTests
         await using TestServer server = await TestServer.Start();
         await server.Test.OpenShipped(Scene2, 60, 4);
         int revision = (await server.Post("/api/view/camera", new { kind = "orbit", dx = 0.1, dy = 0, gesture = "g" })).GetProperty("revision").GetInt32();
-        Assert.True((await server.Post("/api/view/camera", new { kind = "orbit", dx = 0.1, dy = 0, gesture = "g", end = true })).GetProperty("revision").GetInt32() > revision);
+        await server.Post("/api/view/camera", new { kind = "orbit", dx = 0.1, dy = 0, gesture = "g", around = new[] { 3, 4 }, end = true });
+        await server.Post("/api/view/bookmark/add", new { name = "here" });
+        JsonElement seen = (await server.Get("/api/state")).GetProperty("view");
+        Assert.False(seen.GetProperty("isSceneCamera").GetBoolean());
+        int bookmark = seen.GetProperty("bookmarks")[0].GetProperty("id").GetInt32();
+        await server.Post("/api/view/bookmark/show", new { id = bookmark });
+        await server.Post("/api/view/bookmark/remove", new { id = bookmark });
+        Assert.True((await server.Post("/api/view/camera/write", new { })).GetProperty("revision").GetInt32() > revision);
         await server.Post("/api/view/focus", new { x = 30, y = 30 });
         await server.Post("/api/view/render", new { action = "pause", quality = "draft", threads = 2, region = new[] { 1, 2, 3, 4 }, map = "bvhCost" });
         JsonElement render = (await server.Get("/api/state")).GetProperty("render");

@@ -28,7 +28,7 @@ internal sealed class CameraDrive(SessionDispatcher dispatcher)
         _ = EndBurst(kind, burst);
     }
 
-    /// <summary>Back to where the camera was when the scene was opened.</summary>
+    /// <summary>To the scene's own camera.</summary>
     public void Home() => Moves.Push([new(CameraMoveKind.Home, Gesture: Gesture.New(), End: true)]);
 
     private async Task EndBurst(CameraMoveKind kind, (string Gesture, int Count) burst)

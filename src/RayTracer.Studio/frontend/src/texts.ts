@@ -51,6 +51,7 @@ function textsOf(t: typeof english) {
     },
     viewport: {
       ...t.viewport,
+      forget: (name: string) => fill(t.viewport.forget, { name }),
       inspected: (x: number, y: number) => fill(t.viewport.inspected, { x, y }),
     },
     editor: {
@@ -92,6 +93,7 @@ function textsOf(t: typeof english) {
     messages: {
       ...t.messages,
       copiedCommand: (text: string) => fill(t.messages.copiedCommand, { text }),
+      copiedCommandOfScene: (text: string) => fill(t.messages.copiedCommandOfScene, { text }),
       pageError: (text: string) => fill(t.messages.pageError, { text }),
     },
     shortcuts: {

@@ -14,6 +14,14 @@ export interface CameraFrame {
   lookAt: Vec3;
 }
 
+export interface CameraPose {
+  position: Vec3;
+  lookAt: Vec3;
+  up: Vec3;
+  fieldOfView: number;
+  viewSize: number;
+}
+
 export interface CatalogueParameter {
   key: string;
   kind: string;
@@ -282,6 +290,7 @@ export interface StudioState {
   selection: string | null;
   render: RenderState;
   tone: ToneState;
+  view: ViewStatus;
   snapshots: Snapshot[];
   recovery: RecoveryEntry[];
   message: Notice | null;
@@ -307,12 +316,23 @@ export interface TypeCatalogue {
   maps: ViewMap[];
 }
 
+export interface ViewBookmark {
+  id: number;
+  name: string;
+  pose: CameraPose;
+}
+
 export interface ViewMap {
   name: string;
   isLight: boolean;
   title: string;
   why: string;
   scale: Vec3[];
+}
+
+export interface ViewStatus {
+  isSceneCamera: boolean;
+  bookmarks: ViewBookmark[];
 }
 
 export interface WireShape {

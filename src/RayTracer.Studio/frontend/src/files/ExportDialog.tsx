@@ -2,7 +2,7 @@ import { useEffect, useState } from "preact/hooks";
 import { get } from "../api/client";
 import type { PictureFormat } from "../api/types";
 import { attempt } from "../state/messages";
-import { dialog, maps } from "../state/store";
+import { dialog, isOwnView, maps } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { DialogBox } from "../ui/DialogBox";
@@ -19,10 +19,12 @@ export function ExportDialog() {
   const [format, setFormat] = useState("png");
   const [bits, setBits] = useState("8");
   const [layers, setLayers] = useState<string[]>([]);
+  const [seenFrom, setSeenFrom] = useState<"scene" | "view">("scene");
   const [isNaming, setNaming] = useState(false);
   const close = () => (dialog.value = null);
   const about = formats.find((f) => f.value === format);
-  const options = { format, bitDepth: Number(bits), layers: about?.hasLayers ? layers : [] };
+  const options = { format, bitDepth: Number(bits), layers: about?.hasLayers ? layers : [], asSeen: seenFrom === "view" };
+  const isElsewhere = isOwnView() && seenFrom === "scene";
   useEffect(() => void attempt(async () => setFormats((await get<{ formats: PictureFormat[] }>("picture/formats")).formats)), []);
 
   if (isNaming) {
@@ -34,13 +36,22 @@ export function ExportDialog() {
   const buttons = (
     <>
       <Button label={t.cancel} showLabel kind="plain" onClick={close} />
-      <Button label={t.download} showLabel kind="plain" disabled={about?.isFilm ?? false} onClick={() => (close(), downloadPicture(options))} />
+      <Button label={t.download} showLabel kind="plain" tip={isElsewhere ? t.downloadOfView : undefined} disabled={isElsewhere || (about?.isFilm ?? false)} onClick={() => (close(), downloadPicture(options))} />
       <Button label={t.exportTo} showLabel kind="primary" onClick={() => setNaming(true)} />
     </>
   );
   return (
     <DialogBox title={t.exportTitle} onClose={close} buttons={buttons}>
       <p class="quiet">{t.formatWhy}</p>
+      {isOwnView() && (
+        <>
+          <label class="line">
+            <span>{t.exportCamera}</span>
+            <Select label={t.exportCamera} value={seenFrom} choices={(["scene", "view"] as const).map((c) => ({ value: c, label: t.exportCameras[c] }))} onChange={(c) => setSeenFrom(c as "scene" | "view")} />
+          </label>
+          <p class="quiet">{t.exportCameraWhy}</p>
+        </>
+      )}
       <label class="line">
         <span>{t.format}</span>
         <Select label={t.format} value={format} choices={formats} onChange={setFormat} />

@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import { getBlob, get, post, Refusal, token, upload } from "../api/client";
 import { attempt, say } from "../state/messages";
-import { dialog, documentState } from "../state/store";
+import { dialog, documentState, isOwnView } from "../state/store";
 import { flushEditor } from "../editor/flush";
 import { texts } from "../texts";
 import { nameOf, withExtension } from "./paths";
@@ -69,11 +69,13 @@ export interface PictureOptions {
   format: string;
   bitDepth: number;
   layers: string[];
+  /** What is seen instead of what the scene's camera sees. */
+  asSeen: boolean;
 }
 
 export const savePicture = (path: string, options: PictureOptions) => {
-  const { bitDepth, layers } = options;
-  return attempt(() => writing(path, (overwrite) => post("save/picture", { path, bitDepth, layers, overwrite })));
+  const { bitDepth, layers, asSeen } = options;
+  return attempt(() => writing(path, (overwrite) => post("save/picture", { path, bitDepth, layers, asSeen, overwrite })));
 };
 
 /** Starts something that is rendered into files beside the user's work. */
@@ -98,7 +100,7 @@ function download(blob: Blob, name: string): void {
 /** What files made from this scene are called. */
 export const sceneName = () => documentState.value?.name || "scene.json";
 
-export const downloadPicture = ({ format, bitDepth, layers }: PictureOptions) =>
+export const downloadPicture = ({ format, bitDepth, layers }: Omit<PictureOptions, "asSeen">) =>
   attempt(async () => {
     const query = { format, bitDepth, layers: layers.length ? layers.join(",") : undefined };
     download(await getBlob("picture", query), nameOf(withExtension(sceneName(), format)));
@@ -113,7 +115,7 @@ export const shareBundle = () =>
 export const copyCommand = () =>
   attempt(async () => {
     const { text } = await get<{ text: string }>("command");
-    await toClipboard(() => navigator.clipboard.writeText(text), texts.messages.copiedCommand(text));
+    await toClipboard(() => navigator.clipboard.writeText(text), (isOwnView() ? texts.messages.copiedCommandOfScene : texts.messages.copiedCommand)(text));
   });
 
 export const copyImage = () =>

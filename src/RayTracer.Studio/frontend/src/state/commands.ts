@@ -2,18 +2,19 @@
 
 import known from "../../../../RayTracer.Session/Texts/commands.json";
 import { post } from "../api/client";
+import type { Vec3 } from "../api/types";
 import { flushEditor } from "../editor/flush";
 import { copyCommand, copyImage, newScene, saveScene, shareBundle } from "../files/commands";
 import { texts } from "../texts";
 import type { ButtonProps } from "../ui/Button";
 import type { MenuItem } from "../ui/Menu";
 import type { IconName } from "../ui/Icon";
-import { cameraHome } from "../viewport/camera";
+import { cameraHome, frame, keepView, lookAlong, setCamera } from "../viewport/camera";
 import { actualSize, fit, zoomBy } from "../viewport/stage";
-import { askForName, duplicate, remove, select, withSelection } from "./edits";
+import { askForName, duplicate, isSeen, remove, select, withSelection } from "./edits";
 import { attempt } from "./messages";
 import { bottomOpen, bottomTab, leftOpen, leftTab, rightOpen, theme, type Theme } from "./settings";
-import { compared, dialog, documentState, renderState, tool, tourStep, type Tool } from "./store";
+import { compared, dialog, documentState, renderState, isOwnView, selection, tool, tourStep, type Tool } from "./store";
 
 export type CommandId = keyof typeof texts.commands;
 export type Group = keyof typeof texts.groups;
@@ -53,6 +54,8 @@ const keepPicture = () =>
     compared.value = (await post<{ id: number }>("view/snapshot")).id;
   });
 
+const along = (...from: Vec3) => ({ run: () => attempt(() => lookAlong(from)) });
+
 const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   new: { run: newScene },
   open: { run: () => (dialog.value = "open") },
@@ -74,7 +77,16 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   restart: { run: () => rendering("restart") },
   background: { run: () => (dialog.value = "background") },
   lights: { run: () => (dialog.value = "lights") },
-  home: { run: () => attempt(cameraHome) },
+  home: { run: () => attempt(cameraHome), enabled: isOwnView },
+  setCamera: { run: () => attempt(setCamera), enabled: isOwnView },
+  frame: { run: () => attempt(() => frame(isSeen(selection.value) ? selection.value : null)) },
+  alongX: along(1, 0, 0),
+  alongMinusX: along(-1, 0, 0),
+  alongY: along(0, 1, 0),
+  alongMinusY: along(0, -1, 0),
+  alongZ: along(0, 0, 1),
+  alongMinusZ: along(0, 0, -1),
+  bookmark: { run: () => attempt(keepView) },
   fit: { run: fit },
   actualSize: { run: actualSize },
   zoomIn: { run: () => zoomBy(Math.SQRT2) },

@@ -25,6 +25,7 @@ const slice = <T>(pick: (state: StudioState) => T) => {
 export const documentState = slice((s) => s.document);
 export const renderState = slice((s) => s.render);
 export const toneState = slice((s) => s.tone);
+export const viewState = slice((s) => s.view);
 export const snapshots = slice((s) => s.snapshots);
 export const recoveries = slice((s) => s.recovery);
 export const jobs = slice((s) => s.jobs);
@@ -32,6 +33,9 @@ export const selection = computed(() => studio.value?.selection ?? null);
 export const revision = computed(() => studio.value?.document.revision ?? -1);
 export const maps = computed(() => schema.value?.maps ?? []);
 export const map = computed(() => studio.value?.render.map ?? "light");
+
+/** Whether the picture is seen from beside the scene's camera. */
+export const isOwnView = () => viewState.value?.isSceneCamera === false;
 
 /** Whether this is a fresh Studio: its scene is the one that every Studio starts with, and nothing was done to it. */
 export const isFresh = computed(() => {

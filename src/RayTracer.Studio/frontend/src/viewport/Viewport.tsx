@@ -3,6 +3,7 @@ import { documentState, renderState, tool } from "../state/store";
 import { texts } from "../texts";
 import { Gizmo } from "./Gizmo";
 import { onCameraKey, onCameraKeyUp, releaseKeys } from "./keys";
+import { OwnView } from "./OwnView";
 import { InspectMark, RegionOverlay, Wipe } from "./Overlays";
 import { PictureCanvas } from "./PictureCanvas";
 import { listenToPointers, spaceHeld } from "./pointers";
@@ -47,6 +48,7 @@ export function Viewport() {
         <RegionOverlay />
         <InspectMark />
         <Gizmo />
+        <OwnView />
         {isOld && <p class="chip warn">{texts.viewport.lastGood}</p>}
         {cameraMoves.value && renderState.value?.isPreview && <p class="chip corner">{texts.viewport.preview}</p>}
       </div>

@@ -8,6 +8,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
 import { Select } from "../ui/Select";
+import { CameraMenu } from "./OwnView";
 import { clearRegion } from "./clicks";
 import { placement, zoomTo } from "./stage";
 
@@ -36,6 +37,7 @@ export function ViewportBar() {
         <Button {...commandButton("fit")} />
         <Button {...commandButton("actualSize")} />
       </div>
+      <CameraMenu />
       <Select label={t.map} tip={t.mapWhy} value={map} choices={choices} onChange={showMap} />
       {now && (
         <>

@@ -1,6 +1,7 @@
-/** Moves of the camera: the server previews them at once and writes them to the text when a gesture ends. */
+/** Moves of the camera that the picture is seen through; the scene's own moves on request only. */
 
 import { post } from "../api/client";
+import type { Vec3 } from "../api/types";
 import { Latest } from "../api/latest";
 import { newGesture } from "../state/edits";
 import { complain } from "../state/messages";
@@ -17,9 +18,9 @@ async function send(moves: Move[]): Promise<void> {
 
 const latest = new Latest<Move[]>(send, complain, mergeMoves);
 
-export function move(kind: MoveKind, gesture: string, dx: number, dy: number, dz = 0): void {
+export function move(kind: MoveKind, gesture: string, dx: number, dy: number, dz = 0, around?: [number, number]): void {
   cameraMoves.value = true;
-  latest.push([{ kind, dx, dy, dz, gesture }]);
+  latest.push([{ kind, dx, dy, dz, gesture, ...(around && { around }) }]);
 }
 
 export const endMove = (kind: MoveKind, gesture: string) => latest.push([{ kind, dx: 0, dy: 0, dz: 0, gesture, end: true }]);
@@ -40,4 +41,18 @@ export function moveInBurst(kind: MoveKind, dx: number, dy: number, dz = 0): voi
   move(kind, gesture, dx, dy, dz);
 }
 
-export const cameraHome = () => post("view/camera", { kind: "home", dx: 0, dy: 0, gesture: newGesture(), end: true });
+/** To the scene's own camera. */
+export const cameraHome = () => post("view/camera", { kind: "home" });
+
+/** The scene's own camera goes to where the view is. */
+export const setCamera = () => post("view/camera/write");
+
+/** Fills the picture with a thing, or with all. */
+export const frame = (pointer: string | null) => post("view/camera", { kind: "frame", pointer });
+
+/** Looks from a direction in the world. */
+export const lookAlong = ([dx, dy, dz]: Vec3) => post("view/camera", { kind: "along", dx, dy, dz });
+
+export const keepView = () => post("view/bookmark/add");
+export const showView = (id: number) => post("view/bookmark/show", { id });
+export const forgetView = (id: number) => post("view/bookmark/remove", { id });

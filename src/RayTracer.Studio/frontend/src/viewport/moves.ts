@@ -8,6 +8,8 @@ export interface Move {
   dz: number;
   gesture: string;
   end?: boolean;
+  /** The pixel where the gesture began: an orbit turns around what is seen there. */
+  around?: [number, number];
 }
 
 /** Moves of one kind and gesture become one; others follow each other. */

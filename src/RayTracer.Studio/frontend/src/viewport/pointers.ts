@@ -31,6 +31,7 @@ export function listenToPointers(stageElement: HTMLElement): () => void {
   const down = new Map<number, Point>();
   let action: Action | null = null;
   let start: Point = { x: 0, y: 0 };
+  let around: [number, number] | undefined;
   let moved = false;
   let pinch = 0;
 
@@ -60,6 +61,8 @@ export function listenToPointers(stageElement: HTMLElement): () => void {
     } else if (down.size === 1) {
       start = local(e);
       moved = false;
+      const pixel = pixelAt(start);
+      around = pixel ? [pixel.x, pixel.y] : undefined;
       action = actionOf(e);
       if (action.kind === "region") action.start = toPicture(start);
     }
@@ -84,7 +87,7 @@ export function listenToPointers(stageElement: HTMLElement): () => void {
       move("pan", action.gesture, heights(dx / 2), heights(dy / 2));
       moveInBurst("dolly", 0, -heights(wider - pinch));
       pinch = wider;
-    } else move(action.move, action.gesture, heights(dx), heights(dy));
+    } else move(action.move, action.gesture, heights(dx), heights(dy), 0, around);
   };
 
   const onUp = (e: PointerEvent) => {
