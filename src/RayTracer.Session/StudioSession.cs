@@ -29,7 +29,8 @@ public sealed class StudioSession : IDisposable
         Snapshots = new(View, time ?? TimeProvider.System);
         Handles = new(Edits, View);
         Pictures = new(Document, View, Jobs);
-        Background = new(Document, View, Jobs);
+        Films = new(Document, View, Pictures, folders, time ?? TimeProvider.System);
+        Background = new(Document, View, Jobs, folders);
         Lights = new(Document, View, Jobs);
         Scenes = scenes ?? ScenesFolder.Find();
         Notices.Changed += (_, _) => Changes.Advance();
@@ -90,6 +91,9 @@ public sealed class StudioSession : IDisposable
     /// <summary>Writes pictures.</summary>
     public PictureSaver Pictures { get; }
 
+    /// <summary>Keeps films that would be lost.</summary>
+    internal FilmKeeper Films { get; set; }
+
     /// <summary>Renders into files beside the user's work.</summary>
     public BackgroundRenders Background { get; }
 
@@ -119,6 +123,7 @@ public sealed class StudioSession : IDisposable
     public void Dispose()
     {
         Jobs.Dispose();
+        Films.Dispose();
         View.Dispose();
         _document.Dispose();
     }

@@ -31,7 +31,14 @@ internal static class Program
             return WrongUsage;
         }
 
-        using StudioSession session = new();
+        if (options.IsHelp)
+        {
+            await Console.Out.WriteLineAsync(StudioOptions.Help);
+            return 0;
+        }
+
+        UserFolders folders = UserFolders.OfUser();
+        using StudioSession session = new(folders);
         try
         {
             if (options.Scene is { } scene)
@@ -39,7 +46,7 @@ internal static class Program
                 session.Files.Open(Path.GetFullPath(scene));
             }
 
-            await using StudioServer server = await StudioServer.Start(session, new() { Port = options.Port });
+            await using StudioServer server = await Start(session, options.Port, folders);
             using LaunchPage page = new(server.Link);
             server.Connected += (_, _) => page.Dispose();
             Show(server, page, options.Browser);
@@ -53,12 +60,21 @@ internal static class Program
         }
     }
 
+    // At the same address as the last time, where the browser has kept the layout of the window, and what was typed last.
+    private static async Task<StudioServer> Start(StudioSession session, int? port, UserFolders folders)
+    {
+        LastPort last = new(folders);
+        StudioServer server = await StudioServer.Start(session, new() { Port = port ?? last.Free() });
+        last.Keep(server.Address.Port);
+        return server;
+    }
+
     private static void Show(StudioServer server, LaunchPage page, BrowserKind? browser)
     {
         bool isOpen = browser is { } kind && BrowserLauncher.Open(page.FilePath, kind);
         Console.WriteLine(isOpen
             ? $"The Studio opens in a browser window; if it does not, open {server.Link}"
             : $"The Studio is at {server.Link}");
-        Console.WriteLine("It ends when its last window is closed, or with Ctrl-C.");
+        Console.WriteLine("It ends when its last window is closed and no job runs, or with Ctrl-C.");
     }
 }

@@ -11,7 +11,8 @@ namespace RayTracer.Session;
 /// <param name="document">The document that is rendered.</param>
 /// <param name="view">The samples, the region, the threads and the tone that the user wants.</param>
 /// <param name="jobs">The list of what is being done.</param>
-public sealed class BackgroundRenders(SceneDocument document, PictureView view, JobList jobs)
+/// <param name="folders">The folders in which films of unfinished parts are kept.</param>
+public sealed class BackgroundRenders(SceneDocument document, PictureView view, JobList jobs, UserFolders folders)
 {
     private const int MostFrames = 10_000_000;
     private readonly ViewJobs _jobs = new(document, view, jobs);
@@ -44,7 +45,11 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
         return _jobs.Start($"part {number} of {count}: {Path.GetFileName(full)}", watch =>
         {
             scene.Write();
-            JobResult result = watch.Require(new JobRun(job, watch).Run(watch.Cancellation));
+
+            // What was rendered until the session ends is offered by the next one.
+            using KeptFilm kept = new(folders, Path.GetFileName(full));
+            JobResult result = watch.Require(new JobRun(job with { Checkpoint = kept.Path }, watch).Run(watch.Cancellation));
+            kept.Delete();
             return $"wrote {full}, samples {result.RangeText} of {total}";
         });
     }

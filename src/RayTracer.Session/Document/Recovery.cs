@@ -47,11 +47,19 @@ public sealed class Recovery : IDisposable
     /// <exception cref="SessionException">There is no such text.</exception>
     public void Discard(string id)
     {
-        using (Hold(id))
+        string? film = KeptFilm.FileOf(_folders, id);
+        using (film is null ? Hold(id) : null)
         {
             try
             {
-                File.Delete(FileOf(id));
+                if (film is null)
+                {
+                    File.Delete(FileOf(id));
+                }
+                else
+                {
+                    Directory.Delete(Path.GetDirectoryName(film)!, recursive: true);
+                }
             }
             catch (Exception e) when (e is IOException or UnauthorizedAccessException)
             {
@@ -122,6 +130,23 @@ public sealed class Recovery : IDisposable
         {
             return Read(FileOf(id)) ?? throw Missing();
         }
+    }
+
+    /// <summary>Returns the file of a film that was kept, and offers it no longer; null where the identifier is a text's.</summary>
+    internal string? ClaimFilm(string id)
+    {
+        string? film = KeptFilm.FileOf(_folders, id);
+        if (film is not null)
+        {
+            lock (_lock)
+            {
+                _entries = [.. _entries.Where(e => e.Id != id)];
+            }
+
+            Changed?.Invoke();
+        }
+
+        return film;
     }
 
     private static SessionException Missing() => new("that unsaved text no longer exists");
@@ -207,6 +232,8 @@ public sealed class Recovery : IDisposable
                     found.Add(new(id, text.Name, text.Time));
                 }
             }
+
+            found.AddRange(KeptFilm.Find(_folders));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
@@ -230,4 +257,5 @@ public sealed record RecoveredText(string Name, string? Path, string Folder, str
 /// <param name="Id">The identifier by which it is requested.</param>
 /// <param name="Name">The name that the document had.</param>
 /// <param name="Time">When it was kept.</param>
-public sealed record RecoveryEntry(string Id, string Name, DateTime Time);
+/// <param name="IsFilm">True for the film of a picture that was not written to a file.</param>
+public sealed record RecoveryEntry(string Id, string Name, DateTime Time, bool IsFilm = false);

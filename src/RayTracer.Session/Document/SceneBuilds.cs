@@ -16,9 +16,16 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     private bool _isBuilding;
     private bool _isDisposed;
     private int _epoch;
+    private string? _reading;
 
     /// <summary>The newest content.</summary>
     public DocumentContent Content => _lock.Read(() => _content);
+
+    /// <summary>The number of the document that is built: grows whenever another one is opened.</summary>
+    public int Document => _lock.Read(() => _epoch);
+
+    /// <summary>The name of the file that is read just now; null where none is.</summary>
+    public string? Reading => Volatile.Read(ref _reading);
 
     /// <summary>The number of files read in all builds.</summary>
     public int FilesRead => _files.Reads;
@@ -141,20 +148,20 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         _files.BeginBuild();
         try
         {
-            load = SceneLoader.Build(read, order.Folder, readPicture: (path, raw) => InTime(order, () => _files.ReadPicture(path, raw)),
-                readModel: path => InTime(order, () => _files.ReadModel(path)));
+            load = SceneLoader.Build(read, order.Folder, readPicture: (path, raw) => InTime(order, path, () => _files.ReadPicture(path, raw)),
+                readModel: path => InTime(order, path, () => _files.ReadModel(path)));
         }
         catch (Exception e) when (e is not StackOverflowException)
         {
             load = new(null, null, [.. read.Diagnostics, new(read.Source?.FileName ?? "", 0, 0, Severity.Error, $"the scene cannot be built: {e.Message.TrimEnd('.')}")]);
         }
 
-        GoodScene? good = load.Scene is { } scene ? new(order.Revision, order.Text, read, scene) : lastGood;
+        GoodScene? good = load.Scene is { } scene ? new(order.Revision, order.Text, read, scene) { Document = order.Epoch } : lastGood;
         return new(order.Revision, order.Text, read, load, good);
     }
 
     // Files take longest: none is read for a document that is no longer open.
-    private T InTime<T>(Order order, Func<T> read)
+    private T InTime<T>(Order order, string path, Func<T> read)
     {
         lock (_lock)
         {
@@ -164,7 +171,20 @@ internal sealed class SceneBuilds(Action built) : IDisposable
             }
         }
 
-        return read();
+        Volatile.Write(ref _reading, Path.GetFileName(path));
+        if (Content.LastGood is null)
+        {
+            built();
+        }
+
+        try
+        {
+            return read();
+        }
+        finally
+        {
+            Volatile.Write(ref _reading, null);
+        }
     }
 
     private sealed record Order(int Revision, string Text, Lazy<SceneReadResult> Read, string Folder, int Epoch);
@@ -183,4 +203,8 @@ public sealed record DocumentContent(int Revision, string Text, SceneReadResult 
 /// <param name="Text">The text then.</param>
 /// <param name="Read">The result of reading it.</param>
 /// <param name="Scene">The scene.</param>
-public sealed record GoodScene(int Revision, string Text, SceneReadResult Read, Scene Scene);
+public sealed record GoodScene(int Revision, string Text, SceneReadResult Read, Scene Scene)
+{
+    /// <summary>The number of the document that it is of: grows whenever another one is opened.</summary>
+    public int Document { get; init; }
+}

@@ -92,6 +92,12 @@ public sealed class SceneFiles
     public void OpenRecovered(string id, bool discard = false)
     {
         Guard(discard);
+        if (_recovery.ClaimFilm(id) is { } film)
+        {
+            OpenPicture(film, isOwn: false);
+            return;
+        }
+
         RecoveredText text = _recovery.Claim(id);
         lock (_lock)
         {
@@ -180,7 +186,7 @@ public sealed class SceneFiles
 
         if (FilmFile.IsNamed(path) || IsImage(path))
         {
-            OpenPicture(path);
+            OpenPicture(path, isOwn: true);
             return;
         }
 
@@ -206,7 +212,8 @@ public sealed class SceneFiles
         }
     }
 
-    private void OpenPicture(string path)
+    // The scene beside a film of the recovery is nobody's file: it is saved elsewhere.
+    private void OpenPicture(string path, bool isOwn)
     {
         FilmStart? start = CarriedFilm.Is(path) ? FilmStart.Read(path) : null;
         RenderJob origin = start is null ? JobOrigin.OfImage(path).Job : JobOrigin.Of(start.Header, path);
@@ -221,7 +228,8 @@ public sealed class SceneFiles
         string lineEnd = isChanged ? "\n" : SceneTextFile.Read(origin.Scene).LineEnd;
         string text = OriginText.Of(origin);
         string name = Path.ChangeExtension(Path.GetFileName(origin.Scene), ".json");
-        DocumentPlace place = new(name, isChanged ? null : origin.Scene, Path.GetDirectoryName(origin.Scene)!) { LineEnd = lineEnd };
+        bool isFile = !isChanged && (isOwn || Path.GetDirectoryName(origin.Scene) != Path.GetDirectoryName(path));
+        DocumentPlace place = new(name, isFile ? origin.Scene : null, Path.GetDirectoryName(origin.Scene)!) { LineEnd = lineEnd };
         lock (_lock)
         {
             _stamp = stamp;

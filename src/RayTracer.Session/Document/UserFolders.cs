@@ -15,11 +15,17 @@ public sealed class UserFolders(string state, string cache, string home)
     /// <summary>Texts that were not saved.</summary>
     public string Recovery => Make(Path.Combine(state, "recovery"));
 
+    /// <summary>Films of pictures that were not written to a file.</summary>
+    public string RecoveredFilms => Make(Path.Combine(Recovery, "films"));
+
     /// <summary>The file that lists what was opened lately.</summary>
     public string RecentFile => Path.Combine(Make(state), "recent.json");
 
     /// <summary>The file of the views that are kept.</summary>
     public string ViewsFile => Path.Combine(Make(state), "views.json");
+
+    /// <summary>The file that holds the port of the Studio's last server.</summary>
+    public string PortFile => Path.Combine(Make(state), "port");
 
     /// <summary>Pictures of the gallery.</summary>
     public string Thumbnails => Make(Path.Combine(cache, "thumbnails"));

@@ -12,6 +12,9 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
 {
     private readonly ViewJobs _jobs = new(document, view, jobs);
 
+    /// <summary>The picture whose file was written last, and its samples then.</summary>
+    internal (long Picture, int Samples) Written { get; private set; } = (-1, 0);
+
     /// <summary>The formats of the files that are written: pictures, and the film itself.</summary>
     public static IReadOnlyList<PictureFormat> Formats => [.. ImageFormat.Written().Select(PictureFormat.Of), PictureFormat.Film];
 
@@ -71,8 +74,21 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
             scene?.Write();
             new PictureFiles(job).Write(result, watch);
             watch.RequireWritten();
+            Written = (taken.Shown.Picture, taken.Samples);
             return $"wrote {full}{(scene?.Text is null ? "" : $", and its scene beside it, {Path.GetFileName(scene.File)}")}";
         });
+    }
+
+    /// <summary>Writes the film so far, and its scene beside it where that is in no file.</summary>
+    /// <param name="path">The film's whole path.</param>
+    /// <exception cref="SessionException">There is no picture, or it is changing.</exception>
+    internal async Task WriteFilm(string path)
+    {
+        TakenFilm taken = await Take(isFilm: true).ConfigureAwait(false);
+        FilmScene scene = SceneOf(taken.Shown, path);
+        FilmHeader header = Header(taken.Shown, scene) with { Samples = [taken.Complete(CancellationToken.None)], Planes = taken.Film.KeptPlanes };
+        scene.Write();
+        JobFiles.WriteFilm(path, taken.Film, header);
     }
 
     /// <summary>Returns the picture so far as the bytes of its job's file, with layers where that has them.</summary>

@@ -21,7 +21,8 @@ internal sealed class StudioServer : IAsyncDisposable
     {
         _token = Base64Url.EncodeToString(RandomNumberGenerator.GetBytes(32));
         _app = Build(options);
-        _windows = new(options.Grace, options.Time, _app.Lifetime.StopApplication);
+        _windows = new(options.Grace, options.Time, () => session.Jobs.Running.Count > 0, _app.Lifetime.StopApplication);
+        session.Jobs.Changed += (_, _) => _windows.WorkChanged();
         LocalGuard guard = new(_token);
         guard.Admitted += (_, _) => Connected?.Invoke(this, EventArgs.Empty);
         LongPoll poll = new(_windows, options.Patience, _app.Lifetime.ApplicationStopping);

@@ -1,24 +1,28 @@
 namespace RayTracer.Studio;
 
 /// <summary>
-/// Knows by the requests that wait for news whether any window is open, and says when none has been for long enough.
+/// Knows by the requests that wait for news whether any window is open, and says when none has been for long enough, and nothing is
+/// being worked on that a window has started.
 /// </summary>
 internal sealed class WindowWatch : IDisposable
 {
     private readonly Lock _lock = new();
     private readonly GraceTimes _grace;
     private readonly ITimer _timer;
+    private readonly Func<bool> _isBusy;
     private int _open;
     private bool _saidFarewell;
+    private bool _isOverdue;
 
     /// <summary>Begins to wait for the first window.</summary>
     /// <param name="grace">The times to wait.</param>
     /// <param name="time">The clock.</param>
+    /// <param name="isBusy">Returns whether there is work that must not end with its window.</param>
     /// <param name="ended">Called when it has been long enough.</param>
-    public WindowWatch(GraceTimes grace, TimeProvider time, Action ended)
+    public WindowWatch(GraceTimes grace, TimeProvider time, Func<bool> isBusy, Action ended)
     {
-        _grace = grace;
-        _timer = time.CreateTimer(_ => ended(), null, grace.AtStart, Timeout.InfiniteTimeSpan);
+        (_grace, _isBusy) = (grace, isBusy);
+        _timer = time.CreateTimer(_ => End(ended), null, grace.AtStart, Timeout.InfiniteTimeSpan);
     }
 
     /// <summary>Counts a request that waits, until what is returned is disposed of.</summary>
@@ -27,7 +31,7 @@ internal sealed class WindowWatch : IDisposable
         lock (_lock)
         {
             _open++;
-            _saidFarewell = false;
+            _saidFarewell = _isOverdue = false;
             _timer.Change(Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
         }
 
@@ -47,8 +51,35 @@ internal sealed class WindowWatch : IDisposable
         }
     }
 
+    /// <summary>Some work has ended: if no window came back for its result, the last one was waited for long enough before.</summary>
+    public void WorkChanged()
+    {
+        lock (_lock)
+        {
+            if (_isOverdue && !_isBusy())
+            {
+                _isOverdue = false;
+                _timer.Change(_grace.WithoutWindow, Timeout.InfiniteTimeSpan);
+            }
+        }
+    }
+
     /// <inheritdoc/>
     public void Dispose() => _timer.Dispose();
+
+    private void End(Action ended)
+    {
+        lock (_lock)
+        {
+            _isOverdue = _open == 0 && _isBusy();
+            if (_open > 0 || _isOverdue)
+            {
+                return;
+            }
+        }
+
+        ended();
+    }
 
     private void Leave()
     {

@@ -121,6 +121,51 @@ public class EverydayWalks(ChromiumBrowser browser)
     }
 
     [SkippableFact]
+    public async Task A_page_without_a_secret_says_what_to_do_and_shows_nothing_else()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        w.Expected.Add("401");
+        IPage page = await w.NewPage();
+        await page.EvaluateAsync("() => { sessionStorage.clear(); location.reload(); }");
+        await Expect(page.GetByRole(AriaRole.Heading, new() { Name = "This window has no way in" })).ToBeVisibleAsync();
+        await Expect(page.GetByText("raytracer studio", new() { Exact = true })).ToBeVisibleAsync();
+        await Expect(page.GetByRole(AriaRole.Button)).ToHaveCountAsync(0);
+    }
+
+    [SkippableFact]
+    public async Task Closing_a_window_over_a_running_job_asks_and_a_page_that_comes_back_shows_it()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        using ManualResetEventSlim end = new();
+        try
+        {
+            w.Session.Jobs.Start("frames 0 to 5", (progress, _) =>
+            {
+                progress.Report(0.5);
+                end.Wait();
+                return "wrote 6 frames";
+            });
+            await Expect(w.Page.GetByRole(AriaRole.Progressbar, new() { Name = "frames 0 to 5" })).ToBeVisibleAsync();
+            await w.Stage.ClickAsync();
+            TaskCompletionSource<string> asked = new();
+            w.Page.Dialog += async (_, dialog) =>
+            {
+                asked.TrySetResult(dialog.Type);
+                await dialog.AcceptAsync();
+            };
+            await w.Page.CloseAsync(new() { RunBeforeUnload = true });
+            Assert.Equal("beforeunload", await asked.Task.WaitAsync(TimeSpan.FromMinutes(1)));
+            IPage again = await w.NewPage();
+            await Expect(again.GetByRole(AriaRole.Progressbar, new() { Name = "frames 0 to 5" })).ToHaveAttributeAsync("value", "0.5");
+        }
+        finally
+        {
+            end.Set();
+        }
+    }
+
+    [SkippableFact]
     public async Task Work_that_was_not_saved_is_offered_again()
     {
         DirectoryInfo user = Directory.CreateTempSubdirectory("studio-user-");
@@ -156,7 +201,8 @@ public class EverydayWalks(ChromiumBrowser browser)
         w.Expected.Add("ERR_INCOMPLETE_CHUNKED_ENCODING");
         w.Expected.Add("ERR_CONNECTION_RESET");
         await w.Server.DisposeAsync();
-        await Expect(w.Page.GetByText("The Studio is not responding. Trying again …")).ToBeVisibleAsync(new() { Timeout = 30_000 });
+        await Expect(w.Page.GetByText("The Studio is not responding.")).ToBeVisibleAsync(new() { Timeout = 30_000 });
+        await Expect(w.Status).ToHaveTextAsync("not connected");
         await w.Shot("lost");
     }
 

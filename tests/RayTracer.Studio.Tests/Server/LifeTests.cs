@@ -1,5 +1,7 @@
 using System.Diagnostics;
 using System.Net;
+using System.Net.Sockets;
+using System.Text.Json;
 using RayTracer.Session.Tests;
 
 namespace RayTracer.Studio.Tests.Server;
@@ -72,6 +74,66 @@ public sealed class LifeTests
     }
 
     [Fact]
+    public async Task The_server_lives_as_long_as_a_job_does_and_then_a_while_for_its_window()
+    {
+        ManualTime time = new();
+        await using TestServer server = await TestServer.Start(new() { Time = time });
+        using ManualResetEventSlim end = new();
+        server.Test.Session.Jobs.Start("a long job", (_, _) =>
+        {
+            end.Wait();
+            return "done";
+        });
+        (await server.Send(HttpMethod.Post, "/api/bye", new StringContent(server.Studio.Token))).Dispose();
+        time.Pass(TimeSpan.FromHours(10));
+        JsonElement job = (await server.Get("/api/state?after=-1")).GetProperty("jobs")[0];
+        Assert.Equal("a long job", job.GetProperty("text").GetString());
+        time.Pass(TimeSpan.FromHours(10));
+        Assert.False(server.Studio.Ended.IsCompleted);
+        end.Set();
+        await server.Test.Until(() => server.Test.Session.Jobs.Running.Count == 0 ? "none" : null);
+        Assert.False(server.Studio.Ended.IsCompleted);
+        while (!server.Studio.Ended.IsCompleted)
+        {
+            time.Pass(TimeSpan.FromSeconds(11));
+            await Task.Delay(1);
+        }
+    }
+
+    [Fact]
+    public async Task Help_is_no_error()
+    {
+        ProcessStartInfo start = new("dotnet", [typeof(StudioServer).Assembly.Location, "--help"]) { UseShellExecute = false, RedirectStandardOutput = true };
+        using Process program = Process.Start(start)!;
+        string text = await program.StandardOutput.ReadToEndAsync().WaitAsync(Patience);
+        await program.WaitForExitAsync().WaitAsync(Patience);
+        Assert.Equal(0, program.ExitCode);
+        Assert.All(["--port N", "--no-browser", "--open app|browser", "--plugin FILE", "--help"], option => Assert.Contains(option, text, StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void The_port_of_the_last_time_is_taken_again_unless_it_is_taken()
+    {
+        string folder = Directory.CreateTempSubdirectory("raytracer-studio-test-").FullName;
+        try
+        {
+            LastPort last = new(new(folder, folder, folder));
+            Assert.Equal(0, last.Free());
+            using TcpListener other = new(IPAddress.Loopback, 0);
+            other.Start();
+            int port = ((IPEndPoint)other.LocalEndpoint).Port;
+            last.Keep(port);
+            Assert.Equal(0, last.Free());
+            other.Stop();
+            Assert.Equal(port, last.Free());
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+
+    [Fact]
     public async Task Two_studios_at_once_know_nothing_of_each_other()
     {
         await using TestServer one = await TestServer.Start();
@@ -127,10 +189,10 @@ public sealed class LifeTests
     }
 
     [Theory]
-    [InlineData("", null, 0, true)]
+    [InlineData("", null, null, true)]
     [InlineData("a.json --port 80", "a.json", 80, true)]
-    [InlineData("--no-browser a.json", "a.json", 0, false)]
-    public void Command_lines_are_understood(string line, string? scene, int port, bool opens)
+    [InlineData("--no-browser a.json", "a.json", null, false)]
+    public void Command_lines_are_understood(string line, string? scene, int? port, bool opens)
     {
         StudioOptions options = StudioOptions.Parse(line.Split(' ', StringSplitOptions.RemoveEmptyEntries), out string? complaint);
         Assert.Null(complaint);

@@ -5,7 +5,7 @@ import { App } from "./shell/App";
 import { follow } from "./state/follow";
 import { reportFaults } from "./state/messages";
 import { tourSeen } from "./state/settings";
-import { documentState, isFresh, tourStep } from "./state/store";
+import { documentState, isFresh, jobs, tourStep } from "./state/store";
 import "./styles/base.css";
 import "./styles/shell.css";
 import "./styles/controls.css";
@@ -19,7 +19,7 @@ follow();
 
 addEventListener("pagehide", sayGoodbye);
 addEventListener("beforeunload", (e) => {
-  if (documentState.value?.isDirty) e.preventDefault();
+  if (documentState.value?.isDirty || jobs.value?.length) e.preventDefault();
 });
 
 // Whoever sees the Studio for the first time is shown around, as soon as there is something to see.

@@ -89,6 +89,7 @@ function textsOf(t: typeof english) {
     recovery: {
       ...t.recovery,
       text: (name: string, time: string) => fill(t.recovery.text, { name, time }),
+      film: (name: string, time: string) => fill(t.recovery.film, { name, time }),
     },
     messages: {
       ...t.messages,

@@ -241,6 +241,7 @@ export interface RecoveryEntry {
   id: string;
   name: string;
   time: string;
+  isFilm: boolean;
 }
 
 export interface RefractiveIndex {

@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { get } from "../api/client";
-import { withPrefix } from "../json/numbers";
+import { moment, withPrefix } from "../json/numbers";
 import type { FolderListing } from "../api/types";
 import { complain } from "../state/messages";
 import { texts } from "../texts";
@@ -52,7 +52,7 @@ export function FileBrowser({ start, onFolder, onPick, onChoose, picked, named }
   return (
     <div class="browser">
       <div class="pair">
-        <Button label={texts.dialogs.up} icon="undo" disabled={!listing?.parent} onClick={() => go(listing!.parent!)} />
+        <Button label={texts.dialogs.up} icon="up" disabled={!listing?.parent} onClick={() => go(listing!.parent!)} />
         <input
           type="text"
           class="text"
@@ -76,7 +76,7 @@ export function FileBrowser({ start, onFolder, onPick, onChoose, picked, named }
           return (
             <li key={name}>
               <button type="button" class="list-button" aria-pressed={path === picked} onClick={() => onPick(path)} onDblClick={() => onChoose(path)}>
-                <Icon name="scene" /><span class="name">{name}</span><span class="quiet">{`${withPrefix(size)}B`}</span><time class="quiet" dateTime={time}>{new Date(time).toLocaleDateString()}</time>
+                <Icon name="scene" /><span class="name">{name}</span><span class="quiet">{`${withPrefix(size)}B`}</span><time class="quiet" dateTime={time}>{moment(time)}</time>
               </button>
             </li>
           );

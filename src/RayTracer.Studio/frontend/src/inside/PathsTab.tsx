@@ -33,9 +33,9 @@ function SampleList({ answer }: { answer: InspectedPixel }) {
       <PixelChooser />
       {answer.pixel && <p class="mean"><span class="swatch" style={{ background: toHex(answer.pixel) }} /> {t.mean}<br /><span class="figures">{rgb(answer.pixel)}</span></p>}
       <div class="pair">
-        <Button label={t.fewer} icon="undo" disabled={firstSample.value === 0} onClick={() => (firstSample.value = Math.max(0, firstSample.value - answer.samples.length))} />
+        <Button label={t.fewer} icon="previous" disabled={firstSample.value === 0} onClick={() => (firstSample.value = Math.max(0, firstSample.value - answer.samples.length))} />
         <span>{t.list}</span>
-        <Button label={t.more} icon="redo" disabled={firstSample.value + answer.samples.length >= answer.total} onClick={() => (firstSample.value += answer.samples.length)} />
+        <Button label={t.more} icon="chevron" disabled={firstSample.value + answer.samples.length >= answer.total} onClick={() => (firstSample.value += answer.samples.length)} />
       </div>
       <ul aria-label={t.list}>
         {answer.samples.map((s) => (

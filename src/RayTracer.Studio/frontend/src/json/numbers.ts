@@ -72,3 +72,10 @@ export function tidy(value: number, step: number): number {
   const decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
   return Number(value.toFixed(Math.min(decimals + 2, 12)));
 }
+
+/** A moment as 2026-11-24 15:30, in the user's time: read the same everywhere. */
+export function moment(time: string): string {
+  const at = new Date(time);
+  const two = (n: number) => String(n).padStart(2, "0");
+  return `${at.getFullYear()}-${two(at.getMonth() + 1)}-${two(at.getDate())} ${two(at.getHours())}:${two(at.getMinutes())}`;
+}

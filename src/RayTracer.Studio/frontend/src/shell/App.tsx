@@ -10,7 +10,7 @@ import { bottomHeight, bottomOpen, leftOpen, leftTab, leftWidth, rightOpen, righ
 import { listenToShortcuts } from "../state/shortcuts";
 import { BackgroundDialog } from "../files/BackgroundDialog";
 import { LightsDialog } from "../files/LightsDialog";
-import { dialog, isFresh, tourStep } from "../state/store";
+import { connection, dialog, isFresh, studio, tourStep } from "../state/store";
 import { texts } from "../texts";
 import { Splitter } from "../ui/Splitter";
 import { Tabs } from "../ui/Tabs";
@@ -21,6 +21,7 @@ import { Dock } from "./Dock";
 import { DropTarget } from "./DropTarget";
 import { EmptyState } from "./EmptyState";
 import { Messages } from "./Messages";
+import { NoEntry } from "./NoEntry";
 import { ShortcutSheet } from "./ShortcutSheet";
 import { StatusBar } from "./StatusBar";
 import { Toolbar } from "./Toolbar";
@@ -68,6 +69,7 @@ function BottomPane() {
 export function App() {
   // From the first frame on: nobody waits for the second to press a key.
   useLayoutEffect(listenToShortcuts, []);
+  if (connection.value === "refused" && !studio.value) return <NoEntry />;
   const Shown = dialog.value && dialogs[dialog.value];
   // A fresh Studio asks what to do, and nothing else; but the tour needs something to point at.
   const hasPanes = !isFresh.value || tourStep.value !== null;

@@ -1,7 +1,7 @@
 import { post } from "../api/client";
 import { duration, format, withPrefix } from "../json/numbers";
 import { attempt } from "../state/messages";
-import { documentState, jobs, renderState } from "../state/store";
+import { connection, documentState, jobs, renderState } from "../state/store";
 import { bottomOpen, bottomTab } from "../state/settings";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
@@ -30,6 +30,10 @@ export function StatusBar() {
     bottomOpen.value = true;
     bottomTab.value = "source";
   };
+  if (connection.value === "lost" || connection.value === "refused") {
+    // What was known of the rendering is no longer true.
+    return <footer class="status" role="contentinfo" aria-label={t.label}><span class="state lost" role="status">{t.notConnected}</span></footer>;
+  }
   return (
     <footer class="status" role="contentinfo" aria-label={t.label}>
       {render && render.width > 0 && (

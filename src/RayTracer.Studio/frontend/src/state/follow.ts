@@ -10,6 +10,9 @@ import { connection, documentState, outline, revision, schema, studio } from "./
 const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const retryAfter = 1000;
 
+// The server answers after 20 s at the latest, news or not.
+const longestSilence = 30_000;
+
 // While the picture changes all the time, its numbers need not: what is drawn of them takes time from the picture.
 const shortestPause = 100;
 
@@ -18,7 +21,7 @@ async function followState(): Promise<never> {
   for (;;) {
     const start = performance.now();
     try {
-      const state = await get<StudioState>("state", { after: version });
+      const state = await get<StudioState>("state", { after: version }, AbortSignal.timeout(longestSilence));
       version = state.version;
       connection.value = "open";
       const message = state.message;
