@@ -27,7 +27,7 @@ internal static class ViewEndpoints
         view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, restart: request.Action == "restart"));
         view.MapPost("/snapshot", () => session.Snapshots.Capture());
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
-        view.MapGet("/mask", (string pointer) => Picking.Mask(session.View.RequireShown(), pointer));
+        view.MapGet("/mask", (string pointer, int? step) => Picking.Mask(session.View.RequireShown(), pointer, step ?? 1));
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {
             ViewportScene shown = session.View.RequireShown();
@@ -45,7 +45,7 @@ internal static class ViewEndpoints
     internal sealed record ToneRequest(float? Exposure, ExposureRule? Rule, ToneMap? ToneMap);
 
     /// <summary>The changes of the settings; what is null stays.</summary>
-    internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, string? Map)
+    internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, string? Map, bool? FiltersMotion)
     {
         public ViewSettings Apply(ViewSettings settings) => settings with
         {
@@ -59,6 +59,7 @@ internal static class ViewEndpoints
             },
             Samples = Quality is { } quality ? (int)quality : Samples switch { null => settings.Samples, 0 => null, _ => Samples },
             Threads = Threads ?? settings.Threads,
+            FiltersMotion = FiltersMotion ?? settings.FiltersMotion,
             Map = Map is null ? settings.Map : ViewMap.Named(Map),
             Region = Region switch
             {

@@ -23,6 +23,8 @@ switch (args)
         return EmbreeBenchmark.Run(options);
     case ["mitsuba", .. var scenes]:
         return MitsubaBenchmark.Run(scenes);
+    case ["studio", "moving", .. var options]:
+        return new MovingQuality(options).Run();
     case ["studio", .. var options]:
         return await StudioBenchmark.Run(options);
     case ["denoiser", .. var scenes]:

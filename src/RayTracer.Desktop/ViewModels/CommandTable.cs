@@ -103,6 +103,7 @@ internal sealed class CommandTable
         ["pause"] = () => Render(main, _isRendering ? RenderMode.Paused : RenderMode.Running),
         ["stop"] = () => Render(main, RenderMode.Stopped),
         ["restart"] = () => main.Dispatcher.Do(s => s.View.Change(v => v with { Mode = RenderMode.Running }, restart: true)),
+        ["filter"] = () => main.Dispatcher.Do(s => s.View.Change(v => v with { FiltersMotion = !v.FiltersMotion })),
         ["home"] = main.Viewport.Camera.Home,
         ["setCamera"] = () => main.Dispatcher.Do(s => s.Camera.Write()),
         ["frame"] = () => main.Dispatcher.Do(s => s.Camera.Move(new(CameraMoveKind.Frame, Pointer: s.Selection.Pointer is { } p && SceneThings.IsSeen(p) ? p : null))),

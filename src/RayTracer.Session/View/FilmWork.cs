@@ -15,6 +15,8 @@ internal sealed class FilmWork(FrameBoard frames)
     private static readonly TimeSpan NoiseEvery = TimeSpan.FromSeconds(1);
     private readonly PreviewPlan _previews = new();
     private readonly LinearPicture _preview = new();
+    private readonly MovingView _moving = new();
+    private readonly MovingPlan _movingPlan = new();
     private readonly Dictionary<(int Width, int Height), Film> _previewFilms = [];
     private readonly MapPictures _maps = new();
     private readonly DenoisedPicture _denoised = new();
@@ -27,6 +29,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private double? _noise;
     private long _noiseAt;
     private ViewMap? _map;
+    private bool _isFiltered;
     private bool _isStale;
     private int _samplesBefore;
     private bool _isFromFile;
@@ -48,13 +51,13 @@ internal sealed class FilmWork(FrameBoard frames)
 
     /// <summary>Returns whether there is something to do for a scene.</summary>
     public bool HasWork(ViewportScene wanted) =>
-        wanted.Picture != Shown?.Picture || wanted.Settings.Map != _map || _previews.Scale > 1 || _maps.Needs(wanted) || NeedsDenoising(wanted)
+        wanted.Picture != Shown?.Picture || wanted.Settings.Map != _map || wanted.Settings.FiltersMotion != _isFiltered || _previews.Scale > 1 || _movingPlan.HasNext || _maps.Needs(wanted) || NeedsDenoising(wanted)
         || (wanted.Settings.Mode == RenderMode.Running && _plan.Samples < wanted.Samples) || (_isStale && frames.IsWatched);
 
     /// <summary>
     /// Returns whether the next step must be completed whatever happens: else somebody who moves fast would never see anything.
     /// </summary>
-    public bool IsUrgent(ViewportScene wanted) => wanted.Picture != Shown?.Picture || _previews.IsFirst;
+    public bool IsUrgent(ViewportScene wanted) => wanted.Picture != Shown?.Picture || _previews.IsFirst || _movingPlan.IsFirst;
 
     /// <summary>Makes a step.</summary>
     /// <param name="wanted">The scene to show.</param>
@@ -72,10 +75,19 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         Shown = wanted;
+        if (wanted.Settings.FiltersMotion != _isFiltered)
+        {
+            Switch(wanted);
+        }
+
         if (_isFromFile)
         {
             _isFromFile = false;
             Show(wanted, isMilestone: true, CancellationToken.None);
+        }
+        else if (_movingPlan.HasNext)
+        {
+            Move(wanted, _movingPlan.IsFirst ? CancellationToken.None : cancellation);
         }
         else if (_previews.Scale > 1)
         {
@@ -146,17 +158,52 @@ internal sealed class FilmWork(FrameBoard frames)
         _samplesBefore = begun is null ? wanted.First : wanted.Start!.Held.End;
         _plan = new SlicePlan(wanted.Area, wanted.Samples, render.Integrator.Has(IntegratorTraits.TracesLight)).From(_samplesBefore);
         _isFromFile = _samplesBefore > wanted.First;
-        if (wanted.Settings.Map.IsLight && !_isFromFile)
-        {
-            _previews.Begin((long)width * height);
-        }
-        else
-        {
-            _previews.End();
-        }
+        BeginPreviews(wanted, (long)width * height);
 
         Log.Clear();
         (_rays, _seconds, _rendered, _badSamples, _noise) = (0, 0, 0, 0, _isFromFile ? NoiseEstimate.Of(Film, wanted.Area) : null);
+    }
+
+    private void BeginPreviews(ViewportScene wanted, long pixels)
+    {
+        bool areWanted = wanted.Settings.Map.IsLight && !_isFromFile;
+        _previews.End();
+        _movingPlan.End();
+        if (areWanted && wanted.Settings.FiltersMotion)
+        {
+            _movingPlan.Begin();
+        }
+        else if (areWanted)
+        {
+            _previews.Begin(pixels);
+        }
+    }
+
+    // The picture that is there is shown in the other way.
+    private void Switch(ViewportScene wanted)
+    {
+        _isFiltered = wanted.Settings.FiltersMotion;
+        _isStale = true;
+        if (_isFiltered && !_movingPlan.HasMade && wanted.Settings.Map.IsLight)
+        {
+            _movingPlan.Begin();
+        }
+    }
+
+    private void Move(ViewportScene wanted, CancellationToken cancellation)
+    {
+        if (!_moving.Next(wanted, _preview, cancellation))
+        {
+            return;
+        }
+
+        _movingPlan.Add();
+        if (frames.IsWatched)
+        {
+            Publish(wanted, isPreview: true, picture => picture.CopyFrom(_preview));
+        }
+
+        _isStale |= !frames.IsWatched;
     }
 
     private void Preview(ViewportScene wanted, CancellationToken cancellation)
@@ -262,6 +309,11 @@ internal sealed class FilmWork(FrameBoard frames)
         Publish(wanted, _plan.Samples == 0, picture =>
         {
             PicturePainter.Paint(Film!, _preview, picture);
+            if (wanted.Settings.FiltersMotion && _movingPlan.ShareAfter(_plan.Samples, wanted.Samples) is > 0 and var share)
+            {
+                PicturePainter.Blend(_preview, share, picture);
+            }
+
             if (denoised is not null)
             {
                 PicturePainter.Cover(denoised, wanted.Area, picture);
@@ -278,63 +330,5 @@ internal sealed class FilmWork(FrameBoard frames)
         (int width, int height) = (wanted.Scene.Render.Width, wanted.Scene.Render.Height);
         FrameInfo info = new(width, height, _plan.Samples, isPreview, _plan.IsDone && !NeedsDenoising(wanted), wanted.Settings.Map.IsLight);
         _pace.Make(() => frames.Publish(info, draw));
-    }
-}
-
-/// <summary>Keeps what frames cost the renderer to a small share of its time.</summary>
-public sealed class PublishPace
-{
-    // One part in so many of the time.
-    private const int Share = 12;
-    private long _last = -1;
-    private TimeSpan _cost;
-
-    /// <summary>Returns whether it is time for a frame.</summary>
-    public bool IsTime => _last < 0 || Stopwatch.GetElapsedTime(_last) >= _cost * (Share - 1);
-
-    /// <summary>Makes a frame, and takes down what that costs.</summary>
-    public void Make(Action frame)
-    {
-        long start = Stopwatch.GetTimestamp();
-        frame();
-        _last = Stopwatch.GetTimestamp();
-        _cost = Stopwatch.GetElapsedTime(start, _last);
-    }
-}
-
-/// <summary>The estimate of a picture's remaining noise.</summary>
-public static class NoiseEstimate
-{
-    private const int MostPixels = 1 << 15;
-
-    /// <summary>
-    /// Standard error of the pixels' luminance, mean over some pixels, relative to their mean luminance; null where it is not known.
-    /// </summary>
-    /// <param name="film">The picture.</param>
-    /// <param name="area">Its pixels that have samples.</param>
-    public static double? Of(Film film, Tile area)
-    {
-        if (!film.KnowsNoise)
-        {
-            return null;
-        }
-
-        int step = Math.Max(1, (int)Math.Ceiling(Math.Sqrt((double)area.Pixels / MostPixels)));
-        (double error, double light) = (0, 0);
-        for (int y = area.Y; y < area.Y + area.Height; y += step)
-        {
-            for (int x = area.X; x < area.X + area.Width; x += step)
-            {
-                if (film.SampleCount(x, y) < 2)
-                {
-                    return null;
-                }
-
-                error += Math.Sqrt(film.MeanVariance(x, y));
-                light += film.Mean(x, y).Luminance;
-            }
-        }
-
-        return light > 0 ? error / light : null;
     }
 }

@@ -21,10 +21,17 @@ public static class Picking
     /// <summary>The pixels in which a thing, or one within it, is what is seen first.</summary>
     /// <param name="shown">The scene.</param>
     /// <param name="pointer">The thing.</param>
-    public static PixelMask Mask(ViewportScene shown, string pointer)
+    /// <param name="step">Only every so many pixels across and down, for one that is soon out of date.</param>
+    /// <exception cref="SessionException">The step is not from 1 to 16.</exception>
+    public static PixelMask Mask(ViewportScene shown, string pointer, int step = 1)
     {
+        const int coarsest = 16;
+        if (step is < 1 or > coarsest)
+        {
+            throw new SessionException("The step must be from 1 to 16.");
+        }
+
         RenderDescription render = shown.Scene.Render;
-        int step = 1;
         while ((long)(render.Width / step) * (render.Height / step) > LargestMask)
         {
             step++;

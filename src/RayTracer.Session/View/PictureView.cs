@@ -288,7 +288,7 @@ public sealed class PictureView : IDisposable
             }
         }
 
-        return shown with { Picture = _pictures, Start = _startPicture == _pictures ? _start : null };
+        return shown with { Place = _place, Picture = _pictures, Start = _startPicture == _pictures ? _start : null };
     }
 
     private ViewportScene? Seen(GoodScene good)

@@ -10,8 +10,11 @@ namespace RayTracer.Session;
 /// <param name="Samples">The samples instead of those that the scene asks for; null for those.</param>
 public sealed record ViewSettings(RenderMode Mode = RenderMode.Running, Tile? Region = null, int? Samples = null)
 {
-    /// <summary>The number of threads. One core is left to the user by default.</summary>
-    public int Threads { get; init; } = Math.Max(1, Environment.ProcessorCount - 1);
+    /// <summary>The number of threads: by default, as many as there are.</summary>
+    public int Threads { get; init; } = Environment.ProcessorCount;
+
+    /// <summary>True if pictures are filtered while something moves; else coarse ones are shown as they are.</summary>
+    public bool FiltersMotion { get; init; } = true;
 
     /// <summary>The map that is shown.</summary>
     public ViewMap Map { get; init; } = ViewMap.Light;

@@ -19,6 +19,9 @@ namespace RayTracer.Session;
 public sealed record ViewportScene(
     GoodScene Good, Scene Scene, CameraDescription Camera, ViewSettings Settings, long Picture = 0, FilmStart? Start = null)
 {
+    /// <summary>The document that it is of: pictures of another have nothing to do with it.</summary>
+    internal DocumentPlace? Place { get; init; }
+
     private readonly Dictionary<object, string?> _pointers = new(ReferenceEqualityComparer.Instance);
     private readonly Lazy<(Vector3, float)> _extent = new(() =>
     {

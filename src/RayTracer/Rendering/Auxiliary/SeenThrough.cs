@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
@@ -20,7 +21,10 @@ internal sealed unsafe class SeenThrough : InteriorShader
 
     // Chooses what is more likely: chance would only be noise of the features.
     private readonly VertexSamples _middle = new(new Middle());
-    private AovFilm _film = null!;
+    private AovFilm? _film;
+    private SeenPlanes? _planes;
+    private (Vector3 Origin, Vector3 Direction, float Length)[] _firsts = [];
+    private int _width;
     private Tile _tile;
 
     public SeenThrough(Scene scene, int streamSize, int maxTilePixels)
@@ -36,7 +40,20 @@ internal sealed unsafe class SeenThrough : InteriorShader
     /// <param name="samples">The samples, at most <see cref="SampleAccumulator.MaxSamples"/>.</param>
     public void Add(AovFilm film, in Tile tile, SampleRange samples)
     {
-        (_film, _tile) = (film, tile);
+        (_film, _tile, _width) = (film, tile, film.Width);
+        _generator.Begin(tile, samples);
+        _stages.Follow(_generator, samples);
+    }
+
+    /// <summary>Puts a sample of every pixel of a tile into planes.</summary>
+    /// <param name="planes">The planes; no other thread may use the tile's pixels.</param>
+    /// <param name="tile">The pixels.</param>
+    /// <param name="sample">The number of the sample.</param>
+    public void Take(SeenPlanes planes, in Tile tile, int sample)
+    {
+        (_planes, _tile, _width) = (planes, tile, planes.Width);
+        Array.Resize(ref _firsts, Math.Max(_firsts.Length, tile.Pixels));
+        SampleRange samples = new(sample, sample + 1);
         _generator.Begin(tile, samples);
         _stages.Follow(_generator, samples);
     }
@@ -46,8 +63,16 @@ internal sealed unsafe class SeenThrough : InteriorShader
     {
         for (int i = 0; i < count; i++)
         {
-            FirstHit nothing = Hit(stream, (int)members[i], out long pixel) with { Primitive = 0 };
-            _film.Count(pixel, isHit: false);
+            int ray = (int)members[i];
+            FirstHit nothing = Hit(stream, ray, out long pixel) with { Primitive = 0 };
+            if (_planes is { } planes)
+            {
+                Extend(stream, ray);
+                planes.Take(pixel, nothing, 0, _firsts[stream.Path[ray]]);
+                continue;
+            }
+
+            _film!.Count(pixel, isHit: false);
             _film.Add(pixel, nothing, isDescribed: false);
         }
     }
@@ -68,6 +93,11 @@ internal sealed unsafe class SeenThrough : InteriorShader
         ref PacketW packet = ref Packet;
         ref SurfaceW surface = ref packet.Surface;
         Describe(Scene, group, stream, index, group.Traits.UsesUv, out surface);
+        for (uint rest = _planes is null ? 0 : active.Bits; rest != 0; rest &= rest - 1)
+        {
+            Extend(stream, (int)index[BitOperations.TrailingZeroCount(rest)]);
+        }
+
         packet.Media = Scene.TracksInteriors ? UIntW.Pick(stream.Media, index) : 0u;
         MaskW unreal = Scene.HasMedia && group.Traits.IsBoundary ? active : MaskW.None;
         if (Scene.HasNesting && group.IsNested)
@@ -84,14 +114,21 @@ internal sealed unsafe class SeenThrough : InteriorShader
         albedo *= stream.PickThroughput(index);
         for (uint rest = lanes.Except(through).Bits; rest != 0; rest &= rest - 1)
         {
-            int lane = System.Numerics.BitOperations.TrailingZeroCount(rest);
-            FirstHit hit = Hit(stream, (int)index[lane], out long pixel) with
+            int lane = BitOperations.TrailingZeroCount(rest);
+            int ray = (int)index[lane];
+            FirstHit hit = Hit(stream, ray, out long pixel) with
             {
                 Point = FirstHits.At(surface.Point, lane),
                 Normal = FirstHits.At(surface.Facing, lane),
                 Albedo = new(albedo.R[lane], albedo.G[lane], albedo.B[lane]),
             };
-            _film.Count(pixel, isHit: true);
+            if (_planes is { } planes)
+            {
+                planes.Take(pixel, hit, Scene.World.Instances is null ? 0 : (int)stream.Instance[ray], _firsts[stream.Path[ray]]);
+                continue;
+            }
+
+            _film!.Count(pixel, isHit: true);
             _film.Add(pixel, hit, isDescribed: false);
             _film.Add(pixel, hit, isDescribed: true);
         }
@@ -140,7 +177,16 @@ internal sealed unsafe class SeenThrough : InteriorShader
         return through;
     }
 
-    private FirstHit Hit(PathStream stream, int ray, out long pixel) => FirstHits.Hit(stream, ray, _tile, Samples, _film.Width, out pixel);
+    private FirstHit Hit(PathStream stream, int ray, out long pixel) => FirstHits.Hit(stream, ray, _tile, Samples, _width, out pixel);
+
+    // How far a path has gone, along its first ray: what a mirror shows stands as far behind it.
+    private void Extend(PathStream stream, int ray)
+    {
+        ref (Vector3 Origin, Vector3 Direction, float Length) first = ref _firsts[stream.Path[ray]];
+        first = (stream.State[ray] & PathState.VertexMask) == 0
+            ? (new(stream.OriginX[ray], stream.OriginY[ray], stream.OriginZ[ray]), new(stream.DirectionX[ray], stream.DirectionY[ray], stream.DirectionZ[ray]), stream.Distance[ray])
+            : first with { Length = first.Length + stream.Distance[ray] };
+    }
 
     private sealed class Middle() : Sampler(1)
     {

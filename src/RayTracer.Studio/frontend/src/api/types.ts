@@ -268,6 +268,7 @@ export interface RenderState {
   quality: RenderQuality | null;
   isPreview: boolean;
   badSamples: number;
+  filtersMotion: boolean;
 }
 
 export interface ReportTime {

@@ -10,7 +10,7 @@ import { spaced } from "../panel/types";
 
 const t = texts.toolbar;
 const fileItems: CommandId[] = ["new", "open", "gallery", "save", "saveAs", "export", "background", "lights", "copyImage", "copyCommand", "bundle"];
-const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "home", "theme", "shortcuts", "tour"];
+const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "filter", "home", "theme", "shortcuts", "tour"];
 
 function addItems(): MenuItem[] {
   const all = Object.values(schema.value?.types ?? {}).flat();

@@ -75,6 +75,7 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   pause: { run: () => rendering(isRunning() ? "pause" : "continue") },
   stop: { run: () => rendering("stop") },
   restart: { run: () => rendering("restart") },
+  filter: { run: () => attempt(() => post("view/render", { filtersMotion: !renderState.value?.filtersMotion })) },
   background: { run: () => (dialog.value = "background") },
   lights: { run: () => (dialog.value = "lights") },
   home: { run: () => attempt(cameraHome), enabled: isOwnView },

@@ -9,7 +9,7 @@ import { complain } from "../state/messages";
 import { revision, selection, tool } from "../state/store";
 import { texts } from "../texts";
 import { drag } from "./gizmoDrag";
-import { cameraMoves, placement } from "./stage";
+import { cameraMoves, movingFrames, placement } from "./stage";
 
 const gizmo = signal<GizmoHandles | null>(null);
 const handleLength = 72;
@@ -34,12 +34,12 @@ function onStage([x, y]: readonly [number, number]) {
 export function Gizmo() {
   const pointer = selection.value;
   const kind = tool.value;
-  const isShown = isSeen(pointer) && isTool(kind) && !cameraMoves.value;
+  const isShown = isSeen(pointer) && isTool(kind);
   const length = handleLength / placement.value.scale;
   useEffect(() => {
     if (isShown) asked.push({ pointer, kind, length });
     else gizmo.value = null;
-  }, [pointer, kind, isShown, length, revision.value]);
+  }, [pointer, kind, isShown, length, revision.value, movingFrames.value, cameraMoves.value]);
 
   const answer = gizmo.value;
   if (!isShown || !answer?.center || answer.kind !== kind) return null;

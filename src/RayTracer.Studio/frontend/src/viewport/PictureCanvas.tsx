@@ -5,7 +5,7 @@ import { texts } from "../texts";
 import { headerSize, readHeader } from "./frame";
 import type { ToWorker } from "./frames.worker";
 import { Painter } from "./painter";
-import { cameraMoves, picture, placement, zoom } from "./stage";
+import { cameraMoves, movingFrames, picture, placement, zoom } from "./stage";
 
 const resizePause = 150;
 
@@ -23,6 +23,7 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
     if (picture.peek().width !== frame.pictureWidth || picture.peek().height !== frame.pictureHeight) {
       picture.value = { width: frame.pictureWidth, height: frame.pictureHeight };
     }
+    if (cameraMoves.peek()) movingFrames.value++;
     // For whoever measures how quickly pictures follow what is done.
     Object.assign(canvas.dataset, { painted: String(++painted), version: String(frame.version), samples: String(frame.samples), preview: String(frame.isPreview) });
     post({ kind: "painted" });

@@ -4,7 +4,7 @@ import type { PixelMask } from "../api/types";
 import { isSeen } from "../state/edits";
 import { revision, selection } from "../state/store";
 import { outlineOf } from "./mask";
-import { cameraMoves, picture, placement } from "./stage";
+import { cameraMoves, movingFrames, picture, placement } from "./stage";
 
 const color = [255, 158, 44];
 
@@ -17,25 +17,36 @@ function draw(canvas: HTMLCanvasElement, mask: PixelMask, reach: number): void {
   canvas.getContext("2d")!.putImageData(image, 0, 0);
 }
 
-/** The selected thing's outline in the picture; not while the camera moves. */
+// While the camera moves, every so many pixels: it must keep up with the picture.
+const movingStep = 3;
+
+/** The selected thing's outline in the picture; it goes with the thing while the camera moves. */
 export function SelectionOutline() {
   const ref = useRef<HTMLCanvasElement>(null);
   const pointer = selection.value;
-  const isShown = isSeen(pointer) && !cameraMoves.value;
+  const isShown = isSeen(pointer);
+  const step = cameraMoves.value ? movingStep : 1;
+  const asking = useRef<AbortController | null>(null);
   const { scale, left, top } = placement.value;
   const { width, height } = picture.value;
-  const reach = Math.max(1, Math.min(6, Math.round(1.5 / scale)));
+  const reach = Math.max(1, Math.min(6, Math.round(1.5 / scale / step)));
   useEffect(() => {
     const canvas = ref.current;
-    if (!canvas || !isShown) return;
-    const abort = new AbortController();
-    get<PixelMask>("view/mask", { pointer }, abort.signal).then(
-      (mask) => draw(canvas, mask, reach),
-      // Not everything that can be selected is seen.
-      () => abort.signal.aborted || ([canvas.width, canvas.height] = [1, 1]),
-    );
-    return () => abort.abort();
-  }, [pointer, isShown, revision.value, width, height, reach]);
+    // One at a time while the camera moves: none would ever arrive if each frame ended the last.
+    if (!canvas || !isShown || (step > 1 && asking.current)) return;
+    asking.current?.abort();
+    const abort = (asking.current = new AbortController());
+    get<PixelMask>("view/mask", { pointer, step: String(step) }, abort.signal)
+      .then(
+        (mask) => abort.signal.aborted || draw(canvas, mask, reach),
+        // Not everything that can be selected is seen.
+        () => abort.signal.aborted || ([canvas.width, canvas.height] = [1, 1]),
+      )
+      .finally(() => asking.current === abort && (asking.current = null));
+    return () => {
+      if (step === 1) abort.abort();
+    };
+  }, [pointer, isShown, revision.value, width, height, reach, step, step > 1 ? movingFrames.value : 0]);
   return (
     <canvas
       ref={ref}

@@ -17,6 +17,9 @@ export const shift = signal<Point>({ x: 0, y: 0 });
 
 export const cameraMoves = signal(false);
 
+/** Counts the frames that were painted while the camera moves: what is drawn over the picture follows them. */
+export const movingFrames = signal(0);
+
 const margin = 12;
 const largestZoom = 64;
 

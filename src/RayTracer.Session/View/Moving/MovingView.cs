@@ -1,0 +1,191 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Rendering;
+
+namespace RayTracer.Session;
+
+/// <summary>
+/// The pictures while something moves: few samples, with what the pictures before have gathered, and filtered. The film knows nothing of it. All on the
+/// render loop's thread; its memory is used again.
+/// </summary>
+internal sealed class MovingView : IEarlierPlace
+{
+    /// <summary>The fewest samples of a picture, where the picture has as many pixels.</summary>
+    public const int LeastSamples = 400 * 300;
+
+    // After an edit the light may be other everywhere: so many pictures before it count.
+    private const float AfterEdit = 3;
+
+    // A square, as jittered samples need; after so many pictures they come again.
+    private const int Samples = 1024;
+    private const float DarkestAlbedo = 0.04f;
+    private static readonly int[] s_steps = [1, 2, 4, 8];
+    private readonly MovingThings _things = new();
+    private MovingHistory[] _histories = [];
+    private MovingPlanes[] _planes = [];
+    private MovingGuides? _guides;
+    private Film? _film;
+    private MovingCamera? _camera;
+    private MovingCamera? _before;
+    private MovingHistory _now = null!;
+    private int _pictures;
+
+    /// <summary>Processor time of the last picture's parts, for measurements: tracing and filter.</summary>
+    public (TimeSpan Tracing, TimeSpan Filter) Cost { get; private set; }
+
+    /// <summary>The size of the pictures for one of a size: as many samples as are wanted, and no more than pixels.</summary>
+    public static (int Width, int Height) SizeFor(int width, int height)
+    {
+        int scale = 1;
+        while ((long)(width / (scale + 1)) * (height / (scale + 1)) >= LeastSamples)
+        {
+            scale++;
+        }
+
+        return (Math.Max(1, width / scale), Math.Max(1, height / scale));
+    }
+
+    private void Forget() => _before = _camera = null;
+
+    /// <summary>Makes the next picture.</summary>
+    /// <param name="wanted">The scene.</param>
+    /// <param name="to">Takes it, with the size of <see cref="SizeFor"/>.</param>
+    /// <param name="cancellation">Ends the work.</param>
+    /// <returns>False if it was cancelled.</returns>
+    public bool Next(ViewportScene wanted, LinearPicture to, CancellationToken cancellation)
+    {
+        TimeSpan start = Environment.CpuUsage.TotalTime;
+        RenderDescription render = wanted.Scene.Render;
+        (int width, int height) = SizeFor(render.Width, render.Height);
+        Prepare(width, height, render);
+        SceneChange change = _things.Turn(wanted);
+        if (change == SceneChange.Other)
+        {
+            Forget();
+        }
+
+        if (!Trace(wanted, width, height, _pictures % Samples, cancellation))
+        {
+            return false;
+        }
+
+        TimeSpan traced = Environment.CpuUsage.TotalTime;
+        MovingPlanes light = Filter(wanted, change == SceneChange.Edited ? AfterEdit : float.PositiveInfinity);
+        Write(light, to);
+        _pictures++;
+        Cost = (traced - start, Environment.CpuUsage.TotalTime - traced);
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public bool Of(int x, int y, out Vector2 place, out Vector3 point)
+    {
+        SeenPlanes seen = _now.Seen;
+        int pixel = (y * seen.Width) + x;
+        point = _things.Before(_now.Things[pixel], seen.Point[pixel]);
+        place = default;
+        if (_before is not { } before || _camera is not { } camera || !before.TryProject(point, out Vector2 there) || !camera.TryProject(seen.Point[pixel], out Vector2 here))
+        {
+            return false;
+        }
+
+        // The sample's place within its pixel is none of the movement's.
+        place = there - here + new Vector2(x + 0.5f, y + 0.5f);
+        return true;
+    }
+
+    private void Prepare(int width, int height, RenderDescription render)
+    {
+        IReadOnlyList<FilmPlane> planes = FilmPlane.Needed(Traced(render));
+        if (_film is { } film && (film.Width, film.Height) == (width, height) && film.Planes.SequenceEqual(planes))
+        {
+            film.Clear();
+            return;
+        }
+
+        _film = new(width, height, planes);
+        _planes = [new(width, height), new(width, height)];
+        _guides = new(_planes[0]);
+        _histories = [new(_planes[0]), new(_planes[0])];
+        Forget();
+    }
+
+    // Light from the lamps takes more samples than there are.
+    private static Integrator Traced(RenderDescription render) => render.Integrator.Has(IntegratorTraits.TracesLight) ? Integrator.Path : render.Integrator;
+
+    private bool Trace(ViewportScene wanted, int width, int height, int sample, CancellationToken cancellation)
+    {
+        RenderDescription render = wanted.Scene.Render with { Width = width, Height = height, SamplesPerPixel = Samples, Splitting = 1, Integrator = Traced(wanted.Scene.Render) };
+        Scene scene = wanted.Scene.WithView(wanted.Camera, render, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("The moving view cannot be rendered.");
+        RenderOptions options = new() { Threads = wanted.Settings.Threads, Samples = new(sample, sample + 1) };
+        if (new RTracer(scene, options).Render(_film!, null, cancellation).Cancelled)
+        {
+            return false;
+        }
+
+        _now = _histories[_pictures % 2];
+        (_before, _camera) = (_camera, CameraOf(wanted, width, height));
+        _now.Seen.Eye = _camera?.Eye ?? wanted.Camera.Position;
+        new FirstHitPass(scene, options).Take(_now.Seen, sample);
+        return true;
+    }
+
+    // Where the picture is bent, or something else moves the camera, nothing is carried over.
+    private static MovingCamera? CameraOf(ViewportScene wanted, int width, int height) =>
+        wanted.Camera.Projection.IsStraight && !wanted.Scene.Camera.IsPlaced ? new(CameraFrame.Of(wanted), width, height) : null;
+
+    private MovingPlanes Filter(ViewportScene wanted, float most)
+    {
+        int threads = wanted.Settings.Threads;
+        (MovingPlanes light, MovingPlanes other) = (_planes[0], _planes[1]);
+        MovingRows.ForEach(light.Height, threads, y => Divide(wanted, light, y));
+        MovingHistory before = _histories[(_pictures + 1) % 2];
+        Parallel.For(0, (light.Height + MovingHistory.Square - 1) / MovingHistory.Square, new ParallelOptions { MaxDegreeOfParallelism = threads }, square =>
+            _now.Mix(before, light, this, square, most));
+        foreach (int step in s_steps)
+        {
+            EdgeFilter.Smooth(light, _guides!, step, other, threads);
+            (light, other) = (other, light);
+            if (step == s_steps[0])
+            {
+                _now.Keep(light);
+            }
+        }
+
+        return light;
+    }
+
+    // Light without the colours of the things, and what the filter goes by.
+    private void Divide(ViewportScene wanted, MovingPlanes light, int y)
+    {
+        SeenPlanes seen = _now.Seen;
+        for (int x = 0; x < light.Width; x++)
+        {
+            (int pixel, int at) = ((y * light.Width) + x, light.At(x, y));
+            RayTracer.Numerics.Rgb mean = _film!.Mean(x, y);
+            Vector3 color = new Vector3(mean.R, mean.G, mean.B) / Vector3.Max(seen.Albedo[pixel], new(DarkestAlbedo));
+            (light.Red[at], light.Green[at], light.Blue[at]) = (color.X, color.Y, color.Z);
+            int thing = _things.Of(wanted, seen.Surface[pixel]);
+            (_now.Things[pixel], _guides!.Thing[at]) = (thing, thing);
+            Vector3 normal = seen.Normal[pixel];
+            (_guides.NormalX[at], _guides.NormalY[at], _guides.NormalZ[at]) = (normal.X, normal.Y, normal.Z);
+            _guides.Depth[at] = MathF.Log2((seen.Point[pixel] - seen.Eye).Length() + 1e-6f);
+        }
+    }
+
+    private void Write(MovingPlanes light, LinearPicture to)
+    {
+        to.Resize(light.Width, light.Height);
+        Vector3[] albedo = _now.Seen.Albedo;
+        for (int y = 0; y < light.Height; y++)
+        {
+            Span<float> row = to.Row(y);
+            for (int x = 0; x < light.Width; x++)
+            {
+                int at = light.At(x, y);
+                Vector3 color = new Vector3(light.Red[at], light.Green[at], light.Blue[at]) * Vector3.Max(albedo[(y * light.Width) + x], new(DarkestAlbedo));
+                (row[3 * x], row[(3 * x) + 1], row[(3 * x) + 2]) = (color.X, color.Y, color.Z);
+            }
+        }
+    }
+}
