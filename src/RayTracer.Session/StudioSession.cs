@@ -32,10 +32,12 @@ public sealed class StudioSession : IDisposable
         Films = new(Document, View, Pictures, folders, time ?? TimeProvider.System);
         Background = new(Document, View, Jobs, folders);
         Lights = new(Document, View, Jobs);
+        Timeline = new(Document, View);
         Scenes = scenes ?? ScenesFolder.Find();
         Notices.Changed += (_, _) => Changes.Advance();
         Jobs.Changed += (_, _) => Changes.Advance();
         Document.Changed += Changes.Advance;
+        Timeline.Changed += Changes.Advance;
         Selection.Changed += Changes.Advance;
         Recovery.Changed += Changes.Advance;
         View.Changed += Changes.Advance;
@@ -100,6 +102,9 @@ public sealed class StudioSession : IDisposable
     /// <summary>Balances the lights of rendered pictures.</summary>
     public Relighting Lights { get; }
 
+    /// <summary>The animation: its frame that is shown, and its keys.</summary>
+    public Timeline Timeline { get; }
+
     /// <summary>The folder of the scenes that come with the program; null where there is none.</summary>
     public string? Scenes { get; }
 
@@ -124,6 +129,7 @@ public sealed class StudioSession : IDisposable
     {
         Jobs.Dispose();
         Films.Dispose();
+        Timeline.Dispose();
         View.Dispose();
         _document.Dispose();
     }

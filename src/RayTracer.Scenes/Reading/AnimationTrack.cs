@@ -44,15 +44,16 @@ internal static class AnimationTrack
     // The numbers at a time, and the key at or before it.
     private static (double[] Numbers, KeyDescription Key) At(IReadOnlyList<KeyDescription> keys, double time)
     {
+        // A key is reached at the frame whose time it has, in the numbers that keys are kept in.
         int next = 0;
-        while (next < keys.Count && keys[next].Time <= time)
+        while (next < keys.Count && keys[next].Time <= (float)time)
         {
             next++;
         }
 
         KeyDescription from = keys[Math.Max(0, next - 1)];
         KeyDescription to = keys[Math.Min(next, keys.Count - 1)];
-        double t = from == to ? 0 : Eased(from.Ease, (time - from.Time) / ((double)to.Time - from.Time));
+        double t = from == to || from.Time == (float)time ? 0 : Eased(from.Ease, (time - from.Time) / ((double)to.Time - from.Time));
         return ([.. from.Value.Zip(to.Value, (a, b) => a + (t * ((double)b - a)))], from);
     }
 

@@ -41,6 +41,12 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
 
         FilmScene scene = FilmScene.Of(shown, shown.Camera, document.Place, full);
         RenderJob job = _jobs.Shown(full) with { Scene = scene.File, Text = null, Part = (number, count) };
+        if (job.Frames is not null)
+        {
+            // Parts of a frame are given by their samples.
+            job = job with { Part = null, Samples = new((int)((number - 1L) * total / count), (int)((long)number * total / count)) };
+        }
+
         ViewJobs.Check(job, overwrite, scene.Text is null ? [] : [scene.File]);
         return _jobs.Start($"part {number} of {count}: {Path.GetFileName(full)}", watch =>
         {
@@ -72,7 +78,13 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
             throw new SessionException($"Frames are numbered from 0 to {MostFrames - 1}, and the last is not before the first.");
         }
 
-        RenderJob job = _jobs.Shown(_jobs.Whole(pattern)) with { Frames = new(first, last, 1) };
+        string full = _jobs.Whole(pattern);
+        if (VideoFile.IsNamed(full))
+        {
+            return Video(new(first, last, 1), full, overwrite);
+        }
+
+        RenderJob job = _jobs.Shown(full) with { Frames = new(first, last, 1) };
         ViewJobs.Check(job, overwrite);
         return _jobs.Start($"frames {first} to {last}", watch => Frames(job, watch), job.Frames!.Count);
     }
@@ -111,6 +123,27 @@ public sealed class BackgroundRenders(SceneDocument document, PictureView view, 
             watch.RequireWritten();
             return $"wrote {full}, samples {merge.Header.SamplesText}{(merge.Missing is { } gaps ? $"; {gaps}" : "")}";
         });
+    }
+
+    private int Video(FrameRange frames, string path, bool overwrite)
+    {
+        string program = VideoFile.Program ?? throw new SessionException("Videos are made by ffmpeg, which is not found on this computer: install it, or render the frames as files.");
+        if (!overwrite && File.Exists(path))
+        {
+            throw new SessionException($"The file '{path}' exists already.", SessionFault.Exists);
+        }
+
+        double rate = view.RequireShown().Description.Render.FramesPerSecond;
+        string folder = path + VideoFile.FramesEnding;
+        RenderJob job = _jobs.Shown(Path.Combine(folder, "#######.png")) with { Frames = frames };
+        return _jobs.Start($"video {Path.GetFileName(path)}", watch =>
+        {
+            Directory.CreateDirectory(folder);
+            Frames(job, watch);
+            VideoFile.Make(program, folder, frames.First, rate, path, watch.Cancellation);
+            Directory.Delete(folder, recursive: true);
+            return $"wrote {path}, {frames.Count} frames";
+        }, frames.Count);
     }
 
     private static string Frames(RenderJob job, SessionWatch watch)

@@ -13,6 +13,7 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     private DocumentContent _content = Nothing;
     private IReadOnlyList<PlacedDiagnostic> _diagnostics = [];
     private Order? _wanted;
+    private Order? _built;
     private bool _isBuilding;
     private bool _isDisposed;
     private int _epoch;
@@ -44,16 +45,16 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         ReferenceEquals(content, _content) ? _diagnostics : PlacedDiagnostic.Of(content.Read, content.Load.Diagnostics));
 
     /// <summary>Asks for a text to be built, instead of all that were asked for and not begun.</summary>
-    public void Want(int revision, string text, Lazy<SceneReadResult> read, string folder)
+    public void Want(int revision, string text, Lazy<SceneReadResult> read, string folder, int? frame)
     {
         lock (_lock)
         {
-            if (_isDisposed || revision <= (_wanted?.Revision ?? 0))
+            if (_isDisposed || revision < (_wanted?.Revision ?? 1) || (revision == _wanted?.Revision && frame == _wanted.Frame))
             {
                 return;
             }
 
-            _wanted = new(revision, text, read, folder, _epoch);
+            _wanted = new(revision, text, read, folder, frame, _epoch);
             if (!_isBuilding)
             {
                 _isBuilding = true;
@@ -106,13 +107,13 @@ internal sealed class SceneBuilds(Action built) : IDisposable
             GoodScene? lastGood;
             lock (_lock)
             {
-                if (_isDisposed || _wanted is null || _wanted.Revision == _content.Revision)
+                if (_isDisposed || _wanted is null || _wanted == _built)
                 {
                     _isBuilding = false;
                     return;
                 }
 
-                (order, lastGood) = (_wanted, _content.LastGood);
+                (order, lastGood, _built) = (_wanted, _content.LastGood, _wanted);
             }
 
             DocumentContent content = Build(order, lastGood);
@@ -144,11 +145,12 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     private DocumentContent Build(Order order, GoodScene? lastGood)
     {
         SceneReadResult read = order.Read.Value;
+        SceneReadResult shown = FrameTimes.Read(read, order.Frame);
         SceneLoadResult load;
         _files.BeginBuild();
         try
         {
-            load = SceneLoader.Build(read, order.Folder, readPicture: (path, raw) => InTime(order, path, () => _files.ReadPicture(path, raw)),
+            load = SceneLoader.Build(shown, order.Folder, FrameTimes.Opened(shown, order.Frame), readPicture: (path, raw) => InTime(order, path, () => _files.ReadPicture(path, raw)),
                 readModel: path => InTime(order, path, () => _files.ReadModel(path)));
         }
         catch (Exception e) when (e is not StackOverflowException)
@@ -156,7 +158,8 @@ internal sealed class SceneBuilds(Action built) : IDisposable
             load = new(null, null, [.. read.Diagnostics, new(read.Source?.FileName ?? "", 0, 0, Severity.Error, $"the scene cannot be built: {e.Message.TrimEnd('.')}")]);
         }
 
-        GoodScene? good = load.Scene is { } scene ? new(order.Revision, order.Text, read, scene) { Document = order.Epoch } : lastGood;
+        int? frame = ReferenceEquals(shown, read) && !FrameTimes.IsMoving(read) ? null : order.Frame;
+        GoodScene? good = load.Scene is { } scene ? new(order.Revision, order.Text, shown, scene) { Document = order.Epoch, Frame = frame } : lastGood;
         return new(order.Revision, order.Text, read, load, good);
     }
 
@@ -187,7 +190,7 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         }
     }
 
-    private sealed record Order(int Revision, string Text, Lazy<SceneReadResult> Read, string Folder, int Epoch);
+    private sealed record Order(int Revision, string Text, Lazy<SceneReadResult> Read, string Folder, int? Frame, int Epoch);
 }
 
 /// <summary>A document as it was at one moment: its text, and what the text came to.</summary>
@@ -201,10 +204,13 @@ public sealed record DocumentContent(int Revision, string Text, SceneReadResult 
 /// <summary>A scene that can be shown, and where it came from.</summary>
 /// <param name="Revision">The document's revision.</param>
 /// <param name="Text">The text then.</param>
-/// <param name="Read">The result of reading it.</param>
+/// <param name="Read">The result of reading it, at the frame.</param>
 /// <param name="Scene">The scene.</param>
 public sealed record GoodScene(int Revision, string Text, SceneReadResult Read, Scene Scene)
 {
     /// <summary>The number of the document that it is of: grows whenever another one is opened.</summary>
     public int Document { get; init; }
+
+    /// <summary>The frame of the animation that it is; null where nothing is animated, and for the scene as it is written.</summary>
+    public int? Frame { get; init; }
 }

@@ -15,6 +15,7 @@ public sealed class SceneDocument : IDisposable
     private int _revision = 1;
     private Lazy<SceneReadResult> _read;
     private DocumentPlace _place;
+    private int? _frame = 0;
 
     /// <summary>A document that has no file yet.</summary>
     /// <param name="text">Its text.</param>
@@ -67,6 +68,9 @@ public sealed class SceneDocument : IDisposable
 
     /// <summary>The document's place.</summary>
     public DocumentPlace Place => _lock.Read(() => _place);
+
+    /// <summary>The frame of the animation that is shown, and at which edits of animated values write keys; null for the scene as it is written.</summary>
+    public int? Frame => _lock.Read(() => _frame);
 
     /// <summary>Returns whether there are unsaved changes.</summary>
     public bool IsDirty => _lock.Read(() => !_history.IsSaved);
@@ -124,7 +128,25 @@ public sealed class SceneDocument : IDisposable
         return true;
     }
 
-    /// <summary>Changes the text as a whole, as panels and gizmos do.</summary>
+    /// <summary>Shows another frame of the animation; a scene without one does not change.</summary>
+    /// <param name="frame">The frame; null for the scene as it is written.</param>
+    /// <exception cref="SessionException">There is no such frame.</exception>
+    public void ShowFrame(int? frame)
+    {
+        if (frame is < 0 or > FrameTimes.Last)
+        {
+            throw new SessionException($"Frames are numbered from 0 to {FrameTimes.Last}.");
+        }
+
+        lock (_lock)
+        {
+            _frame = frame;
+        }
+
+        Build();
+    }
+
+    /// <summary>Changes the text as a whole, as panels and gizmos do. A change of an animated value writes a key at the frame that is shown.</summary>
     /// <param name="label">The change in a word or two, for undo.</param>
     /// <param name="gesture">The gesture that it is a part of; null where it is to be undone by itself.</param>
     /// <param name="change">Makes the new text of the present one; what it throws passes through, and nothing has changed.</param>
@@ -134,7 +156,7 @@ public sealed class SceneDocument : IDisposable
     {
         lock (_lock)
         {
-            if (!TryAccept(change(JsonText.Of(_read.Value)).Text, label, gesture))
+            if (!TryAccept(KeyedEdit.Apply(JsonText.Of(_read.Value), _frame, change).Text, label, gesture))
             {
                 return _revision;
             }
@@ -154,10 +176,12 @@ public sealed class SceneDocument : IDisposable
     /// <param name="text">The text.</param>
     /// <param name="place">The document's name and folder.</param>
     /// <param name="isSaved">True if it is safe to lose: the text of a file.</param>
-    public void Open(string text, DocumentPlace place, bool isSaved)
+    /// <param name="frame">The frame to show; null for the scene as it is written.</param>
+    public void Open(string text, DocumentPlace place, bool isSaved, int? frame = 0)
     {
         lock (_lock)
         {
+            _frame = frame;
             _text = Normal(text);
             _place = place;
             _revision++;
@@ -232,7 +256,7 @@ public sealed class SceneDocument : IDisposable
     {
         lock (_lock)
         {
-            _builds.Want(_revision, _text, _read, _place.Folder);
+            _builds.Want(_revision, _text, _read, _place.Folder, _frame);
         }
 
         Changed?.Invoke();

@@ -240,7 +240,8 @@ public sealed class SceneFiles
 
     private void Show(string text, DocumentPlace place, bool isSaved, RenderJob? origin = null, FilmStart? start = null)
     {
-        _document.Open(text, place, isSaved);
+        // A picture was rendered from the scene as it was written, or at a frame whose values are in the text.
+        _document.Open(text, place, isSaved, origin is null ? 0 : null);
         Opened?.Invoke(origin, start);
         _recovery.Flush();
     }

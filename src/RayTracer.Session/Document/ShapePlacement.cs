@@ -39,21 +39,37 @@ public static class ShapePlacement
 
     /// <summary>About where a shape's middle is in the world: for what consists of others, where its own origin is.</summary>
     /// <exception cref="SessionException">There is no shape.</exception>
-    public static Vector3 Middle(JsonText text, string pointer)
+    public static Vector3 Middle(JsonText text, string pointer) => MiddleAt(text.Root, pointer, null);
+
+    /// <summary>The same at a time.</summary>
+    /// <param name="root">The scene.</param>
+    /// <param name="pointer">The shape.</param>
+    /// <param name="time">The time in seconds; null for where the first keyframes put things.</param>
+    internal static Vector3 MiddleAt(JsonNode root, string pointer, double? time)
     {
-        SceneValue shape = Shape(text, pointer);
-        return (Outer(text, pointer) * AtFirst(shape) * TransformEdit.Map(shape.Child("transform"))).Point(Record(shape).Middle);
+        SceneValue shape = Shape(root, pointer);
+        return (Outer(root, pointer, time) * MotionAt(shape, time) * TransformEdit.Map(shape.Child("transform"))).Point(Record(shape).Middle);
+    }
+
+    /// <summary>Where its motion puts a thing at a time; null for where its first keyframe does.</summary>
+    internal static Transform MotionAt(SceneValue thing, double? time)
+    {
+        (float Time, Transform Place)[] keys = [.. (thing.Child("motion")?.Children() ?? []).Select(k => (k.Number("time"), TransformEdit.Map(k.Child("transform"))))];
+        int next = Array.FindIndex(keys, k => k.Time > (time ?? double.NegativeInfinity));
+        return keys.Length == 0 ? Transform.Identity
+            : next <= 0 ? (next == 0 ? keys[0].Place : keys[^1].Place)
+            : new MotionSegment(keys[next - 1].Time, keys[next - 1].Place, keys[next].Time, keys[next].Place).At(time!.Value);
     }
 
     private static JsonText Place(JsonText text, string pointer, Movement movement)
     {
-        SceneValue shape = Shape(text, pointer);
+        SceneValue shape = Shape(text.Root, pointer);
         if (!movement.Map.IsInvertible)
         {
             throw new SessionException("the shape would become too large, too small or too far away to compute with");
         }
 
-        Transform outer = Outer(text, pointer);
+        Transform outer = Outer(text.Root, pointer, null);
         Movement inner = outer.IsIdentity ? movement : movement.Within(outer);
         if (shape.Child("motion") is { Node.Items.Count: > 0 } motion)
         {
@@ -84,27 +100,23 @@ public static class ShapePlacement
         return text;
     }
 
-    private static SceneValue Shape(JsonText text, string pointer) =>
-        SceneValue.At(text.Root, pointer) is { Family: { } family, Type: not null } shape && family == SceneTypes.Shapes
+    private static SceneValue Shape(JsonNode root, string pointer) =>
+        SceneValue.At(root, pointer) is { Family: { } family, Type: not null } shape && family == SceneTypes.Shapes
             ? shape : throw new SessionException($"there is no shape at {JsonLayout.Quote(pointer)}");
 
     // Of all groups around a shape: what takes their space to the world.
-    private static Transform Outer(JsonText text, string pointer)
+    private static Transform Outer(JsonNode root, string pointer, double? time)
     {
         Transform map = Transform.Identity;
-        SceneValue value = SceneValue.Scene(text.Root);
+        SceneValue value = SceneValue.Scene(root);
         foreach (string step in JsonPointer.Parse(pointer).SkipLast(1))
         {
             value = value.Child(step)!;
-            map = value.Family == SceneTypes.Shapes ? map * AtFirst(value) * TransformEdit.Map(value.Child("transform")) : map;
+            map = value.Family == SceneTypes.Shapes ? map * MotionAt(value, time) * TransformEdit.Map(value.Child("transform")) : map;
         }
 
         return map;
     }
-
-    // Where the first keyframe puts a thing.
-    private static Transform AtFirst(SceneValue shape) =>
-        TransformEdit.Map(shape.Child("motion")?.Children().FirstOrDefault()?.Child("transform"));
 
     // Whether a texture of the shape's material, or of the groups around it, varies.
     private static bool IsTextured(JsonNode root, SceneValue shape)

@@ -133,6 +133,9 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
             : FilmScene.Of(shown, taken.Camera, document.Place, path);
     }
 
+    private static RenderJob FrameOf(ViewportScene taken) =>
+        new() { Scene = "", Frames = taken.Good.Frame is { } frame ? new(frame, frame, 1) : null };
+
     private FilmHeader Header(ViewportScene taken, FilmScene scene) => new()
     {
         Width = taken.Scene.Render.Width,
@@ -144,7 +147,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         Crop = taken.Settings.Region,
         Scene = scene.File,
         Tone = PictureTone.Text(new ImageWriteOptions().For(taken.Scene.Render)),
-        Settings = taken.Start?.Header is { } begun ? OldFilms.Settings(begun) : [],
+        Settings = taken.Start?.Header is { } begun ? OldFilms.Settings(begun) : FrameOf(taken).FilmSettings,
         Software = ProgramName.Text,
     };
 }

@@ -34,6 +34,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
             Settings = hasOwnSamples ? [SceneSetting.Parse($"{RenderJob.SamplesPath}={settings.Samples}")] : [],
             Crop = settings.Region,
             Threads = settings.Threads,
+            Frames = view.Shown?.Good.Frame is { } frame ? new(frame, frame, 1) : null,
             Writing = tone?.Writing ?? new(),
         };
     }
@@ -63,7 +64,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
         IReadOnlyList<string> files = job.Frames is { } frames
             ? [.. job.Outputs.SelectMany(o => frames.Numbers.Select(f => FrameRange.Name(o, f))).Distinct()]
             : new PictureFiles(job).All;
-        foreach (string file in files.DistinctBy(Path.GetExtension))
+        foreach (string file in files.Where(f => !FrameFiles.IsAnimated(f, job.Frames)).DistinctBy(Path.GetExtension))
         {
             JobFiles.CheckFilm(file);
         }

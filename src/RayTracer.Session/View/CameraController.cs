@@ -43,7 +43,7 @@ public sealed class CameraController(SceneDocument document, PictureView view)
     {
         ViewportScene shown = view.RequireShown();
         CameraDescription camera = Precision.Round(shown).On(shown.Camera);
-        CameraDescription written = document.Read.Description?.Camera ?? new();
+        CameraDescription written = shown.Description.Camera;
         return document.Change("camera", null, text =>
         {
             text = Set(text, "/camera/position", written.Position, camera.Position);

@@ -38,6 +38,7 @@ internal sealed class StudioServer : IAsyncDisposable
         acting.MapState(session, poll);
         acting.MapDocument(session);
         acting.MapView(session);
+        acting.MapTimeline(session);
         acting.MapInspection(session);
         acting.MapSaving(session);
         api.MapFallback("{**path}", () => { throw new SessionException("There is no such request.", SessionFault.Missing); });

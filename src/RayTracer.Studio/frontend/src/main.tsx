@@ -6,16 +6,19 @@ import { follow } from "./state/follow";
 import { reportFaults } from "./state/messages";
 import { tourSeen } from "./state/settings";
 import { documentState, isFresh, jobs, tourStep } from "./state/store";
+import { followKeys } from "./timeline/keys";
 import "./styles/base.css";
 import "./styles/shell.css";
 import "./styles/controls.css";
 import "./styles/panels.css";
 import "./styles/viewport.css";
 import "./styles/inside.css";
+import "./styles/timeline.css";
 import "./styles/dialogs.css";
 
 reportFaults();
 follow();
+followKeys();
 
 addEventListener("pagehide", sayGoodbye);
 addEventListener("beforeunload", (e) => {

@@ -30,6 +30,15 @@ function textsOf(t: typeof english) {
       ...t.background,
       remove: (name: string) => fill(t.background.remove, { name }),
     },
+    timeline: {
+      ...t.timeline,
+      of: (frames: number, seconds: string, rate: number) => fill(t.timeline.of, { frames, seconds, rate }),
+      keyAt: (name: string, frame: string) => fill(t.timeline.keyAt, { name, frame }),
+      keysOf: (name: string) => fill(t.timeline.keysOf, { name }),
+      select: (name: string) => fill(t.timeline.select, { name }),
+      setKey: (key: string, frame: number) => fill(t.timeline.setKey, { key, frame }),
+      removeKey: (key: string, frame: number) => fill(t.timeline.removeKey, { key, frame }),
+    },
     lights: {
       ...t.lights,
       strength: (name: string) => fill(t.lights.strength, { name }),

@@ -3,6 +3,12 @@
 export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 export type Vec3 = [number, number, number];
 
+export interface AnimatedValue {
+  pointer: string;
+  value: Json;
+  hasKey: boolean;
+}
+
 export interface CameraFrame {
   position: Vec3;
   right: Vec3;
@@ -154,6 +160,11 @@ export interface Job {
   fraction: number;
 }
 
+export interface KeyChoice {
+  keys: string;
+  numbers: number[];
+}
+
 export interface ListedFile {
   name: string;
   size: number;
@@ -164,6 +175,12 @@ export interface MeasuredTimes {
   machine: string;
   threads: number;
   times: ReportTime[];
+}
+
+export interface MotionPaths {
+  camera: [number, number] | null[];
+  thing: [number, number] | null[];
+  step: number;
 }
 
 export interface Notice {
@@ -297,6 +314,36 @@ export interface StudioState {
   recovery: RecoveryEntry[];
   message: Notice | null;
   jobs: Job[];
+  time: TimeState;
+}
+
+export interface TimeState {
+  frame: number | null;
+  shown: number | null;
+  frames: number;
+  framesPerSecond: number;
+  isPlaying: boolean;
+  hasVideo: boolean;
+  values: AnimatedValue[];
+}
+
+export interface TimelineKey {
+  frame: number;
+  ease: string;
+  value: Json;
+}
+
+export interface TimelineRow {
+  keys: string;
+  label: string;
+  pointer: string;
+  thing: string;
+  isMotion: boolean;
+  items: TimelineKey[];
+}
+
+export interface TimelineRows {
+  rows: TimelineRow[];
 }
 
 export type ToneMap = "clamp" | "soft" | "reinhard" | "aces" | "agx";

@@ -1,9 +1,10 @@
 import { useState } from "preact/hooks";
-import { dialog } from "../state/store";
+import { backgroundKind, dialog, studio, time } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { DialogBox } from "../ui/DialogBox";
 import { Segments } from "../ui/Segments";
+import { Select } from "../ui/Select";
 import { sceneName, startBackground } from "./commands";
 import { FileBrowser } from "./FileBrowser";
 import { SaveAsDialog, startFolder } from "./FileDialogs";
@@ -12,6 +13,9 @@ import { extensionOf, nameOf, withExtension } from "./paths";
 const t = texts.background;
 const kinds = ["part", "frames", "merge"] as const;
 type Kind = (typeof kinds)[number];
+const forms = ["png", "animated", "video"] as const;
+type Form = (typeof forms)[number];
+const emptyFrames = 24;
 
 interface CountProps {
   label: string;
@@ -56,18 +60,20 @@ function Films({ films, onChange }: FilmsProps) {
 
 /** What to render into files, then where to. */
 export function BackgroundDialog() {
-  const [kind, setKind] = useState<Kind>("part");
+  const [kind, setKind] = useState<Kind>(backgroundKind.value);
   const [number, setNumber] = useState(1);
   const [count, setCount] = useState(2);
   const [first, setFirst] = useState(0);
-  const [last, setLast] = useState(23);
+  const [last, setLast] = useState(Math.max(0, (time.value?.frames || emptyFrames) - 1));
+  const [form, setForm] = useState<Form>("png");
+  const hasVideo = studio.value?.time.hasVideo ?? false;
   const [films, setFilms] = useState<string[]>([]);
   const [isNaming, setNaming] = useState(false);
   const close = () => (dialog.value = null);
   const base = nameOf(withExtension(sceneName(), "x")).slice(0, -2);
   const about = {
     part: { why: t.partWhy, name: `${base}-${number}-of-${count}.rtfilm`, request: { number, count } },
-    frames: { why: t.framesWhy, name: `${base}-####.png`, request: { first, last } },
+    frames: { why: t.framesWhy, name: `${base}${{ png: "-####.png", animated: ".apng", video: ".mp4" }[form]}`, request: { first, last } },
     merge: { why: t.mergeWhy, name: `${base}.rtfilm`, request: { parts: films } },
   }[kind];
 
@@ -76,7 +82,7 @@ export function BackgroundDialog() {
   const buttons = (
     <>
       <Button label={texts.dialogs.cancel} showLabel kind="plain" onClick={close} />
-      <Button label={t.choose} showLabel kind="primary" disabled={kind === "merge" && films.length === 0} onClick={() => setNaming(true)} />
+      <Button label={t.choose} showLabel kind="primary" disabled={(kind === "merge" && films.length === 0) || (kind === "frames" && form === "video" && !hasVideo)} onClick={() => setNaming(true)} />
     </>
   );
   return (
@@ -93,6 +99,11 @@ export function BackgroundDialog() {
         <>
           <Count label={t.first} value={first} least={0} onChange={setFirst} />
           <Count label={t.last} value={last} least={0} onChange={setLast} />
+          <label class="line">
+            <span>{t.as}</span>
+            <Select label={t.as} value={form} choices={forms.map((f) => ({ value: f, label: t[f] }))} onChange={(f) => setForm(f as Form)} />
+          </label>
+          {form === "video" && !hasVideo && <p class="warning">{t.noVideo}</p>}
         </>
       )}
       {kind === "merge" && <Films films={films} onChange={setFilms} />}

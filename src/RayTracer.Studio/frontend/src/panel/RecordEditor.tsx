@@ -1,8 +1,11 @@
 import type { Json, CatalogueType } from "../api/types";
 import { join } from "../json/pointer";
 import { resetValue } from "../state/edits";
+import { time } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
+import { animatedAt, atTime } from "../timeline/atTime";
+import { canBeAnimated, KeyButton } from "../timeline/KeyButton";
 import { Field } from "./Field";
 import { asNumber, isObject, kindOf, spaced } from "./types";
 import type { CatalogueParameter } from "../api/types";
@@ -27,22 +30,26 @@ function explain(parameter: CatalogueParameter): string {
 
 /** One row for each parameter of a record, in the schema's order. */
 export function RecordEditor({ type, pointer, value, without = [] }: RecordEditorProps) {
+  const animated = time.value?.values ?? [];
   const written = isObject(value) ? value : {};
   return (
     <div class="record">
       {type.parameters.filter((p) => !without.includes(p.key)).map((parameter) => {
-        const own = written[parameter.key];
         const at = join(pointer, parameter.key);
+        const own = written[parameter.key];
+        const isAnimated = animatedAt(at, animated).length > 0;
+        const effective = atTime(at, own ?? parameter.default, animated) ?? null;
         const id = `field${at.replace(/\W/g, "-")}`;
         const label = spaced(parameter.key);
         return (
-          <div class={`row ${isTall(parameter, own ?? parameter.default) ? "tall" : ""} ${own === undefined ? "default" : ""}`} key={parameter.key}>
+          <div class={`row ${isTall(parameter, own ?? parameter.default) ? "tall" : ""} ${own === undefined ? "default" : ""} ${isAnimated ? "animated" : ""}`} key={parameter.key}>
             <div class="row-label" data-tip={explain(parameter)}>
               <label for={id}>{label}</label>
               {parameter.unit && <span class="unit">{parameter.unit}</span>}
+              {canBeAnimated(parameter, effective) && <KeyButton pointer={at} label={label} />}
             </div>
             <div class="row-field">
-              <Field parameter={parameter} pointer={at} value={own} effective={own ?? parameter.default} label={label} id={id} />
+              <Field parameter={parameter} pointer={at} value={isAnimated ? effective : own} effective={effective} label={label} id={id} />
             </div>
             {own !== undefined && !parameter.required ? (
               <Button label={texts.panel.reset(label)} tip={texts.panel.resetWhy} icon="reset" onClick={() => resetValue(at)} />

@@ -12,9 +12,10 @@ import type { IconName } from "../ui/Icon";
 import { cameraHome, frame, keepView, lookAlong, setCamera } from "../viewport/camera";
 import { actualSize, fit, zoomBy } from "../viewport/stage";
 import { askForName, duplicate, isSeen, remove, select, withSelection } from "./edits";
+import { stepFrame, togglePlay } from "../timeline/frames";
 import { attempt } from "./messages";
 import { bottomOpen, bottomTab, leftOpen, leftTab, rightOpen, theme, type Theme } from "./settings";
-import { compared, dialog, documentState, renderState, isOwnView, selection, tool, tourStep, type Tool } from "./store";
+import { backgroundKind, compared, dialog, documentState, renderState, isOwnView, selection, time, tool, tourStep, type Tool } from "./store";
 
 export type CommandId = keyof typeof texts.commands;
 export type Group = keyof typeof texts.groups;
@@ -76,7 +77,7 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   stop: { run: () => rendering("stop") },
   restart: { run: () => rendering("restart") },
   filter: { run: () => attempt(() => post("view/render", { filtersMotion: !renderState.value?.filtersMotion })) },
-  background: { run: () => (dialog.value = "background") },
+  background: { run: () => ((backgroundKind.value = "part"), (dialog.value = "background")) },
   lights: { run: () => (dialog.value = "lights") },
   home: { run: () => attempt(cameraHome), enabled: isOwnView },
   setCamera: { run: () => attempt(setCamera), enabled: isOwnView },
@@ -103,6 +104,11 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   showScene: { run: toggle(leftOpen) },
   showPanel: { run: toggle(rightOpen) },
   showDock: { run: toggle(bottomOpen) },
+  timeline: { run: () => showDock("timeline") },
+  play: { run: togglePlay, enabled: () => (time.value?.frames ?? 0) > 0 },
+  frameBefore: { run: () => stepFrame(-1) },
+  frameAfter: { run: () => stepFrame(1) },
+  animate: { run: () => ((backgroundKind.value = "frames"), (dialog.value = "background")) },
   source: { run: () => showDock("source") },
   inside: { run: () => showDock("paths") },
   theme: { run: nextTheme },

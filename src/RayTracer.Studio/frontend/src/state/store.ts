@@ -29,6 +29,9 @@ export const viewState = slice((s) => s.view);
 export const snapshots = slice((s) => s.snapshots);
 export const recoveries = slice((s) => s.recovery);
 export const jobs = slice((s) => s.jobs);
+export const time = slice((s) => s.time);
+/** The frame of the animation that the picture shows by now. */
+export const shownFrame = computed(() => studio.value?.time.shown ?? null);
 export const selection = computed(() => studio.value?.selection ?? null);
 export const revision = computed(() => studio.value?.document.revision ?? -1);
 export const maps = computed(() => schema.value?.maps ?? []);
@@ -55,6 +58,8 @@ export const wipe = signal(0.5);
 
 export type Dialog = "open" | "saveAs" | "export" | "background" | "lights" | "rename" | "shortcuts";
 export const dialog = signal<Dialog | null>(null);
+/** What the dialog of renders to files begins with. */
+export const backgroundKind = signal<"part" | "frames" | "merge">("part");
 export const tourStep = signal<number | null>(null);
 
 /** Where the source editor shall go; a new object each time. */

@@ -6,7 +6,7 @@ import type { GizmoHandles, GizmoKind, HandleDrag, Vec3 } from "../api/types";
 import { axes, scale } from "../math/vec3";
 import { isSeen, newGesture, type Placement } from "../state/edits";
 import { complain } from "../state/messages";
-import { revision, selection, tool } from "../state/store";
+import { revision, selection, shownFrame, tool } from "../state/store";
 import { texts } from "../texts";
 import { drag } from "./gizmoDrag";
 import { cameraMoves, movingFrames, placement } from "./stage";
@@ -39,7 +39,7 @@ export function Gizmo() {
   useEffect(() => {
     if (isShown) asked.push({ pointer, kind, length });
     else gizmo.value = null;
-  }, [pointer, kind, isShown, length, revision.value, movingFrames.value, cameraMoves.value]);
+  }, [pointer, kind, isShown, length, revision.value, shownFrame.value, movingFrames.value, cameraMoves.value]);
 
   const answer = gizmo.value;
   if (!isShown || !answer?.center || answer.kind !== kind) return null;

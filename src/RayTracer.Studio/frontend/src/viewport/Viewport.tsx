@@ -7,6 +7,7 @@ import { OwnView } from "./OwnView";
 import { InspectMark, RegionOverlay, Wipe } from "./Overlays";
 import { PictureCanvas } from "./PictureCanvas";
 import { listenToPointers, spaceHeld } from "./pointers";
+import { MotionPaths } from "../timeline/MotionPaths";
 import { SelectionOutline } from "./SelectionOutline";
 import { cameraMoves, stage } from "./stage";
 import { ViewportBar } from "./ViewportBar";
@@ -44,6 +45,7 @@ export function Viewport() {
       <div ref={ref} class={`stage tool-${tool.value}`} role="application" aria-label={texts.viewport.canvas} tabIndex={0} onKeyDown={onKeyDown} onKeyUp={onKeyUp} onBlur={releaseKeys}>
         <PictureCanvas />
         <SelectionOutline />
+        <MotionPaths />
         <Wipe />
         <RegionOverlay />
         <InspectMark />

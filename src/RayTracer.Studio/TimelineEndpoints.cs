@@ -1,0 +1,45 @@
+using RayTracer.Description;
+using RayTracer.Session;
+using static RayTracer.Studio.DocumentEndpoints;
+
+namespace RayTracer.Studio;
+
+/// <summary>The requests of the timeline.</summary>
+internal static class TimelineEndpoints
+{
+    /// <summary>Adds the requests.</summary>
+    public static void MapTimeline(this RouteGroupBuilder api, StudioSession session)
+    {
+        Timeline timeline = session.Timeline;
+        RouteGroupBuilder group = api.MapGroup("/timeline");
+        group.MapGet("", () => new TimelineRows(timeline.Rows));
+        group.MapGet("/paths", (string? pointer) => timeline.Paths(pointer));
+        group.MapPost("/frame", (FrameRequest r) => timeline.Show(r.Frame));
+        group.MapPost("/play", (PlayRequest r) =>
+        {
+            if (r.IsPlaying)
+            {
+                timeline.Play();
+            }
+            else
+            {
+                timeline.Stop();
+            }
+        });
+        group.MapPost("/key", (DocumentRequests.At r) => Revision(timeline.ToggleKey(Needed(r.Pointer, "pointer"))));
+        group.MapPost("/move", (KeysRequest r) => Revision(timeline.MoveKeys(Needed(r.Keys, "keys"), r.Frames, r.Copies, r.Gesture)));
+        group.MapPost("/remove", (KeysRequest r) => Revision(timeline.RemoveKeys(Needed(r.Keys, "keys"))));
+        group.MapPost("/ease", (KeysRequest r) => Revision(timeline.EaseKeys(Needed(r.Keys, "keys"), r.Ease)));
+    }
+
+    private static IResult Revision(int revision) => Results.Json(new { revision });
+
+    internal sealed record FrameRequest(int? Frame);
+
+    internal sealed record PlayRequest(bool IsPlaying);
+
+    internal sealed record KeysRequest(KeyChoice[]? Keys, double Frames, bool Copies, Ease Ease, string? Gesture);
+}
+
+/// <summary>All that changes with time.</summary>
+internal sealed record TimelineRows(IReadOnlyList<TimelineRow> Rows);

@@ -1,0 +1,68 @@
+import type { DockTab } from "../shell/Dock";
+import { commandButton } from "../state/commands";
+import { time } from "../state/store";
+import { texts } from "../texts";
+import { Button } from "../ui/Button";
+import { NumberField } from "../ui/NumberField";
+import { Select } from "../ui/Select";
+import { showsPaths } from "./drag";
+import { showFrame } from "./frames";
+import { KeyRow } from "./KeyRow";
+import { choice, copyToPlayhead, easeKeys, removeKeys, rows } from "./keys";
+import { Ruler } from "./Ruler";
+
+const t = texts.timeline;
+const emptyLength = 48;
+
+function Bar() {
+  const now = time.value;
+  if (!now) return null;
+  const isAny = choice.value.length > 0;
+  const chosenEases = new Set(choice.value.flatMap((c) => c.numbers.map((i) => rows.value.find((r) => r.keys === c.keys)!.items[i]!.ease)));
+  const eases = Object.entries(t.eases).map(([value, label]) => ({ value, label }));
+  return (
+    <div class="timeline-bar">
+      <Button {...commandButton("frameBefore")} />
+      <Button {...commandButton("play")} icon={now.isPlaying ? "pause" : "play"} pressed={now.isPlaying} />
+      <Button {...commandButton("frameAfter")} />
+      <label class="line frame">
+        <span>{t.frame}</span>
+        <NumberField label={t.frame} value={now.frame ?? 0} bounds={{ minimum: 0, maximum: null, isInteger: true }} onChange={showFrame} />
+      </label>
+      <span class="quiet">{now.frame === null ? t.written : t.of(now.frames, (now.frames / now.framesPerSecond).toFixed(2), now.framesPerSecond)}</span>
+      <span class="spring" />
+      {isAny && (
+        <>
+          <Select label={t.ease} tip={t.easeWhy} value={chosenEases.size === 1 ? [...chosenEases][0]! : ""} choices={chosenEases.size === 1 ? eases : [{ value: "", label: "…" }, ...eases]} onChange={(e) => e && easeKeys(e)} />
+          <Button label={t.copy} icon="copy" onClick={copyToPlayhead} />
+          <Button label={t.remove} icon="trash" onClick={removeKeys} />
+        </>
+      )}
+      <Button label={t.paths} tip={t.pathsWhy} icon="move" pressed={showsPaths.value} onClick={() => (showsPaths.value = !showsPaths.value)} />
+      <Button {...commandButton("animate")} showLabel kind="plain" />
+    </div>
+  );
+}
+
+/** The frames of the animation, and its keys. */
+function Timeline() {
+  const now = time.value;
+  if (!now) return null;
+  const last = Math.max(now.frames, now.frame ?? 0, now.frames > 0 ? 1 : emptyLength);
+  const length = last * 1.03;
+  return (
+    <div class="timeline">
+      <Bar />
+      <div class="lanes">
+        <div class="key-row head">
+          <span class="row-name" />
+          <Ruler length={length} />
+        </div>
+        {rows.value.map((row) => <KeyRow row={row} length={length} key={row.keys} />)}
+        {rows.value.length === 0 && <p class="quiet">{t.none}</p>}
+      </div>
+    </div>
+  );
+}
+
+export const tab: DockTab = { id: "timeline", order: 1.5, component: Timeline };
