@@ -30,6 +30,11 @@ public class AccessibilityTests(ChromiumBrowser browser)
         await w.Stage.FocusAsync();
         await w.Page.Keyboard.PressAsync("?");
         await Check("shortcuts", w, axe);
+        await w.Page.Keyboard.PressAsync("Escape");
+        w.Session.Files.Open(ProjectFolder.PathOf("scenes", "animation", "01-turn.json"));
+        await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("camera.position: key at frame 0") }).ClickAsync();
+        await w.Painted();
+        await Check("timeline", w, axe);
     }
 
     private static async Task Check(string what, StudioWindow w, string axe)

@@ -36,7 +36,8 @@ export function DialogBox({ title, onClose, children, buttons, wide }: DialogBox
         <h2>{title}</h2>
         <Button label={texts.dialogs.close} icon="close" onClick={onClose} />
       </header>
-      <div class="dialog-body">{children}</div>
+      {/* Without a button at its end, keys scroll what is too long. */}
+      <div class="dialog-body" tabIndex={buttons ? undefined : 0}>{children}</div>
       {buttons && <footer>{buttons}</footer>}
     </dialog>
   );
