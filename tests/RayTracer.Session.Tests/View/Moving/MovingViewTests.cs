@@ -113,7 +113,8 @@ public sealed class MovingViewTests
             using TestSession test = new();
             test.Session.View.Change(s => s with { FiltersMotion = filters });
             await test.OpenShipped("report/scene2.json", 48, 16);
-            test.Session.View.TrySetCamera(CameraMotion.Orbit(test.Session.View.RequireShown().Camera, 0.1f, 0));
+            await test.Done();
+            test.Session.View.TryLookFrom(CameraPose.Of(CameraMotion.Orbit(test.Session.View.RequireShown().Camera, 0.1f, 0)));
             hashes.Add(await test.FilmHash());
         }
 
