@@ -56,6 +56,7 @@ internal sealed class MovingQuality(string[] args)
         List<(double Tracing, double Filter, double Display)> costs = [];
         byte[] rgba = new byte[4 * Width * Height];
         ViewportScene? shown = null;
+        WarmUp(Shown(scene, motion, 0, null), picture);
         for (int frame = 0; frame < FirstFrame + Frames; frame++)
         {
             shown = Shown(scene, motion, frame, shown);
@@ -79,6 +80,19 @@ internal sealed class MovingQuality(string[] args)
 
         string Median(Func<(double Tracing, double Filter, double Display), double> part) => $"{costs.Select(part).Order().ElementAt(costs.Count / 2):F1} ms";
         return $"| {scene.Name} | {motion} | {errors.Average():F3} | {errors.Max():F3} | {before.Average():F3} | {Median(c => c.Tracing)} | {Median(c => c.Filter)} | {Median(c => c.Display)} | {Median(c => c.Tracing + c.Filter + c.Display)}, {scene.MostMilliseconds} ms |";
+    }
+
+    // So that no compiler is at work while times are taken.
+    private static void WarmUp(ViewportScene shown, LinearPicture picture)
+    {
+        const int pictures = 60;
+        MovingView view = new();
+        byte[] rgba = new byte[4 * Width * Height];
+        for (int i = 0; i < pictures; i++)
+        {
+            view.Next(shown, picture, CancellationToken.None);
+            FramePixels.Write(picture, Tone.Of(shown.Scene.Render), 1, rgba);
+        }
     }
 
     private static ViewportScene Shown(MovingScene scene, string motion, int frame, ViewportScene? before)

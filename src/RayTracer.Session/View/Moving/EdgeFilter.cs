@@ -1,6 +1,5 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 
 namespace RayTracer.Session;
 
@@ -57,6 +56,7 @@ internal static class EdgeFilter
         sums.Store(to, at);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector<float> Alike(in Pixels a, in Pixels b, in Vector<float> deviation, int step)
     {
         Vector<float> cosine = Vector.Max((a.NormalX * b.NormalX) + (a.NormalY * b.NormalY) + (a.NormalZ * b.NormalZ), Vector<float>.Zero);
@@ -74,6 +74,7 @@ internal static class EdgeFilter
     }
 
     // About e⁻ˣ.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector<float> Fall(Vector<float> x)
     {
         Vector<float> rest = Vector.Max(Vector<float>.One - (x * 0.25f), Vector<float>.Zero);
@@ -89,13 +90,15 @@ internal static class EdgeFilter
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Pixels(MovingPlanes light, MovingGuides guides, int at)
         {
-            (Red, Green, Blue, Variance) = (Load(light.Red, at), Load(light.Green, at), Load(light.Blue, at), Load(light.Variance, at));
+            int size = light.Size;
+            (Red, Green, Blue, Variance) = (Load(light.All, at), Load(light.All, size + at), Load(light.All, (2 * size) + at), Load(light.All, (3 * size) + at));
             Luminance = (Red * 0.2126f) + (Green * 0.7152f) + (Blue * 0.0722f);
             (NormalX, NormalY, NormalZ, Depth) = (Load(guides.NormalX, at), Load(guides.NormalY, at), Load(guides.NormalZ, at), Load(guides.Depth, at));
             Thing = Vector.LoadUnsafe(ref guides.Thing[at]);
         }
 
-        private static Vector<float> Load(ReadOnlySpan<float> plane, int at) => Vector.LoadUnsafe(ref MemoryMarshal.GetReference(plane[at..]));
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static Vector<float> Load(float[] plane, int at) => Vector.LoadUnsafe(ref plane[at]);
     }
 
     private ref struct Sums

@@ -4,7 +4,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Session;
 
 /// <summary>Projects many points into the picture of a camera in which straight lines are straight.</summary>
-internal readonly struct MovingCamera
+internal sealed class MovingCamera
 {
     private readonly Vector3 _right, _up, _forward;
     private readonly Vector2 _middle;
@@ -17,6 +17,10 @@ internal readonly struct MovingCamera
         (Eye, _right, _up, _forward) = (frame.Position, frame.Right * focal, frame.Up * -focal, frame.Forward);
         _middle = new(width / 2f, height / 2f);
     }
+
+    /// <summary>Returns whether it sees everything where another does.</summary>
+    public bool IsAt(MovingCamera other) =>
+        (Eye, _right, _up, _forward, _middle) == (other.Eye, other._right, other._up, other._forward, other._middle);
 
     /// <summary>The position.</summary>
     public Vector3 Eye { get; }

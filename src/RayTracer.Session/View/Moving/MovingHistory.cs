@@ -117,12 +117,12 @@ internal sealed class MovingHistory
             for (int i = 0; i < 4; i++)
             {
                 (int px, int py) = (x0 + (i & 1), y0 + (i >> 1));
-                if (px < 0 || py < 0 || px >= Like.Width || py >= Like.Height || !IsSame(before, pixel, (py * Like.Width) + px, point))
+                float weight = ((i & 1) == 0 ? 1 - fx : fx) * (i < 2 ? 1 - fy : fy);
+                if (weight == 0 || px < 0 || py < 0 || px >= Like.Width || py >= Like.Height || !IsSame(before, pixel, (py * Like.Width) + px, point))
                 {
                     continue;
                 }
 
-                float weight = ((i & 1) == 0 ? 1 - fx : fx) * (i < 2 ? 1 - fy : fy);
                 int from = Like.At(px, py);
                 color += new Vector3(before._red[from], before._green[from], before._blue[from]) * weight;
                 first += before._first[from] * weight;

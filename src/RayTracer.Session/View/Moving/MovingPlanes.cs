@@ -33,6 +33,9 @@ internal sealed class MovingPlanes
     /// <summary>The numbers of a plane.</summary>
     public int Size { get; }
 
+    /// <summary>All planes: red, green, blue, and the variance of the luminance.</summary>
+    public float[] All => _light;
+
     /// <summary>Red.</summary>
     public Span<float> Red => _light.AsSpan(0, Size);
 

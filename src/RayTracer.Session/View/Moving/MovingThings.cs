@@ -65,6 +65,9 @@ internal sealed class MovingThings
         }
     }
 
+    /// <summary>Returns whether any thing is not where it was.</summary>
+    public bool HaveMoved => _moved.Count > 0;
+
     /// <summary>Where a point of a thing was in the scene before.</summary>
     public Vector3 Before(int thing, Vector3 point) => _moved.Count > 0 && _moved.TryGetValue(thing, out (Vector3 Middle, Vector3 Before, Vector3 Scale) moved)
         ? moved.Before + ((point - moved.Middle) * moved.Scale)

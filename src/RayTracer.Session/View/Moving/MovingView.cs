@@ -19,7 +19,7 @@ internal sealed class MovingView : IEarlierPlace
     // A square, as jittered samples need; after so many pictures they come again.
     private const int Samples = 1024;
     private const float DarkestAlbedo = 0.04f;
-    private static readonly int[] s_steps = [1, 2, 4, 8];
+    private static readonly int[] s_steps = [1, 2, 4];
     private readonly MovingThings _things = new();
     private MovingHistory[] _histories = [];
     private MovingPlanes[] _planes = [];
@@ -29,6 +29,7 @@ internal sealed class MovingView : IEarlierPlace
     private MovingCamera? _before;
     private MovingHistory _now = null!;
     private int _pictures;
+    private bool _isStill;
 
     /// <summary>Processor time of the last picture's parts, for measurements: tracing and filter.</summary>
     public (TimeSpan Tracing, TimeSpan Filter) Cost { get; private set; }
@@ -83,14 +84,19 @@ internal sealed class MovingView : IEarlierPlace
         SeenPlanes seen = _now.Seen;
         int pixel = (y * seen.Width) + x;
         point = _things.Before(_now.Things[pixel], seen.Point[pixel]);
-        place = default;
+        place = new(x + 0.5f, y + 0.5f);
+        if (_isStill)
+        {
+            return true;
+        }
+
         if (_before is not { } before || _camera is not { } camera || !before.TryProject(point, out Vector2 there) || !camera.TryProject(seen.Point[pixel], out Vector2 here))
         {
             return false;
         }
 
         // The sample's place within its pixel is none of the movement's.
-        place = there - here + new Vector2(x + 0.5f, y + 0.5f);
+        place += there - here;
         return true;
     }
 
@@ -125,6 +131,7 @@ internal sealed class MovingView : IEarlierPlace
 
         _now = _histories[_pictures % 2];
         (_before, _camera) = (_camera, CameraOf(wanted, width, height));
+        _isStill = !_things.HaveMoved && _before is not null && _camera?.IsAt(_before) == true;
         _now.Seen.Eye = _camera?.Eye ?? wanted.Camera.Position;
         new FirstHitPass(scene, options).Take(_now.Seen, sample);
         return true;
