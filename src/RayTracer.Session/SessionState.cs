@@ -25,7 +25,7 @@ public sealed record SessionState(
         PictureView view = session.View;
         return new(
             version, session.Document.Status, session.Selection.Pointer, view.Loop.Status, view.Settings, view.Tone, view.Stops,
-            new(view.IsSceneCamera, session.Bookmarks.All), session.Snapshots.All,
+            new(view.Shown is { } shown ? CameraPose.Of(shown.Camera) : null, view.IsSceneCamera, session.Bookmarks.All), session.Snapshots.All,
             session.Recovery.Entries, session.Notices.Newest, session.Jobs.Running);
     }
 }

@@ -28,6 +28,7 @@ public sealed class StudioSession : IDisposable
         Bookmarks = new(Document, View, folders);
         Snapshots = new(View, time ?? TimeProvider.System);
         Handles = new(Edits, View);
+        LightHandles = new(Document, View);
         Pictures = new(Document, View, Jobs);
         Films = new(Document, View, Pictures, folders, time ?? TimeProvider.System);
         Background = new(Document, View, Jobs, folders);
@@ -89,6 +90,9 @@ public sealed class StudioSession : IDisposable
 
     /// <summary>Moves, turns and scales things by their handles.</summary>
     public HandleDrags Handles { get; }
+
+    /// <summary>Turns, widens and enlarges lights by their handles.</summary>
+    public LightDrags LightHandles { get; }
 
     /// <summary>Writes pictures.</summary>
     public PictureSaver Pictures { get; }

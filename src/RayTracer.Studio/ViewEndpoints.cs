@@ -33,6 +33,8 @@ internal static class ViewEndpoints
             ViewportScene shown = session.View.RequireShown();
             return Gizmo.Of(shown, request.Pointer).Handles(CameraFrame.Of(shown), request.Kind, request.Length);
         });
+        view.MapGet("/lights", () => session.View.Shown is { Camera.Projection.IsStraight: true } shown ? LightBody.Of(shown) : []);
+        view.MapPost("/light/drag", (LightDrag drag) => session.LightHandles.Drag(drag));
         view.MapPost("/drag", (HandleDrag way) => session.Handles.Drag(way));
     }
 

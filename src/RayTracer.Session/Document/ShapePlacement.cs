@@ -45,10 +45,15 @@ public static class ShapePlacement
     /// <param name="root">The scene.</param>
     /// <param name="pointer">The shape.</param>
     /// <param name="time">The time in seconds; null for where the first keyframes put things.</param>
-    internal static Vector3 MiddleAt(JsonNode root, string pointer, double? time)
+    internal static Vector3 MiddleAt(JsonNode root, string pointer, double? time) =>
+        SpaceAt(root, pointer, time).Point(Record(Shape(root, pointer)).Middle);
+
+    /// <summary>The map from a shape's own space to the world at a time.</summary>
+    /// <exception cref="SessionException">There is no shape.</exception>
+    internal static Transform SpaceAt(JsonNode root, string pointer, double? time)
     {
         SceneValue shape = Shape(root, pointer);
-        return (Outer(root, pointer, time) * MotionAt(shape, time) * TransformEdit.Map(shape.Child("transform"))).Point(Record(shape).Middle);
+        return Outer(root, pointer, time) * MotionAt(shape, time) * TransformEdit.Map(shape.Child("transform"));
     }
 
     /// <summary>Where its motion puts a thing at a time; null for where its first keyframe does.</summary>

@@ -15,6 +15,9 @@ public sealed class CameraController(SceneDocument document, PictureView view)
 {
     // A plane in focus is as good as exact within this part of its distance.
     private const float FocusPrecision = 1e-3f;
+
+    // What has no size is framed with so much of the scene's around it.
+    private const float LightShare = 0.2f;
     private (string? Gesture, Vector3? Pivot) _orbit;
 
     /// <summary>Moves the camera.</summary>
@@ -124,7 +127,12 @@ public sealed class CameraController(SceneDocument document, PictureView view)
 
     private static CameraDescription Framed(ViewportScene shown, string? pointer)
     {
-        (Vector3 middle, float radius) = pointer is null ? shown.Extent : Gizmo.Of(shown, pointer) is var box ? (box.Center, box.Radius) : default;
+        (Vector3 middle, float radius) = shown.Extent;
+        if (pointer is not null && Gizmo.Of(shown, pointer) is var box)
+        {
+            (middle, radius) = (box.Center, box.Radius > 0 ? box.Radius : LightShare * radius);
+        }
+
         Transform local = Local(shown);
         float scale = local.Vector(Vector3.UnitX).Norm();
         return CameraFraming.Frame(shown.Camera, local.Point(middle), MathF.Max(radius * scale, 1e-4f), shown.Aspect);

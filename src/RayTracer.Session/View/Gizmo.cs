@@ -25,16 +25,40 @@ public enum GizmoKind
 /// <param name="Maximum">Its largest coordinates.</param>
 public sealed record Gizmo(Vector3 Center, float Radius, Vector3 Minimum, Vector3 Maximum)
 {
+    /// <summary>Returns whether it is a light that no ray meets.</summary>
+    internal bool IsLight { get; init; }
+
+    /// <summary>Returns whether such a light can be moved.</summary>
+    internal bool HasPlace { get; init; }
+
+    /// <summary>Returns whether such a light can be turned.</summary>
+    internal bool HasDirection { get; init; }
+
     /// <summary>Finds a thing.</summary>
     /// <param name="shown">The scene.</param>
     /// <param name="pointer">The thing.</param>
     /// <exception cref="SessionException">It is nothing that can be seen, or it has no end.</exception>
     public static Gizmo Of(ViewportScene shown, string pointer)
     {
+        // What no ray meets has a place, but no size.
+        JsonText text = JsonText.Of(shown.Good.Read);
+        if (SceneValue.At(text.Root, pointer) is { Node: not null, Type.IsLight: true } light && LightPose.Of(text, light, shown) is { } pose)
+        {
+            Vector3 place = pose.Position ?? shown.Camera.LookAt;
+            return new(place, 0, place, place) { IsLight = true, HasPlace = pose.Position is not null, HasDirection = pose.Direction is not null };
+        }
+
         Bounds all = Bounds.Empty;
         foreach (PlacedSurface surface in shown.Scene.Surfaces().Where(s => Picking.IsWithin(shown.PointerOf(s.Source), pointer)))
         {
             all = all.Union(surface.Bounds);
+        }
+
+        // What has no end has a middle all the same.
+        if (!all.IsFinite && all.Minimum.X <= all.Maximum.X && SceneThings.IsSeen(pointer))
+        {
+            Vector3 middle = ShapePlacement.Middle(text, pointer);
+            return new(middle, 0, middle, middle);
         }
 
         return all.IsFinite
@@ -49,6 +73,11 @@ public sealed record Gizmo(Vector3 Center, float Radius, Vector3 Minimum, Vector
     public GizmoHandles Handles(CameraFrame camera, GizmoKind kind, float length)
     {
         float size = camera.LengthOf(length, Center);
+        if (IsLight && !(kind == GizmoKind.Move ? HasPlace : kind == GizmoKind.Rotate && HasDirection))
+        {
+            return new(kind, Center, null, []);
+        }
+
         List<GizmoHandle> handles = [];
         for (int axis = 0; axis < GizmoDrag.Axes.Count; axis++)
         {

@@ -12,9 +12,33 @@ namespace RayTracer.Studio.Tests.Browser;
 [Collection(BrowserCollection.Name)]
 [Trait("Category", "Browser")]
 [Trait("Category", "Slow")]
-[Trait("Category", "Thorough")]
 public class LightWalks(ChromiumBrowser browser)
 {
+    [SkippableFact]
+    public async Task A_spot_is_chosen_by_its_icon_and_aimed_and_widened_by_its_handles()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        await Add(w, "Light: spot");
+        await w.Page.Keyboard.PressAsync("Escape");
+        ILocator icon = w.Page.GetByRole(AriaRole.Button, new() { Name = "Light spot 1" });
+        await icon.ClickAsync();
+        await Expect(icon).ToHaveAttributeAsync("aria-pressed", "true");
+        await w.Painted();
+        await w.Shot("spot-handles", isShown: true);
+
+        float before = w.Session.Document.Read.Description!.Lights.OfType<SpotLightDescription>().Single().CutoffAngle;
+        await DragHandle(w, "cone", 30, 0);
+        await w.Text("the cone has another width", _ => w.Session.Document.Read.Description!.Lights.OfType<SpotLightDescription>().Single().CutoffAngle != before);
+        string wide = w.Session.Document.Text;
+        await DragHandle(w, "direction", -40, 10);
+        await w.Text("the spot is aimed elsewhere", t => t != wide);
+        await w.Button("Move").ClickAsync();
+        await Expect(w.Page.Locator(".gizmo .axis")).ToHaveCountAsync(3);
+        await w.Page.Keyboard.PressAsync("Control+z");
+        await w.Text("one step takes the aim back", t => t == wide);
+    }
+
     [ThoroughFact]
     [Trait("Category", "Thorough")]
     public async Task Lights_and_what_surrounds_the_scene_are_added_and_changed()
@@ -173,4 +197,14 @@ public class LightWalks(ChromiumBrowser browser)
     private static string TypeOf(MaterialDescription material) => RecordType.Of(material.GetType()).Name;
 
     private static Task<byte[]> Picture(StudioWindow w) => w.Canvas.ScreenshotAsync();
+
+    private static async Task DragHandle(StudioWindow w, string name, float dx, float dy)
+    {
+        LocatorBoundingBoxResult box = (await w.Page.Locator($".lights [data-handle={name}]").BoundingBoxAsync())!;
+        (float x, float y) = (box.X + (box.Width / 2), box.Y + (box.Height / 2));
+        await w.Page.Mouse.MoveAsync(x, y);
+        await w.Page.Mouse.DownAsync();
+        await w.Page.Mouse.MoveAsync(x + dx, y + dy, new() { Steps = 5 });
+        await w.Page.Mouse.UpAsync();
+    }
 }

@@ -60,6 +60,7 @@ function textsOf(t: typeof english) {
     },
     viewport: {
       ...t.viewport,
+      light: (name: string) => fill(t.viewport.light, { name }),
       forget: (name: string) => fill(t.viewport.forget, { name }),
       inspected: (x: number, y: number) => fill(t.viewport.inspected, { x, y }),
     },

@@ -11,6 +11,14 @@ describe("a number field", () => {
     for (const text of ["", "abc", "1.2.3", "0x10", "Infinity", "1e"]) expect(parse(text)).toBeNull();
   });
 
+  test("works out sums", () => {
+    expect(parse("0.5*2")).toBe(1);
+    expect(parse("1 + 2*3 − 4/8")).toBe(6.5);
+    expect(parse("-(0,1+0,2)×2")).toBe(-0.6);
+    expect(parse("2e-1*-3")).toBe(-0.6);
+    for (const text of ["1+", "*2", "(1", "1)", "1/0", "2 x 3", "1 2.3.4"]) expect(parse(text)).toBeNull();
+  });
+
   test("shows what it reads, without trailing digits of binary fractions", () => {
     expect(format(0.1 + 0.2)).toBe("0.3");
     expect(format(-1.5)).toBe("−1.5");

@@ -23,6 +23,26 @@ test("another type keeps what it knows of the old one, and gets what it must hav
   expect(retyped("red", image, null)).toEqual({ type: "image", file: "" });
 });
 
+test("what means the same under another name stays, both ways", () => {
+  const type = (name: string, ...parameters: CatalogueParameter[]): CatalogueType => ({ name, summary: "", addedAs: [], parameters });
+  const share = { minimum: 0, maximum: 1 };
+  const diffuse = type("diffuse", parameter("color", "texture", share));
+  const principled = type("principled", parameter("baseColor", "texture", share), parameter("roughness", "texture", { ...share, isNumber: true }));
+  const rough = type("roughConductor", parameter("alpha", "texture", { ...share, isNumber: true }));
+  const coated = type("diffuseSpecular", parameter("diffuse", "material"));
+  const shining = type("luminaire", parameter("color", "texture"), parameter("exponent", "number"));
+  const red = [0.72, 0.09, 0.06];
+  expect(retyped({ type: "diffuse", color: red }, principled, diffuse)).toEqual({ type: "principled", baseColor: red });
+  expect(retyped({ type: "principled", baseColor: "paint" }, diffuse, principled)).toEqual({ type: "diffuse", color: "paint" });
+  expect(retyped({ type: "principled", roughness: 0.5 }, rough, principled)).toEqual({ type: "roughConductor", alpha: 0.25 });
+  expect(retyped({ type: "roughConductor", alpha: 0.09 }, principled, rough)).toEqual({ type: "principled", roughness: 0.3 });
+  expect(retyped({ type: "phongMetal", exponent: 198 }, rough, metal)).toEqual({ type: "roughConductor", alpha: 0.1 });
+  expect(retyped({ type: "diffuseSpecular", diffuse: { type: "diffuse", color: red } }, principled, coated)).toEqual({ type: "principled", baseColor: red });
+  expect(retyped({ type: "diffuseSpecular", diffuse: "paint" }, rough, coated)).toEqual({ type: "roughConductor" });
+  expect(retyped({ type: "luminaire", color: [40, 40, 40], exponent: 3 }, principled, shining)).toEqual({ type: "principled" });
+  expect(retyped({ type: "phongMetal", color: [3, 0, 0] }, principled, metal)).toEqual({ type: "principled" });
+});
+
 test("what has the same name but another meaning or range does not stay", () => {
   const types = (more: Partial<CatalogueParameter>): CatalogueType => ({ ...metal, parameters: [parameter("a", "texture", more)] });
   const kept = (value: CatalogueParameter["default"], before: Partial<CatalogueParameter>, now: Partial<CatalogueParameter>) => retyped({ a: value }, types(now), types(before)).a;

@@ -165,6 +165,28 @@ export interface KeyChoice {
   numbers: number[];
 }
 
+export interface LightBody {
+  pointer: string;
+  kind: string;
+  place: [number, number];
+  lines: [number, number][][];
+  handles: LightHandle[];
+}
+
+export interface LightDrag {
+  pointer: string;
+  kind: LightHandleKind;
+  to: [number, number];
+  gesture: string;
+}
+
+export interface LightHandle {
+  kind: LightHandleKind;
+  at: [number, number];
+}
+
+export type LightHandleKind = "direction" | "cone" | "beam" | "radius";
+
 export interface ListedFile {
   name: string;
   size: number;
@@ -380,6 +402,7 @@ export interface ViewMap {
 }
 
 export interface ViewStatus {
+  pose: CameraPose | null;
   isSceneCamera: boolean;
   bookmarks: ViewBookmark[];
 }

@@ -7,10 +7,45 @@ export function format(value: number, digits = 6): string {
   return String(rounded).replace("-", "−");
 }
 
-/** Reads what a person typed: a decimal comma or a real minus sign is fine; null where it is no number. */
+const numberAt = /^(\d+\.?\d*|\.\d+)(e[+-]?\d+)?/i;
+
+/**
+ * Reads what a person typed: a number or a sum such as 0.5*2 or (1+2)/3. A decimal comma or a real minus sign is fine; null where it comes to
+ * no number.
+ */
 export function parse(text: string): number | null {
-  const plain = text.trim().replace("−", "-").replace(",", ".");
-  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : null;
+  let rest = text.replace(/−/g, "-").replace(/,/g, ".").replace(/[×·]/g, "*").replace(/\s+/g, "");
+  const take = (signs: string): string => {
+    const sign = rest.charAt(0);
+    if (!sign || !signs.includes(sign)) return "";
+    rest = rest.slice(1);
+    return sign;
+  };
+  const factor = (): number => {
+    if (take("-")) return -factor();
+    if (take("+")) return factor();
+    if (take("(")) {
+      const inner = sum();
+      return take(")") ? inner : NaN;
+    }
+    const number = numberAt.exec(rest)?.[0] ?? "";
+    rest = rest.slice(number.length);
+    return number ? Number(number) : NaN;
+  };
+  const product = (): number => {
+    let value = factor();
+    for (let sign = take("*/"); sign; sign = take("*/")) value = sign === "*" ? value * factor() : value / factor();
+    return value;
+  };
+  const sum = (): number => {
+    let value = product();
+    for (let sign = take("+-"); sign; sign = take("+-")) value = sign === "+" ? value + product() : value - product();
+    return value;
+  };
+  const value = sum();
+
+  // The last digits of a sum are those of binary fractions.
+  return rest === "" && Number.isFinite(value) ? Number(value.toPrecision(12)) : null;
 }
 
 const units: [number, string][] = [[1e9, "G"], [1e6, "M"], [1e3, "k"]];

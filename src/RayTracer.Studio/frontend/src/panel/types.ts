@@ -1,5 +1,6 @@
 /** What the schema says about a place of the scene. */
 
+import { translated } from "./meaning";
 import type { Json, CatalogueParameter, CatalogueType, TypeCatalogue } from "../api/types";
 
 export type JsonObject = { [key: string]: Json };
@@ -50,12 +51,24 @@ function fits(before: CatalogueParameter | undefined, now: CatalogueParameter, v
   return numbersOf(value).every((n) => n >= (now.minimum ?? -Infinity) && n <= (now.maximum ?? Infinity));
 }
 
+// What colours and roughnesses can be.
+const kinds = new Set(["texture", "color", "number"]);
+
+/** A value that a parameter can have; undefined where it is another kind of value, or out of range. */
+function within(now: CatalogueParameter, value: Json | undefined): Json | undefined {
+  const isNumber = typeof value === "number";
+  if (value === undefined || (kindOf(now) === "number" ? !isNumber : isNumber && !now.isNumber)) return undefined;
+  const limit = (n: number) => Math.min(Math.max(n, now.minimum ?? -Infinity), now.maximum ?? Infinity);
+  return isNumber ? limit(value) : numbersOf(value).every((n) => n === limit(n)) ? value : undefined;
+}
+
 /** Another type in place of this one: what both of them know stays, where it means the same. */
 export function retyped(value: Json | undefined, type: CatalogueType, before: CatalogueType | null): JsonObject {
   const result: JsonObject = { type: type.name };
   for (const p of type.parameters) {
     const written = isObject(value) ? value[p.key] : undefined;
-    const kept = written !== undefined && fits(before?.parameters.find((q) => q.key === p.key), p, written) ? written : undefined;
+    const isSame = written !== undefined && fits(before?.parameters.find((q) => q.key === p.key), p, written);
+    const kept = isSame ? written : isObject(value) && kinds.has(kindOf(p)) ? within(p, translated(value, type.name, p.key)) : undefined;
     if (kept !== undefined) result[p.key] = kept;
     else if (p.required) result[p.key] = p.default ?? requiredValue(kindOf(p));
   }

@@ -2,6 +2,7 @@
 
 import paths from "../../../../RayTracer.Session/Texts/icons.json";
 
+export const icons = paths;
 export type IconName = keyof typeof paths;
 
 export function Icon({ name }: { name: IconName }) {

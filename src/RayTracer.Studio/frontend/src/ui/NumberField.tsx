@@ -17,6 +17,9 @@ interface NumberFieldProps {
 const speedOf = (e: { shiftKey: boolean; altKey: boolean }): Speed => (e.shiftKey ? "coarse" : e.altKey ? "fine" : "normal");
 const clickDistance = 3;
 
+/** With as many digits as the narrow fields of vectors and colours have room for. */
+const short = (value: number) => [4, 3, 2].map((digits) => format(value, digits)).find((text) => text.length <= 6) ?? format(value, 2);
+
 /** A number that can be typed, dragged sideways, and stepped by arrow keys. */
 export function NumberField({ label, value, bounds, onChange, tip, mark, id }: NumberFieldProps) {
   const [typed, setTyped] = useState<string | null>(null);
@@ -85,7 +88,7 @@ export function NumberField({ label, value, bounds, onChange, tip, mark, id }: N
         aria-valuemin={bounds.minimum ?? undefined}
         aria-valuemax={bounds.maximum ?? undefined}
         data-tip={[tip, texts.panel.drag].filter(Boolean).join(" ")}
-        value={typed ?? format(shown, mark ? 4 : 6)}
+        value={typed ?? mark ? short(shown) : format(shown)}
         onInput={(e) => setTyped(e.currentTarget.value)}
         onFocus={() => (keyGesture.current = newGesture())}
         onBlur={(e) => typed !== null && commit(e.currentTarget.value)}

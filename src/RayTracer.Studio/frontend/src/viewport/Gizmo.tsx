@@ -6,10 +6,10 @@ import type { GizmoHandles, GizmoKind, HandleDrag, Vec3 } from "../api/types";
 import { axes, scale } from "../math/vec3";
 import { isSeen, newGesture, type Placement } from "../state/edits";
 import { complain } from "../state/messages";
-import { revision, selection, shownFrame, tool } from "../state/store";
+import { documentState, selection, shownFrame, tool, viewState } from "../state/store";
 import { texts } from "../texts";
 import { drag } from "./gizmoDrag";
-import { cameraMoves, movingFrames, placement } from "./stage";
+import { cameraMoves, movingFrames, placement, pointsOnStage } from "./stage";
 
 const gizmo = signal<GizmoHandles | null>(null);
 const handleLength = 72;
@@ -24,11 +24,7 @@ const placing = new Latest<Placement[]>(async (all) => {
 
 const isTool = (name: string): name is GizmoKind => name === "move" || name === "rotate" || name === "scale";
 
-/** Where a pixel of the picture is on the stage. */
-function onStage([x, y]: readonly [number, number]) {
-  const { scale: zoom, left, top } = placement.value;
-  return { x: left + x * zoom, y: top + y * zoom };
-}
+const onStage = (pixel: readonly [number, number]) => pointsOnStage([pixel])[0]!;
 
 /** Handles that move, turn or scale the selected shape. */
 export function Gizmo() {
@@ -39,7 +35,7 @@ export function Gizmo() {
   useEffect(() => {
     if (isShown) asked.push({ pointer, kind, length });
     else gizmo.value = null;
-  }, [pointer, kind, isShown, length, revision.value, shownFrame.value, movingFrames.value, cameraMoves.value]);
+  }, [pointer, kind, isShown, length, documentState.value?.builtRevision, viewState.value?.pose, shownFrame.value, movingFrames.value, cameraMoves.value]);
 
   const answer = gizmo.value;
   if (!isShown || !answer?.center || answer.kind !== kind) return null;

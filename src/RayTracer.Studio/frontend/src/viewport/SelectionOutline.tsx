@@ -2,7 +2,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { get } from "../api/client";
 import type { PixelMask } from "../api/types";
 import { isSeen } from "../state/edits";
-import { revision, selection, shownFrame } from "../state/store";
+import { documentState, selection, shownFrame, viewState } from "../state/store";
 import { outlineOf } from "./mask";
 import { cameraMoves, movingFrames, picture, placement } from "./stage";
 
@@ -46,7 +46,7 @@ export function SelectionOutline() {
     return () => {
       if (step === 1) abort.abort();
     };
-  }, [pointer, isShown, revision.value, shownFrame.value, width, height, reach, step, step > 1 ? movingFrames.value : 0]);
+  }, [pointer, isShown, documentState.value?.builtRevision, viewState.value?.pose, shownFrame.value, width, height, reach, step, step > 1 ? movingFrames.value : 0]);
   return (
     <canvas
       ref={ref}

@@ -3,6 +3,7 @@ import { documentState, renderState, tool } from "../state/store";
 import { texts } from "../texts";
 import { Gizmo } from "./Gizmo";
 import { onCameraKey, onCameraKeyUp, releaseKeys } from "./keys";
+import { LightBodies } from "./LightBodies";
 import { OwnView } from "./OwnView";
 import { InspectMark, RegionOverlay, Wipe } from "./Overlays";
 import { PictureCanvas } from "./PictureCanvas";
@@ -49,6 +50,7 @@ export function Viewport() {
         <Wipe />
         <RegionOverlay />
         <InspectMark />
+        <LightBodies />
         <Gizmo />
         <OwnView />
         {isOld && <p class="chip warn">{texts.viewport.lastGood}</p>}

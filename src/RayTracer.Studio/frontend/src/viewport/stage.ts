@@ -49,6 +49,12 @@ export function toPicture(point: Point): Point {
   return { x: (point.x - left) / scale, y: (point.y - top) / scale };
 }
 
+/** Where pixels of the picture are on the stage. */
+export function pointsOnStage(pixels: readonly (readonly [number, number])[]): Point[] {
+  const { scale, left, top } = placement.value;
+  return pixels.map(([x, y]) => ({ x: left + x * scale, y: top + y * scale }));
+}
+
 /** The pixel under a point of the stage; null outside the picture. */
 export function pixelAt(point: Point): Point | null {
   const { x, y } = toPicture(point);
