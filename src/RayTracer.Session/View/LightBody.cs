@@ -162,8 +162,8 @@ internal sealed record LightPose(
     private static object? Shown(SceneValue value, SceneDescription? scene) => JsonPointer.Parse(value.Pointer) switch
     {
         ["environment"] => scene?.Environment,
-        ["lights", var step] when JsonPointer.Index(step) is { } i && i < scene?.Lights.Count => scene.Lights[i],
-        ["shapes", var step] when JsonPointer.Index(step) is { } i && i < scene?.Shapes.Count => scene.Shapes[i],
+        ["lights", var step] when JsonPointer.Index(step) is >= 0 and var i && i < scene?.Lights.Count => scene.Lights[i],
+        ["shapes", var step] when JsonPointer.Index(step) is >= 0 and var i && i < scene?.Shapes.Count => scene.Shapes[i],
         _ => null,
     };
 

@@ -38,7 +38,7 @@ test("what means the same under another name stays, both ways", () => {
   expect(retyped({ type: "roughConductor", alpha: 0.09 }, principled, rough)).toEqual({ type: "principled", roughness: 0.3 });
   expect(retyped({ type: "phongMetal", exponent: 198 }, rough, metal)).toEqual({ type: "roughConductor", alpha: 0.1 });
   expect(retyped({ type: "diffuseSpecular", diffuse: { type: "diffuse", color: red } }, principled, coated)).toEqual({ type: "principled", baseColor: red });
-  expect(retyped({ type: "diffuseSpecular", diffuse: "paint" }, rough, coated)).toEqual({ type: "roughConductor" });
+  expect(retyped({ type: "diffuseSpecular", diffuse: "paint" }, principled, coated)).toEqual({ type: "principled" });
   expect(retyped({ type: "luminaire", color: [40, 40, 40], exponent: 3 }, principled, shining)).toEqual({ type: "principled" });
   expect(retyped({ type: "phongMetal", color: [3, 0, 0] }, principled, metal)).toEqual({ type: "principled" });
 });

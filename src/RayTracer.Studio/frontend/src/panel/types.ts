@@ -65,10 +65,13 @@ function within(now: CatalogueParameter, value: Json | undefined): Json | undefi
 /** Another type in place of this one: what both of them know stays, where it means the same. */
 export function retyped(value: Json | undefined, type: CatalogueType, before: CatalogueType | null): JsonObject {
   const result: JsonObject = { type: type.name };
+  // What the old type knows; the name of another material is no colour.
+  const meant = (key: string, v: Json) => key === "type" || before?.parameters.some((p) => p.key === key && (kindOf(p) !== "material" || isObject(v)));
+  const old = Object.fromEntries(Object.entries(isObject(value) ? value : {}).filter(([key, v]) => meant(key, v)));
   for (const p of type.parameters) {
     const written = isObject(value) ? value[p.key] : undefined;
     const isSame = written !== undefined && fits(before?.parameters.find((q) => q.key === p.key), p, written);
-    const kept = isSame ? written : isObject(value) && kinds.has(kindOf(p)) ? within(p, translated(value, type.name, p.key)) : undefined;
+    const kept = isSame ? written : kinds.has(kindOf(p)) ? within(p, translated(old, type.name, p.key)) : undefined;
     if (kept !== undefined) result[p.key] = kept;
     else if (p.required) result[p.key] = p.default ?? requiredValue(kindOf(p));
   }
