@@ -1,3 +1,4 @@
+using System.Numerics;
 using Microsoft.Playwright;
 using RayTracer.Description;
 using RayTracer.Lights;
@@ -198,13 +199,25 @@ public class LightWalks(ChromiumBrowser browser)
 
     private static Task<byte[]> Picture(StudioWindow w) => w.Canvas.ScreenshotAsync();
 
+    // Ends when the server has answered for the place where the pointer was let go: before, more of the gesture is on its way.
     private static async Task DragHandle(StudioWindow w, string name, float dx, float dy)
     {
         LocatorBoundingBoxResult box = (await w.Page.Locator($".lights [data-handle={name}]").BoundingBoxAsync())!;
+        LocatorBoundingBoxResult canvas = (await w.Canvas.BoundingBoxAsync())!;
         (float x, float y) = (box.X + (box.Width / 2), box.Y + (box.Height / 2));
-        await w.Page.Mouse.MoveAsync(x, y);
-        await w.Page.Mouse.DownAsync();
-        await w.Page.Mouse.MoveAsync(x + dx, y + dy, new() { Steps = 5 });
-        await w.Page.Mouse.UpAsync();
+        float scale = w.Session.View.RequireShown().Scene.Render.Width / canvas.Width;
+        Vector2 end = new Vector2(x + dx - canvas.X, y + dy - canvas.Y) * scale;
+        await w.Page.RunAndWaitForRequestFinishedAsync(
+            async () =>
+            {
+                await w.Page.Mouse.MoveAsync(x, y);
+                await w.Page.Mouse.DownAsync();
+                await w.Page.Mouse.MoveAsync(x + dx, y + dy, new() { Steps = 5 });
+                await w.Page.Mouse.UpAsync();
+            },
+            new() { Predicate = request => request.Url.Contains("/view/light/drag", StringComparison.Ordinal) && Vector2.Distance(To(request), end) < 1.5f });
+
+        static Vector2 To(IRequest request) =>
+            System.Text.Json.Nodes.JsonNode.Parse(request.PostData!)!["to"]!.AsArray() is var to ? new((float)to[0]!, (float)to[1]!) : default;
     }
 }
