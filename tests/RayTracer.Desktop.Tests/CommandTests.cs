@@ -68,6 +68,7 @@ public sealed class CommandTests
             ["restart"] = () => test.Until(() => view.Settings.Mode == RenderMode.Running),
             ["pause"] = () => test.Until(() => view.Settings.Mode is RenderMode.Paused or RenderMode.Running),
             ["stop"] = () => test.Until(() => view.Settings.Mode == RenderMode.Stopped),
+            ["filter"] = () => test.Until(() => !view.Settings.FiltersMotion),
             ["home"] = () => test.Until(() => main.Dispatcher.Idle.IsCompleted),
             ["setCamera"] = () => test.Until(() => main.Dispatcher.Idle.IsCompleted),
             ["frame"] = () => test.Until(() => !test.Session.View.IsSceneCamera),

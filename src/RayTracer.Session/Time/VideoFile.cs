@@ -40,7 +40,7 @@ internal static class VideoFile
             "-y", "-loglevel", "error", "-framerate", rate.ToString("R", CultureInfo.InvariantCulture), "-start_number", first.ToString(CultureInfo.InvariantCulture),
             "-i", Path.Combine(folder.Replace("%", "%%", StringComparison.Ordinal), "%07d.png"), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", partial,
         ];
-        using Process process = Process.Start(new ProcessStartInfo(program, words) { RedirectStandardError = true, RedirectStandardInput = true })
+        using Process process = Process.Start(new ProcessStartInfo(program, words) { UseShellExecute = false, RedirectStandardError = true, RedirectStandardInput = true })
             ?? throw new SessionException($"{program} cannot be started.");
         using CancellationTokenRegistration end = cancellation.Register(() => process.Kill(entireProcessTree: true));
         process.StandardInput.Close();

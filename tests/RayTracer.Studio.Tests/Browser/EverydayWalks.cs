@@ -143,7 +143,7 @@ public class EverydayWalks(ChromiumBrowser browser)
             w.Session.Jobs.Start("frames 0 to 5", (progress, _) =>
             {
                 progress.Report(0.5);
-                end.Wait();
+                end.Wait(CancellationToken.None);
                 return "wrote 6 frames";
             });
             await Expect(w.Page.GetByRole(AriaRole.Progressbar, new() { Name = "frames 0 to 5" })).ToBeVisibleAsync();

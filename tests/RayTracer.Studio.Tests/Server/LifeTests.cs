@@ -81,7 +81,7 @@ public sealed class LifeTests
         using ManualResetEventSlim end = new();
         server.Test.Session.Jobs.Start("a long job", (_, _) =>
         {
-            end.Wait();
+            end.Wait(CancellationToken.None);
             return "done";
         });
         (await server.Send(HttpMethod.Post, "/api/bye", new StringContent(server.Studio.Token))).Dispose();
