@@ -12,6 +12,7 @@ internal static class InspectionEndpoints
     {
         api.MapGet("/pick", (float x, float y) => Picking.At(session.View.RequireShown(), x, y));
         api.MapGet("/paths", (int x, int y, int? first, int? count) => session.Part<PathInspector>().Inspect(x, y, first ?? 0, count ?? 16));
+        api.MapGet("/paths/summary", (int x, int y) => session.Part<PathInspector>().Summarize(x, y));
         api.MapGet("/wireframe", () =>
         {
             ViewportScene shown = session.View.RequireShown();

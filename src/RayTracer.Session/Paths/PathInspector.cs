@@ -29,6 +29,28 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     public async Task<InspectedPixel> Inspect(int x, int y, int first, int count)
     {
         ViewportScene shown = view.RequireShown();
+        SampleRange samples = Check(shown, x, y, first, count);
+        (Rgb? mean, int rendered) = await view.Loop.ReadFilm((film, newest, _) =>
+            newest.Picture == shown.Picture && film.SampleCount(x, y) is var n and > 0 ? ((Rgb?)film.Mean(x, y), (int)n)
+                : (null, 0)).ConfigureAwait(false);
+        return new(x, y, mean, rendered, shown.Scene.Render.SamplesPerPixel, [.. Trace(shown, x, y, samples)]);
+    }
+
+    /// <summary>Adds up where the light of a pixel comes from, over as many of its samples as can be followed at once.</summary>
+    /// <param name="x">Column.</param>
+    /// <param name="y">Row.</param>
+    /// <exception cref="SessionException">There is no such pixel.</exception>
+    public PixelSummary Summarize(int x, int y)
+    {
+        ViewportScene shown = view.RequireShown();
+        return PixelSummary.Of([.. Trace(shown, x, y, Check(shown, x, y, 0, MostPaths))], shown.Scene.Render.Integrator);
+    }
+
+    private static IEnumerable<InspectedPath> Trace(ViewportScene shown, int x, int y, SampleRange samples) =>
+        new PathTracing(shown.Scene).Trace(x, y, samples).Select(p => Of(shown, p));
+
+    private static SampleRange Check(ViewportScene shown, int x, int y, int first, int count)
+    {
         RenderDescription render = shown.Scene.Render;
         if (x < 0 || y < 0 || x >= render.Width || y >= render.Height || first < 0 || first >= render.SamplesPerPixel)
         {
@@ -37,11 +59,7 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
         }
 
         int most = render.Integrator.Has(IntegratorTraits.TracesLight) ? MostWithLight : MostPaths;
-        SampleRange samples = new(first, (int)Math.Min(first + (long)Math.Clamp(count, 1, most), render.SamplesPerPixel));
-        (Rgb? mean, int rendered) = await view.Loop.ReadFilm((film, newest, _) =>
-            newest.Picture == shown.Picture && film.SampleCount(x, y) is var n and > 0 ? ((Rgb?)film.Mean(x, y), (int)n)
-                : (null, 0)).ConfigureAwait(false);
-        return new(x, y, mean, rendered, render.SamplesPerPixel, [.. new PathTracing(shown.Scene).Trace(x, y, samples).Select(p => Of(shown, p))]);
+        return new(first, (int)Math.Min(first + (long)Math.Clamp(count, 1, most), render.SamplesPerPixel));
     }
 
     private static InspectedPath Of(ViewportScene shown, TracedPath path)
@@ -50,7 +68,8 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
         InspectedVertex camera = new(
             "camera", start.Origin, null, "/camera", "camera", "", Rgb.White, Rgb.White, null, Difference(start.Before, default), new(
                 Difference(default, default), Difference(default, default), Difference(start.Before, default)));
-        return new(path.Sample, path.Radiance, [camera, .. path.Vertices.Select(v => Of(shown, v))], [.. path.Ways.Select(w => Of(shown, w))]);
+        InspectedVertex[] vertices = [camera, .. path.Vertices.Select(v => Of(shown, v))];
+        return new(path.Sample, path.Radiance, vertices, [.. path.Ways.Select(w => Of(shown, w))], PathSentence.Of(path.Radiance, vertices, shown.Scene.Render.Integrator));
     }
 
     // From where both parts are joined back to the light.
@@ -83,8 +102,51 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
             NameOf(shown, v),
             material is null ? "" : NameOf(shown, material),
             v.Weight, v.Throughput, v.Pdf, Difference(v.After, v.Before),
-            new(Difference(v.AfterEmission, v.Before), Difference(v.AfterAmbient, v.AfterEmission), Difference(v.After, v.AfterAmbient)));
+            new(Difference(v.AfterEmission, v.Before), Difference(v.AfterAmbient, v.AfterEmission), Difference(v.After, v.AfterAmbient)))
+        {
+            Bsdf = v.Bsdf,
+            Cosine = v.Cosine,
+            Survival = v.Survival,
+            End = NameOf(v.End),
+            Passed = v.Passed,
+            Dispersion = v.Dispersion,
+            Emission = v.Emission is not { } met ? null : new(LightName(shown, met.Light) ?? NameOf(shown, v), met.Radiance, met.ScatterPdf, met.LightPdf, met.Weight),
+            Lights = [.. v.Lights.Select(l => Of(shown, v, l))],
+        };
     }
+
+    private static InspectedLight Of(ViewportScene shown, PathVertex v, TracedLight light)
+    {
+        ShapeDescription? source = shown.Scene.SourceOfLight(light.Light);
+        Vector3 point = v.Position!.Value + (light.Direction * MathF.Min(light.Distance, 2 * shown.Extent.Size));
+        string? blocker = light.Blocker == SurfaceName.None ? null : NameOf(shown.Scene.SourceOf(light.Blocker.Primitive, light.Blocker.Instance));
+        return new(
+            LightName(shown, light.Light)!, shown.PointerOf(source), NameOf(light.Outcome), blocker, shown.PointerOf(light.Blocker), light.Radiance, light.Pdf, light.ScatterPdf,
+            light.Bsdf, light.Cosine, light.Weight, light.Transmittance, light.Contribution, IsFinite(point) ? point : null);
+    }
+
+    private static string? LightName(ViewportScene shown, int light) => light < 0 ? null : shown.Scene.SourceOfLight(light) is { } source ? NameOf(source) : "surroundings";
+
+    private static string NameOf(ShapeDescription? thing) => thing is null ? "" : thing.Name.Length > 0 ? thing.Name : TypeOf(thing);
+
+    private static string NameOf(LightOutcome outcome) => outcome switch
+    {
+        LightOutcome.Arrives => "arrives",
+        LightOutcome.Unlit => "unlit",
+        LightOutcome.Behind => "behind",
+        LightOutcome.Leaks => "leaks",
+        LightOutcome.NotScattered => "notScattered",
+        _ => "blocked",
+    };
+
+    private static string NameOf(PathEnd end) => end switch
+    {
+        PathEnd.Depth => "depth",
+        PathEnd.Roulette => "roulette",
+        PathEnd.Dark => "dark",
+        PathEnd.Leaks => "leaks",
+        _ => "",
+    };
 
     private static string EventOf(PathVertex v) => v.Event switch
     {
@@ -105,7 +167,7 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     private static string NameOf(ViewportScene shown, PathVertex v)
     {
         ShapeDescription? thing = v.Primitive < 0 ? null : shown.Scene.SourceOf(v.Primitive, v.Instance);
-        return thing is null ? v.Position is null ? "background" : "medium" : thing.Name.Length > 0 ? thing.Name : TypeOf(thing);
+        return thing is null ? v.Position is null ? "background" : "medium" : NameOf(thing);
     }
 
     private static string TypeOf(object record) => RecordType.Of(record.GetType()).Name;
@@ -113,54 +175,3 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     private static string NameOf(ViewportScene shown, MaterialDescription material) =>
         shown.Description.Materials.FirstOrDefault(m => ReferenceEquals(m.Value, material)).Key ?? TypeOf(material);
 }
-
-/// <summary>The paths whose light came to a pixel.</summary>
-/// <param name="X">Column.</param>
-/// <param name="Y">Row.</param>
-/// <param name="Pixel">The mean of all samples rendered so far; null where there are none.</param>
-/// <param name="Rendered">The number of these samples.</param>
-/// <param name="Total">The number of samples that the picture will have.</param>
-/// <param name="Samples">Some of its paths.</param>
-public sealed record InspectedPixel(int X, int Y, Rgb? Pixel, int Rendered, int Total, IReadOnlyList<InspectedPath> Samples);
-
-/// <summary>A light path, for people.</summary>
-/// <param name="Sample">The sample's number in its pixel.</param>
-/// <param name="Radiance">The radiance that it brings.</param>
-/// <param name="Vertices">From the camera to its end.</param>
-/// <param name="Ways">The ways in which light came, where it is traced too; the brightest first.</param>
-public sealed record InspectedPath(int Sample, Rgb Radiance, IReadOnlyList<InspectedVertex> Vertices, IReadOnlyList<InspectedWay> Ways);
-
-/// <summary>A path from a light to the camera, made of a part of each, for people.</summary>
-/// <param name="LightVertices">The vertices from the light, that on the light included.</param>
-/// <param name="CameraVertices">The vertices from the camera, that on the lens included.</param>
-/// <param name="Event">"met" (the camera's path meets the light), "asked" (it asks the light), "seen" (the light's path is connected with the
-/// lens), "connected" or "merged".</param>
-/// <param name="Radiance">The radiance that it brings to the pixel.</param>
-/// <param name="Weight">The factor on it, for other ways make such paths too.</param>
-/// <param name="Things">Names of what the part from the light meets.</param>
-/// <param name="Points">From where both parts are joined back to the light.</param>
-public sealed record InspectedWay(
-    int LightVertices, int CameraVertices, string Event, Rgb Radiance, float Weight, IReadOnlyList<string> Things, IReadOnlyList<Vector3> Points);
-
-/// <summary>A vertex of a light path, for people.</summary>
-/// <param name="Event">"camera", "diffuse", "specular", "emission" (it ends on what shines), "absorbed", "end" (it is given up) or
-/// "miss".</param>
-/// <param name="Position">The position; for a miss, a point on the way out.</param>
-/// <param name="Normal">The normal, on the ray's side; null where there is none.</param>
-/// <param name="Pointer">The thing in the text; null where there is none.</param>
-/// <param name="Name">The name of the thing.</param>
-/// <param name="Material">The name of its material.</param>
-/// <param name="Weight">The factor on the throughput: BSDF · cosine / pdf of the chosen direction.</param>
-/// <param name="Throughput">The factor on light from here.</param>
-/// <param name="Pdf">The density with which the direction was chosen, in 1/sr; null for mirror-like lobes, and where there is none.</param>
-/// <param name="Contribution">The light that the path gathers here; these add up to its radiance without rounding.</param>
-/// <param name="Parts">The parts of that light.</param>
-public sealed record InspectedVertex(
-    string Event, Vector3 Position, Vector3? Normal, string? Pointer, string Name, string Material, Rgb Weight, Rgb Throughput, float? Pdf,
-    IReadOnlyList<double> Contribution, ContributionParts Parts);
-
-/// <summary>The light that a path gathers at a vertex; red, green and blue each.</summary>
-/// <param name="Emitted">The surface's own light, or the background's.</param>
-/// <param name="Ambient">Ambient light.</param>
-/// <param name="Direct">Light that comes from the sources, along any way where light is traced too.</param>
-public sealed record ContributionParts(IReadOnlyList<double> Emitted, IReadOnlyList<double> Ambient, IReadOnlyList<double> Direct);

@@ -17,10 +17,10 @@ namespace RayTracer.Rendering;
 /// <param name="maxDepth">The largest number of edges of a path after the camera; below 0 for no limit.</param>
 internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : InteriorShader(context)
 {
-    private const float LargestSurvival = 0.95f;
+    internal const float LargestSurvival = 0.95f;
 
     // How many times what a path carries it survives: less noise for more time. Measured on the Cornell box, fog, glossy balls and a room; 1 is the usual choice.
-    private const float Leniency = 4;
+    internal const float Leniency = 4;
     private readonly ShadowQueue? _queue = context.Queue;
     private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer, context.Clock);
     private readonly EmitterLookup _lights = new(context.Scene);

@@ -383,7 +383,7 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
         (surface.Rules & NormalRules.DropsLeaks) == NormalRules.None ? MaskW.None : Leaks(surface, direction);
 
     /// <summary>The cosine between the shape's own normal and the way back along the ray; negative from behind.</summary>
-    private protected static FloatW CosineOfEmission(in SurfaceW surface)
+    internal static FloatW CosineOfEmission(in SurfaceW surface)
     {
         FloatW cosine = -Vec3W.Dot(surface.Incoming, surface.Normal);
         return FloatW.Max(FloatW.Min(cosine, 1f), -1f);

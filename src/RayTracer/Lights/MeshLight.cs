@@ -32,6 +32,9 @@ internal sealed unsafe class MeshLight(MeshTable mesh, LuminaireMaterial luminai
     /// <summary>Their material.</summary>
     public LuminaireMaterial Luminaire => luminaire;
 
+    /// <summary>The first of them, among the scene's primitives.</summary>
+    public int FirstPrimitive => mesh.FirstPrimitive + choice.Triangles[0];
+
     /// <inheritdoc/>
     public override void Pdf(in LightHitW hit, out FloatW pdf)
     {

@@ -237,6 +237,17 @@ public sealed class Scene
     public ShapeDescription? SourceOf(int primitive, int instance) =>
         instance > 0 ? World.Instances!.SourceOf(instance) : World.Itself.SourceOf(primitive);
 
+    /// <summary>What a light that paths ask was made from; null for the surroundings, and as for <see cref="SourceOf"/>.</summary>
+    /// <param name="light">The light's number, from 0.</param>
+    public ShapeDescription? SourceOfLight(int light)
+    {
+        LightSource source = SampledLights[light];
+        int punctual = light - (Lights.Count - World.Itself.Contents.Lights.Count);
+        return source is MeshLight mesh ? SourceOf(mesh.FirstPrimitive, mesh.Instance)
+            : source.Primitive >= 0 ? SourceOf(source.Primitive, source.Instance)
+            : source != SampledEnvironment && punctual >= 0 ? World.Itself.Contents.Lights[punctual].Light : null;
+    }
+
     /// <summary>Returns the description that the material of a primitive was made from; null as for <see cref="SourceOf"/>.</summary>
     public MaterialDescription? MaterialSourceOf(int primitive) => Groups[GroupOfPrimitive[primitive]].Material.Source;
 

@@ -110,6 +110,30 @@ public sealed class PathInspectorTests
         }
     }
 
+    [Fact]
+    public async Task A_sentence_names_what_happened_and_sums_say_where_the_light_came_from()
+    {
+        using TestSession test = new();
+        await test.OpenShipped("report/scene2.json", Size, Samples);
+        List<string> sentences = [];
+        foreach ((int x, int y) in Pixels())
+        {
+            InspectedPixel pixel = await Inspect(test, x, y);
+            sentences.AddRange(pixel.Samples.Select(s => s.Sentence));
+            PixelSummary sums = test.Session.Part<PathInspector>().Summarize(x, y);
+            Assert.Equal(Samples, sums.Samples);
+            Assert.Equal(pixel.Samples.Average(s => s.Radiance.Luminance), sums.Mean, 1e-6);
+            foreach (IReadOnlyList<LightShare> shares in new[] { sums.Lights, sums.Things, sums.Depths, sums.Techniques })
+            {
+                Assert.Equal(sums.Mean > 0 ? 1 : 0, shares.Sum(s => s.Share), 1e-3);
+            }
+        }
+
+        Assert.Contains(sentences, s => s.StartsWith("Light of *", StringComparison.Ordinal) && s.Contains("was reflected by *", StringComparison.Ordinal));
+        Assert.Contains(sentences, s => s.Contains("came through *glass ball*", StringComparison.Ordinal));
+        Assert.All(sentences, s => Assert.EndsWith(".", s));
+    }
+
     private static async Task<InspectedPixel> Inspect(TestSession test, int x, int y)
     {
         await test.Until(() => test.Session.View.Loop.Status.Status != "idle" ? test : null);

@@ -29,6 +29,32 @@ public class InsideWalks(ChromiumBrowser browser)
         await w.Shot("paths", isShown: true);
     }
 
+    [SkippableFact]
+    public async Task A_vertex_opens_into_its_equation_and_bars_sum_up_the_samples()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "cornell", new() { ViewportSize = new() { Width = 1280, Height = 800 } });
+        await w.Painted(2);
+
+        // A link to a pixel and a sample opens the same view.
+        await w.Page.EvaluateAsync("location.hash = '#pixel=40,90&sample=3'");
+        ILocator table = w.Page.GetByRole(AriaRole.Region, new() { Name = "Vertices of the path" });
+        await Expect(table.GetByText("Sample 3", new() { Exact = true })).ToBeVisibleAsync();
+        await Expect(table.GetByRole(AriaRole.Columnheader).Last).ToBeInViewportAsync(new() { Ratio = 1 });
+        await Expect(table.Locator(".sentence")).ToContainTextAsync("ight");
+
+        await table.GetByRole(AriaRole.Button, new() { Name = "Vertex 1: the equation" }).ClickAsync();
+        await Expect(table.Locator(".equation")).ToContainTextAsync("Asks the lights");
+        await Expect(table.GetByRole(AriaRole.Columnheader).Last).ToBeInViewportAsync(new() { Ratio = 1 });
+        await Expect(w.Page.Locator(".path-overlay line").First).ToBeAttachedAsync();
+        await w.Shot("path-equation", isShown: true);
+
+        await w.Button("All samples").ClickAsync();
+        await Expect(table.GetByText("By how it was found")).ToBeVisibleAsync();
+        await Expect(table.GetByText("direct light", new() { Exact = true })).ToBeVisibleAsync();
+        await w.Shot("path-bars", isShown: true);
+        await StudioWindow.Until("the address names the pixel", async () => (await w.Page.EvaluateAsync<string>("location.hash")).StartsWith("#pixel=40,90&sample=", StringComparison.Ordinal));
+    }
+
     [ThoroughFact]
     [Trait("Category", "Thorough")]
     public async Task Where_light_is_traced_too_the_ways_of_a_pixel_are_listed_and_drawn()

@@ -1,6 +1,7 @@
 import { effect } from "@preact/signals";
 import { render } from "preact";
 import { sayGoodbye } from "./api/client";
+import { followAddress } from "./inside/address";
 import { App } from "./shell/App";
 import { follow } from "./state/follow";
 import { reportFaults } from "./state/messages";
@@ -19,6 +20,7 @@ import "./styles/dialogs.css";
 reportFaults();
 follow();
 followKeys();
+followAddress();
 
 addEventListener("pagehide", sayGoodbye);
 addEventListener("beforeunload", (e) => {

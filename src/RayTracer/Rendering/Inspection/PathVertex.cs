@@ -41,6 +41,30 @@ public sealed record PathVertex
     /// </summary>
     public float? Pdf { get; init; }
 
+    /// <summary>The BSDF for the chosen direction, where the weight is BSDF · cosine / pdf of it; else null.</summary>
+    public Rgb? Bsdf { get; init; }
+
+    /// <summary>The cosine between the chosen direction and the normal.</summary>
+    public float Cosine { get; init; }
+
+    /// <summary>The probability with which the path survived the game of chance here; 1 where none was played. Throughput is divided by it.</summary>
+    public float Survival { get; init; } = 1;
+
+    /// <summary>The reason for its end, where it could have gone on.</summary>
+    public PathEnd End { get; init; }
+
+    /// <summary>What media on the way here have left of the throughput, over the probability of going so far.</summary>
+    public Rgb Passed { get; init; } = Rgb.White;
+
+    /// <summary>The colour of the wavelength that the path gets here; white where it gets none.</summary>
+    public Rgb Dispersion { get; init; } = Rgb.White;
+
+    /// <summary>The light that is met here; null where nothing shines.</summary>
+    public TracedEmission? Emission { get; init; }
+
+    /// <summary>The points of lights that are asked.</summary>
+    public IReadOnlyList<TracedLight> Lights { get; init; } = [];
+
     /// <summary>The radiance that the path had gathered before.</summary>
     public required Rgb Before { get; init; }
 

@@ -28,7 +28,7 @@ internal sealed class SubpathTracing
         _log = new((uint)((y * scene.Render.Width) + x));
         _pass = new(scene, new() { Crop = _pixel }, Environment.ProcessorCount, (uint)scene.Render.Seed) { Recorded = _log };
         _camera = new(scene);
-        _light = new(scene);
+        _light = new(scene, asks: false);
         _followLight = _pass.Follower(_light);
         _wavefront = new(scene, 1, 1, _camera, _pass);
     }
@@ -55,9 +55,28 @@ internal sealed class SubpathTracing
             sum = after;
         }
 
+        AnswerQuestions(arrivals, vertices);
         Arrival[] brightest = [.. arrivals.OrderByDescending(a => a.Light.Luminance).Take(MostWays)];
         FindLightPaths(brightest);
         return path with { Radiance = sum, Vertices = vertices, Ways = [.. brightest.Select(a => WayOf(a, sample, vertices))] };
+    }
+
+    // What vertices asked of lights, and what came of it.
+    private void AnswerQuestions(List<Arrival> arrivals, PathVertex[] vertices)
+    {
+        for (int i = 0; i < vertices.Length; i++)
+        {
+            IReadOnlyList<LightQuestion> questions = _camera.Questions(0, i);
+            foreach (Arrival arrival in arrivals.Where(a => a.From == 1 && a.To == vertices[i].Number + 2))
+            {
+                Vector3 direction = (arrival.Point - vertices[i].Position!.Value).Unit();
+                LightQuestion? nearest = questions.Where(q => !q.IsAnswered).MaxBy(q => q.Answer.Direction.Dot(direction));
+                nearest?.Weigh(arrival.Light.Luminance / arrival.Alone.Luminance);
+                nearest?.Wait(new(nearest.Answer.Light, arrival.Light, Rgb.White), nearest.Expected * vertices[i].Throughput * vertices[i].Dispersion);
+            }
+
+            vertices[i] = vertices[i] with { Lights = [.. questions.Select(q => q.Settle())] };
+        }
     }
 
     private static Rgb Sum(List<Arrival> arrivals, Func<Arrival, bool> which) => arrivals.Where(which).Aggregate(Rgb.Black, (sum, a) => sum + a.Light);

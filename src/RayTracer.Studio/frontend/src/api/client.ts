@@ -16,7 +16,8 @@ function takeToken(): string {
   const inAddress = /[#&]token=([\w.~+/=-]+)/.exec(location.hash)?.[1];
   if (inAddress) {
     sessionStorage.setItem(tokenName, inAddress);
-    history.replaceState(null, "", location.pathname);
+    const rest = location.hash.replace(/[#&]token=[^&]*/, "").replace(/^[#&]/, "");
+    history.replaceState(null, "", location.pathname + (rest && `#${rest}`));
   }
   return inAddress ?? sessionStorage.getItem(tokenName) ?? "";
 }

@@ -114,11 +114,37 @@ export interface HandleDrag {
   gesture: string;
 }
 
+export interface InspectedEmission {
+  name: string;
+  radiance: Vec3;
+  scatterPdf: number | null;
+  lightPdf: number | null;
+  weight: number;
+}
+
+export interface InspectedLight {
+  name: string;
+  pointer: string | null;
+  outcome: string;
+  blocker: string | null;
+  blockerPointer: string | null;
+  radiance: Vec3;
+  pdf: number;
+  scatterPdf: number | null;
+  bsdf: Vec3;
+  cosine: number;
+  weight: number;
+  transmittance: Vec3;
+  contribution: Vec3;
+  point: Vec3 | null;
+}
+
 export interface InspectedPath {
   sample: number;
   radiance: Vec3;
   vertices: InspectedVertex[];
   ways: InspectedWay[];
+  sentence: string;
 }
 
 export interface InspectedPixel {
@@ -142,6 +168,14 @@ export interface InspectedVertex {
   pdf: number | null;
   contribution: number[];
   parts: ContributionParts;
+  bsdf: Vec3 | null;
+  cosine: number;
+  survival: number;
+  end: string;
+  passed: Vec3;
+  dispersion: Vec3;
+  emission: InspectedEmission | null;
+  lights: InspectedLight[];
 }
 
 export interface InspectedWay {
@@ -186,6 +220,13 @@ export interface LightHandle {
 }
 
 export type LightHandleKind = "direction" | "cone" | "beam" | "radius";
+
+export interface LightShare {
+  name: string;
+  share: number;
+  variance: number;
+  samples: number[];
+}
 
 export interface ListedFile {
   name: string;
@@ -255,6 +296,17 @@ export interface PixelMask {
   width: number;
   height: number;
   runs: number[];
+}
+
+export interface PixelSummary {
+  samples: number;
+  mean: number;
+  noise: number;
+  lights: LightShare[];
+  things: LightShare[];
+  depths: LightShare[];
+  techniques: LightShare[];
+  advice: string;
 }
 
 export interface PlacedDiagnostic {

@@ -1,4 +1,3 @@
-import { signal } from "@preact/signals";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { get } from "../api/client";
 import type { InspectedPath, WireframeView } from "../api/types";
@@ -9,9 +8,8 @@ import { isDark } from "../state/settings";
 import { revision, selection } from "../state/store";
 import { texts } from "../texts";
 import { SceneDrawing, type Palette } from "./drawScene";
+import { litSamples, openVertex, pointedVertex, wireframe } from "./paths";
 import { around, nearer, newOrbit, turned } from "./orbit";
-
-const wireframe = signal<WireframeView | null>(null);
 
 const palettes: Record<"light" | "dark", Palette> = {
   light: { wire: "#9aa7b4", selected: "#c26a00", camera: "#2f6fb0", faint: "#3a4552" },
@@ -47,6 +45,7 @@ export function PathScene({ samples, chosen, way }: PathSceneProps) {
   }, []);
 
   const [scene, eye, selected, dark] = [wireframe.value, orbit.value, selection.value, isDark()];
+  const [lit, marked] = [litSamples.value, pointedVertex.value >= 0 ? pointedVertex.value : openVertex.value];
   useEffect(() => {
     const canvas = ref.current!;
     if (!scene || !eye || size.width === 0) return;
@@ -59,12 +58,12 @@ export function PathScene({ samples, chosen, way }: PathSceneProps) {
     const reach = length(subtract(scene.camera.position, eye.target));
     drawing.wires(scene, selected);
     drawing.eye(scene.camera, reach / 10);
-    for (const s of samples) if (s.sample !== chosen) drawing.path(s, false, 2 * reach);
+    for (const s of samples) if (s.sample !== chosen && (!lit || lit.includes(s.sample))) drawing.path(s, false, 2 * reach);
     const own = samples.find((s) => s.sample === chosen);
-    if (own) drawing.path(own, true, 2 * reach);
+    if (own) drawing.path(own, true, 2 * reach, marked);
     const lightPart = own?.ways[way];
     if (lightPart) drawing.way(lightPart);
-  }, [scene, eye, size, samples, chosen, way, selected, dark]);
+  }, [scene, eye, size, samples, chosen, way, selected, dark, lit, marked]);
 
   const turn = (yaw: number, pitch: number) => orbit.value && (orbit.value = turned(orbit.value, yaw, pitch));
   const approach = (factor: number) => orbit.value && (orbit.value = nearer(orbit.value, factor));

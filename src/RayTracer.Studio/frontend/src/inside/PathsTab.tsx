@@ -1,3 +1,4 @@
+import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { InspectedPath, InspectedPixel, InspectedVertex, InspectedWay } from "../api/types";
 import { toHex } from "../json/color";
@@ -9,8 +10,10 @@ import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
 import { picture } from "../viewport/stage";
 import { rgb } from "./format";
-import { chosenSample, chosenWay, firstSample, followPaths, paths } from "./paths";
+import { chosenSample, chosenWay, drawsAll, firstSample, followPaths, litSamples, openVertex, paths, pointedVertex } from "./paths";
 import { PathScene } from "./PathScene";
+import { PixelBars } from "./PixelBars";
+import { VertexEquation } from "./VertexEquation";
 import type { DockTab } from "../shell/Dock";
 
 const t = texts.paths;
@@ -27,6 +30,8 @@ function PixelChooser() {
   );
 }
 
+const luminance = ([r = 0, g = 0, b = 0]: readonly number[]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+
 function SampleList({ answer }: { answer: InspectedPixel }) {
   return (
     <div class="sample-list">
@@ -40,8 +45,8 @@ function SampleList({ answer }: { answer: InspectedPixel }) {
       <ul aria-label={t.list}>
         {answer.samples.map((s) => (
           <li key={s.sample}>
-            <button type="button" class="list-button" aria-pressed={s.sample === chosenSample.value} onClick={() => ([chosenSample.value, chosenWay.value] = [s.sample, -1])}>
-              <span class="swatch" style={{ background: toHex(s.radiance) }} /><span class="hidden-text">{t.sample}</span> {s.sample}<span class="figures">{rgb(s.radiance, 2)}</span>
+            <button type="button" class={`list-button ${litSamples.value && !litSamples.value.includes(s.sample) ? "dimmed" : ""}`} aria-pressed={s.sample === chosenSample.value} onClick={() => ([chosenSample.value, chosenWay.value] = [s.sample, -1])}>
+              <span class="swatch" style={{ background: toHex(s.radiance) }} /><span class="hidden-text">{t.sample}</span> {s.sample}<span class="figures" data-tip={rgb(s.radiance)}>{format(luminance(s.radiance), 3)}</span>
             </button>
           </li>
         ))}
@@ -50,35 +55,56 @@ function SampleList({ answer }: { answer: InspectedPixel }) {
   );
 }
 
+const reveal = (row: HTMLElement | null) => row?.scrollIntoView({ block: "nearest" });
+
 function VertexRow({ vertex, index }: { vertex: InspectedVertex; index: number }) {
-  const { parts } = vertex;
-  const details = parts ? t.parts(rgb(parts.emitted), rgb(parts.ambient), rgb(parts.direct)) : undefined;
+  const isOpen = openVertex.value === index;
   return (
-    <tr>
-      <td>{index}</td>
-      <td data-tip={t.eventsWhy[vertex.event]}><span class={`event ${vertex.event}`}>{t.events[vertex.event] ?? vertex.event}</span></td>
-      <td>{vertex.pointer ? <button type="button" class="link" onClick={() => select(vertex.pointer)}>{vertex.name ?? vertex.pointer}</button> : vertex.name}<span class="material">{vertex.material}</span></td>
-      <td class="figures">{rgb(vertex.throughput)}</td>
-      <td class="figures">{rgb(vertex.weight)}</td>
-      <td class="figures">{vertex.pdf === null ? t.delta : format(vertex.pdf, 3)}</td>
-      <td class="figures" data-tip={details}>{rgb(vertex.contribution)}</td>
-    </tr>
+    <>
+      <tr class={isOpen ? "open" : ""} onPointerEnter={() => (pointedVertex.value = index)} onPointerLeave={() => (pointedVertex.value = -1)}>
+        <td><button type="button" class="link" aria-expanded={isOpen} aria-label={t.open(index)} onClick={() => (openVertex.value = isOpen ? -1 : index)}>{isOpen ? "▾" : "▸"} {index}</button></td>
+        <td data-tip={t.eventsWhy[vertex.event]}><span class={`event ${vertex.event}`}>{t.events[vertex.event] ?? vertex.event}</span></td>
+        <td class="thing">{vertex.pointer ? <button type="button" class="link" onClick={() => select(vertex.pointer)}>{vertex.name ?? vertex.pointer}</button> : vertex.name}<span class="material">{vertex.material}</span></td>
+        <td class="figures">{rgb(vertex.throughput)}</td>
+        <td class="figures">{rgb(vertex.contribution)}</td>
+      </tr>
+      {isOpen && <tr class="opened" ref={reveal}><td colSpan={5}><VertexEquation vertex={vertex} /></td></tr>}
+    </>
   );
 }
 
+/** Names of things stand between asterisks. */
+const emphasized = (sentence: string) => sentence.split("*").map((part, i) => (i % 2 ? <em key={i}>{part}</em> : part));
+
 function VertexTable({ sample }: { sample: InspectedPath }) {
   return (
-    <div class="vertices" role="region" aria-label={t.table} tabIndex={0}>
+    <>
+      <p class="sentence">{emphasized(sample.sentence)}</p>
       <table>
         <caption>{t.sample} {sample.sample}</caption>
         <thead>
-          <tr><th scope="col">#</th><th scope="col">{t.event}</th><th scope="col">{t.thing}</th><th scope="col">{t.throughput}</th><th scope="col">{t.weight}</th><th scope="col">{t.pdf}</th><th scope="col">{t.contribution}</th></tr>
+          <tr><th scope="col">#</th><th scope="col">{t.event}</th><th scope="col">{t.thing}</th><th scope="col" data-tip={t.throughputWhy}>{t.throughput}</th><th scope="col" data-tip={t.contributionWhy}>{t.contribution}</th></tr>
         </thead>
         <tbody>{sample.vertices.map((v, i) => <VertexRow vertex={v} index={i} key={i} />)}</tbody>
-        <tfoot><tr><th scope="row" colSpan={6}>{t.total}</th><td class="figures">{rgb(sample.radiance)}</td></tr></tfoot>
+        <tfoot><tr><th scope="row" colSpan={4}>{t.total}</th><td class="figures">{rgb(sample.radiance)}</td></tr></tfoot>
       </table>
       <p class="quiet">{t.explain}</p>
       {sample.ways.length > 0 && <WayTable ways={sample.ways} />}
+    </>
+  );
+}
+
+const view = signal<"sample" | "pixel">("sample");
+
+/** One sample, vertex by vertex, or what all of them together say. */
+function Explanation({ sample }: { sample: InspectedPath | undefined }) {
+  return (
+    <div class="vertices" role="region" aria-label={t.table} tabIndex={0}>
+      <div class="group" role="group" aria-label={t.views}>
+        {(["sample", "pixel"] as const).map((v) => <Button key={v} label={t.viewNames[v]} showLabel pressed={view.value === v} onClick={() => (view.value = v)} />)}
+        <label><input type="checkbox" checked={drawsAll.value} onChange={(e) => (drawsAll.value = e.currentTarget.checked)} /> {t.drawAll}</label>
+      </div>
+      {view.value === "pixel" ? <PixelBars /> : sample && <VertexTable sample={sample} />}
     </div>
   );
 }
@@ -127,7 +153,7 @@ function PathsTab() {
   return (
     <div class="paths" role="group" aria-label={`${t.label}: ${t.pixel(answer.x, answer.y)}`}>
       <SampleList answer={answer} />
-      {sample && <VertexTable sample={sample} />}
+      <Explanation sample={sample} />
       <PathScene samples={answer.samples} chosen={sample?.sample ?? -1} way={chosenWay.value} />
     </div>
   );

@@ -58,13 +58,16 @@ export class SceneDrawing {
     for (const corner of corners) this.polyline([view.position, corner], this.palette.camera, 1);
   }
 
-  path(sample: InspectedPath, isChosen: boolean, farAway: number): void {
+  path(sample: InspectedPath, isChosen: boolean, farAway: number, marked = -1): void {
     const points = pathPoints(sample, farAway);
     const color = pathColor(sample.radiance);
     if (isChosen) this.polyline(points, this.palette.faint, 5, 0.7);
     this.polyline(points, color, isChosen ? 2 : 1, isChosen ? 1 : 0.45);
     if (!isChosen) return;
-    points.forEach((point, i) => this.dot(point, color, i));
+    for (const light of sample.vertices[marked]?.lights ?? []) {
+      if (light.point) this.polyline([points[marked]!, light.point], light.outcome === "arrives" ? this.palette.selected : this.palette.wire, 1.5);
+    }
+    points.forEach((point, i) => this.dot(point, color, i, i === marked ? 7 : 3.5));
   }
 
   /** A part from a light, from where it is joined with the camera's. */
@@ -73,13 +76,13 @@ export class SceneDrawing {
     way.points.slice(1).forEach((point, i) => this.dot(point, this.palette.selected, i + 1));
   }
 
-  private dot(point: Vec3, color: string, index: number): void {
+  private dot(point: Vec3, color: string, index: number, radius = 3.5): void {
     const at = project(this.camera, point);
     if (!at) return;
     const { context } = this;
     context.fillStyle = color;
     context.beginPath();
-    context.arc(at.x, at.y, 3.5, 0, 2 * Math.PI);
+    context.arc(at.x, at.y, radius, 0, 2 * Math.PI);
     context.fill();
     context.fillStyle = this.palette.selected;
     context.fillText(String(index), at.x + 6, at.y - 5);

@@ -1,7 +1,7 @@
 import { effect, signal } from "@preact/signals";
 import { get } from "../api/client";
 import { Latest } from "../api/latest";
-import type { InspectedPixel } from "../api/types";
+import type { InspectedPixel, PixelSummary, WireframeView } from "../api/types";
 import { complain } from "../state/messages";
 import { inspectedPixel, revision } from "../state/store";
 
@@ -11,7 +11,21 @@ export const chosenSample = signal(0);
 
 /** The chosen one of the sample's ways to the lights; -1 for none. */
 export const chosenWay = signal(-1);
+
+/** The vertex that is open, and the one under the pointer; -1 for none. */
+export const openVertex = signal(-1);
+export const pointedVertex = signal(-1);
+
+/** The samples that have the light of the bar that is pointed at or chosen; null for all. */
+export const litSamples = signal<readonly number[] | null>(null);
+
+/** Whether all samples' paths are drawn over the picture, or the chosen one's. */
+export const drawsAll = signal(false);
 export const paths = signal<InspectedPixel | null>(null);
+export const summary = signal<PixelSummary | null>(null);
+
+/** The scene as lines, and its camera. */
+export const wireframe = signal<WireframeView | null>(null);
 
 const asking = new Latest<{ x: number; y: number; first: number }>(async ({ x, y, first }) => {
   paths.value = await get<InspectedPixel>("paths", { x, y, first, count: perPage });
@@ -19,12 +33,33 @@ const asking = new Latest<{ x: number; y: number; first: number }>(async ({ x, y
   if (!paths.value.samples.some((s) => s.sample === chosenSample.value)) chosenSample.value = first;
 }, complain);
 
+const summing = new Latest<{ x: number; y: number }>(async ({ x, y }) => {
+  summary.value = await get<PixelSummary>("paths/summary", { x, y });
+}, complain);
+
 let shownPixel: object | null = null;
 
+/** Turns to a sample, on whatever page it is. */
+export function showSample(sample: number): void {
+  shownPixel = inspectedPixel.peek();
+  firstSample.value = Math.floor(sample / perPage) * perPage;
+  [chosenSample.value, chosenWay.value] = [sample, -1];
+}
+
 /** Asks for the paths of the inspected pixel whenever it, the page or the scene changes; ends with the function that it returns. */
-export const followPaths = () =>
-  effect(() => {
+export const followPaths = () => {
+  const stopPaths = effect(() => {
     const pixel = inspectedPixel.value;
-    if (pixel !== shownPixel) [shownPixel, firstSample.value, chosenSample.value] = [pixel, 0, 0];
+    if (pixel !== shownPixel) [shownPixel, firstSample.value, chosenSample.value, openVertex.value] = [pixel, 0, 0, -1];
     if (pixel && revision.value >= 0) asking.push({ ...pixel, first: firstSample.value });
   });
+  const stopSummary = effect(() => {
+    const pixel = inspectedPixel.value;
+    litSamples.value = summary.value = null;
+    if (pixel && revision.value >= 0) summing.push(pixel);
+  });
+  return () => {
+    stopPaths();
+    stopSummary();
+  };
+};

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from "preact/hooks";
+import { PathOverlay } from "../inside/PathOverlay";
 import { documentState, renderState, tool } from "../state/store";
 import { texts } from "../texts";
 import { Gizmo } from "./Gizmo";
@@ -49,6 +50,7 @@ export function Viewport() {
         <MotionPaths />
         <Wipe />
         <RegionOverlay />
+        <PathOverlay />
         <InspectMark />
         <LightBodies />
         <Gizmo />
