@@ -88,7 +88,7 @@ export function NumberField({ label, value, bounds, onChange, tip, mark, id }: N
         aria-valuemin={bounds.minimum ?? undefined}
         aria-valuemax={bounds.maximum ?? undefined}
         data-tip={[tip, texts.panel.drag].filter(Boolean).join(" ")}
-        value={typed ?? mark ? short(shown) : format(shown)}
+        value={typed ?? (mark ? short(shown) : format(shown))}
         onInput={(e) => setTyped(e.currentTarget.value)}
         onFocus={() => (keyGesture.current = newGesture())}
         onBlur={(e) => typed !== null && commit(e.currentTarget.value)}
