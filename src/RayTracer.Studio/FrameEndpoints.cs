@@ -11,6 +11,7 @@ internal static class FrameEndpoints
     private const int HeaderBytes = 32;
     private const uint IsPreview = 1;
     private const uint IsLast = 2;
+    private const int DocumentShift = 8;
 
     /// <summary>Adds the requests.</summary>
     public static void MapFrames(this RouteGroupBuilder api, PictureView view, LongPoll poll) =>
@@ -48,7 +49,7 @@ internal static class FrameEndpoints
 
     private static void WriteHeader(Span<byte> header, FrameLease frame, int width, int height)
     {
-        uint flags = (frame.Info.IsPreview ? IsPreview : 0) | (frame.Info.IsLast ? IsLast : 0);
+        uint flags = (frame.Info.IsPreview ? IsPreview : 0) | (frame.Info.IsLast ? IsLast : 0) | ((uint)frame.Document << DocumentShift);
         uint[] numbers = [Magic, (uint)frame.Version, (uint)width, (uint)height, (uint)frame.Info.PictureWidth, (uint)frame.Info.PictureHeight, flags, (uint)frame.Info.Samples];
         for (int i = 0; i < numbers.Length; i++)
         {

@@ -31,7 +31,7 @@ internal static class ViewEndpoints
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {
             ViewportScene shown = session.View.RequireShown();
-            return Gizmo.Of(shown, request.Pointer).Handles(CameraFrame.Of(shown), request.Kind, request.Length);
+            return Gizmo.Find(shown, request.Pointer)?.Handles(CameraFrame.Of(shown), request.Kind, request.Length) ?? new(request.Kind, default, null, []);
         });
         view.MapGet("/lights", () => session.View.Shown is { Camera.Projection.IsStraight: true } shown ? LightBody.Of(shown) : []);
         view.MapPost("/light/drag", (LightDrag drag) => session.LightHandles.Drag(drag));

@@ -63,7 +63,13 @@ internal sealed class TestSession : IDisposable
         while (true)
         {
             Assert.True(await Session.View.Frames.Wait(after, end.Token), "No frame came.");
-            FrameLease frame = Session.View.Frames.Borrow()!;
+            FrameLease? frame = Session.View.Frames.Borrow();
+            if (frame is null)
+            {
+                // It was taken down again: it was of a document that is no longer open.
+                continue;
+            }
+
             if (wanted is null || wanted(frame.Info))
             {
                 return frame;

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using RayTracer.Description;
 
 namespace RayTracer.Scenes;
@@ -5,10 +6,10 @@ namespace RayTracer.Scenes;
 /// <summary>The formats of model files, by their extensions; RayTracer.Import registers those that it reads.</summary>
 public static class ModelFile
 {
-    private static readonly Dictionary<string, Func<string, ImportedModel>> Readers = new(StringComparer.OrdinalIgnoreCase);
+    private static readonly ConcurrentDictionary<string, Func<string, ImportedModel>> Readers = new(StringComparer.OrdinalIgnoreCase);
 
     /// <summary>The extensions of the formats that are read, with their dots.</summary>
-    public static IReadOnlyCollection<string> Extensions => Readers.Keys;
+    public static IReadOnlyCollection<string> Extensions => [.. Readers.Keys.Order(StringComparer.Ordinal)];
 
     /// <summary>Adds a format, before the first scene is read.</summary>
     /// <param name="extension">The extension, with its dot; upper and lower case are the same.</param>

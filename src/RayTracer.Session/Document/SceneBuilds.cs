@@ -8,7 +8,6 @@ namespace RayTracer.Session;
 internal sealed class SceneBuilds(Action built) : IDisposable
 {
     private readonly Lock _lock = new();
-    private readonly FileCache _files = new();
     private readonly ChangeCounter _published = new();
     private DocumentContent _content = Nothing;
     private IReadOnlyList<PlacedDiagnostic> _diagnostics = [];
@@ -17,6 +16,7 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     private bool _isBuilding;
     private bool _isDisposed;
     private int _epoch;
+    private FileCache _files = new();
     private string? _reading;
 
     /// <summary>The newest content.</summary>
@@ -58,7 +58,8 @@ internal sealed class SceneBuilds(Action built) : IDisposable
             if (!_isBuilding)
             {
                 _isBuilding = true;
-                _ = Task.Run(BuildAll);
+                int epoch = _epoch;
+                _ = Task.Run(() => BuildAll(epoch));
             }
         }
     }
@@ -68,7 +69,11 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     {
         lock (_lock)
         {
+            // Nobody waits for the build of the last document, which may be reading a large file: the next one has its own thread and files.
             _epoch++;
+            _isBuilding = false;
+            _files = new();
+            _reading = null;
             _content = _content with { LastGood = null };
         }
     }
@@ -99,7 +104,7 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         }
     }
 
-    private void BuildAll()
+    private void BuildAll(int epoch)
     {
         while (true)
         {
@@ -107,6 +112,11 @@ internal sealed class SceneBuilds(Action built) : IDisposable
             GoodScene? lastGood;
             lock (_lock)
             {
+                if (_epoch != epoch)
+                {
+                    return;
+                }
+
                 if (_isDisposed || _wanted is null || _wanted == _built)
                 {
                     _isBuilding = false;
@@ -147,11 +157,12 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         SceneReadResult read = order.Read.Value;
         SceneReadResult shown = FrameTimes.Read(read, order.Frame);
         SceneLoadResult load;
-        _files.BeginBuild();
+        FileCache files = _files;
+        files.BeginBuild();
         try
         {
-            load = SceneLoader.Build(shown, order.Folder, FrameTimes.Opened(shown, order.Frame), readPicture: (path, raw) => InTime(order, path, () => _files.ReadPicture(path, raw)),
-                readModel: path => InTime(order, path, () => _files.ReadModel(path)));
+            load = SceneLoader.Build(shown, order.Folder, FrameTimes.Opened(shown, order.Frame), readPicture: (path, raw) => InTime(order, path, () => files.ReadPicture(path, raw)),
+                readModel: path => InTime(order, path, () => files.ReadModel(path)));
         }
         catch (Exception e) when (e is not StackOverflowException)
         {
@@ -166,15 +177,11 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     // Files take longest: none is read for a document that is no longer open.
     private T InTime<T>(Order order, string path, Func<T> read)
     {
-        lock (_lock)
+        if (!Note(order, Path.GetFileName(path)))
         {
-            if (order.Epoch != _epoch)
-            {
-                throw new OperationCanceledException();
-            }
+            throw new OperationCanceledException();
         }
 
-        Volatile.Write(ref _reading, Path.GetFileName(path));
         if (Content.LastGood is null)
         {
             built();
@@ -186,7 +193,18 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         }
         finally
         {
-            Volatile.Write(ref _reading, null);
+            Note(order, null);
+        }
+    }
+
+    // False where the order's document is no longer open.
+    private bool Note(Order order, string? reading)
+    {
+        lock (_lock)
+        {
+            bool isOpen = order.Epoch == _epoch;
+            _reading = isOpen ? reading : _reading;
+            return isOpen;
         }
     }
 

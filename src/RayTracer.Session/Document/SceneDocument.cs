@@ -85,7 +85,12 @@ public sealed class SceneDocument : IDisposable
             {
                 return new(
                     _revision, _place.Name, _place.Path, !_history.IsSaved, _history.ToUndo is not null, _history.ToRedo is not null,
-                    _history.ToUndo?.Label, _history.ToRedo?.Label, _builds.DiagnosticsOf(content), content.Load.Scene is not null, content.Revision);
+                    _history.ToUndo?.Label, _history.ToRedo?.Label, _builds.DiagnosticsOf(content), content.Load.Scene is not null, content.Revision)
+                {
+                    Document = _builds.Document,
+                    HasPicture = content.LastGood is not null,
+                    Reading = _builds.Reading,
+                };
             }
         }
     }
@@ -282,7 +287,17 @@ public sealed class SceneDocument : IDisposable
 /// <param name="BuiltRevision">The revision of that text: that of the text itself once it is built.</param>
 public sealed record DocumentStatus(
     int Revision, string Name, string? Path, bool IsDirty, bool CanUndo, bool CanRedo, string? UndoLabel, string? RedoLabel,
-    IReadOnlyList<PlacedDiagnostic> Diagnostics, bool IsGood, int BuiltRevision);
+    IReadOnlyList<PlacedDiagnostic> Diagnostics, bool IsGood, int BuiltRevision)
+{
+    /// <summary>The number of the document: grows whenever another one is opened.</summary>
+    public int Document { get; init; }
+
+    /// <summary>True if a scene could be built since it was opened: there is a valid picture to show.</summary>
+    public bool HasPicture { get; init; }
+
+    /// <summary>The name of the file that is read for it just now; null where none is.</summary>
+    public string? Reading { get; init; }
+}
 
 /// <summary>The place of a document: its name, file and folder.</summary>
 /// <param name="Name">The document's name: that of a file without its folder.</param>

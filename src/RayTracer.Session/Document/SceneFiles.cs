@@ -17,6 +17,9 @@ public sealed class SceneFiles
     private readonly RecentFiles _recent;
     private readonly Lock _lock = new();
     private FileStamp _stamp;
+    private Before? _before;
+    private int _turn;
+    private int _cancelled = -1;
 
     /// <summary>The files of a session.</summary>
     /// <param name="document">The document that they are opened into.</param>
@@ -238,8 +241,41 @@ public sealed class SceneFiles
         Show(text, place, isSaved: true, origin, start);
     }
 
+    /// <summary>
+    /// Ends opening: a file that is still read is not opened, and of one whose scene is still built the document before it comes back, as far
+    /// as its text; its steps of undo are gone.
+    /// </summary>
+    public void CancelOpening()
+    {
+        Before? before;
+        lock (_lock)
+        {
+            _cancelled = _turn;
+            before = _document.Content.LastGood is null ? _before : null;
+            _stamp = before?.Stamp ?? _stamp;
+            _before = null;
+        }
+
+        if (before is not null)
+        {
+            _document.Open(before.Text, before.Place, !before.IsDirty);
+            Opened?.Invoke(null, null);
+            _recovery.Flush();
+        }
+    }
+
     private void Show(string text, DocumentPlace place, bool isSaved, RenderJob? origin = null, FilmStart? start = null)
     {
+        lock (_lock)
+        {
+            if (_cancelled == _turn)
+            {
+                throw new SessionException("opening was cancelled");
+            }
+
+            _before = new(_document.Text, _document.Place, _document.IsDirty, _stamp);
+        }
+
         // A picture was rendered from the scene as it was written, or at a frame whose values are in the text.
         _document.Open(text, place, isSaved, origin is null ? 0 : null);
         Opened?.Invoke(origin, start);
@@ -251,6 +287,11 @@ public sealed class SceneFiles
         if (!discard && _document.IsDirty)
         {
             throw new SessionException($"{_document.Place.Name} has unsaved changes", SessionFault.Unsaved);
+        }
+
+        lock (_lock)
+        {
+            _turn++;
         }
     }
 
@@ -271,6 +312,8 @@ public sealed class SceneFiles
             throw new SessionException($"{target} has been changed elsewhere since it was opened here", SessionFault.ChangedOnDisk);
         }
     }
+
+    private sealed record Before(string Text, DocumentPlace Place, bool IsDirty, FileStamp Stamp);
 
     private static string Whole(string path) => Path.IsPathFullyQualified(path) && !path.Contains('\0', StringComparison.Ordinal)
         ? Path.GetFullPath(path) : throw new SessionException("the file needs an absolute path");

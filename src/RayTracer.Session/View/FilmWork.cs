@@ -136,6 +136,7 @@ internal sealed class FilmWork(FrameBoard frames)
 
     private void Begin(ViewportScene wanted)
     {
+        frames.Begin(wanted.Good.Document);
         RenderDescription render = wanted.Scene.Render;
         (int width, int height) = (render.Width, render.Height);
         Film? begun = wanted.Start?.Take();

@@ -15,6 +15,9 @@ public sealed class FrameBoard
     private SharedFrame? _newest;
     private long _lastWatched = -Stopwatch.Frequency * 3600;
 
+    /// <summary>The number of the document that the frames show.</summary>
+    public int Document { get; private set; }
+
     /// <summary>Raised when somebody begins to wait for a frame.</summary>
     public event Action? Wanted;
 
@@ -23,6 +26,19 @@ public sealed class FrameBoard
 
     /// <summary>Returns whether somebody is looking, or was a moment ago.</summary>
     public bool IsWatched => Changes.Waiting > 0 || Stopwatch.GetElapsedTime(Volatile.Read(ref _lastWatched)) < Attention;
+
+    /// <summary>From now on frames show a document; one of another document is taken down.</summary>
+    public void Begin(int document)
+    {
+        lock (_lock)
+        {
+            if (document != Document)
+            {
+                Release(_newest);
+                (_newest, Document) = (null, document);
+            }
+        }
+    }
 
     /// <summary>Puts a frame up.</summary>
     /// <param name="info">The facts about the frame.</param>
@@ -52,13 +68,24 @@ public sealed class FrameBoard
     /// <returns>True if there is one.</returns>
     public async Task<bool> Wait(long version, CancellationToken cancellation)
     {
-        Task<bool> wait = Changes.WaitBeyond(version, cancellation);
-        if (!wait.IsCompleted)
+        bool isNew;
+        bool isThere;
+        do
         {
-            Wanted?.Invoke();
-        }
+            Task<bool> wait = Changes.WaitBeyond(version, cancellation);
+            if (!wait.IsCompleted)
+            {
+                Wanted?.Invoke();
+            }
 
-        bool isNew = await wait.ConfigureAwait(false);
+            isNew = await wait.ConfigureAwait(false);
+
+            // The version first: a frame that is put up meanwhile is found at once, and one that was taken down is not waited for.
+            version = Changes.Version;
+            isThere = _lock.Read(() => _newest is not null);
+        }
+        while (isNew && !isThere);
+
         Volatile.Write(ref _lastWatched, Stopwatch.GetTimestamp());
         return isNew;
     }
@@ -74,7 +101,7 @@ public sealed class FrameBoard
             }
 
             frame.Users++;
-            return new(Changes.Version, frame.Info, frame.Picture, () => Return(frame));
+            return new(Changes.Version, frame.Info, frame.Picture, () => Return(frame)) { Document = Document };
         }
     }
 
@@ -145,6 +172,9 @@ public sealed class FrameLease : IDisposable
 
     /// <summary>Grows with each frame, and each change of how it is seen.</summary>
     public long Version { get; }
+
+    /// <summary>The number of the document that it shows.</summary>
+    public int Document { get; init; }
 
     /// <summary>The properties of the frame.</summary>
     public FrameInfo Info { get; }

@@ -38,7 +38,13 @@ public sealed record Gizmo(Vector3 Center, float Radius, Vector3 Minimum, Vector
     /// <param name="shown">The scene.</param>
     /// <param name="pointer">The thing.</param>
     /// <exception cref="SessionException">It is nothing that can be seen, or it has no end.</exception>
-    public static Gizmo Of(ViewportScene shown, string pointer)
+    public static Gizmo Of(ViewportScene shown, string pointer) =>
+        Find(shown, pointer) ?? throw new SessionException("There is nothing there with a size.", SessionFault.Missing);
+
+    /// <summary>As <see cref="Of"/>, but null for what is nothing that can be seen, as while the text of what was added is not valid.</summary>
+    /// <param name="shown">The scene.</param>
+    /// <param name="pointer">The thing.</param>
+    public static Gizmo? Find(ViewportScene shown, string pointer)
     {
         // What no ray meets has a place, but no size.
         JsonText text = JsonText.Of(shown.Good.Read);
@@ -61,9 +67,7 @@ public sealed record Gizmo(Vector3 Center, float Radius, Vector3 Minimum, Vector
             return new(middle, 0, middle, middle);
         }
 
-        return all.IsFinite
-            ? new((all.Minimum + all.Maximum) * 0.5f, ((all.Maximum - all.Minimum) * 0.5f).Norm(), all.Minimum, all.Maximum)
-            : throw new SessionException("There is nothing there with a size.", SessionFault.Missing);
+        return all.IsFinite ? new((all.Minimum + all.Maximum) * 0.5f, ((all.Maximum - all.Minimum) * 0.5f).Norm(), all.Minimum, all.Maximum) : null;
     }
 
     /// <summary>The handles, as they are drawn over the picture.</summary>

@@ -18,6 +18,7 @@ public sealed class PictureView : IDisposable
 
     private readonly ViewCamera _camera = new();
     private long _pictures;
+    private bool _hidesFresh;
 
     // The film that the picture goes on with, of which place it is, and which picture that is: 0 before the scene is built.
     private FilmStart? _start;
@@ -190,6 +191,20 @@ public sealed class PictureView : IDisposable
         Loop.Dispose();
     }
 
+    /// <summary>Shows nothing until something is opened or changed: a page that offers the gallery hides the first scene.</summary>
+    public void HideFresh()
+    {
+        lock (_lock)
+        {
+            _hidesFresh = true;
+            if (_shown is { Good.Revision: 1 })
+            {
+                _shown = null;
+                Loop.Show(null);
+            }
+        }
+    }
+
     private void Check(ViewSettings settings)
     {
         if (settings.Threads is < 1 or > 1024)
@@ -238,8 +253,10 @@ public sealed class PictureView : IDisposable
 
                 Show(good, restart: false);
             }
-            else if (content.Revision == _document.Revision)
+            else
             {
+                // Of another document nothing is shown any more, and whoever has stopped one picture wants to see the next one.
+                _settings = _settings.Mode == RenderMode.Stopped && _shown is not null ? _settings with { Mode = RenderMode.Running } : _settings;
                 _shown = null;
                 Loop.Show(null);
             }
@@ -251,7 +268,7 @@ public sealed class PictureView : IDisposable
     // Has the loop render what is to be seen now; false where it cannot be.
     private bool Show(GoodScene? good, bool restart)
     {
-        if (good is null || Seen(good) is not { } shown)
+        if (good is null || (_hidesFresh && good.Revision == 1) || Seen(good) is not { } shown)
         {
             return false;
         }

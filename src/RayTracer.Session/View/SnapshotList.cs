@@ -24,15 +24,15 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
     public async Task<Snapshot> Capture()
     {
         LinearPicture picture = new();
-        int samples = await view.Loop.ReadFilm((film, _, count) =>
+        (int samples, int document) = await view.Loop.ReadFilm((film, shown, count) =>
         {
             picture.CopyFrom(film);
-            return count;
+            return (count, shown.Good.Document);
         }).ConfigureAwait(false);
         Snapshot snapshot;
         lock (_lock)
         {
-            snapshot = new(++_lastId, string.Create(CultureInfo.InvariantCulture, $"{samples} samples, {time.GetLocalNow():HH:mm:ss}"));
+            snapshot = new(++_lastId, string.Create(CultureInfo.InvariantCulture, $"{samples} samples, {time.GetLocalNow():HH:mm:ss}")) { Document = document };
             _kept.Add((snapshot, picture, view.Tone));
             if (_kept.Count > Most)
             {
@@ -66,4 +66,8 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
 /// <summary>An earlier picture, kept for comparison.</summary>
 /// <param name="Id">Its number.</param>
 /// <param name="Label">A description in a few words.</param>
-public sealed record Snapshot(int Id, string Label);
+public sealed record Snapshot(int Id, string Label)
+{
+    /// <summary>The number of the document that it shows.</summary>
+    public int Document { get; init; }
+}

@@ -36,6 +36,7 @@ internal static class FileEndpoints
                     break;
             }
         });
+        api.MapPost("/file/cancel", () => files.CancelOpening());
         api.MapPost("/file/upload", async (HttpContext context, string? name, bool? discard) =>
         {
             // Longer bodies are refused by what counts them, with a sentence.

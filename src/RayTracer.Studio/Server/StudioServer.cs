@@ -19,6 +19,7 @@ internal sealed class StudioServer : IAsyncDisposable
 
     private StudioServer(StudioSession session, ServerOptions options)
     {
+        session.View.HideFresh();
         _token = Base64Url.EncodeToString(RandomNumberGenerator.GetBytes(32));
         _app = Build(options);
         _windows = new(options.Grace, options.Time, () => session.Jobs.Running.Count > 0, _app.Lifetime.StopApplication);

@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Scenes;
 using RayTracer.Session;
 
@@ -29,6 +30,35 @@ public sealed class SceneFilesTests : IDisposable
         Assert.NotNull((await Document.WhenBuilt()).Load.Scene);
         Assert.Empty(Document.Status.Diagnostics);
         Assert.False(Document.IsDirty);
+    }
+
+    [Fact]
+    public async Task Opening_that_is_cancelled_brings_the_text_before_it_back_and_waits_for_no_file()
+    {
+        using ManualResetEventSlim isRead = new();
+        using ManualResetEventSlim isReading = new();
+        ModelFile.Register(".slowest", _ =>
+        {
+            isReading.Set();
+            isRead.Wait(TimeSpan.FromMinutes(1));
+            throw new ModelException("it was read for nobody");
+        });
+        File.Copy(Path.Combine(ShippedScenes.Folder, "primer/01-sphere.json"), _folder["before.json"]);
+        Files.Open(_folder["before.json"]);
+        GoodScene before = (await Document.WhenBuilt()).LastGood!;
+        _folder.Write("slow.slowest", "without an end");
+        _folder.Write("after.json", """{ "shapes": [{ "type": "model", "file": "slow.slowest" }] }""");
+        Files.Open(_folder["after.json"]);
+        Assert.True(isReading.Wait(TimeSpan.FromMinutes(1)));
+        Assert.Equal("slow.slowest", Document.Status.Reading);
+        Assert.False(Document.Status.HasPicture);
+
+        Files.CancelOpening();
+        GoodScene after = (await Document.WhenBuilt()).LastGood!;
+        Assert.Equal((before.Text, "before.json"), (after.Text, Document.Place.Name));
+        Assert.NotEqual(before.Document, after.Document);
+        Assert.Null(Document.Status.Reading);
+        isRead.Set();
     }
 
     [Theory]

@@ -176,6 +176,7 @@ public class EverydayWalks(ChromiumBrowser browser)
             {
                 await w.Painted();
                 await w.Drag(0.5, 0.5, 0.6, 0.5);
+                await w.Page.Keyboard.PressAsync("Shift+Home");
                 await StudioWindow.Until("there are changes", () => Task.FromResult(w.Session.Document.IsDirty));
                 text = w.Session.Document.Text;
             }
@@ -204,6 +205,50 @@ public class EverydayWalks(ChromiumBrowser browser)
         await Expect(w.Page.GetByText("The Studio is not responding.")).ToBeVisibleAsync(new() { Timeout = 30_000 });
         await Expect(w.Status).ToHaveTextAsync("not connected");
         await w.Shot("lost");
+    }
+
+    [SkippableFact]
+    public async Task What_is_typed_while_the_Studio_is_gone_is_kept_and_merged_by_the_next_window()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        w.Expected.Add("ERR_");
+        w.Expected.Add("Failed to load resource");
+        IPage page = w.Page;
+        await page.RouteAsync("**/api/document/text", route => route.AbortAsync("connectionrefused"));
+        await page.RouteAsync("**/api/state*", route => route.AbortAsync("connectionrefused"));
+        await Expect(page.GetByText("The Studio is not responding.")).ToBeVisibleAsync();
+        await page.GetByRole(AriaRole.Textbox, new() { Name = "Scene source" }).ClickAsync();
+        await page.Keyboard.PressAsync("Control+Home");
+        await page.Keyboard.TypeAsync("// typed in the dark\n");
+        await StudioWindow.Until("it is kept", async () => (await page.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''")).Contains("typed in the dark", StringComparison.Ordinal));
+        await page.CloseAsync();
+        Assert.DoesNotContain("typed in the dark", w.Session.Document.Text, StringComparison.Ordinal);
+
+        w.Session.Edits.Set("/shapes/0/radius", 0.5);
+        IPage next = await w.NewPage();
+        await next.GetByRole(AriaRole.Button, new() { Name = "Merge it in" }).ClickAsync();
+        await w.Text("both changes are there", t => t.StartsWith("// typed in the dark\n", StringComparison.Ordinal) && t.Contains("0.5", StringComparison.Ordinal));
+        Assert.Equal("", await next.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''"));
+    }
+
+    [SkippableFact]
+    public async Task What_is_typed_while_the_connection_is_lost_is_sent_when_it_is_back()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        w.Expected.Add("ERR_");
+        w.Expected.Add("Failed to load resource");
+        await w.Page.RouteAsync("**/api/document/text", route => route.AbortAsync("connectionrefused"));
+        await w.Page.RouteAsync("**/api/state*", route => route.AbortAsync("connectionrefused"));
+        await Expect(w.Page.GetByText("The Studio is not responding.")).ToBeVisibleAsync();
+        await w.Page.GetByRole(AriaRole.Textbox, new() { Name = "Scene source" }).ClickAsync();
+        await w.Page.Keyboard.PressAsync("Control+Home");
+        await w.Page.Keyboard.TypeAsync("// typed in the dark\n");
+        await w.Page.UnrouteAsync("**/api/document/text");
+        await w.Page.UnrouteAsync("**/api/state*");
+        await w.Text("it is there", t => t.StartsWith("// typed in the dark\n", StringComparison.Ordinal));
+        await StudioWindow.Until("nothing is kept", async () => await w.Page.EvaluateAsync<bool>("() => localStorage.getItem('studio.unsent') === null"));
     }
 
     [ThoroughFact]

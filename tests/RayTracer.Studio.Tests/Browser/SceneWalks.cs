@@ -154,6 +154,7 @@ public class SceneWalks(ChromiumBrowser browser)
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
         await w.Painted();
         await w.Drag(0.5, 0.5, 0.6, 0.5);
+        await w.Page.Keyboard.PressAsync("Shift+Home");
         await StudioWindow.Until("there are changes", () => Task.FromResult(w.Session.Document.IsDirty));
         await w.Tab("Gallery");
         await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("Open .*glass") }).First.ClickAsync();

@@ -90,7 +90,7 @@ internal sealed class StudioWindow : IAsyncDisposable
         page.Response += async (_, response) =>
         {
             // The console does not tell which request it was.
-            if (response.Status == 400)
+            if (response.Status is 400 or 404)
             {
                 Trouble($"refused: {response.Request.Method} {response.Url} {response.Request.PostData}");
                 try

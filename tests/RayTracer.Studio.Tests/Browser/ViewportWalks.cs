@@ -100,6 +100,7 @@ public class ViewportWalks(ChromiumBrowser browser)
         await Expect(w.Status).ToContainTextAsync("stopped");
         (int painted, int samples) = await Settled(w);
 
+        await w.Button("Display").ClickAsync();
         await w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "Exposure", Exact = true }).FillAsync("2");
         await w.Page.Keyboard.PressAsync("Enter");
 

@@ -24,7 +24,6 @@ function textsOf(t: typeof english) {
     },
     files: {
       ...t.files,
-      dropping: (name: string) => fill(t.files.dropping, { name }),
     },
     background: {
       ...t.background,
@@ -105,6 +104,16 @@ function textsOf(t: typeof english) {
     dialogs: {
       ...t.dialogs,
       unsaved: (name: string) => fill(t.dialogs.unsaved, { name }),
+    },
+    connection: {
+      ...t.connection,
+      unsent: (name: string, time: string) => fill(t.connection.unsent, { name, time }),
+    },
+    opening: {
+      ...t.opening,
+      title: (name: string) => fill(t.opening.title, { name }),
+      reading: (name: string) => fill(t.opening.reading, { name }),
+      nothing: (name: string) => fill(t.opening.nothing, { name }),
     },
     recovery: {
       ...t.recovery,

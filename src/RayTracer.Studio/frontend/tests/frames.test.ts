@@ -13,7 +13,7 @@ function frame(width: number, height: number, change: (view: DataView) => void =
 
 describe("a frame", () => {
   test("says what it is in its header", () => {
-    expect(readHeader(frame(3, 2))).toEqual({ version: 7, width: 3, height: 2, pictureWidth: 600, pictureHeight: 400, isPreview: true, isLast: true, samples: 12 });
+    expect(readHeader(frame(3, 2))).toEqual({ version: 7, width: 3, height: 2, pictureWidth: 600, pictureHeight: 400, isPreview: true, isLast: true, samples: 12, document: 0 });
   });
 
   test("is refused where it is none, or cut short", () => {

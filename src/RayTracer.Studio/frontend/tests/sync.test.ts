@@ -79,6 +79,24 @@ describe("the editor's text", () => {
     expect(editor.shown.toString()).toBe(server.text);
   });
 
+  test("is known whole as long as the server has not got it, while it is sent, too", async () => {
+    const server = new FakeServer("abc");
+    let arrive = () => {};
+    server.delay = () => new Promise((resolve) => (arrive = resolve));
+    const editor = new FakeEditor(server);
+    editor.type(0, 0, "1");
+    await Promise.resolve();
+    await Promise.resolve();
+    editor.type(1, 1, "2");
+    expect(editor.sync.unsentText()).toEqual({ base: "abc", text: "12abc" });
+    arrive();
+    await new Promise((resolve) => setTimeout(resolve));
+    expect(editor.sync.unsentText()).toEqual({ base: "1abc", text: "12abc" });
+    arrive();
+    await editor.sync.flush();
+    expect(editor.sync.unsentText()).toBeNull();
+  });
+
   test("is the server's after any mixture of changes", async () => {
     for (let seed = 1; seed <= 40; seed++) {
       let state = seed * 2654435761;

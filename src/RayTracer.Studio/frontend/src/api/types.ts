@@ -80,6 +80,9 @@ export interface DocumentStatus {
   diagnostics: PlacedDiagnostic[];
   isGood: boolean;
   builtRevision: number;
+  document: number;
+  hasPicture: boolean;
+  reading: string | null;
 }
 
 export type ExposureRule = "stops" | "limited" | "auto";
@@ -375,6 +378,7 @@ export interface ReportTime {
 export interface Snapshot {
   id: number;
   label: string;
+  document: number;
 }
 
 export interface StudioState {

@@ -13,13 +13,14 @@ import { SchemaGuide, type Schema } from "../json/schema";
 import { runCommand } from "../state/commands";
 import { newGesture } from "../state/edits";
 import { complain } from "../state/messages";
-import { documentState, revision, schema, wantedPlace } from "../state/store";
+import { connection, documentState, mergeWanted, revision, schema, wantedPlace } from "../state/store";
 import { texts } from "../texts";
 import { completionSource, hover } from "./assist";
 import { onFlush } from "./flush";
 import { folding, highlighting, indentation, jsonc } from "./language";
 import { TextSync, type SyncServer } from "./sync";
 import { theme } from "./theme";
+import { forgetUnsent, keepUnsent, mergedChange } from "./unsent";
 
 const fromServer = Annotation.define<boolean>();
 const burstPause = 1000;
@@ -46,6 +47,12 @@ function burstNames(): () => string {
     last = now;
     return gesture;
   };
+}
+
+/** Keeps what the server did not take. */
+function keep(sync: TextSync): void {
+  const unsent = sync.unsentText();
+  if (unsent) keepUnsent({ name: documentState.value?.name ?? "", time: new Date().toISOString(), ...unsent });
 }
 
 function create(root: ShadowRoot, text: string, startRevision: number): { view: EditorView; sync: TextSync } {
@@ -76,13 +83,18 @@ function create(root: ShadowRoot, text: string, startRevision: number): { view: 
         ]),
         EditorView.updateListener.of((update) => {
           const isOwn = update.transactions.some((t) => t.docChanged && !t.annotation(fromServer));
-          if (isOwn) sync.typed(update.changes, nameBurst());
+          if (!isOwn) return;
+          sync.typed(update.changes, nameBurst());
+          if (connection.value !== "open") keep(sync);
         }),
       ],
     }),
   });
   const apply = (changes: ChangeSet) => view.dispatch({ changes, annotations: fromServer.of(true) });
-  const sync: TextSync = new TextSync(server, { apply }, view.state.doc, startRevision, complain);
+  const sync: TextSync = new TextSync(server, { apply }, view.state.doc, startRevision, (error) => {
+    keep(sync);
+    complain(error);
+  });
   return { view, sync };
 }
 
@@ -98,7 +110,22 @@ function showDiagnostics(view: EditorView, diagnostics: PlacedDiagnostic[]): voi
 /** Keeps the editor and everything else in step; ends with the function that it returns. */
 function connect({ view, sync }: { view: EditorView; sync: TextSync }): () => void {
   onFlush(() => sync.flush());
+  let wasLost = false;
   const stops = [
+    effect(() => {
+      if (connection.value === "open" && wasLost) {
+        sync.retry();
+        void sync.flush().then(() => sync.unsentText() === null && forgetUnsent());
+      }
+      wasLost = connection.value !== "open";
+    }),
+    effect(() => {
+      const unsent = mergeWanted.value;
+      if (!unsent) return;
+      mergeWanted.value = null;
+      view.dispatch({ changes: mergedChange(unsent, view.state.doc.toString()), scrollIntoView: true });
+      forgetUnsent();
+    }),
     effect(() => sync.remote(revision.value)),
     effect(() => showDiagnostics(view, documentState.value?.diagnostics ?? [])),
     effect(() => {

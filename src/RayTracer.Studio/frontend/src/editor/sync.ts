@@ -41,6 +41,8 @@ export function asOne(changes: ChangeSet, before: Text): { from: number; to: num
 
 export class TextSync {
   private unsent: ChangeSet;
+  /** What is on its way to the server: it comes before what is unsent. */
+  private sent: ChangeSet | null = null;
   private working: Promise<void> | null = null;
   private gesture = "";
   private wanted = -1;
@@ -68,6 +70,17 @@ export class TextSync {
     void this.work();
   }
 
+  /** The server is back: sends what it did not take. */
+  retry(): void {
+    void this.work();
+  }
+
+  /** The server's text as far as it is known, and what it should be; null where the server has it all. */
+  unsentText(): { base: string; text: string } | null {
+    const own = this.sent?.compose(this.unsent) ?? this.unsent;
+    return own.empty ? null : { base: this.base.toString(), text: own.apply(this.base).toString() };
+  }
+
   /** Ends when the server knows all that was typed. */
   async flush(): Promise<void> {
     while (this.working) await this.working;
@@ -92,6 +105,7 @@ export class TextSync {
 
   private async send(): Promise<void> {
     const sent = this.unsent;
+    this.sent = sent;
     this.unsent = ChangeSet.empty(sent.newLength);
     try {
       const answer = await this.server.write({ baseRevision: this.revision, ...asOne(sent, this.base), gesture: this.gesture });
@@ -104,6 +118,8 @@ export class TextSync {
     } catch (error) {
       this.unsent = sent.compose(this.unsent);
       throw error;
+    } finally {
+      this.sent = null;
     }
   }
 

@@ -3,6 +3,7 @@ import { backgroundKind, dialog, studio, time } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { DialogBox } from "../ui/DialogBox";
+import { NumberField } from "../ui/NumberField";
 import { Segments } from "../ui/Segments";
 import { Select } from "../ui/Select";
 import { sceneName, startBackground } from "./commands";
@@ -25,11 +26,10 @@ interface CountProps {
 }
 
 function Count({ label, value, least, onChange }: CountProps) {
-  const change = (text: string) => Number.isInteger(Number(text)) && onChange(Math.max(least, Number(text)));
   return (
     <label class="line">
       <span>{label}</span>
-      <input type="number" class="text" min={least} value={value} onChange={(e) => change(e.currentTarget.value)} />
+      <NumberField label={label} value={value} bounds={{ minimum: least, maximum: null, isInteger: true }} onChange={onChange} />
     </label>
   );
 }

@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import { getBlob, get, post, Refusal, token, upload } from "../api/client";
 import { attempt, say } from "../state/messages";
-import { dialog, documentState, isOwnView } from "../state/store";
+import { dialog, documentState, opening, isOwnView } from "../state/store";
 import { flushEditor } from "../editor/flush";
 import { texts } from "../texts";
 import { nameOf, withExtension } from "./paths";
@@ -31,15 +31,25 @@ async function leaving(step: (discard: boolean) => Promise<unknown>): Promise<vo
 
 type Source = { path: string } | { galleryId: string } | { recoveryId: string };
 
-export const openScene = (source: Source) => attempt(() => leaving((discard) => post("file/open", { ...source, discard })));
+/** Says at once what is being opened: reading a large file takes a while. */
+async function showing(name: string, work: () => Promise<unknown>): Promise<void> {
+  opening.value = name;
+  try {
+    await work();
+  } finally {
+    opening.value = null;
+  }
+}
+
+const namedBy = (source: Source) => nameOf(("path" in source && source.path) || ("galleryId" in source && source.galleryId) || texts.untitled);
+
+export const openScene = (source: Source) =>
+  attempt(() => leaving((discard) => showing(namedBy(source), () => post("file/open", { ...source, discard }))));
 export const newScene = () => attempt(() => leaving((discard) => post("file/new", { discard })));
 export const discardRecovery = (id: string) => attempt(() => post("recovery/discard", { id }));
 
 export const openDropped = (file: File) =>
-  attempt(() => {
-    say("info", texts.files.dropping(file.name));
-    return leaving((discard) => upload("file/upload", { name: file.name, discard: discard ? "true" : undefined }, file));
-  });
+  attempt(() => leaving((discard) => showing(file.name, () => upload("file/upload", { name: file.name, discard: discard ? "true" : undefined }, file))));
 
 /** Writes something to a path; asks before a file is replaced. */
 async function writing(path: string, write: (overwrite: boolean) => Promise<unknown>): Promise<void> {

@@ -10,7 +10,7 @@ import { bottomHeight, bottomOpen, leftOpen, leftTab, leftWidth, rightOpen, righ
 import { listenToShortcuts } from "../state/shortcuts";
 import { BackgroundDialog } from "../files/BackgroundDialog";
 import { LightsDialog } from "../files/LightsDialog";
-import { connection, dialog, isFresh, studio, tourStep } from "../state/store";
+import { connection, dialog, isFresh, opening, pictureAlone, studio, tourStep } from "../state/store";
 import { texts } from "../texts";
 import { Splitter } from "../ui/Splitter";
 import { Tabs } from "../ui/Tabs";
@@ -26,6 +26,7 @@ import { ShortcutSheet } from "./ShortcutSheet";
 import { StatusBar } from "./StatusBar";
 import { Toolbar } from "./Toolbar";
 import { Tour } from "./Tour";
+import { UnsentBanner } from "./UnsentBanner";
 
 const dialogs = { open: OpenDialog, saveAs: SaveSceneDialog, export: ExportDialog, background: BackgroundDialog, lights: LightsDialog, rename: RenameDialog, shortcuts: ShortcutSheet };
 
@@ -72,21 +73,23 @@ export function App() {
   if (connection.value === "refused" && !studio.value) return <NoEntry />;
   const Shown = dialog.value && dialogs[dialog.value];
   // A fresh Studio asks what to do, and nothing else; but the tour needs something to point at.
-  const hasPanes = !isFresh.value || tourStep.value !== null;
+  const isAlone = pictureAlone.value && !isFresh.value;
+  const hasPanes = !isAlone && (!isFresh.value || tourStep.value !== null);
   const sizes = { "--left": `${leftWidth.value}px`, "--right": `${rightWidth.value}px`, "--bottom": `${bottomHeight.value}px` };
   return (
     <div class="window" style={sizes}>
-      <Toolbar />
+      {!isAlone && <Toolbar />}
       <Banners />
+      <UnsentBanner />
       <div class="panes">
         {hasPanes && leftOpen.value && <LeftPane />}
         <main class="centre">
-          {isFresh.value ? <EmptyState /> : <Viewport />}
+          {isFresh.value && opening.value === null ? <EmptyState /> : <Viewport />}
           {hasPanes && bottomOpen.value && <BottomPane />}
         </main>
         {hasPanes && rightOpen.value && <RightPane />}
       </div>
-      <StatusBar />
+      {!isAlone && <StatusBar />}
       <Messages />
       {Shown && <Shown />}
       <WantedFileDialog />

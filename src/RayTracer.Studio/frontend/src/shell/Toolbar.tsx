@@ -10,7 +10,7 @@ import { spaced } from "../panel/types";
 
 const t = texts.toolbar;
 const fileItems: CommandId[] = ["new", "open", "gallery", "save", "saveAs", "export", "background", "lights", "copyImage", "copyCommand", "bundle"];
-const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "filter", "home", "theme", "shortcuts", "tour"];
+const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "filter", "home", "alone", "theme", "shortcuts", "tour"];
 
 function addItems(): MenuItem[] {
   const all = Object.values(schema.value?.types ?? {}).flat();
@@ -19,7 +19,7 @@ function addItems(): MenuItem[] {
     all
       .filter((type) => type.addedAs.includes(family) && isPossible(type))
       .sort((a, b) => a.addedAs.length - b.addedAs.length)
-      .map((type) => ({ label: `${texts.families[family]}: ${spaced(type.name)}`, tip: type.summary, group: texts.families[family], run: () => add(family, type) })),
+      .map((type) => ({ label: spaced(type.name), name: `${texts.families[family]}: ${spaced(type.name)}`, tip: type.summary, group: texts.families[family], run: () => add(family, type) })),
   );
 }
 

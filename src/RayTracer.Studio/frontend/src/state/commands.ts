@@ -15,7 +15,7 @@ import { askForName, duplicate, isSeen, remove, select, withSelection } from "./
 import { stepFrame, togglePlay } from "../timeline/frames";
 import { attempt } from "./messages";
 import { bottomOpen, bottomTab, leftOpen, leftTab, rightOpen, theme, type Theme } from "./settings";
-import { backgroundKind, compared, dialog, documentState, renderState, isOwnView, selection, time, tool, tourStep, type Tool } from "./store";
+import { backgroundKind, compared, dialog, documentState, renderState, pictureAlone, isOwnView, selection, time, tool, tourStep, type Tool } from "./store";
 
 export type CommandId = keyof typeof texts.commands;
 export type Group = keyof typeof texts.groups;
@@ -72,7 +72,7 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   duplicate: { run: () => withSelection(duplicate) },
   delete: { run: () => withSelection(remove) },
   rename: { run: askForName },
-  deselect: { run: () => select(null) },
+  deselect: { run: () => (pictureAlone.value ? (pictureAlone.value = false) : select(null)) },
   pause: { run: () => rendering(isRunning() ? "pause" : "continue") },
   stop: { run: () => rendering("stop") },
   restart: { run: () => rendering("restart") },
@@ -111,6 +111,7 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   animate: { run: () => ((backgroundKind.value = "frames"), (dialog.value = "background")) },
   source: { run: () => showDock("source") },
   inside: { run: () => showDock("paths") },
+  alone: { run: toggle(pictureAlone) },
   theme: { run: nextTheme },
   shortcuts: { run: () => (dialog.value = "shortcuts") },
   tour: { run: () => (tourStep.value = 0) },

@@ -25,7 +25,7 @@ function remembered<T>(name: string, initial: T): Signal<T> {
 }
 
 /** A window this narrow (a small one, or one at 200 % zoom) has room for one pane at a time. */
-export const narrowWindow = matchMedia("(max-width: 56rem)");
+export const narrowWindow = matchMedia("(max-width: 68rem)");
 
 export const leftWidth = remembered("leftWidth", 256);
 export const rightWidth = remembered("rightWidth", 336);

@@ -1,6 +1,7 @@
 /** What all parts of the window look at. The server's state is taken as it comes; only what no server needs to know is kept here. */
 
 import { computed, signal } from "@preact/signals";
+import type { Unsent } from "../editor/unsent";
 import type { Outline, TypeCatalogue, StudioState } from "../api/types";
 
 export const studio = signal<StudioState | null>(null);
@@ -26,7 +27,11 @@ export const documentState = slice((s) => s.document);
 export const renderState = slice((s) => s.render);
 export const toneState = slice((s) => s.tone);
 export const viewState = slice((s) => s.view);
-export const snapshots = slice((s) => s.snapshots);
+/** The kept pictures of the scene that is open. */
+export const snapshots = slice((s) => s.snapshots.filter((kept) => kept.document === s.document.document));
+
+/** The name of what this page has asked to open, as long as the server reads it. */
+export const opening = signal<string | null>(null);
 export const recoveries = slice((s) => s.recovery);
 export const jobs = slice((s) => s.jobs);
 export const time = slice((s) => s.time);
@@ -55,6 +60,12 @@ export const inspectedPixel = signal<{ x: number; y: number } | null>(null);
 /** The snapshot that is wiped against, and where: 0 is the left edge. */
 export const compared = signal<number | null>(null);
 export const wipe = signal(0.5);
+
+/** Text typed into a window whose server has gone, which the editor shall merge into the document's. */
+export const mergeWanted = signal<Unsent | null>(null);
+
+/** Whether the picture is shown alone, without bars and panes. */
+export const pictureAlone = signal(false);
 
 export type Dialog = "open" | "saveAs" | "export" | "background" | "lights" | "rename" | "shortcuts";
 export const dialog = signal<Dialog | null>(null);

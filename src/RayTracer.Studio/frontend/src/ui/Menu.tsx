@@ -3,6 +3,8 @@ import { Icon, type IconName } from "./Icon";
 
 export interface MenuItem {
   label: string;
+  /** What it is called where its group is not seen. */
+  name?: string | undefined;
   run: () => void;
   tip?: string | undefined;
   keys?: string | undefined;
@@ -79,6 +81,7 @@ export function Menu({ label, items, icon, tip, showLabel = true }: MenuProps) {
                 type="button"
                 role="menuitem"
                 tabIndex={-1}
+                aria-label={item.name}
                 aria-disabled={item.disabled || undefined}
                 data-tip={item.tip}
                 onClick={() => {

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { pictureAddress } from "../files/commands";
 import { complain } from "../state/messages";
-import { compared, inspectedPixel, renderState, tool, wipe } from "../state/store";
+import { compared, inspectedPixel, renderState, snapshots, tool, wipe } from "../state/store";
 import { texts } from "../texts";
 import { regionBetween } from "./clicks";
 import { drawnRegion } from "./pointers";
@@ -35,7 +35,7 @@ export function InspectMark() {
 
 /** A kept picture over the new one, cut off at a line that can be dragged. */
 export function Wipe() {
-  const id = compared.value;
+  const id = snapshots.value?.some((s) => s.id === compared.value) ? compared.value : null;
   const [source, setSource] = useState("");
   useEffect(() => {
     setSource("");

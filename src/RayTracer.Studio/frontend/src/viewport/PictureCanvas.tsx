@@ -5,7 +5,7 @@ import { texts } from "../texts";
 import { headerSize, readHeader } from "./frame";
 import type { ToWorker } from "./frames.worker";
 import { Painter } from "./painter";
-import { cameraMoves, movingFrames, picture, placement, zoom } from "./stage";
+import { cameraMoves, isOwnPicture, movingFrames, paintedDocument, picture, placement, zoom } from "./stage";
 
 const resizePause = 150;
 
@@ -23,6 +23,7 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
     if (picture.peek().width !== frame.pictureWidth || picture.peek().height !== frame.pictureHeight) {
       picture.value = { width: frame.pictureWidth, height: frame.pictureHeight };
     }
+    paintedDocument.value = frame.document;
     if (cameraMoves.peek()) movingFrames.value++;
     // For whoever measures how quickly pictures follow what is done.
     Object.assign(canvas.dataset, { painted: String(++painted), version: String(frame.version), samples: String(frame.samples), preview: String(frame.isPreview) });
@@ -64,6 +65,7 @@ export function PictureCanvas() {
       role="img"
       aria-label={texts.viewport.label}
       width={1}
+      hidden={!isOwnPicture.value}
       height={1}
       style={{ left: `${left}px`, top: `${top}px`, width: `${width * scale}px`, height: `${height * scale}px` }}
     />

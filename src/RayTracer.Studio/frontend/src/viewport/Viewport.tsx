@@ -1,7 +1,9 @@
 import { useEffect, useRef } from "preact/hooks";
 import { PathOverlay } from "../inside/PathOverlay";
-import { documentState, renderState, tool } from "../state/store";
+import { documentState, pictureAlone, renderState, tool } from "../state/store";
+import { commandButton } from "../state/commands";
 import { texts } from "../texts";
+import { Button } from "../ui/Button";
 import { Gizmo } from "./Gizmo";
 import { onCameraKey, onCameraKeyUp, releaseKeys } from "./keys";
 import { LightBodies } from "./LightBodies";
@@ -11,7 +13,8 @@ import { PictureCanvas } from "./PictureCanvas";
 import { listenToPointers, spaceHeld } from "./pointers";
 import { MotionPaths } from "../timeline/MotionPaths";
 import { SelectionOutline } from "./SelectionOutline";
-import { cameraMoves, stage } from "./stage";
+import { cameraMoves, isOwnPicture, stage } from "./stage";
+import { OpeningNote } from "./OpeningNote";
 import { ViewportBar } from "./ViewportBar";
 
 /** The picture, what is drawn over it, and what is done with it. */
@@ -43,19 +46,29 @@ export function Viewport() {
   const isOld = documentState.value !== null && !documentState.value.isGood && documentState.value.diagnostics.length > 0;
   return (
     <section class="viewport" aria-label={texts.viewport.label}>
-      <ViewportBar />
+      {!pictureAlone.value && <ViewportBar />}
       <div ref={ref} class={`stage tool-${tool.value}`} role="application" aria-label={texts.viewport.canvas} tabIndex={0} onKeyDown={onKeyDown} onKeyUp={onKeyUp} onBlur={releaseKeys}>
         <PictureCanvas />
-        <SelectionOutline />
-        <MotionPaths />
-        <Wipe />
-        <RegionOverlay />
-        <PathOverlay />
-        <InspectMark />
-        <LightBodies />
-        <Gizmo />
+        {isOwnPicture.value && (
+          <>
+            <SelectionOutline />
+            <MotionPaths />
+            <Wipe />
+            <RegionOverlay />
+            <PathOverlay />
+            <InspectMark />
+            <LightBodies />
+            <Gizmo />
+          </>
+        )}
         <OwnView />
-        {isOld && <p class="chip warn">{texts.viewport.lastGood}</p>}
+        {pictureAlone.value && (
+          <div class="chip corner alone" data-handle="alone">
+            <Button {...commandButton("alone")} />
+          </div>
+        )}
+        <OpeningNote />
+        {isOld && isOwnPicture.value && <p class="chip warn">{texts.viewport.lastGood}</p>}
         {cameraMoves.value && renderState.value?.isPreview && <p class="chip corner">{texts.viewport.preview}</p>}
       </div>
     </section>

@@ -6,6 +6,7 @@ import { attempt, complain } from "../state/messages";
 import { compared, maps, renderState, snapshots, tool, toneState, type Tool } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
+import { Popover } from "../ui/Popover";
 import { NumberField } from "../ui/NumberField";
 import { Select } from "../ui/Select";
 import { CameraMenu } from "./OwnView";
@@ -40,7 +41,7 @@ export function ViewportBar() {
       <CameraMenu />
       <Select label={t.map} tip={t.mapWhy} value={map} choices={choices} onChange={showMap} />
       {now && (
-        <>
+        <Popover label={t.display} icon="sliders" tip={t.displayWhy}>
           <div class="pair" data-tip={t.exposureWhy}>
             <span aria-hidden="true">{t.exposure}</span>
             <input type="range" aria-label={`${t.exposure}, ${format(now.exposure)}`} min={-6} max={6} step={0.1} value={now.exposure} onInput={(e) => tone.push({ exposure: Number(e.currentTarget.value) })} />
@@ -48,7 +49,7 @@ export function ViewportBar() {
           </div>
           <Select label={t.exposureRule} tip={t.exposureRuleWhy} value={now.rule} choices={now.rules.map((r) => ({ value: r, label: t.exposureRules[r] }))} onChange={(rule) => tone.push({ rule })} />
           <Select label={t.toneMap} tip={t.toneMapWhy} value={now.toneMap} choices={now.choices.map((c) => ({ value: c, label: c }))} onChange={(toneMap) => tone.push({ toneMap })} />
-        </>
+        </Popover>
       )}
       <div class="group" role="group" aria-label={t.compare}>
         <Button {...commandButton("snapshot")} />

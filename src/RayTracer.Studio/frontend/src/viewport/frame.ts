@@ -13,6 +13,8 @@ export interface FrameHeader {
   isPreview: boolean;
   isLast: boolean;
   samples: number;
+  /** The number of the document that it shows, up to 24 bits. */
+  document: number;
 }
 
 export function readHeader(bytes: ArrayBuffer): FrameHeader {
@@ -30,6 +32,7 @@ export function readHeader(bytes: ArrayBuffer): FrameHeader {
     isPreview: (flags & 1) !== 0,
     isLast: (flags & 2) !== 0,
     samples: number(7),
+    document: flags >>> 8,
   };
   if (bytes.byteLength !== headerSize + 4 * header.width * header.height) throw new Error("The size of the frame differs from its header.");
   return header;

@@ -1,10 +1,17 @@
 /** Where the picture lies on the stage, the part of the window that it is shown in. */
 
 import { computed, signal } from "@preact/signals";
+import { documentState } from "../state/store";
 import type { Point } from "../math/projection";
 
 /** The picture's size, known from its newest frame. */
 export const picture = signal({ width: 0, height: 0 });
+
+/** The document that the newest frame shows; -1 before the first. */
+export const paintedDocument = signal(-1);
+
+/** Whether the picture on the stage is of the scene that is open, and not of the one before it. */
+export const isOwnPicture = computed(() => documentState.value !== null && paintedDocument.value === documentState.value.document);
 
 /** The stage's size in CSS pixels. */
 export const stage = signal({ width: 1, height: 1 });
