@@ -7,12 +7,17 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
-/// <summary>The scenes that come with the program, with small pictures that the program makes and keeps.</summary>
+/// <summary>
+/// The scenes that come with the program, with small pictures: those of shipped scenes are shipped too, those of scenes that somebody has changed or added are
+/// rendered and kept.
+/// </summary>
 public sealed class Gallery : IDisposable
 {
     private const int ThumbnailWidth = 240;
     private const int ThumbnailHeight = 180;
     private const int ThumbnailSamples = 16;
+    private const int ShippedSamples = 64;
+    private const int ShippedQuality = 82;
     private const int MostKept = 500;
 
     private readonly UserFolders _folders;
@@ -33,13 +38,18 @@ public sealed class Gallery : IDisposable
     /// <summary>The scenes, those of the report first.</summary>
     public IReadOnlyList<GalleryGroup> Groups { get; }
 
-    /// <summary>A scene's small picture, of at most 240 × 180 pixels, as a PNG file. One is made at a time.</summary>
+    /// <summary>A scene's small picture, of at most 240 × 180 pixels, as a PNG or JPEG file. One is made at a time.</summary>
     /// <param name="id">Which scene.</param>
     /// <param name="cancellation">Ends the waiting.</param>
     /// <exception cref="SessionException">There is no such scene, or it cannot be rendered.</exception>
     public async Task<byte[]> Thumbnail(string id, CancellationToken cancellation = default)
     {
         string path = PathOf(id);
+        if (Shipped(ShippedName(id, path)) is { } shipped)
+        {
+            return shipped;
+        }
+
         string kept = Path.Combine(_folders.Thumbnails, Fingerprint(path) + ".png");
         using CancellationTokenSource either = CancellationTokenSource.CreateLinkedTokenSource(cancellation, _end.Token);
         await _one.WaitAsync(either.Token).ConfigureAwait(false);
@@ -79,9 +89,44 @@ public sealed class Gallery : IDisposable
     internal string PathOf(string id) =>
         _paths.TryGetValue(id, out string? path) ? path : throw new SessionException($"the gallery has no scene {JsonLayout.Quote(id)}");
 
+    /// <summary>The name that a scene's shipped picture has as long as its text is the shipped one, whatever its line ends.</summary>
+    internal static string ShippedName(string id, string path)
+    {
+        string text = File.ReadAllText(path).ReplaceLineEndings("\n");
+        return $"{Path.ChangeExtension(id, null).Replace('/', '.')}.{Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text)))[..12]}.jpg";
+    }
+
+    /// <summary>Renders the picture of a scene that is to be shipped.</summary>
+    internal byte[] MakeShipped(string id)
+    {
+        using MemoryStream jpeg = new();
+        Render(PathOf(id), ShippedSamples, picture => JpegWriter.Write(jpeg, picture, ShippedQuality), default);
+        return jpeg.ToArray();
+    }
+
+    private static byte[]? Shipped(string name)
+    {
+        using Stream? found = typeof(Gallery).Assembly.GetManifestResourceStream("thumbnails/" + name);
+        if (found is null)
+        {
+            return null;
+        }
+
+        byte[] bytes = new byte[found.Length];
+        found.ReadExactly(bytes);
+        return bytes;
+    }
+
     private static byte[] Render(string path, CancellationToken cancellation)
     {
         Thread.CurrentThread.Priority = ThreadPriority.BelowNormal;
+        using MemoryStream png = new();
+        Render(path, ThumbnailSamples, picture => PngWriter.Write(png, picture), cancellation);
+        return png.ToArray();
+    }
+
+    private static void Render(string path, int samples, Action<Textures.IImageRows> write, CancellationToken cancellation)
+    {
         SceneLoadResult load = SceneLoader.Load(path, scene =>
         {
             double scale = Math.Min((double)ThumbnailWidth / scene.Render.Width, (double)ThumbnailHeight / scene.Render.Height);
@@ -91,7 +136,7 @@ public sealed class Gallery : IDisposable
                 {
                     Width = Math.Max(1, (int)(scene.Render.Width * scale)),
                     Height = Math.Max(1, (int)(scene.Render.Height * scale)),
-                    SamplesPerPixel = ThumbnailSamples,
+                    SamplesPerPixel = samples,
                 },
             };
         });
@@ -107,10 +152,8 @@ public sealed class Gallery : IDisposable
             throw new OperationCanceledException(cancellation);
         }
 
-        using MemoryStream png = new();
         Textures.IImageRows picture = new Denoising(scene, options).Denoise(film, null)?.Picture ?? (Textures.IImageRows)film;
-        PngWriter.Write(png, new ImageWriteOptions().For(scene.Render).Shown(picture));
-        return png.ToArray();
+        write(new ImageWriteOptions().For(scene.Render).Shown(picture));
     }
 
     private static string Fingerprint(string path)

@@ -83,6 +83,10 @@ internal static class FileEndpoints
     private static void MapGallery(RouteGroupBuilder api, Gallery gallery)
     {
         api.MapGet("/gallery", () => Results.Json(new { groups = gallery.Groups }));
-        api.MapGet("/gallery/thumbnail", async (HttpContext context, string? id) => Results.Bytes(await gallery.Thumbnail(Needed(id, "id"), context.RequestAborted), "image/png"));
+        api.MapGet("/gallery/thumbnail", async (HttpContext context, string? id) =>
+        {
+            byte[] picture = await gallery.Thumbnail(Needed(id, "id"), context.RequestAborted);
+            return Results.Bytes(picture, picture[0] == 0xff ? "image/jpeg" : "image/png");
+        });
     }
 }

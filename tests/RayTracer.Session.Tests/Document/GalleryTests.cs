@@ -20,10 +20,51 @@ public sealed class GalleryTests
     }
 
     [Fact]
-    public async Task A_thumbnail_is_rendered_once_and_kept()
+    public async Task Every_shipped_scene_has_a_shipped_picture_of_it_as_it_is_and_no_other_is_shipped()
     {
         using SessionFolder folder = new();
         using Gallery gallery = new(folder.User);
+        Dictionary<string, string> wanted = ShippedScenes.Paths.ToDictionary(id => Gallery.ShippedName(id, Path.Combine(ShippedScenes.Folder, id)));
+        string shipped = ProjectFolder.PathOf("src", "RayTracer.Session", "Thumbnails");
+        if (Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") == "1")
+        {
+            Directory.CreateDirectory(shipped);
+            foreach (string old in Directory.GetFiles(shipped).Where(f => !wanted.ContainsKey(Path.GetFileName(f))))
+            {
+                File.Delete(old);
+            }
+
+            foreach ((string name, string id) in wanted.Where(w => !File.Exists(Path.Combine(shipped, w.Key))))
+            {
+                await File.WriteAllBytesAsync(Path.Combine(shipped, name), gallery.MakeShipped(id));
+            }
+
+            // They are a part of the program after the next build.
+            return;
+        }
+
+        Assert.True(
+            wanted.Keys.Order(StringComparer.Ordinal).SequenceEqual(Directory.GetFiles(shipped).Select(f => Path.GetFileName(f)!).Order(StringComparer.Ordinal)),
+            "A scene has changed: RAYTRACER_UPDATE=1 renders its picture for the gallery.");
+        foreach ((string name, string id) in wanted)
+        {
+            Assert.Equal(await File.ReadAllBytesAsync(Path.Combine(shipped, name)), await gallery.Thumbnail(id));
+        }
+
+        Assert.Empty(Directory.GetFiles(folder.User.Thumbnails));
+
+        // Of one it is seen that it is that scene's, as far as the JPEG format keeps it.
+        Picture kept = ImageFile.Decode(await gallery.Thumbnail("primer/01-sphere.json"));
+        Picture made = ImageFile.Decode(gallery.MakeShipped("primer/01-sphere.json"));
+        Assert.InRange(kept.Pixels.Zip(made.Pixels, (a, b) => Math.Abs(a - b)).Average(), 0, 0.01f);
+    }
+
+    [Fact]
+    public async Task The_picture_of_a_scene_that_was_changed_is_rendered_once_and_kept()
+    {
+        using SessionFolder folder = new();
+        folder.Write("scenes/primer/01-sphere.json", ShippedScenes.Text("primer/01-sphere.json") + "\n// Mine.\n");
+        using Gallery gallery = new(folder.User, folder["scenes"]);
         byte[][] pngs = await Task.WhenAll(Enumerable.Range(0, 3).Select(_ => gallery.Thumbnail("primer/01-sphere.json")));
         Assert.All(pngs, png => Assert.Equal(pngs[0], png));
         Picture picture = ImageFile.Decode(pngs[0]);

@@ -217,6 +217,7 @@ public class EverydayWalks(ChromiumBrowser browser)
         IPage page = w.Page;
         await page.RouteAsync("**/api/document/text", route => route.AbortAsync("connectionrefused"));
         await page.RouteAsync("**/api/state*", route => route.AbortAsync("connectionrefused"));
+        w.Session.Selection.Select("/shapes/0");
         await Expect(page.GetByText("The Studio is not responding.")).ToBeVisibleAsync();
         await page.GetByRole(AriaRole.Textbox, new() { Name = "Scene source" }).ClickAsync();
         await page.Keyboard.PressAsync("Control+Home");
@@ -241,6 +242,7 @@ public class EverydayWalks(ChromiumBrowser browser)
         w.Expected.Add("Failed to load resource");
         await w.Page.RouteAsync("**/api/document/text", route => route.AbortAsync("connectionrefused"));
         await w.Page.RouteAsync("**/api/state*", route => route.AbortAsync("connectionrefused"));
+        w.Session.Selection.Select("/shapes/0");
         await Expect(w.Page.GetByText("The Studio is not responding.")).ToBeVisibleAsync();
         await w.Page.GetByRole(AriaRole.Textbox, new() { Name = "Scene source" }).ClickAsync();
         await w.Page.Keyboard.PressAsync("Control+Home");

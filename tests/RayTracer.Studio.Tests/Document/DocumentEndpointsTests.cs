@@ -2,6 +2,7 @@ using System.IO.Compression;
 using System.Net;
 using System.Text;
 using System.Text.Json;
+using RayTracer.Imaging;
 using RayTracer.Scenes;
 using RayTracer.Session;
 using RayTracer.Session.Tests;
@@ -148,8 +149,9 @@ public sealed class DocumentEndpointsTests : IAsyncLifetime
     public async Task Gallery_schema_listing_and_bundle_are_served()
     {
         Assert.Equal(ShippedScenes.Paths.Count(), (await Get("/api/gallery")).GetProperty("groups").EnumerateArray().Sum(g => g.GetProperty("items").GetArrayLength()));
-        byte[] png = await _client.GetByteArrayAsync("/api/gallery/thumbnail?id=primer/01-sphere.json");
-        Assert.Equal("PNG", Encoding.ASCII.GetString(png, 1, 3));
+        HttpResponseMessage picture = await _client.GetAsync(new Uri("/api/gallery/thumbnail?id=primer/01-sphere.json", UriKind.Relative));
+        Assert.Equal("image/jpeg", picture.Content.Headers.ContentType!.MediaType);
+        Assert.Equal(240, ImageFile.Decode(await picture.Content.ReadAsByteArrayAsync()).Width);
         JsonElement schema = await Get("/api/schema");
         JsonElement radius = schema.GetProperty("types").GetProperty("shape").EnumerateArray().Single(t => t.GetProperty("name").GetString() == "sphere")
             .GetProperty("parameters").EnumerateArray().Single(p => p.GetProperty("key").GetString() == "radius");
