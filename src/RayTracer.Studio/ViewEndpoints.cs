@@ -27,6 +27,7 @@ internal static class ViewEndpoints
         view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, restart: request.Action == "restart"));
         view.MapPost("/snapshot", () => session.Snapshots.Capture());
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
+        view.MapGet("/pixel", (int x, int y) => session.View.Loop.Pixel(x, y));
         view.MapGet("/mask", (string pointer, int? step) => Picking.Mask(session.View.RequireShown(), pointer, step ?? 1));
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {

@@ -29,6 +29,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private double? _noise;
     private long _noiseAt;
     private ViewMap? _map;
+    private (ViewMap? Map, string? Text) _legend;
     private bool _isFiltered;
     private bool _isStale;
     private int _samplesBefore;
@@ -131,6 +132,7 @@ internal sealed class FilmWork(FrameBoard frames)
             Noise = _noise,
             IsPreview = _plan.Samples == 0,
             BadSamples = _badSamples,
+            Legend = _legend.Map == wanted.Settings.Map ? _legend.Text : null,
         };
     }
 
@@ -300,6 +302,7 @@ internal sealed class FilmWork(FrameBoard frames)
         {
             if (_maps.Picture(wanted, Film!) is { } map)
             {
+                _legend = (_map, map.Legend);
                 Publish(wanted, isPreview: false, picture => picture.CopyFrom(map));
             }
 
@@ -320,6 +323,34 @@ internal sealed class FilmWork(FrameBoard frames)
                 PicturePainter.Cover(denoised, wanted.Area, picture);
             }
         });
+    }
+
+    /// <summary>The numbers of a pixel in the map that is shown.</summary>
+    /// <param name="shown">What is shown.</param>
+    /// <param name="x">The pixel's column.</param>
+    /// <param name="y">The pixel's row.</param>
+    /// <exception cref="SessionException">There is no such pixel, or it has no numbers yet.</exception>
+    public PixelReading Reading(ViewportScene shown, int x, int y)
+    {
+        Film film = Film!;
+        if (x < 0 || x >= film.Width || y < 0 || y >= film.Height)
+        {
+            throw new SessionException($"The picture has {film.Width}×{film.Height} pixels.", SessionFault.Missing);
+        }
+
+        string letters = shown.Settings.Map.Image?.Letters ?? "RGB";
+        if (shown.Settings.Map.Image is not null)
+        {
+            double[] row = new double[film.Width * letters.Length];
+            _maps.ReadRow(shown, film, y, row);
+            return Of(row.AsSpan(x * letters.Length, letters.Length));
+        }
+
+        float[] light = new float[3 * film.Width];
+        ((shown.Settings.Map == ViewMap.Denoised ? _denoised.Of(shown) : null) ?? film).ReadRow(y, light);
+        return Of([light[3 * x], light[(3 * x) + 1], light[(3 * x) + 2]]);
+
+        PixelReading Of(ReadOnlySpan<double> values) => new(x, y, letters, [.. values.ToArray().Select(v => double.IsFinite(v) ? v : (double?)null)]);
     }
 
     // A paused picture is not rendered a second time behind the user's back.

@@ -61,10 +61,17 @@ public sealed class MapPictures
     public void Clear() => (_film, _size, _of) = (null, null, default);
 
     /// <summary>The picture of a map; null where it cannot be shown yet.</summary>
-    public IImageRows? Picture(ViewportScene wanted, Film film) => wanted.Settings.Map.Image switch
+    public AovPicture? Picture(ViewportScene wanted, Film film) => Numbers(wanted, film) is { } numbers ? new(numbers, wanted.Settings.Map.Image!) : null;
+
+    /// <summary>Reads a row of a map's numbers.</summary>
+    /// <exception cref="SessionException">There are none yet.</exception>
+    public void ReadRow(ViewportScene wanted, Film film, int y, Span<double> values) =>
+        (Numbers(wanted, film) ?? throw new SessionException("There is no picture yet.", SessionFault.Missing)).ReadRow(wanted.Settings.Map.Image!, y, values);
+
+    private AovFilm? Numbers(ViewportScene wanted, Film film) => wanted.Settings.Map.Image switch
     {
-        FilmImage image => new AovPicture(new(film, [image]), image),
-        { } image when _of == (wanted.Picture, wanted.Settings.Map) && _samples > 0 => new AovPicture(_film!, image),
+        FilmImage image => new(film, [image]),
+        { } when _of == (wanted.Picture, wanted.Settings.Map) && _samples > 0 => _film,
         _ => null,
     };
 

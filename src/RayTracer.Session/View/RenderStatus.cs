@@ -14,6 +14,7 @@ namespace RayTracer.Session;
 /// </param>
 /// <param name="IsPreview">True where some pixels have less than a sample.</param>
 /// <param name="BadSamples">The number of samples that were not finite, and left out.</param>
+/// <param name="Legend">The meaning of the colours where a map is shown; null for light.</param>
 public sealed record RenderStatus(
     string Status = "idle", int Width = 0, int Height = 0, int Samples = 0, int SamplesTotal = 0, double RaysPerSecond = 0, double Seconds = 0,
-    double? SecondsLeft = null, double? Noise = null, bool IsPreview = false, long BadSamples = 0);
+    double? SecondsLeft = null, double? Noise = null, bool IsPreview = false, long BadSamples = 0, string? Legend = null);

@@ -35,6 +35,50 @@ public sealed class FrameTests
         }
     }
 
+    [Theory]
+    [InlineData("light", "RGB")]
+    [InlineData("denoised", "RGB")]
+    [InlineData("depth", "Z")]
+    [InlineData("normal", "XYZ")]
+    [InlineData("samples", "Y")]
+    public async Task The_numbers_of_a_pixel_are_those_of_the_map_that_is_shown(string map, string letters)
+    {
+        using TestSession test = new();
+        await test.OpenShipped(Scene2, 50, 4);
+        test.Session.View.Change(settings => settings with { Map = ViewMap.Named(map) });
+        using FrameLease frame = await test.Frame(wanted: f => f.IsLast && f.IsLight == (map is "light" or "denoised"));
+        PixelReading reading = await test.Session.View.Loop.Pixel(20, 30);
+        Assert.Equal((20, 30, letters), (reading.X, reading.Y, reading.Letters));
+        float[] row = new float[150];
+        frame.Picture.ReadRow(30, row);
+        double[] light = [row[60], row[61], row[62]];
+        double[] values = [.. reading.Values.Select(v => v!.Value)];
+        string? legend = test.Session.View.Loop.Status.Legend;
+        switch (map)
+        {
+            case "depth":
+                // The first thing there is as far as the ray that picks it goes.
+                Assert.Equal(Picking.At(test.Session.View.RequireShown(), 20.5f, 30.5f).Distance!.Value, values[0], 0.1);
+                Assert.Contains("(", legend, StringComparison.Ordinal);
+                break;
+            case "normal":
+                Assert.Equal(1, Math.Sqrt(values.Sum(v => v * v)), 0.01);
+                Assert.Contains("red, green and blue", legend, StringComparison.Ordinal);
+                break;
+            case "samples":
+                Assert.Equal([4], values);
+                Assert.Contains("samples", legend, StringComparison.Ordinal);
+                break;
+            default:
+                Assert.Equal(light, values);
+                Assert.Null(legend);
+                break;
+        }
+
+        await Assert.ThrowsAsync<SessionException>(() => test.Session.View.Loop.Pixel(50, 30));
+        await Assert.ThrowsAsync<SessionException>(() => test.Session.View.Loop.Pixel(-1, 30));
+    }
+
     [Fact]
     public async Task Exposure_and_tone_map_make_a_new_frame_of_the_same_light()
     {

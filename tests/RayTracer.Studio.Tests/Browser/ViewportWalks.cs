@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using Microsoft.Playwright;
 using RayTracer.Description;
 using RayTracer.Imaging;
@@ -74,6 +75,7 @@ public class ViewportWalks(ChromiumBrowser browser)
         ILocator menu = w.Page.GetByRole(AriaRole.Button, new() { Name = "Camera", Exact = true });
         await menu.ClickAsync();
         await w.Page.GetByRole(AriaRole.Menuitem, new() { NameRegex = new("^Keep this view") }).ClickAsync();
+        await StudioWindow.Until("the view is kept", () => Task.FromResult(w.Session.Bookmarks.All.Count == 1));
         CameraPose kept = CameraPose.Of(w.Session.View.Shown!.Camera);
         await w.Page.Keyboard.PressAsync("Home");
         await StudioWindow.Until("the scene's camera is looked through", () => Task.FromResult(w.Session.View.IsSceneCamera));
@@ -89,6 +91,28 @@ public class ViewportWalks(ChromiumBrowser browser)
         await w.Shot("export-own-view");
         await from.SelectOptionAsync("view");
         await Expect(w.Page.GetByRole(AriaRole.Button, new() { Name = "Download" })).Not.ToHaveAttributeAsync("aria-disabled", "true");
+    }
+
+    [SkippableFact]
+    public async Task The_pixel_under_the_pointer_has_numbers_and_a_map_has_a_legend()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        ILocator reading = w.Status.Locator(".reading");
+        await Expect(reading).ToHaveCountAsync(0);
+        LocatorBoundingBoxResult box = (await w.Canvas.BoundingBoxAsync())!;
+        await w.Page.Mouse.MoveAsync(box.X + (box.Width * 0.5f), box.Y + (box.Height * 0.5f));
+        await Expect(reading).ToContainTextAsync(new Regex("^(199|200), (149|150): R [0-9.e-]+ G [0-9.e-]+ B [0-9.e-]+$"));
+        await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Show", Exact = true }).SelectOptionAsync("depth");
+        ILocator legend = w.Page.Locator(".legend");
+        await Expect(legend).ToContainTextAsync("scene units, evenly in 1/distance");
+        await w.Page.Mouse.MoveAsync(box.X + (box.Width * 0.5f), box.Y + (box.Height * 0.45f));
+        await Expect(reading).ToContainTextAsync(new Regex("^(199|200), 13[45]: Z 4[.][0-9]+$"));
+        await w.Shot("reading", isShown: true);
+        await w.Page.Mouse.MoveAsync(2, 2);
+        await Expect(reading).ToHaveCountAsync(0);
+        await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Show", Exact = true }).SelectOptionAsync("light");
+        await Expect(legend).ToHaveCountAsync(0);
     }
 
     [ThoroughFact]
@@ -162,6 +186,7 @@ public class ViewportWalks(ChromiumBrowser browser)
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/14-aliasing");
 
         // Messages that come meanwhile take from the picture's room.
+        await w.Painted();
         await Settled(w);
         float fitted = (await w.Canvas.BoundingBoxAsync())!.Width;
         await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Zoom", Exact = true }).SelectOptionAsync("800");

@@ -55,8 +55,9 @@ public sealed class ApiTests
         while ((header[6] & 2) == 0);
 
         Assert.Equal("RTF1", System.Text.Encoding.ASCII.GetString(bytes, 0, 4));
-        Assert.Equal([48u, 48u, 48u, 48u, 2u, 4u], header[2..]);
         using FrameLease frame = server.Test.Session.View.Frames.Borrow()!;
+        Assert.Equal(server.Test.Session.Document.Status.Document, frame.Document);
+        Assert.Equal([48u, 48u, 48u, 48u, ((uint)frame.Document << 8) | 2u, 4u], header[2..]);
         byte[] expected = new byte[4 * 48 * 48];
         FramePixels.Write(frame.Picture, Tone.Plain, 1, expected);
         Assert.Equal(expected, bytes[32..]);

@@ -98,6 +98,7 @@ function textsOf(t: typeof english) {
       took: (time: string) => fill(t.status.took, { time }),
       threads: (n: number, cores: number) => fill(t.status.threads, { n, cores }),
       bad: (n: number) => fill(t.status.bad, { n }),
+      pixel: (x: number, y: number) => fill(t.status.pixel, { x, y }),
       size: (w: number, h: number) => fill(t.status.size, { w, h }),
       states: t.status.states as Words,
     },

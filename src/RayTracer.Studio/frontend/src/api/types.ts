@@ -301,6 +301,13 @@ export interface PixelMask {
   runs: number[];
 }
 
+export interface PixelReading {
+  x: number;
+  y: number;
+  letters: string;
+  values: (number | null)[];
+}
+
 export interface PixelSummary {
   samples: number;
   mean: number;
@@ -363,6 +370,7 @@ export interface RenderState {
   isPreview: boolean;
   badSamples: number;
   filtersMotion: boolean;
+  legend: string | null;
 }
 
 export interface ReportTime {

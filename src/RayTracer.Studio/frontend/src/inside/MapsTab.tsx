@@ -5,7 +5,7 @@ import { showMap } from "../viewport/ViewportBar";
 import type { DockTab } from "../shell/Dock";
 
 const css = (color: Vec3) => `rgb(${color.map((c) => Math.round(255 * c)).join(" ")})`;
-const gradient = (scale: Vec3[]) => `linear-gradient(90deg, ${scale.map(css).join(", ")})`;
+export const gradient = (scale: Vec3[]) => `linear-gradient(90deg, ${scale.map(css).join(", ")})`;
 
 /** The maps that the picture can show instead of the light, with their meaning. */
 function MapsTab() {

@@ -4,6 +4,7 @@ import { attempt } from "../state/messages";
 import { connection, documentState, jobs, renderState } from "../state/store";
 import { bottomOpen, bottomTab } from "../state/settings";
 import { texts } from "../texts";
+import { reading } from "../viewport/reading";
 import { Button } from "../ui/Button";
 
 const t = texts.status;
@@ -19,6 +20,17 @@ function Jobs() {
         </span>
       ))}
     </>
+  );
+}
+
+/** The numbers of the pixel under the pointer, in linear light or as the map has them. */
+function Reading() {
+  const { x, y, letters, values } = reading.value!;
+  return (
+    <span class="reading" data-tip={t.readingWhy}>
+      {t.pixel(x, y)}
+      {[...letters].map((letter, i) => <span key={letter}> <b>{letter}</b> {values[i] == null ? "–" : format(values[i], 4)}</span>)}
+    </span>
   );
 }
 
@@ -49,7 +61,8 @@ export function StatusBar() {
       )}
       <span class="spring" />
       <Jobs />
-      {render && render.width > 0 && (
+      {reading.value && <Reading />}
+      {render && render.width > 0 && !reading.value && (
         <>
           <span>{t.size(render.width, render.height)}</span>
           <span data-tip={texts.render.threadsWhy}>{t.threads(render.threads, render.cores)}</span>

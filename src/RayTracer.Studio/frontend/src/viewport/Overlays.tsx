@@ -1,7 +1,8 @@
 import { useEffect, useState } from "preact/hooks";
 import { pictureAddress } from "../files/commands";
+import { gradient } from "../inside/MapsTab";
 import { complain } from "../state/messages";
-import { compared, inspectedPixel, renderState, snapshots, tool, wipe } from "../state/store";
+import { compared, inspectedPixel, map, maps, renderState, snapshots, tool, wipe } from "../state/store";
 import { texts } from "../texts";
 import { regionBetween } from "./clicks";
 import { drawnRegion } from "./pointers";
@@ -31,6 +32,19 @@ export function InspectMark() {
   const { scale, left, top } = placement.value;
   const style = { left: `${left + (pixel.x + 0.5) * scale}px`, top: `${top + (pixel.y + 0.5) * scale}px` };
   return <div class="inspect-mark" style={style}><span>{texts.viewport.inspected(pixel.x, pixel.y)}</span></div>;
+}
+
+/** What the colours of a map mean. */
+export function MapLegend() {
+  const legend = renderState.value?.legend;
+  const shown = maps.value.find((m) => m.name === map.value);
+  if (!legend || !shown) return null;
+  return (
+    <p class="chip legend">
+      <span class="scale" style={{ background: gradient(shown.scale) }} aria-hidden="true" />
+      <span><strong>{shown.title}</strong>: {legend}</span>
+    </p>
+  );
 }
 
 /** A kept picture over the new one, cut off at a line that can be dragged. */

@@ -5,7 +5,7 @@ import { texts } from "../texts";
 import { headerSize, readHeader } from "./frame";
 import type { ToWorker } from "./frames.worker";
 import { Painter } from "./painter";
-import { cameraMoves, isOwnPicture, movingFrames, paintedDocument, picture, placement, zoom } from "./stage";
+import { cameraMoves, isOwnPicture, movingFrames, paintedDocument, paintedFrames, picture, placement, zoom } from "./stage";
 
 const resizePause = 150;
 
@@ -25,6 +25,7 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
     }
     paintedDocument.value = frame.document;
     if (cameraMoves.peek()) movingFrames.value++;
+    paintedFrames.value++;
     // For whoever measures how quickly pictures follow what is done.
     Object.assign(canvas.dataset, { painted: String(++painted), version: String(frame.version), samples: String(frame.samples), preview: String(frame.isPreview) });
     post({ kind: "painted" });

@@ -8,7 +8,7 @@ import { Gizmo } from "./Gizmo";
 import { onCameraKey, onCameraKeyUp, releaseKeys } from "./keys";
 import { LightBodies } from "./LightBodies";
 import { OwnView } from "./OwnView";
-import { InspectMark, RegionOverlay, Wipe } from "./Overlays";
+import { InspectMark, MapLegend, RegionOverlay, Wipe } from "./Overlays";
 import { PictureCanvas } from "./PictureCanvas";
 import { listenToPointers, spaceHeld } from "./pointers";
 import { MotionPaths } from "../timeline/MotionPaths";
@@ -53,6 +53,7 @@ export function Viewport() {
           <>
             <SelectionOutline />
             <MotionPaths />
+            <MapLegend />
             <Wipe />
             <RegionOverlay />
             <PathOverlay />

@@ -7,6 +7,7 @@ import { tool } from "../state/store";
 import { endMove, move, moveInBurst } from "./camera";
 import { clickPixel, renderRegion } from "./clicks";
 import type { MoveKind } from "./moves";
+import { hover } from "./reading";
 import { picture, pixelAt, placement, shiftBy, toPicture, zoomBy } from "./stage";
 
 /** The rectangle that is being drawn, in pixels of the picture. */
@@ -71,7 +72,10 @@ export function listenToPointers(stageElement: HTMLElement): () => void {
 
   const onMove = (e: PointerEvent) => {
     const before = down.get(e.pointerId);
-    if (!before || !action) return;
+    if (!before || !action) {
+      hover(pixelAt(local(e)));
+      return;
+    }
     const now = local(e);
     const [dx, dy] = [now.x - before.x, now.y - before.y];
     moved ||= Math.hypot(now.x - start.x, now.y - start.y) > clickDistance || down.size > 1;
@@ -108,12 +112,14 @@ export function listenToPointers(stageElement: HTMLElement): () => void {
     if (e.ctrlKey || e.metaKey) zoomBy(2 ** (-turns / 240), local(e));
     else moveInBurst(e.altKey ? "zoom" : "dolly", 0, turns * wheelStep);
   };
+  const onLeave = () => hover(null);
   const noMenu = (e: Event) => e.preventDefault();
 
   stageElement.addEventListener("pointerdown", onDown);
   stageElement.addEventListener("pointermove", onMove);
   stageElement.addEventListener("pointerup", onUp);
   stageElement.addEventListener("pointercancel", onUp);
+  stageElement.addEventListener("pointerleave", onLeave);
   stageElement.addEventListener("wheel", onWheel, { passive: false });
   stageElement.addEventListener("contextmenu", noMenu);
   return () => {
@@ -121,6 +127,7 @@ export function listenToPointers(stageElement: HTMLElement): () => void {
     stageElement.removeEventListener("pointermove", onMove);
     stageElement.removeEventListener("pointerup", onUp);
     stageElement.removeEventListener("pointercancel", onUp);
+    stageElement.removeEventListener("pointerleave", onLeave);
     stageElement.removeEventListener("wheel", onWheel);
     stageElement.removeEventListener("contextmenu", noMenu);
   };

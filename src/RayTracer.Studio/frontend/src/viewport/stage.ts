@@ -27,6 +27,9 @@ export const cameraMoves = signal(false);
 /** Counts the frames that were painted while the camera moves: what is drawn over the picture follows them. */
 export const movingFrames = signal(0);
 
+/** Counts all frames that were painted. */
+export const paintedFrames = signal(0);
+
 const margin = 12;
 const largestZoom = 64;
 
