@@ -210,6 +210,8 @@ public static class JsonEdit
 
     private static Json? Nest(Json? value, string[] steps)
     {
+        // It may be a part of what was sent.
+        value = value?.DeepClone();
         foreach (string step in steps.Reverse())
         {
             value = step is "-" or "0" ? new JsonArray(value) : new JsonObject { [step] = value };
