@@ -20,6 +20,10 @@ internal readonly ref struct NanoVdbTree
     private const int LeafSize = 2144;
     private const int MostTiles = 1 << 16;
 
+    // How many voxels a grid may have, for each of its bytes or however few there are.
+    private const long MostEmpty = 1 << 26;
+    private const long MostOfByte = 16;
+
     private readonly ReadOnlySpan<byte> _bytes;
     private readonly Span<float> _values;
     private readonly (long X, long Y, long Z) _first;
@@ -50,6 +54,12 @@ internal readonly ref struct NanoVdbTree
         if (size.X <= 0 || size.Y <= 0 || size.Z <= 0)
         {
             throw new VolumeException("no voxel of its grid is active");
+        }
+
+        // So that a few bytes cannot ask for gigabytes.
+        if ((Int128)size.X * size.Y * size.Z > Math.Max(MostEmpty, MostOfByte * (long)bytes.Length))
+        {
+            throw new VolumeException($"its active voxels span {size.X}×{size.Y}×{size.Z}, too many for so small a file");
         }
 
         VolumeFile.Check(size, 1);

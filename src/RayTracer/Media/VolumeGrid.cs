@@ -67,6 +67,9 @@ public sealed class VolumeGrid
     /// <summary>The count of all numbers.</summary>
     public long Numbers => (long)Width * Height * Depth * Channels;
 
+    /// <summary>The numbers, in the order in which they were given.</summary>
+    public unsafe ReadOnlySpan<float> Values => new(Memory.Pointer, (int)Numbers);
+
     internal PinnedBuffer<float> Memory { get; }
 
     /// <summary>Says why there can be no grid of a size; null where there can.</summary>
