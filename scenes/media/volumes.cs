@@ -17,12 +17,12 @@ for (int i = 0; i < 150; i++)
     balls.Add((new(0.5f + (0.34f * far * MathF.Cos(angle)), 0.2f + (0.62f * height), 0.5f + (0.32f * far * MathF.Sin(angle))), 0.075f + (0.075f * (1 - far) * random.NextSingle())));
 }
 
-Save("cloud", 112, 72, 80, p =>
+Save("cloud", 128, 80, 96, p =>
 {
     float inside = balls.Max(b => b.Radius - Vector3.Distance(p * new Vector3(1, 0.72f, 0.8f), b.Middle * new Vector3(1, 0.72f, 0.8f)));
-    float fold = Noise(p * 7, 5, 3) - 0.5f;
-    float base_ = Smooth((p.Y - 0.14f) / 0.06f);
-    return base_ * Smooth((inside + (0.16f * fold)) / 0.045f);
+    float fold = MathF.Abs(Noise(p * 9, 5, 3) - 0.5f) + (0.5f * MathF.Abs(Noise(p * 23, 3, 4) - 0.5f));
+    float floor = Smooth((p.Y - 0.13f - (0.03f * Noise(p * 11, 3, 5))) / 0.03f);
+    return floor * Smooth((inside + 0.035f - (0.42f * fold)) / 0.02f);
 });
 
 // Smoke from a narrow source: it rises, sways, widens, curls and thins out.
@@ -30,13 +30,13 @@ Save("smoke", 72, 128, 72, p =>
 {
     float height = p.Y;
     Vector3 curl = new(Noise(new Vector3(p.X * 3, (p.Y * 4) - 0.7f, p.Z * 3), 3, 21) - 0.5f, 0, Noise(new Vector3(p.X * 3, (p.Y * 4) + 9, p.Z * 3), 3, 22) - 0.5f);
-    Vector3 at = p + (curl * (0.05f + (0.5f * height)));
+    Vector3 at = p + (curl * (0.06f + (0.75f * height)));
     Vector2 middle = new(0.5f + (0.1f * height * MathF.Sin((5 * height) + 0.5f)) + (0.05f * height), 0.5f + (0.08f * height * MathF.Cos(6 * height)));
-    float radius = 0.035f + (0.22f * MathF.Pow(height, 0.8f));
+    float radius = 0.03f + (0.26f * MathF.Pow(height, 0.9f));
     float far = Vector2.Distance(new(at.X, at.Z), middle) / radius;
     float billow = Noise(new Vector3(at.X * 9, (at.Y * 7) - 3, at.Z * 9), 5, 31);
-    float edge = Smooth((1 - far + (1.6f * (billow - 0.55f))) / 0.5f);
-    return edge * Smooth(height / 0.02f) * Smooth((1 - height) / 0.25f) * (0.2f + (0.8f * MathF.Exp(-2.2f * height)));
+    float edge = Smooth((1 - far + (4f * (billow - 0.55f))) / 0.35f);
+    return edge * Smooth(height / 0.02f) * Smooth((1 - height) / 0.25f) * (0.15f + (0.85f * MathF.Exp(-1.8f * height)));
 });
 
 void Save(string name, int nx, int ny, int nz, Func<Vector3, float> density)
