@@ -94,9 +94,9 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
 
     private void Between(FloatW at, int count, uint stride, out UIntW low, out UIntW high, out FloatW part)
     {
-        FloatW place = at - 0.5f;
-        FloatW first = FloatW.Floor(place);
-        part = place - first;
+        FloatW fromFirst = at - 0.5f;
+        FloatW first = FloatW.Floor(fromFirst);
+        part = fromFirst - first;
         low = Row(first, count, stride);
         high = Row(first + 1f, count, stride);
     }
