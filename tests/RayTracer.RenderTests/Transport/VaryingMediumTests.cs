@@ -74,6 +74,22 @@ public sealed class VaryingMediumTests : IDisposable
         Check(SceneRuns.RenderText(scene.Replace("SHAPE", shape, StringComparison.Ordinal), s_seeds), [Math.Exp(-1), Math.Exp(-2), Math.Exp(-0.2)]);
     }
 
+    [Fact]
+    public void Deep_shadows_of_uneven_clouds_keep_their_mean()
+    {
+        // Layers of twice the density and of none: no cell has a least extinction, and little light is left for what ends at random.
+        string file = Grid("layers.vol", 4, 32, 4, (_, y, _) => y % 2 * 2, 3);
+        string scene = $$"""
+            { "camera": { "position": [3, 0.5, 0], "lookAt": [0, 0, 0], "fieldOfView": 0.001 },
+              "render": { "width": 8, "height": 8, "samplesPerPixel": 64, "integrator": "volPath", "maxDepth": 2 },
+              "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": [1, 1, 1] } },
+                { "type": "box", "a": [-0.5, 1, -0.5], "b": [0.5, 3, 0.5], "material": { "type": "invisible", "interior": { "extinction": [2, 1.5, 2.5],
+                  "density": { "file": "{{file}}", "box": [[-1, 1, -1], [1, 3, 1]], "interpolation": "nearest" } } } } ],
+              "lights": [ { "type": "directional", "direction": [0, -1, 0], "irradiance": [3.14159265, 3.14159265, 3.14159265] } ] }
+            """;
+        Check(SceneRuns.RenderText(scene, s_seeds), [Math.Exp(-4), Math.Exp(-3), Math.Exp(-5)]);
+    }
+
     [Theory]
     [InlineData("[3, 3, 3]", 1, 0.6)]
     [InlineData("[0.5, 2, 8]", 1, 0)]
