@@ -1,7 +1,10 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
 using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Media;
 using RayTracer.Numerics;
+using RayTracer.Textures;
 
 namespace RayTracer.Import;
 
@@ -9,6 +12,10 @@ namespace RayTracer.Import;
 internal static class MitsubaMedia
 {
     private static readonly Rgb s_albedo = new(0.75f, 0.75f, 0.75f);
+    private static readonly ConditionalWeakTable<MitsubaObject, MediumDescription> s_known = [];
+    private static readonly Dictionary<string, GridInterpolation> s_filters = new() { ["trilinear"] = GridInterpolation.Trilinear, ["nearest"] = GridInterpolation.Nearest };
+    private static readonly Dictionary<string, Wrapping> s_wrappings =
+        new() { ["clamp"] = Wrapping.Clamp, ["repeat"] = Wrapping.Repeat, ["mirror"] = Wrapping.Mirror };
 
     /// <summary>The material of a shape with what is inside; the material itself where nothing is.</summary>
     /// <param name="shape">The shape.</param>
@@ -46,32 +53,86 @@ internal static class MitsubaMedia
         }
     }
 
-    /// <summary>The properties of a medium.</summary>
-    public static MediumDescription Read(MitsubaObject medium)
+    /// <summary>The properties of a medium; the same for all that refer to it.</summary>
+    public static MediumDescription Read(MitsubaObject medium) => s_known.GetValue(medium, ReadOnce);
+
+    private static MediumDescription ReadOnce(MitsubaObject medium)
     {
-        medium.Ignore("has_spectral_extinction", "sample_emitters");
-        if (medium.Type == "heterogeneous")
+        // How Mitsuba samples what varies, which does not change the picture.
+        medium.Ignore("has_spectral_extinction", "sample_emitters", "majorant_resolution_factor", "majorant_factor", "majorant_grid_filename");
+        if (medium.Type is not ("homogeneous" or "heterogeneous"))
         {
-            medium.Log.Error(medium.TypePlace, "media that vary in space (heterogeneous) are not supported: only \"homogeneous\" ones");
+            medium.UnknownType("media", "homogeneous", "heterogeneous");
             return new();
         }
 
-        if (medium.Type != "homogeneous")
-        {
-            medium.UnknownType("media", "homogeneous");
-            return new();
-        }
-
-        Rgb extinction = MitsubaColors.Read(medium, "sigma_t", Rgb.White) * medium.Float("scale", 1, 0);
+        (Rgb extinction, GridDescription? density) = Volume(medium, "sigma_t", Rgb.White, float.PositiveInfinity);
+        (Rgb albedo, GridDescription? albedos) = Volume(medium, "albedo", s_albedo, 1);
         MediumDescription read = new()
         {
-            Extinction = extinction,
-            Albedo = MitsubaColors.Read(medium, "albedo", s_albedo, maximum: 1),
+            Extinction = extinction * medium.Float("scale", 1, 0),
+            Albedo = albedo,
+            Density = density,
+            AlbedoGrid = albedos,
             Anisotropy = medium.Only("phase") is { } phase ? Anisotropy(phase) : 0,
         };
+        if (density is not null && medium.Type == "homogeneous")
+        {
+            medium.Log.Error(medium.TypePlace, "a homogeneous medium cannot have a grid: its type must be \"heterogeneous\"");
+        }
+
+        if (density is null && albedos is not null)
+        {
+            medium.Log.Error(medium.PlaceOf("albedo"), "an albedo that varies is read only where \"sigma_t\" is a grid too");
+        }
+
         medium.Finish();
         return read;
     }
+
+    // A number or colour, and the grid that it is a factor on: a property, a constvolume or a gridvolume.
+    private static (Rgb Factor, GridDescription? Grid) Volume(MitsubaObject medium, string name, Rgb standard, float maximum)
+    {
+        if (medium.Child("volume", name) is not { } volume)
+        {
+            return (MitsubaColors.Read(medium, name, standard, maximum: maximum), null);
+        }
+
+        if (volume.Type == "constvolume")
+        {
+            Rgb value = MitsubaColors.Read(volume, "value", Rgb.White, maximum: maximum);
+            volume.Ignore("to_world");
+            volume.Finish();
+            return (value, null);
+        }
+
+        if (volume.Type != "gridvolume")
+        {
+            volume.UnknownType("volumes", "constvolume", "gridvolume");
+            return (Rgb.White, null);
+        }
+
+        return (Rgb.White, Grid(volume));
+    }
+
+    private static GridDescription Grid(MitsubaObject volume)
+    {
+        // Numbers are those of red, green and blue in either case; the most of them is found anyway.
+        volume.Ignore("raw", "accel", "max_value");
+        Transform place = volume.Transform();
+        GridDescription grid = new()
+        {
+            File = volume.FileName() ?? "",
+            Box = volume.Boolean("use_grid_bbox", false) ? [] : [Vector3.Zero, Vector3.One],
+            Transform = place.IsIdentity ? [] : [new() { Matrix = [.. Row(place.X), .. Row(place.Y), .. Row(place.Z)] }],
+            Interpolation = volume.Choice("filter_type", GridInterpolation.Trilinear, s_filters),
+            Wrapping = volume.Choice("wrap_mode", Wrapping.Clamp, s_wrappings),
+        };
+        volume.Finish();
+        return grid;
+    }
+
+    private static float[] Row(in TransformRow row) => [(float)row.A, (float)row.B, (float)row.C, (float)row.D];
 
     // What lets light in, with a medium inside; null where nothing does. Each part once: mixes may share theirs.
     private static MaterialDescription? Filled(MaterialDescription material, MediumDescription medium, Dictionary<object, MaterialDescription?> known) =>

@@ -124,7 +124,7 @@ public static class SceneLoader
         {
             SceneBudget budget = SceneBudget.Open ?? new();
             using IDisposable counted = budget.Begin();
-            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read, budget).Load, models.Load) { KeepsSources = keepsSources, Budget = budget };
+            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read, budget).Load, models.Load, new VolumeFolder(folder).Load) { KeepsSources = keepsSources, Budget = budget };
             scene = builder.Build(description);
             if (scene is not null && read.Description is not null)
             {

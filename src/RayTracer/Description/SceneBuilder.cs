@@ -1,6 +1,7 @@
 using System.Numerics;
 using RayTracer.Lights;
 using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Textures;
@@ -18,10 +19,13 @@ namespace RayTracer.Description;
 /// <param name="loadModel">
 /// Loads the model file of the given path, as in the scene file. May throw <see cref="ModelException"/>. Without it, no model can be read.
 /// </param>
-public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null, Func<string, ImportedModel>? loadModel = null)
+/// <param name="loadGrid">Loads the grid that a record names. May throw <see cref="VolumeException"/>. Without it, no grid can be read.</param>
+public sealed class SceneBuilder(
+    Func<string, bool, Picture>? loadPicture = null, Func<string, ImportedModel>? loadModel = null, Func<GridDescription, VolumeGrid>? loadGrid = null)
 {
     private readonly Dictionary<object, object> _built = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<object, object> _numberTextures = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<MediumDescription, Medium?> _media = new(ReferenceEqualityComparer.Instance);
     private readonly List<SceneComplaint> _complaints = [];
     private RangeCheck? _ranges;
     private MaterialDescription _inherited = ShapeDescription.DefaultMaterial;
@@ -150,6 +154,32 @@ public sealed class SceneBuilder(Func<string, bool, Picture>? loadPicture = null
             }
         }
         catch (ModelException e)
+        {
+            Error(subject, property, e.Message);
+            return null;
+        }
+    }
+
+    /// <summary>The medium that a record describes, null for empty space; the same record gives the same object.</summary>
+    public Medium? Medium(MediumDescription description)
+    {
+        if (!_media.TryGetValue(description, out Medium? medium))
+        {
+            medium = description.Build(this);
+            _media.Add(description, medium);
+        }
+
+        return medium;
+    }
+
+    /// <summary>Loads the grid that a property of a record names; reports an error and returns null if it cannot be read.</summary>
+    internal VolumeGrid? Grid(object subject, string property, GridDescription grid)
+    {
+        try
+        {
+            return (loadGrid ?? throw new VolumeException("there is nothing that reads grids here"))(grid);
+        }
+        catch (VolumeException e)
         {
             Error(subject, property, e.Message);
             return null;

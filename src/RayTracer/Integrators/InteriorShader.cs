@@ -11,6 +11,9 @@ namespace RayTracer.Rendering;
 /// <param name="context">The context that it works in.</param>
 internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceShader(context)
 {
+    private readonly VaryingFlights? _flights = context.Scene.HasVaryingMedia ? new() : null;
+    private readonly PinnedBuffer<TrackW> _track = new(1);
+
     /// <summary>
     /// Chooses how far each ray flies before its medium scatters it: by the extinction of a channel that is chosen at random, in proportion to what the path
     /// carries of it, with the density of all three (Wilkie et al. 2014, the balance heuristic for a single path). So the sum over the channels of
@@ -19,13 +22,21 @@ internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceSh
     /// </summary>
     internal override void SampleMedia(PathStream stream)
     {
-        for (int i = 0; Scene.HasMedia && i < stream.Count; i += FloatW.Count)
+        for (int i = 0; Scene.HasMedia && Scene.Media.HasEven && i < stream.Count; i += FloatW.Count)
         {
             UIntW media = UIntW.Load(stream.Media + i);
             MaskW inside = MaskW.First(stream.Count - i).Except(UIntW.Equal(MediumStack.Innermost(media), 0u));
             if (inside.Any)
             {
                 SampleMedium(stream, i, inside.Select(media, 0u), inside);
+            }
+        }
+
+        if (_flights is not null)
+        {
+            foreach ((uint number, VaryingMedium medium) in Scene.Media.Varying)
+            {
+                Fly(stream, number, medium);
             }
         }
 
@@ -109,6 +120,42 @@ internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceSh
         (left.R * FloatW.Load(stream.ThroughputR + i)).Store(stream.ThroughputR + i);
         (left.G * FloatW.Load(stream.ThroughputG + i)).Store(stream.ThroughputG + i);
         (left.B * FloatW.Load(stream.ThroughputB + i)).Store(stream.ThroughputB + i);
+    }
+
+    // Follows all rays in a medium that varies.
+    private void Fly(PathStream stream, uint number, VaryingMedium medium)
+    {
+        ref TrackW track = ref *_track.Pointer;
+        for (int i = 0; i < stream.Count; i += FloatW.Count)
+        {
+            UIntW media = UIntW.Load(stream.Media + i);
+            MaskW inside = MaskW.First(stream.Count - i) & UIntW.Equal(MediumStack.Innermost(media), number);
+            if (!inside.Any)
+            {
+                continue;
+            }
+
+            Vec3W origin = new(FloatW.Load(stream.OriginX + i), FloatW.Load(stream.OriginY + i), FloatW.Load(stream.OriginZ + i));
+            Vec3W direction = new(FloatW.Load(stream.DirectionX + i), FloatW.Load(stream.DirectionY + i), FloatW.Load(stream.DirectionZ + i));
+            MaskW meets = inside & track.Flight.Begin(medium, origin, direction, FloatW.Load(stream.Distance + i));
+            if (!meets.Any)
+            {
+                continue;
+            }
+
+            UIntW crossings = MediumStack.Crossings(media);
+            BeginVertex(inside.Select(UIntW.Load(stream.Path + i), 0u), UIntW.Load(stream.State + i) & PathState.VertexMask);
+            Vertex.Flight(crossings, out track.Choice, out FloatW v);
+            track.Flight.Depth = FlightW.DepthOf(v);
+            track.Flight.Key = Vertex.Stream(crossings);
+            track.Flight.Drawn = 0u;
+            track.Throughput = new(FloatW.Load(stream.ThroughputR + i), FloatW.Load(stream.ThroughputG + i), FloatW.Load(stream.ThroughputB + i));
+            track.Path = UIntW.Iota + (uint)i;
+            track.Busy = 1f;
+            _flights!.Add(track, meets);
+        }
+
+        _flights!.Track(medium, stream, (uint)Scene.World.Count + 1u);
     }
 
     private void SampleMedium(PathStream stream, int i, in UIntW media, in MaskW inside)

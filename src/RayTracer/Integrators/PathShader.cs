@@ -371,4 +371,4 @@ internal sealed class DirectIntegrator() : PathIntegrator("direct", IntegratorTr
 }
 
 /// <summary>Path tracing with media.</summary>
-internal sealed class VolPathIntegrator() : PathIntegrator("volPath", IntegratorTraits.Media | IntegratorTraits.PathLimit);
+internal sealed class VolPathIntegrator() : PathIntegrator("volPath", IntegratorTraits.Media | IntegratorTraits.VaryingMedia | IntegratorTraits.PathLimit);

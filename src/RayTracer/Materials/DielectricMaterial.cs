@@ -55,7 +55,7 @@ public sealed record DielectricMaterialDescription : GlassDescription
     {
         Dispersion? dispersion = BuildDispersion(builder, nameof(RefractiveIndex), RefractiveIndex != UsualIndex);
         return new DielectricMaterial(
-            RefractiveIndex, Extinction, Fresnel, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), Interior.Build(), dispersion,
+            RefractiveIndex, Extinction, Fresnel, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), builder.Medium(Interior), dispersion,
             BuildNesting(RefractiveIndex, dispersion, Extinction));
     }
 }

@@ -15,7 +15,7 @@ public sealed record InvisibleMaterialDescription : MaterialDescription
     public MediumDescription Interior { get; init; } = new();
 
     /// <inheritdoc/>
-    public override Material Build(SceneBuilder builder) => new InvisibleMaterial(Interior.Build());
+    public override Material Build(SceneBuilder builder) => new InvisibleMaterial(builder.Medium(Interior));
 }
 
 /// <summary>A boundary that changes no light.</summary>

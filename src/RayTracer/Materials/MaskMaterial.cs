@@ -25,7 +25,7 @@ public sealed record MaskMaterialDescription : MaterialDescription
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) =>
-        new MaskMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Opacity), Interior.Build());
+        new MaskMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), builder.NumberTexture(Opacity), builder.Medium(Interior));
 }
 
 /// <summary>Lets a share of the light straight through, and scatters the rest by another material.</summary>

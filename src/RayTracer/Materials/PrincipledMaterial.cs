@@ -94,7 +94,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
                 ClearcoatRoughness = builder.NumberTexture(ClearcoatRoughness),
                 Flatness = builder.NumberTexture(Flatness),
             },
-            Specular is { } specular ? IndexOf(specular) : RefractiveIndex ?? 1.5f, Interior.Build());
+            Specular is { } specular ? IndexOf(specular) : RefractiveIndex ?? 1.5f, builder.Medium(Interior));
     }
 
     // Of 8 % · specular = ((n − 1)/(n + 1))².

@@ -54,7 +54,7 @@ public sealed record RoughDielectricMaterialDescription : GlassDescription
 
         Dispersion? dispersion = BuildDispersion(builder, nameof(RefractiveIndex), RefractiveIndex != UsualIndex);
         return new RoughDielectricMaterial(
-            RefractiveIndex, Roughness.Of(builder, Distribution, Alpha, AlphaU, AlphaV), builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), Interior.Build(), dispersion,
+            RefractiveIndex, Roughness.Of(builder, Distribution, Alpha, AlphaU, AlphaV), builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), builder.Medium(Interior), dispersion,
             BuildNesting(RefractiveIndex, dispersion, Rgb.Black));
     }
 }

@@ -28,7 +28,7 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
 
     /// <inheritdoc/>
     public override Material Build(SceneBuilder builder) =>
-        new ThinDielectricMaterial(RefractiveIndex, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), Interior.Build());
+        new ThinDielectricMaterial(RefractiveIndex, builder.Texture(SpecularReflectance), builder.Texture(SpecularTransmittance), builder.Medium(Interior));
 }
 
 /// <summary>

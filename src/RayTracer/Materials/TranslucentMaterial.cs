@@ -33,7 +33,7 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
             builder.Error(this, nameof(Transmittance), "\"color\" and \"transmittance\" together must not be above 1 in any channel: more light would leave than arrives");
         }
 
-        return new TranslucentMaterial(above, below, Interior.Build());
+        return new TranslucentMaterial(above, below, builder.Medium(Interior));
     }
 }
 

@@ -3,11 +3,15 @@ using RayTracer.Spectra;
 
 namespace RayTracer.Media;
 
-/// <summary>An even medium that absorbs and scatters light.</summary>
+/// <summary>A medium that absorbs and scatters light.</summary>
 /// <param name="Extinction">Extinction coefficient, per scene unit.</param>
 /// <param name="Albedo">The part of the extinction that is scattered.</param>
 /// <param name="Anisotropy">Mean cosine of the angle of scattering, between −1 and 1.</param>
-public sealed record Medium(Rgb Extinction, Rgb Albedo, float Anisotropy);
+public sealed record Medium(Rgb Extinction, Rgb Albedo, float Anisotropy)
+{
+    /// <summary>What varies in space; null where the medium is even.</summary>
+    internal VaryingMedium? Varying { get; init; }
+}
 
 /// <summary>The inside of a shape.</summary>
 /// <param name="Medium">The medium inside; null for nothing.</param>

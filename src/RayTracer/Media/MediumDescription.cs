@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Media;
 
-/// <summary>Describes what fills a closed shape, evenly.</summary>
+/// <summary>Describes what fills a closed shape.</summary>
 public sealed record MediumDescription
 {
     /// <summary>Extinction coefficient; black for empty space.</summary>
@@ -20,6 +20,34 @@ public sealed record MediumDescription
         + "above 0 mostly forward, below 0 mostly back.", Minimum = -0.99, Maximum = 0.99)]
     public float Anisotropy { get; init; }
 
-    /// <summary>The medium; null for empty space.</summary>
-    public Medium? Build() => Extinction.IsBlack ? null : new(Extinction, Albedo, Anisotropy);
+    /// <summary>Factors on the extinction; null for none.</summary>
+    [Parameter("Numbers by which the extinction is multiplied: the density of a cloud, from a file. Outside of their box the medium is empty.")]
+    public GridDescription? Density { get; init; }
+
+    /// <summary>Noise by which the extinction is multiplied; null for none.</summary>
+    [Parameter("As density, but made by noise instead of read from a file.")]
+    public DensityNoiseDescription? Noise { get; init; }
+
+    /// <summary>Factors on the albedo, where the density varies; null for none.</summary>
+    [Parameter("Numbers by which the albedo is multiplied, from a file; only together with density or noise.")]
+    public GridDescription? AlbedoGrid { get; init; }
+
+    /// <summary>Makes the medium; null for empty space.</summary>
+    /// <param name="builder">Gives access to files and takes diagnostics.</param>
+    public Medium? Build(SceneBuilder builder)
+    {
+        if (Density is not null && Noise is not null)
+        {
+            builder.Error(this, nameof(Noise), "a medium has density from a file or noise, but not both");
+        }
+
+        if (AlbedoGrid is not null && Density is null && Noise is null)
+        {
+            builder.Error(this, nameof(AlbedoGrid), "the albedo varies only where the density does: add \"density\" or \"noise\"");
+        }
+
+        PlacedGrid? density = Density?.Build(builder) ?? Noise?.Build(builder);
+        PlacedGrid? albedo = AlbedoGrid?.Build(builder);
+        return Extinction.IsBlack ? null : new(Extinction, Albedo, Anisotropy) { Varying = density is null ? null : new(density, albedo, Extinction, Albedo) };
+    }
 }

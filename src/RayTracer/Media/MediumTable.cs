@@ -20,9 +20,18 @@ internal sealed unsafe class MediumTable
         _absorption = new((interiors.Count + 1L) * Stride);
         _priorities = new(interiors.Count + 1L);
         _priorities.Pointer[0] = -1;
+        List<(uint, VaryingMedium)> varying = [];
         for (int i = 0; i < interiors.Count; i++)
         {
             (Rgb extinction, Rgb albedo, float anisotropy) = interiors[i].Medium ?? s_empty;
+            if (interiors[i].Medium?.Varying is { } field)
+            {
+                // Followed on its own; where even media are asked for, there is nothing.
+                varying.Add(((uint)i + 1, field));
+                (extinction, albedo) = (Rgb.Black, Rgb.Black);
+            }
+
+            HasEven |= !extinction.IsBlack;
             ReadOnlySpan<float> numbers = [extinction.R, extinction.G, extinction.B, albedo.R, albedo.G, albedo.B, anisotropy, 0];
             numbers.CopyTo(new Span<float>(_numbers.Pointer + ((i + 1) * Stride), Stride));
             Rgb absorption = interiors[i].Nesting?.Extinction ?? Rgb.Black;
@@ -32,9 +41,17 @@ internal sealed unsafe class MediumTable
             // A medium without a priority counts where it was entered last: before all others when it is entered, behind them afterwards.
             _priorities.Pointer[i + 1] = interiors[i].Nesting?.Priority ?? float.MaxValue;
         }
+
+        Varying = [.. varying];
     }
 
-    /// <summary>Extinction coefficients of the innermost media.</summary>
+    /// <summary>Those whose density varies, with their numbers.</summary>
+    public (uint Number, VaryingMedium Medium)[] Varying { get; }
+
+    /// <summary>True where some are even.</summary>
+    public bool HasEven { get; }
+
+    /// <summary>Extinction coefficients of the innermost media; 0 where they vary.</summary>
     public RgbW Extinction(UIntW stack) => Color(_numbers.Pointer, stack);
 
     /// <summary>Extinction coefficients of the dielectrics themselves.</summary>

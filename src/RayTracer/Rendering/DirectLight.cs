@@ -18,7 +18,11 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     // Lights whose samples are computed before their shadow rays are traced: independent chains of roots and
     // divisions then overlap in the processor (a tenth of the whole render on an AVX2 machine).
     private const int Batch = 8;
+
+    // Of the rays from a vertex, those to lights, behind those that the path itself may follow.
+    private const uint FirstShadow = 1 << 16;
     private readonly LightSource[] _lights = [.. scene.SampledLights];
+    private readonly bool _varies = scene.HasVaryingMedia;
     private readonly LightSelection? _selection = scene.LightSelection;
     private readonly int _points = scene.PointsOfFirst;
     private readonly Transmittance? _transmittance = scene.TracksInteriors || scene.WeakensShadows ? new(scene) : null;
@@ -78,6 +82,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         lit.Transmits = shared is not null && group.Traits.Transmits;
         lit.IsSmoothed = group.MayLeak && !isLiteral;
         lit.IsLiteral = isLiteral;
+        lit.Key = _varies ? samples.Stream(FirstShadow) : 0u;
         lit.LeavesByDirection = lit.Transmits || isLiteral;
         lit.From = lit.LeavesByDirection ? surface.Point : lit.Origin;
         ref RgbW arriving = ref lit.Arriving;
@@ -93,6 +98,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
                 break;
             }
 
+            lit.Point = (uint)point;
             if (_selection is null)
             {
                 AddAll(surface, shared, ref lit, point, samples, lanes, ref arriving);
@@ -143,6 +149,11 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
                 FloatW phase = HenyeyGreenstein.Evaluate(Vec3W.Dot(incoming, sample.Direction), anisotropy);
                 FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf / probability);
                 clock?.Enter(Stage.Shadow);
+                if (_varies)
+                {
+                    _transmittance!.Draw(samples.Stream(FirstShadow + (uint)i));
+                }
+
                 _transmittance!.Trace(lit.Bits, point, 0u, default, sample.Direction, sample.Distance, media, time, _lights[i], out RgbW part);
                 clock?.Enter(Stage.Light);
                 radiance = RgbW.MultiplyAdd(weight * light * (share / probability), part, radiance);
@@ -304,6 +315,11 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         if (_transmittance is not null)
         {
             SurfaceShader.MediaAlong(scene, surface, sample.Direction, lit.Interior, lit.Media, out UIntW there);
+            if (_varies)
+            {
+                _transmittance.Draw(Hash.Mix(lit.Key + (lit.Point * (uint)_lights.Length) + (uint)light));
+            }
+
             _transmittance.Trace(wanted, origin, lit.Instance, lit.Inner, towards, distance, there, lit.Time, _lights[light], out RgbW part);
             clock?.Enter(Stage.Light);
             arriving = RgbW.MultiplyAdd(radiance * part, cosine, arriving);
@@ -380,10 +396,12 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
         public MaskW Free;
         public MaskW Unblocked;
         public UIntW Media;
+        public UIntW Key;
         public FloatW Time;
 
         // Behind the registers, which lie in whole cache lines.
         public uint Interior;
+        public uint Point;
         public bool Transmits;
         public bool IsSmoothed;
         public bool IsLiteral;

@@ -172,6 +172,9 @@ public sealed class Scene
     /// <summary>True where media absorb and scatter light: there are some, and the integrator is one that shows them.</summary>
     internal bool HasMedia { get; }
 
+    /// <summary>True where some of them vary, and the integrator is one that follows those.</summary>
+    internal bool HasVaryingMedia => HasMedia && Media.Varying.Length > 0 && Render.Integrator.Has(IntegratorTraits.VaryingMedia);
+
     /// <summary>True where dielectrics have priorities: there are some, and the integrator is one that knows them.</summary>
     internal bool HasNesting { get; }
 
@@ -216,10 +219,11 @@ public sealed class Scene
     /// <param name="description">The scene.</param>
     /// <param name="loadPicture">As for <see cref="SceneBuilder"/>.</param>
     /// <param name="loadModel">As for <see cref="SceneBuilder"/>.</param>
+    /// <param name="loadGrid">As for <see cref="SceneBuilder"/>.</param>
     /// <exception cref="SceneException">Something is wrong with it: the message says all of it.</exception>
-    public static Scene From(SceneDescription description, Func<string, bool, Picture>? loadPicture = null, Func<string, ImportedModel>? loadModel = null)
+    public static Scene From(SceneDescription description, Func<string, bool, Picture>? loadPicture = null, Func<string, ImportedModel>? loadModel = null, Func<GridDescription, VolumeGrid>? loadGrid = null)
     {
-        SceneBuilder builder = new(loadPicture, loadModel);
+        SceneBuilder builder = new(loadPicture, loadModel, loadGrid);
         return builder.Build(description) ?? throw new SceneException(builder.Complaints);
     }
 

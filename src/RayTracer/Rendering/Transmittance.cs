@@ -18,8 +18,12 @@ internal sealed unsafe class Transmittance(Scene scene)
     // A ray that comes so near to a light has reached it.
     private const float Reached = 1 - 1e-4f;
     private readonly PinnedBuffer<int> _hits = new(scene.World.RoomForHits(16));
+    private readonly ShadowFlights? _flights = scene.HasVaryingMedia ? new() : null;
     private PathStream _rays = new(16);
     private PathStream _next = new(16);
+
+    /// <summary>Sets the keys of the random numbers of the rays that are followed next, where media vary.</summary>
+    public void Draw(in UIntW keys) => _flights!.Begin(keys);
 
     /// <summary>Follows shadow rays.</summary>
     /// <param name="lanes">The lanes.</param>
@@ -61,7 +65,7 @@ internal sealed unsafe class Transmittance(Scene scene)
         {
             scene.World.ClosestHit(_rays, _hits.Pointer);
             _next.Count = 0;
-            Step(light, arrived);
+            Step(light, arrived, (uint)boundary);
             (_rays, _next) = (_next, _rays);
         }
 
@@ -70,7 +74,7 @@ internal sealed unsafe class Transmittance(Scene scene)
     }
 
     // Takes the rays, which fit in a packet, to what they meet: the light, something that stops them, or a boundary, which they cross.
-    private void Step(LightSource? light, float* arrived)
+    private void Step(LightSource? light, float* arrived, uint boundary)
     {
         MaskW used = MaskW.First(_rays.Count);
         UIntW media = used.Select(UIntW.Load(_rays.Media), 0u);
@@ -81,6 +85,11 @@ internal sealed unsafe class Transmittance(Scene scene)
             RgbW part = MediumTable.Transmittance(scene.Media.Extinction(media), way);
             left *= part;
             (FloatW.Load(_rays.Passed) * scene.Media.MeanPassing(media, part)).Store(_rays.Passed);
+        }
+
+        if (_flights is not null)
+        {
+            _flights.Weaken(scene.Media, _rays, media, way, boundary, ref left);
         }
 
         if (scene.HasNesting)

@@ -36,6 +36,7 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
         }
 
         WarnOfInsides();
+        RefuseVaryingMedia();
         if (_integrator is LightTracingIntegrator traced)
         {
             RefuseUntraceable(traced.Strategies);
@@ -116,6 +117,15 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
         if (!scene.HasMedia && Array.Exists(scene.Groups, g => g.Traits.Interior is not null))
         {
             AtIntegrator($"there are media inside shapes, which {Integrator.Only(IntegratorTraits.Media, "show")}");
+        }
+    }
+
+    private void RefuseVaryingMedia()
+    {
+        if (scene.HasMedia && !scene.HasVaryingMedia && scene.Media.Varying.Length > 0)
+        {
+            builder.Error(
+                description.Render, nameof(Standard.Integrator), $"there are media that vary in space, which {Integrator.Only(IntegratorTraits.VaryingMedia, "show")}: write \"integrator\": {Quotation.Of(Integrator.VolPath.Name)}");
         }
     }
 

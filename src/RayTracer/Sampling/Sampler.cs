@@ -85,6 +85,9 @@ public static class Dimensions
     /// <summary>Groups of one pair each, 256 to a vertex and more: flights through media. Beyond all others.</summary>
     public const uint FirstFlight = 1 << 24;
 
+    /// <summary>Groups of any count of numbers, by which rays are followed through media that vary. Beyond all others.</summary>
+    internal const uint FirstStream = 1u << 31;
+
     /// <summary>
     /// The digit of a group's number that says that it and the group two before, where that digit is zero, may be the halves of points in four dimensions:
     /// the vertices of a path by twos, for instance a direction and the light where it leads.

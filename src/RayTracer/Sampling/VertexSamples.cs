@@ -157,6 +157,14 @@ public sealed unsafe class VertexSamples(Sampler sampler)
         sampler.Pair(points, 0, out u, out v);
     }
 
+    /// <summary>The keys of as many numbers as a ray from the vertex may need, without an order among them.</summary>
+    /// <param name="ray">Numbers of the rays, in what they are different.</param>
+    internal UIntW Stream(in UIntW ray)
+    {
+        UIntW group = (_vertex.Pointer->Group << 8) + Dimensions.FirstStream;
+        return Hash.Mix(Hash.Mix(Hash.GroupKey(_vertex.Pointer->PixelKey, group) + (_vertex.Pointer->Sample * 0x85EBCA6Bu)) + (ray * Hash.Golden));
+    }
+
     /// <summary>The number that chooses the path's wavelength: the same at all of its vertices, and of all paths of a sample where those are merged.</summary>
     public FloatW Wavelength() => Wavelength(_vertex.Pointer->PixelKey, _vertex.Pointer->Sample);
 

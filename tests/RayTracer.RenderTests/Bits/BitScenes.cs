@@ -150,6 +150,9 @@ internal static class BitScenes
     /// <summary>Scenes of so many samples that some share their camera's rays: by both kinds of samplers, and by both integrators.</summary>
     public static string[] Splitting => [Split + "cornell", Split + "report/scene2", Split + "materials/10-principled"];
 
+    /// <summary>Scenes of media that vary.</summary>
+    public static string[] Varying => ["media/03-cloud", "media/04-smoke", "media/05-noise"];
+
     /// <summary>Names of the scenes of meshes, instances and motion.</summary>
     public static IReadOnlyList<string> Meshes => In("meshes");
 

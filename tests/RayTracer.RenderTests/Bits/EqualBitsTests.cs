@@ -9,7 +9,7 @@ namespace RayTracer.RenderTests.Bits;
 [Trait("Category", "Thorough")]
 public class EqualBitsTests
 {
-    private static readonly string[] s_scenes = [.. BitScenes.Report, .. BitScenes.Samplers, .. BitScenes.Splitting, BitScenes.Hills, BitScenes.DispersingShadows, .. BitScenes.Meshes, .. BitScenes.Lights];
+    private static readonly string[] s_scenes = [.. BitScenes.Report, .. BitScenes.Samplers, .. BitScenes.Splitting, BitScenes.Hills, BitScenes.DispersingShadows, .. BitScenes.Meshes, .. BitScenes.Lights, .. BitScenes.Varying];
 
     public static TheoryData<string> Scenes() => new(s_scenes);
 

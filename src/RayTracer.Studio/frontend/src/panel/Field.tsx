@@ -53,6 +53,7 @@ export function Field(props: FieldProps) {
       return <MaterialField {...props} />;
     case "record": {
       const type = schema.value && sectionOf(schema.value, parameter);
+      if (parameter.default === null && value === undefined) return <Button label={texts.panel.set} showLabel kind="plain" onClick={() => setValue(pointer, {})} />;
       return type ? <RecordEditor type={type} pointer={pointer} value={value} /> : null;
     }
     case "records":
