@@ -12,7 +12,7 @@ internal static class MitsubaIntegrators
         {
             case "path" or "volpath" or "volpathmis":
                 Integrator kind = integrator.Type == "path" ? Integrator.Path : Integrator.VolPath;
-                render = render with { Integrator = kind, MaxDepth = Depth(integrator), RouletteDepth = int.Min(integrator.Integer("rr_depth", 5, 1), RenderDescription.LongestPath) };
+                render = render with { Integrator = kind, StraightThrough = kind == Integrator.VolPath, MaxDepth = Depth(integrator), RouletteDepth = int.Min(integrator.Integer("rr_depth", 5, 1), RenderDescription.LongestPath) };
                 break;
             case "direct":
                 integrator.Ignore("shading_samples", "emitter_samples", "bsdf_samples");

@@ -59,6 +59,9 @@ public enum IntegratorTraits
 
     /// <summary>Samples may share their camera rays.</summary>
     Splits = 1 << 16,
+
+    /// <summary>What goes straight through surfaces may be no bounce.</summary>
+    StraightThrough = 1 << 17,
 }
 
 /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>
