@@ -40,7 +40,7 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
             return inner;
         }
 
-        return new BumpMapMaterialDescription { Map = textures.Read(map), Scale = scale, Turned = turned, SoftensShadow = isSoftened, Material = inner };
+        return new BumpMapMaterialDescription { Map = textures.Number(map), Scale = scale, Turned = turned, SoftensShadow = isSoftened, Material = inner };
     }
 
     /// <summary>The material of Disney's parameters.</summary>

@@ -62,6 +62,9 @@ public enum IntegratorTraits
 
     /// <summary>What goes straight through surfaces may be no bounce.</summary>
     StraightThrough = 1 << 17,
+
+    /// <summary>What shines can be hidden from the camera.</summary>
+    HiddenLights = 1 << 18,
 }
 
 /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>

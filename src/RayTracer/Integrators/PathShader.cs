@@ -41,6 +41,11 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         }
 
         base.Arrive(stream, index, direction, out arriving);
+        if (Scene.HidesLights)
+        {
+            arriving = UIntW.Equal(Edges(UIntW.Pick(stream.State, index)), 0u).Select(default, arriving);
+        }
+
         MaskW shared = UIntW.Equal(UIntW.Pick(stream.State, index) & PathState.CountsEmission, 0u);
         if (_environment is { } environment && shared.Any)
         {
@@ -100,6 +105,13 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
         radiance = stream.PickRadiance(index);
+        if (Scene.HidesLights && group.Traits.Emits)
+        {
+            MaskW hidden = lanes & UIntW.Equal(Edges(state), 0u);
+            Pass(group, packet, state, stream, next, index, hidden.Bits);
+            lanes = lanes.Except(hidden);
+        }
+
         GuidedMaterial? guided = _guided?.At(group, surface);
         Material material = guided ?? group.Material;
         if (group.Traits.Emits && _maxDepth > 0)
@@ -182,7 +194,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         MaskW alive = (goesOn | straight).Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
         alive = alive.Except(Dropped(surface, scatter.Direction).Except(straight));
         FloatW brightest = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
-        Survive(Scene.PassesStraight ? Edges(state) : packet.Vertex, guided is null ? brightest * Leniency : GuidedMaterial.Survival, ref alive, ref throughput);
+        Survive(Scene.CountsPassed ? Edges(state) : packet.Vertex, guided is null ? brightest * Leniency : GuidedMaterial.Survival, ref alive, ref throughput);
         Observer?.Scattered(stream, index, lanes, alive, material, surface, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = lanes.Bits & ~going;
@@ -272,7 +284,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
     private UIntW Edges(in UIntW state)
     {
         UIntW vertex = state & PathState.VertexMask;
-        return Scene.PassesStraight ? vertex - (state >> PathState.PassedShift) : vertex;
+        return Scene.CountsPassed ? vertex - (state >> PathState.PassedShift) : vertex;
     }
 
     // The paths that go straight through a surface as if it were not there; beyond what can be counted, they bounce.
@@ -389,7 +401,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 /// <summary>Path tracing.</summary>
 internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.PathLimit | IntegratorTraits.Guides | IntegratorTraits.Splits) : Integrator(
     name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment
-        | IntegratorTraits.LitGloss | IntegratorTraits.SoftTone | more)
+        | IntegratorTraits.LitGloss | IntegratorTraits.SoftTone | IntegratorTraits.HiddenLights | more)
 {
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, context.Scene.Render.MaxDepth);
 }

@@ -42,6 +42,7 @@ public sealed class Scene
         Wavelengths = Array.Exists(Groups, g => g.Traits.Disperses) ? new() : null;
         Media = new(_interiors);
         (HasMedia, HasNesting, WeakensShadows, PassesStraight, IsLiteral) = Shown();
+        HidesLights = render.HideLights && render.Integrator.Has(IntegratorTraits.HiddenLights);
         CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = LightList.Create(World);
         environment?.World = World;
@@ -71,6 +72,7 @@ public sealed class Scene
         _interiors = other._interiors;
         Media = other.Media;
         (HasMedia, HasNesting, WeakensShadows, PassesStraight, IsLiteral) = Shown();
+        HidesLights = render.HideLights && render.Integrator.Has(IntegratorTraits.HiddenLights);
         CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = other.Lights;
         LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
@@ -177,6 +179,12 @@ public sealed class Scene
 
     /// <summary>True where what goes straight through a surface has no vertex there: some surface lets light through so, and the scene asks for it.</summary>
     internal bool PassesStraight { get; }
+
+    /// <summary>True where rays of the camera pass what shines, and see nothing behind everything.</summary>
+    internal bool HidesLights { get; }
+
+    /// <summary>True where paths may go through surfaces that are no bounce, and count them (<see cref="PathState.OnePassed"/>).</summary>
+    internal bool CountsPassed => PassesStraight || HidesLights;
 
     /// <summary>True where paths keep a record of the media that they are in, and of how far they have come since they last scattered.</summary>
     internal bool TracksInteriors => HasMedia || HasNesting || PassesStraight;
@@ -291,7 +299,7 @@ public sealed class Scene
     // Not where much of the noise comes from the camera's ray itself (lenses, motion, the fine shapes of meshes), from the choice of lights, or from all that
     // there is (direct light alone); nor where something happens to the ray on its way, or paths differ from the start.
     private bool CanSplit() => Render.Integrator.Has(IntegratorTraits.Splits) && World.IsPlain && !Camera.HasLens && !IsTimed
-        && SampledEnvironment is null && LightSelection is null && !TracksInteriors && Wavelengths is null
+        && SampledEnvironment is null && LightSelection is null && !TracksInteriors && !HidesLights && Wavelengths is null
         && (Render.Integrator.Has(IntegratorTraits.BounceLimits) ? Render.MaxDiffuseDepth > 0 : Render.MaxDepth is < 0 or > 2);
 
     private bool HasInterior(Predicate<Interior> which) => Array.Exists(_interiors, which);
@@ -300,7 +308,7 @@ public sealed class Scene
         ? new(SampledLights, (Render.Shutter.X, Render.Shutter.Y))
         : null;
 
-    private int CountPoints() => TracksInteriors || Splitting is not null || !Render.Integrator.Has(IntegratorTraits.SampledEnvironment) ? 1
+    private int CountPoints() => TracksInteriors || HidesLights || Splitting is not null || !Render.Integrator.Has(IntegratorTraits.SampledEnvironment) ? 1
         : LightSelection is not null ? 4
         : SampledLights.Any(l => !l.IsDelta) ? 2 : 1;
 
