@@ -36,6 +36,7 @@ internal static class MitsubaIntegrators
         if (render.HideLights && integrator.Type == "ptracer")
         {
             integrator.Log.Error(integrator.PlaceOf("hide_emitters"), "with \"ptracer\", emitters that the camera does not see are not supported: \"path\" hides them");
+            render = render with { HideLights = false };
         }
 
         integrator.Finish();

@@ -238,8 +238,17 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     }
 
     /// <summary>Says that its type is none of those that are supported.</summary>
-    public void UnknownType(string kinds, params string[] known) =>
-        log.Unknown(TypePlace, $"{kinds} of type {Quotation.Of(Type)} are not supported", Type, known);
+    public void UnknownType(string kinds, params string[] known)
+    {
+        string message = $"{kinds} of type {Quotation.Of(Type)} are not supported";
+        if (MitsubaPlugins.ReasonOf(this) is { } reason)
+        {
+            log.Error(TypePlace, $"{message}: {reason}");
+            return;
+        }
+
+        log.Unknown(TypePlace, message, Type, known);
+    }
 
     /// <summary>The name in messages.</summary>
     public string Describe() => Type.Length > 0 ? $"{Kind} {Quotation.Of(Type)}" : Kind;

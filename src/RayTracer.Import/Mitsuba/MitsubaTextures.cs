@@ -15,6 +15,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         new() { ["repeat"] = Wrapping.Repeat, ["mirror"] = Wrapping.Mirror, ["clamp"] = Wrapping.Clamp };
 
     private readonly Dictionary<MitsubaObject, TextureDescription> _made = [];
+    private readonly Dictionary<TextureDescription, string> _attributes = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<TextureDescription, TextureDescription> _numbers = new(ReferenceEqualityComparer.Instance);
 
     /// <summary>The textures that have names.</summary>
@@ -136,16 +137,21 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         return uv.IsStraight ? image : uv.Place(image);
     }
 
-    // Of the attributes of meshes besides uv, only the colours of their corners are supported.
+    /// <summary>The attributes of meshes that a material shows.</summary>
+    public string[] AttributesOf(MaterialDescription material) =>
+        [.. MaterialTextures.Colors(material).Select(_attributes.GetValueOrDefault).OfType<string>().Distinct()];
+
     private TextureDescription Attribute(MitsubaObject texture)
     {
-        if (texture.Text("name") != "vertex_color")
+        string? name = texture.Text("name");
+        if (name is null || !(name.StartsWith("vertex_", StringComparison.Ordinal) || name.StartsWith("face_", StringComparison.Ordinal)))
         {
-            reading.Log.Error(texture.Has("name") ? texture.PlaceOf("name") : texture.Place, "of the attributes of meshes, only \"vertex_color\" is supported");
+            reading.Log.Error(name is null ? texture.Place : texture.PlaceOf("name"), "the name of a mesh's attribute begins with vertex_ or face_, as in \"vertex_color\"");
         }
 
         float scale = texture.Float("scale", 1);
-        TextureDescription colors = new VertexColorTextureDescription();
+        VertexColorTextureDescription colors = new();
+        _attributes.Add(colors, name ?? "vertex_color");
         return scale == 1 ? colors : new ProductTextureDescription { First = colors, Second = Solid(new(scale, scale, scale)) };
     }
 
