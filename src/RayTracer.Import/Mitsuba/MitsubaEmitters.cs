@@ -112,7 +112,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
     {
         if (emitter.HasChild("texture"))
         {
-            reading.Log.Error(emitter.Place, "a picture in a spot light is not supported");
+            reading.Log.Unsupported(emitter.Place, "a picture in a spot light is not supported", "it shines without");
             _ = emitter.Child("texture", "texture");
         }
 

@@ -33,7 +33,9 @@ internal static class MitsubaFlips
             return turned;
         }
 
-        shape.Log.Error(shape.PlaceOf("flip_normals"), $"a {shape.Type} that is turned inside out and shines, is embossed or transparent all around, or holds a medium is not supported");
+        shape.Log.Unsupported(
+            shape.PlaceOf("flip_normals"),
+            $"a {shape.Type} that is turned inside out and shines, is embossed or transparent all around, or holds a medium is not supported", "it is not turned");
         return material;
     }
 }

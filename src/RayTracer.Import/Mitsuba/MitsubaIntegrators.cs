@@ -35,7 +35,8 @@ internal static class MitsubaIntegrators
         render = render with { HideLights = integrator.Boolean("hide_emitters", false) };
         if (render.HideLights && integrator.Type == "ptracer")
         {
-            integrator.Log.Error(integrator.PlaceOf("hide_emitters"), "with \"ptracer\", emitters that the camera does not see are not supported: \"path\" hides them");
+            integrator.Log.Unsupported(
+                integrator.PlaceOf("hide_emitters"), "with \"ptracer\", emitters that the camera does not see are not supported: \"path\" hides them", "they are seen");
             render = render with { HideLights = false };
         }
 

@@ -36,6 +36,17 @@ internal static class MitsubaPlugins
         """.Split(['\n', '\r'], StringSplitOptions.RemoveEmptyEntries).Select(line => line.Split([' ', ':'], 3))
         .ToDictionary(words => (words[0], words[1]), words => words[2].Trim());
 
+    /// <summary>What stands in for a thing of a kind, as the end of a sentence.</summary>
+    public static string StandInOf(string kind) => kind switch
+    {
+        "bsdf" or "texture" => "magenta is shown instead",
+        "shape" => "a magenta ball is shown instead",
+        "integrator" => "\"path\" is used instead",
+        "sensor" => "a perspective one is used instead",
+        "emitter" or "medium" or "phase" => "it is left out",
+        _ => "the default is used instead",
+    };
+
     /// <summary>The reason why a thing is refused, as the end of a sentence; null where its type is none of Mitsuba's.</summary>
     public static string? ReasonOf(MitsubaObject thing) => Refused.GetValueOrDefault((thing.Kind, thing.Type));
 }

@@ -72,7 +72,7 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaTextures text
         if (!s_types.Contains(shape.Type))
         {
             shape.UnknownType("shapes", s_types);
-            return null;
+            return shape.Log.IsLenient ? new SphereDescription { Radius = 1, Material = MitsubaBsdfs.Magenta, Transform = MitsubaSurfaces.Steps(shape.Transform()) } : null;
         }
 
         MaterialDescription material = Material(shape);
@@ -99,7 +99,7 @@ internal static class MitsubaMeshes
     {
         if (attributes.Length > 1)
         {
-            shape.Log.Error(shape.Place, $"a mesh may show one of its attributes here, but this one shows {string.Join(" and ", attributes)}");
+            shape.Log.Unsupported(shape.Place, $"a mesh may show one of its attributes here, but this one shows {string.Join(" and ", attributes)}", "the first is shown");
         }
 
         // The front of flat faces follows from the order of their corners after the transform, so a mirror turns it inwards.

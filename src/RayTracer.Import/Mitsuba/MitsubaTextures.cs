@@ -92,7 +92,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     private static TextureDescription Unknown(MitsubaObject texture)
     {
         texture.UnknownType("textures", "bitmap", "checkerboard", "mesh_attribute", "rawconstant");
-        return Solid(new(0.5f, 0.5f, 0.5f));
+        return Solid(texture.Log.IsLenient ? new(1, 0, 1) : new(0.5f, 0.5f, 0.5f));
     }
 
     // Numbers that are no colours, whatever they are used for.
